@@ -1,0 +1,127 @@
+// The first event along one expansion: an impact (of one mass or of several at the same instant), a
+// release at a root of the hold force, or the hold force grazing zero without crossing it.
+#pragma once
+
+#include <vector>
+
+#include "expansion.hpp"
+#include "first_root.hpp"
+#include "motion.hpp"
+
+namespace vibro_impact {
+
+enum class Happening { nothing, impact, press, release, force_graze };
+
+// `stops` lists the indices of the stops concerned; several only for simultaneous impacts.
+// `press` is a mass at rest at its stop whose first non-zero derivative points into it.
+struct FirstEvent {
+  Happening kind = Happening::nothing;
+  double u = 1.0;
+  double force_slope = 0.0;  // d/du of the hold force, for a release
+  std::vector<std::size_t> stops;
+};
+
+// Storage of one flight, reused: no allocation between events.
+template <int D>
+struct Flight {
+  Expansion<D> expansion;
+  std::vector<Polynomial> gaps;  // one per open stop of the mode
+  std::vector<Root> roots;       // the first root of each, `at` > 1 for none
+  FirstEvent event;
+};
+
+// The gap polynomial with what is known exactly put in place of what rounding left.
+template <int D>
+Polynomial gap_polynomial(const OpenStop<D> &open, const StopState &stop,
+                          const Expansion<D> &expansion) {
+  Polynomial p = polynomial_of(open.gap, expansion, false);
+  if (stop.zeros == 0) {
+    p.coefficient[0] = stop.gap;
+    p.coefficient[1] = stop.speed * expansion.span;
+    return p;
+  }
+  double scaled = stop.leading;
+  for (int n = 0; n < stop.zeros; ++n) {
+    p.coefficient[static_cast<std::size_t>(n)] = 0.0;
+    scaled *= expansion.span / (n + 1);
+  }
+  p.coefficient[static_cast<std::size_t>(stop.zeros)] = scaled;
+  return p;
+}
+
+// Finds the first event in (0, 1] of `flight.expansion`, which expands `state`.
+template <int D>
+void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counters) {
+  const ContactMode<D> &mode = *state.mode;
+  FirstEvent &event = flight.event;
+  event.kind = Happening::nothing;
+  event.u = 1.0;
+  event.stops.clear();
+  flight.gaps.resize(mode.open.size());
+  flight.roots.assign(mode.open.size(), Root{2.0, 0.0, 0.0});
+  double limit = 1.0, uncertainty = 0.0;
+
+  for (std::size_t k = 0; k < mode.open.size(); ++k) {
+    const OpenStop<D> &open = mode.open[k];
+    const StopState &stop = state.stops[open.stop];
+    flight.gaps[k] = gap_polynomial(open, stop, flight.expansion);
+    const auto root = first_root(flight.gaps[k], stop.zeros, limit, counters);
+    if (!root) continue;
+    flight.roots[k] = *root;
+    if (root->at < event.u || event.kind == Happening::nothing) {
+      event.kind = root->at == 0.0 && stop.zeros != 1 ? Happening::press : Happening::impact;
+      event.u = root->at;
+      uncertainty = root->uncertainty;
+      event.stops.assign(1, open.stop);
+      limit = std::min(1.0, event.u + uncertainty + 1e-9 * event.u);
+    }
+  }
+  for (const ClosedStop<D> &closed : mode.closed) {
+    const Polynomial force = polynomial_of(closed.press, flight.expansion, true);
+    const int zeros = state.stops[closed.stop].zeros;
+    // One order less than the expansion: the force contains the velocity.
+    const auto root = first_root(force, zeros, event.u, counters);
+    if (!root || (event.kind != Happening::nothing && root->at >= event.u)) continue;
+    const double slope = root->at == 0.0 && zeros == 1 ? force.coefficient[1] : root->slope;
+    event.kind = slope < 0.0 ? Happening::release : Happening::force_graze;
+    event.u = root->at;
+    event.force_slope = slope;
+    event.stops.assign(1, closed.stop);
+  }
+  if (event.kind != Happening::impact) return;
+  // Impacts whose times agree within their rounding are one event.
+  for (std::size_t k = 0; k < mode.open.size(); ++k) {
+    const Root &root = flight.roots[k];
+    if (mode.open[k].stop != event.stops.front() &&
+        root.at - event.u <= root.uncertainty + uncertainty)
+      event.stops.push_back(mode.open[k].stop);
+  }
+}
+
+// Moves `state` to u of the expansion: lanes, time, and the carried gaps.
+template <int D>
+void move_to(State<D> &state, const Flight<D> &flight, double u, const Scene &scene,
+             const Clock &clock) {
+  const ContactMode<D> &mode = *state.mode;
+  if (u == 0.0) return;
+  advance(flight.expansion, u, state.value, state.slope);
+  state.now = later(state.now, u * flight.expansion.span, clock);
+  set_forcing(state, scene);
+  for (std::size_t k = 0; k < mode.open.size(); ++k) {
+    const OpenStop<D> &open = mode.open[k];
+    StopState &stop = state.stops[open.stop];
+    const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
+    stop = {std::max(0.0, carried.value), carried.slope / flight.expansion.span, 0, 0.0};
+    // A wide gap is read off the lanes again, so that the carried one cannot drift away from them;
+    // "wide" is when cancellation costs less than ten bits.
+    const double size =
+        std::abs(open.gap.offset) + (open.gap.on_value * state.value).abs().sum();
+    if (stop.gap > 0x1p-10 * size) {
+      stop.gap = open.gap(state.value, state.slope);
+      stop.speed = (open.gap.on_value * state.slope).sum();
+    }
+  }
+  for (const ClosedStop<D> &closed : mode.closed) state.stops[closed.stop].zeros = 0;
+}
+
+}  // namespace vibro_impact

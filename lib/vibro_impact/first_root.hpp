@@ -1,0 +1,98 @@
+// The first root of a polynomial on (0, 1], with a guarantee and without sampling.
+//
+// From u with p(u) > 0, slope p'(u) and a lower bound -B of p'' on [0, 1], no root lies before the
+// positive root of p + p' d - B d^2 / 2. Advancing by that d never passes a root, converges
+// quadratically to a transversal one, and passes a dip that does not touch zero: grazing is decided
+// instead of sampled for.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "counters.hpp"
+#include "expansion.hpp"
+
+namespace vibro_impact {
+
+struct Root {
+  double at = 0.0;           // u
+  double slope = 0.0;        // p'(u) of the polynomial searched
+  double uncertainty = 0.0;  // of u, from the rounding of the coefficients
+};
+
+namespace detail {
+
+// Lower bound on [0, 1] of sum_{n >= first} weight(n) c_n u^(n - first): nested minima.
+template <class Weight>
+double lower_bound(const Polynomial &p, int first, Weight weight) {
+  double bound = 0.0;
+  for (int n = p.order; n >= first; --n)
+    bound = weight(n) * p.coefficient[static_cast<std::size_t>(n)] + std::min(0.0, bound);
+  return bound;
+}
+
+}  // namespace detail
+
+// First root in (0, limit] of the polynomial with its `zeros` leading (exactly zero) coefficients
+// divided out; nothing when there is none. A positive leading coefficient is expected; when the
+// first non-zero one is negative the root returned is 0. `slope` belongs to the whole polynomial.
+inline std::optional<Root> first_root(const Polynomial &p, int zeros, double limit,
+                                      Counters &counters) {
+  int first = zeros;
+  while (first <= p.order && p.coefficient[static_cast<std::size_t>(first)] == 0.0) ++first;
+  if (first > p.order) return std::nullopt;  // identically zero: it never leaves, never returns
+  const auto at = [&](int n) { return p.coefficient[static_cast<std::size_t>(n)]; };
+  if (at(first) < 0.0) return Root{};
+  if (detail::lower_bound(p, first, [](int) { return 1.0; }) > 0.0) {
+    ++counters.roots_dismissed;
+    return std::nullopt;
+  }
+  ++counters.roots_searched;
+  const double curvature = -std::min(
+      0.0, detail::lower_bound(p, first + 2, [first](int n) {
+        return static_cast<double>(n - first) * static_cast<double>(n - first - 1);
+      }));
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  double u = 0.0;
+  // Ends: u grows by at least one unit in the last place per step, and quadratically near a
+  // transversal root; at an exact tangency the distance falls by a constant factor per step.
+  while (true) {
+    double value = at(p.order), slope = 0.0, size = std::abs(value);
+    for (int n = p.order - 1; n >= first; --n) {
+      slope = slope * u + value;
+      value = value * u + at(n);
+      size = size * u + std::abs(at(n));
+    }
+    const double noise = epsilon * size;
+    const double step =
+        value <= 0.0 ? 0.0
+                     : 2.0 * value / (-slope + std::sqrt(slope * slope + 2.0 * curvature * value));
+    if (value <= 0.25 * noise || u + step == u) {
+      const double whole_slope =
+          first == 0 ? slope : std::pow(u, first) * slope;  // value is zero here
+      const double uncertainty = std::min(2.0 * noise / std::max(std::abs(slope), noise), 1e-9);
+      return Root{u, whole_slope, uncertainty};
+    }
+    ++counters.root_iterations;
+    if (!(u + step <= limit)) return std::nullopt;  // also when the step is infinite
+    u += step;
+  }
+}
+
+// Value and slope at u, with the exact zeros divided out so that small values keep their accuracy.
+inline OscillatorState<double> evaluate(const Polynomial &p, int zeros, double u) {
+  double value = p.coefficient[static_cast<std::size_t>(p.order)], slope = 0.0;
+  for (int n = p.order - 1; n >= zeros; --n) {
+    slope = slope * u + value;
+    value = value * u + p.coefficient[static_cast<std::size_t>(n)];
+  }
+  for (int k = 0; k < zeros; ++k) {
+    slope = slope * u + value;
+    value *= u;
+  }
+  return {value, slope};
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,27 @@
+// The impact law: Newton's coefficient of restitution (Eqs. 8-11).
+#pragma once
+
+#include "motion.hpp"
+
+namespace vibro_impact {
+
+// x_i' -> -r x_i' for the mass at stop `k`, in the lanes (Psi^-1 R Psi restricted to one mass; for
+// several masses at one instant the factors commute and their product is the R of Eq. 16).
+// `closing` is the gap speed just before, <= 0. The lanes are brought into agreement with the gap,
+// which is zero exactly. The gap speed afterwards is kept to full relative accuracy in the stop state.
+template <int D>
+void apply_impact(State<D> &state, const Scene &scene, const OpenStop<D> &open, double closing) {
+  const double sigma = sign(scene.stops[open.stop].side);
+  const double leaving = -scene.restitution * closing;
+  const double misplaced = open.gap(state.value, state.slope);
+  const double misdirected = leaving - (open.gap.on_value * state.slope).sum();
+  const auto column = state.mode->to_modal.col(static_cast<Eigen::Index>(open.mass)).array();
+  state.value += column * (sigma * misplaced);
+  state.slope -= column * (sigma * misdirected);
+  state.stops[open.stop] = {0.0, leaving, 1, leaving};
+  for (const OpenStop<D> &other : state.mode->open)  // an opposite stop sees the same jump
+    if (other.mass == open.mass && other.stop != open.stop)
+      state.stops[other.stop].speed = -leaving;
+}
+
+}  // namespace vibro_impact
