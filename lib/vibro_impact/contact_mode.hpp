@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -50,12 +51,20 @@ struct ContactMode {
   using Lanes = Eigen::Array<double, D, 1>;
   Held held;
   Lanes kappa, lambda;           // y'' + kappa y' + lambda y = 0 per lane
-  double fastest = 0.0;          // largest modulus of a characteristic root over the lanes
+  Lanes rate;                    // largest modulus of a characteristic root of each lane
+  double fastest = 0.0;          // the largest of them
+  bool stiff = false;            // some lanes are much faster than others
+  // x = equilibrium + shape y, N x lanes; rows of held masses are zero. The last two columns are the
+  // steady response to cos(Omega t) and sin(Omega t) where there is forcing.
   Eigen::VectorXd equilibrium;   // static position of every mass, N
-  Eigen::MatrixXd shape;         // x = equilibrium + shape y, N x lanes; rows of held masses zero
-  Eigen::MatrixXd to_modal;      // y = to_modal (x - equilibrium) - steady, lanes x N
-  Lanes steady_cos, steady_sin;  // steady response of each lane to cos(Omega t)
-  Lanes resonant;                // forcing of the lanes too close to resonance to be split off
+  Eigen::MatrixXd shape;
+  Eigen::MatrixXd to_modal;           // y per displacement (and y' per velocity), lanes x N
+  Eigen::MatrixXd velocity_to_modal;  // y per velocity: of the lanes of split modes only
+  // A strongly over-damped mode is split into its two decays, one lane each (lambda = 0, y' =
+  // -kappa y), so that the fast one can be dropped once it has died out.
+  Eigen::Array<bool, D, 1> decay;
+  bool any_decay = false;
+  Lanes resonant;  // forcing of the lanes too close to resonance for a steady response
   bool any_resonant = false;
   std::vector<OpenStop<D>> open;
   std::vector<ClosedStop<D>> closed;
@@ -90,6 +99,52 @@ inline Eigen::VectorXd static_positions(const Scene &scene, const Held &held,
     i = anchor + 1;
   }
   return x;
+}
+
+// Modes of the free masses: M^-1/2 K M^-1/2 on the free rows is tridiagonal; links to held masses
+// only stiffen it. `shape` is N x modes (zero rows for held masses), `inverse` its left inverse.
+struct Decomposition {
+  Eigen::VectorXd lambda;
+  Eigen::MatrixXd shape, inverse;
+};
+
+inline Decomposition decompose(const Scene &scene, const std::vector<std::size_t> &free) {
+  using Eigen::Index;
+  const std::size_t n = scene.mass.size();
+  const auto modes = static_cast<Index>(free.size());
+  Decomposition basis;
+  basis.lambda.setZero(modes);
+  basis.shape.setZero(static_cast<Index>(n), modes);
+  basis.inverse.setZero(modes, static_cast<Index>(n));
+  if (modes == 0) return basis;
+  Eigen::VectorXd diagonal(modes), off(modes - 1);
+  for (Index a = 0; a < modes; ++a) {
+    const std::size_t i = free[static_cast<std::size_t>(a)];
+    const double k_right = i + 1 < n ? scene.stiffness[i + 1] : 0.0;
+    diagonal(a) = (scene.stiffness[i] + k_right) / scene.mass[i];
+    if (a + 1 < modes)
+      off(a) = free[static_cast<std::size_t>(a) + 1] == i + 1
+                   ? -k_right / std::sqrt(scene.mass[i] * scene.mass[i + 1])
+                   : 0.0;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, off);
+  basis.lambda = solver.eigenvalues();
+  for (Index j = 0; j < modes; ++j) {
+    const double orient = solver.eigenvectors()(modes - 1, j) < 0.0 ? -1.0 : 1.0;
+    for (Index a = 0; a < modes; ++a) {
+      const auto i = free[static_cast<std::size_t>(a)];
+      const double u = orient * solver.eigenvectors()(a, j), root_m = std::sqrt(scene.mass[i]);
+      basis.shape(static_cast<Index>(i), j) = u / root_m;
+      basis.inverse(j, static_cast<Index>(i)) = u * root_m;
+    }
+  }
+  return basis;
+}
+
+// Damping ratio above 1.5 (Eq. 7: zeta = beta sqrt(lambda) / 2): the two decays are well apart.
+inline bool strongly_damped(double beta, double lambda) {
+  return beta * beta * lambda > 9.0;
 }
 
 // Largest modulus of a root of z^2 + kappa z + lambda.
@@ -137,67 +192,67 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
     if (static_cast<double>(held[i]) == sign(stop.side)) held_at[i] = stop.position;
   }
 
-  ContactMode<D> mode;
   const auto modes = static_cast<Index>(free.size());
   const Index forcing = scene.forced() ? 2 : 0;
-  const Index lanes = D == Eigen::Dynamic ? modes + forcing : Index(D);
+  const detail::Decomposition basis = detail::decompose(scene, free);
+  Index split = 0;
+  for (Index j = 0; j < modes; ++j)
+    if (detail::strongly_damped(scene.beta, basis.lambda(j))) ++split;
+  const Index lanes = D == Eigen::Dynamic ? modes + split + forcing : Index(D);
+
+  ContactMode<D> mode;
   mode.held = held;
-  for (auto *array : {&mode.kappa, &mode.lambda, &mode.steady_cos, &mode.steady_sin, &mode.resonant})
-    array->setZero(lanes);
+  for (auto *array : {&mode.kappa, &mode.lambda, &mode.rate, &mode.resonant}) array->setZero(lanes);
+  mode.decay.setConstant(lanes, false);
   mode.equilibrium = detail::static_positions(scene, held, held_at);
   mode.shape.setZero(static_cast<Index>(n), lanes);
   mode.to_modal.setZero(lanes, static_cast<Index>(n));
+  mode.velocity_to_modal.setZero(lanes, static_cast<Index>(n));
 
-  if (modes > 0) {
-    // M^-1/2 K M^-1/2 on the free rows is tridiagonal; links to held masses only stiffen it.
-    Eigen::VectorXd diagonal(modes), off(modes > 1 ? modes - 1 : 0);
-    for (Index a = 0; a < modes; ++a) {
-      const std::size_t i = free[static_cast<std::size_t>(a)];
-      const double k_right = i + 1 < n ? scene.stiffness[i + 1] : 0.0;
-      diagonal(a) = (scene.stiffness[i] + k_right) / scene.mass[i];
-      if (a + 1 < modes)
-        off(a) = free[static_cast<std::size_t>(a) + 1] == i + 1
-                     ? -k_right / std::sqrt(scene.mass[i] * scene.mass[i + 1])
-                     : 0.0;
-    }
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(diagonal, off);
-    for (Index j = 0; j < modes; ++j) {
-      const double orient = solver.eigenvectors()(modes - 1, j) < 0.0 ? -1.0 : 1.0;
-      mode.lambda(j) = solver.eigenvalues()(j);
-      mode.kappa(j) = scene.beta * mode.lambda(j);
-      for (Index a = 0; a < modes; ++a) {
-        const auto i = free[static_cast<std::size_t>(a)];
-        const double u = orient * solver.eigenvectors()(a, j), root_m = std::sqrt(scene.mass[i]);
-        mode.shape(static_cast<Index>(i), j) = u / root_m;
-        mode.to_modal(j, static_cast<Index>(i)) = u * root_m;
-      }
-    }
-  }
-
-  if (forcing) {
-    const double omega2 = scene.omega * scene.omega;
-    for (Index j = 0; j < modes; ++j) {
+  const double omega2 = scene.omega * scene.omega;
+  for (Index j = 0, lane = 0; j < modes; ++j, ++lane) {
+    const double lambda = basis.lambda(j), kappa = scene.beta * lambda;
+    mode.shape.col(lane) = basis.shape.col(j);
+    mode.to_modal.row(lane) = basis.inverse.row(j);
+    mode.kappa(lane) = kappa;
+    mode.lambda(lane) = lambda;
+    if (forcing) {
       double force = 0.0;  // Psi^T A of Eq. 7
-      for (std::size_t i : free)
-        force += mode.shape(static_cast<Index>(i), j) * scene.amplitude[i];
-      const double detuning = mode.lambda(j) - omega2, loss = mode.kappa(j) * scene.omega;
+      for (std::size_t i : free) force += basis.shape(static_cast<Index>(i), j) * scene.amplitude[i];
+      const double detuning = lambda - omega2, loss = kappa * scene.omega;
       const double squared = detuning * detuning + loss * loss;
-      if (std::sqrt(squared) < 0.015625 * (mode.lambda(j) + omega2)) {
-        mode.resonant(j) = force;  // splitting off the steady response would cancel digits
+      if (std::sqrt(squared) < 0.015625 * (lambda + omega2)) {
+        mode.resonant(lane) = force;  // splitting off the steady response would cancel digits
         mode.any_resonant = mode.any_resonant || force != 0.0;
       } else {
-        mode.steady_cos(j) = force * detuning / squared;
-        mode.steady_sin(j) = force * loss / squared;
+        mode.shape.col(lanes - 2) += basis.shape.col(j) * (force * (detuning / squared));
+        mode.shape.col(lanes - 1) += basis.shape.col(j) * (force * (loss / squared));
       }
     }
-    mode.lambda(lanes - 2) = mode.lambda(lanes - 1) = omega2;
-    mode.shape.col(lanes - 2) = mode.shape.leftCols(modes) * mode.steady_cos.head(modes).matrix();
-    mode.shape.col(lanes - 1) = mode.shape.leftCols(modes) * mode.steady_sin.head(modes).matrix();
+    if (D == Eigen::Dynamic && detail::strongly_damped(scene.beta, lambda)) {
+      // y = y1 + y2 with decays fast > slow: y1 = (fast y + y') / (fast - slow), y2 = y - y1.
+      const double fast = kappa / 2 + std::sqrt(kappa * kappa / 4 - lambda), slow = lambda / fast;
+      const Index other = lane + 1;
+      mode.shape.col(other) = basis.shape.col(j);
+      mode.to_modal.row(lane) = basis.inverse.row(j) * (fast / (fast - slow));
+      mode.velocity_to_modal.row(lane) = basis.inverse.row(j) / (fast - slow);
+      mode.to_modal.row(other) = basis.inverse.row(j) * (-slow / (fast - slow));
+      mode.velocity_to_modal.row(other) = -mode.velocity_to_modal.row(lane);
+      mode.kappa(lane) = slow;
+      mode.kappa(other) = fast;
+      mode.lambda(lane) = mode.lambda(other) = 0.0;
+      mode.decay(lane) = mode.decay(other) = mode.any_decay = true;
+      lane = other;
+    }
   }
-  for (Index j = 0; j < lanes; ++j)
-    mode.fastest =
-        std::max(mode.fastest, detail::root_modulus(mode.kappa(j), mode.lambda(j)));
+  if (forcing) mode.lambda(lanes - 2) = mode.lambda(lanes - 1) = omega2;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (Index j = 0; j < lanes; ++j) {
+    mode.rate(j) = detail::root_modulus(mode.kappa(j), mode.lambda(j));
+    mode.fastest = std::max(mode.fastest, mode.rate(j));
+    if (mode.rate(j) > 0.0) slowest = std::min(slowest, mode.rate(j));
+  }
+  mode.stiff = scene.beta > 0.0 && mode.fastest > 16.0 * slowest;
 
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const Stop &stop = scene.stops[k];

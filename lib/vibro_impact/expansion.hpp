@@ -11,8 +11,8 @@
 #include <array>
 #include <cmath>
 
-#include "contact_mode.hpp"
 #include "counters.hpp"
+#include "motion.hpp"
 
 namespace vibro_impact {
 
@@ -50,7 +50,7 @@ template <int D>
 void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
             const Eigen::Array<double, D, 1> &slope, double span, Expansion<D> &expansion,
             Counters &counters) {
-  const double reach = mode.fastest * span;
+  const double reach = fastest_in_motion(mode, value, slope) * span;
   expansion.span = span;
   expansion.order = order_for(reach);
   auto &c = expansion.coefficient;

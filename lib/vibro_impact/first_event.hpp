@@ -105,6 +105,8 @@ void move_to(State<D> &state, const Flight<D> &flight, double u, const Scene &sc
   const ContactMode<D> &mode = *state.mode;
   if (u == 0.0) return;
   advance(flight.expansion, u, state.value, state.slope);
+  tie_decays(state);
+  drop_dead_lanes(state);
   state.now = later(state.now, u * flight.expansion.span, clock);
   set_forcing(state, scene);
   for (std::size_t k = 0; k < mode.open.size(); ++k) {

@@ -15,9 +15,13 @@ void apply_impact(State<D> &state, const Scene &scene, const OpenStop<D> &open, 
   const double leaving = -scene.restitution * closing;
   const double misplaced = open.gap(state.value, state.slope);
   const double misdirected = leaving - (open.gap.on_value * state.slope).sum();
-  const auto column = state.mode->to_modal.col(static_cast<Eigen::Index>(open.mass)).array();
-  state.value += column * (sigma * misplaced);
-  state.slope -= column * (sigma * misdirected);
+  const auto i = static_cast<Eigen::Index>(open.mass);
+  state.value += state.mode->to_modal.col(i).array() * (sigma * misplaced);
+  state.slope -= state.mode->to_modal.col(i).array() * (sigma * misdirected);
+  if (state.mode->any_decay) {
+    state.value -= state.mode->velocity_to_modal.col(i).array() * (sigma * misdirected);
+    tie_decays(state);
+  }
   state.stops[open.stop] = {0.0, leaving, 1, leaving};
   for (const OpenStop<D> &other : state.mode->open)  // an opposite stop sees the same jump
     if (other.mass == open.mass && other.stop != open.stop)

@@ -50,6 +50,43 @@ void set_forcing(State<D> &state, const Scene &scene) {
   state.slope(s) = scene.omega * state.value(c);
 }
 
+// Lanes that are pure decays have y' = -kappa y.
+template <int D>
+void tie_decays(State<D> &state) {
+  if (!state.mode->any_decay) return;
+  for (Eigen::Index j = 0; j < state.mode->lanes(); ++j)
+    if (state.mode->decay(j)) state.slope(j) = -state.mode->kappa(j) * state.value(j);
+}
+
+// Drops the damped lanes that have died out: those whose share in the acceleration lies far below
+// the rounding of the whole. A stiff scene then moves at the pace of what is still in motion.
+template <int D>
+void drop_dead_lanes(State<D> &state) {
+  const ContactMode<D> &mode = *state.mode;
+  if (!mode.stiff) return;
+  const auto share = [&](Eigen::Index j) {
+    return mode.shape.col(j).template lpNorm<Eigen::Infinity>() * mode.rate(j) *
+           (mode.rate(j) * std::abs(state.value(j)) + std::abs(state.slope(j)));
+  };
+  double total = 0.0;
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j) total += share(j);
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j)
+    if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 && share(j) <= 0x1p-62 * total)
+      state.value(j) = state.slope(j) = 0.0;
+}
+
+// Rate of the fastest lane that is in motion.
+template <int D>
+double fastest_in_motion(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
+                         const Eigen::Array<double, D, 1> &slope) {
+  if (!mode.stiff) return mode.fastest;
+  double fastest = 0.0;
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j)
+    if (value(j) != 0.0 || slope(j) != 0.0 || mode.resonant(j) != 0.0)
+      fastest = std::max(fastest, mode.rate(j));
+  return fastest;
+}
+
 // The lanes tau later, in closed form: one modal evaluation.
 template <int D>
 void flow(const ContactMode<D> &mode, const Scene &scene, const Eigen::Array<double, D, 1> &value,
@@ -58,6 +95,11 @@ void flow(const ContactMode<D> &mode, const Scene &scene, const Eigen::Array<dou
   value_after.resize(value.size());
   slope_after.resize(value.size());
   for (Eigen::Index j = 0; j < mode.lanes(); ++j) {
+    if (mode.decay(j)) {
+      value_after(j) = value(j) * std::exp(-mode.kappa(j) * tau);
+      slope_after(j) = -mode.kappa(j) * value_after(j);
+      continue;
+    }
     auto after = free_response(mode.kappa(j), mode.lambda(j),
                                OscillatorState<double>{value(j), slope(j)}, tau);
     if (mode.resonant(j) != 0.0) {
@@ -105,13 +147,16 @@ template <int D>
 void set_lanes(State<D> &state, const Scene &scene, const ContactMode<D> &mode,
                const MotionState &motion) {
   state.mode = &mode;
-  state.value = (mode.to_modal * (motion.displacement - mode.equilibrium)).array();
-  state.slope = (mode.to_modal * motion.velocity).array();
-  if (!scene.forced()) return;
+  state.value.setZero(mode.lanes());
+  state.slope.setZero(mode.lanes());
   set_forcing(state, scene);
-  const Eigen::Index c = mode.lanes() - 2;
-  state.value -= mode.steady_cos * state.value(c) + mode.steady_sin * state.value(c + 1);
-  state.slope -= mode.steady_cos * state.slope(c) + mode.steady_sin * state.slope(c + 1);
+  // The forcing lanes are set, the others zero: shape y is the steady response.
+  const Eigen::VectorXd x =
+      motion.displacement - mode.equilibrium - mode.shape * state.value.matrix();
+  const Eigen::VectorXd v = motion.velocity - mode.shape * state.slope.matrix();
+  state.value += (mode.to_modal * x + mode.velocity_to_modal * v).array();
+  state.slope += (mode.to_modal * v).array();
+  tie_decays(state);
 }
 
 }  // namespace vibro_impact

@@ -341,7 +341,7 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
 
 template <int D>
 double choose_span(const Run<D> &run, double remaining) {
-  const double fastest = run.state.mode->fastest;
+  const double fastest = fastest_in_motion(*run.state.mode, run.state.value, run.state.slope);
   const double longest = fastest > 0.0 ? max_reach / fastest : remaining;
   return std::min({remaining, longest, run.flight_guess});
 }
@@ -425,8 +425,14 @@ template <class... Recorders>
 Outcome simulate_from(const Scene &scene, const MotionState &start, double until,
                       const RunOptions &options, Recorders &...recorders) {
   check(scene);
-  // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same.
-  if (scene.masses() == 2 && scene.forced())
+  // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. The
+  // fixed lanes have no room for a strongly damped mode split in two (the bound is Gershgorin's).
+  double stiffest = 0.0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i)
+    stiffest = std::max(stiffest, 2.0 * (scene.stiffness[i] +
+                                         (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
+                                      scene.mass[i]);
+  if (scene.masses() == 2 && scene.forced() && !detail::strongly_damped(scene.beta, stiffest))
     return detail::simulate_lanes<4>(scene, start, until, options, recorders...);
   return detail::simulate_lanes<Eigen::Dynamic>(scene, start, until, options, recorders...);
 }
