@@ -26,16 +26,36 @@ struct Polynomial {
   int order = 0;
 };
 
-// Smallest order p with 2 x^(p-1) / (p+1)! < 2^-58: the term dropped first, relative to x^2 / 2.
-inline int order_for(double reach) {
-  constexpr double below_rounding = 0x1p-58;
-  double term = reach / 3.0;  // 2 x^(p-1)/(p+1)! at p = 2
-  int p = 2;
-  while (term > below_rounding && p + 2 < max_order) {
-    ++p;
-    term *= reach / static_cast<double>(p + 1);
+namespace detail {
+
+// reach_of_order[p]: the largest x with 2 x^(p-1) / (p+1)! <= 2^-56, the first term dropped
+// relative to the second-order one, x^2 / 2.
+inline const std::array<double, max_order + 1> reach_of_order = [] {
+  std::array<double, max_order + 1> reach{};
+  double factorial = 6.0;  // (p + 1)!
+  for (int p = 2; p <= max_order; ++p) {
+    reach[static_cast<std::size_t>(p)] = std::pow(0x1p-57 * factorial, 1.0 / (p - 1));
+    factorial *= p + 2;
   }
-  return p + 2;
+  return reach;
+}();
+
+// 1 / (n + 2) and 1 / ((n + 1) (n + 2)), the factors of the recurrence.
+inline const std::array<std::array<double, 2>, max_order + 1> recurrence_factor = [] {
+  std::array<std::array<double, 2>, max_order + 1> factor{};
+  for (int n = 0; n <= max_order; ++n)
+    factor[static_cast<std::size_t>(n)] = {1.0 / (n + 2), 1.0 / ((n + 1.0) * (n + 2.0))};
+  return factor;
+}();
+
+}  // namespace detail
+
+// Smallest order whose remainder lies below rounding over fastest * span = reach.
+inline int order_for(double reach) {
+  int order = 3;
+  while (order < max_order - 1 && detail::reach_of_order[static_cast<std::size_t>(order)] < reach)
+    ++order;
+  return order;
 }
 
 template <int D>
@@ -61,8 +81,8 @@ void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
   c.col(1) = slope * span;
   const Eigen::Array<double, D, 1> damping = mode.kappa * span, stiffness = mode.lambda * (span * span);
   for (int n = 0; n + 2 <= expansion.order + 1; ++n) {
-    const double first = 1.0 / (n + 2), second = first / (n + 1);
-    c.col(n + 2) = -first * damping * c.col(n + 1) - second * stiffness * c.col(n);
+    const auto [first, second] = detail::recurrence_factor[static_cast<std::size_t>(n)];
+    c.col(n + 2) = -first * (damping * c.col(n + 1)) - second * (stiffness * c.col(n));
     if (mode.any_resonant)
       c.col(n + 2) += (second * span * span * c(mode.lanes() - 2, n)) * mode.resonant;
   }

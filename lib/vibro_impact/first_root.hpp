@@ -33,6 +33,31 @@ double lower_bound(const Polynomial &p, int first, Weight weight) {
   return bound;
 }
 
+// Value and slope at u of sum_{n >= first} c_n u^(n - first). Horner's rule on the even and the odd
+// part at once: two short chains of dependent operations instead of a long one.
+inline OscillatorState<double> value_and_slope(const Polynomial &p, int first, double u) {
+  const auto at = [&](int n) { return p.coefficient[static_cast<std::size_t>(n)]; };
+  const double w = u * u;
+  double even = 0.0, even_slope = 0.0, odd = 0.0, odd_slope = 0.0;  // slopes with respect to w
+  int n = p.order;
+  if ((n - first) % 2 == 0) even = at(n--);
+  for (; n > first; n -= 2) {
+    odd_slope = odd_slope * w + odd;
+    even_slope = even_slope * w + even;
+    odd = odd * w + at(n);
+    even = even * w + at(n - 1);
+  }
+  return {even + u * odd, odd + 2.0 * u * (even_slope + u * odd_slope)};
+}
+
+// Sum of the moduli of the terms at u: the scale of the rounding of the value.
+inline double size_at(const Polynomial &p, int first, double u) {
+  double size = 0.0;
+  for (int n = p.order; n >= first; --n)
+    size = size * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
+  return size;
+}
+
 }  // namespace detail
 
 // First root in (0, limit] of the polynomial with its `zeros` leading (exactly zero) coefficients
@@ -59,21 +84,17 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   // Ends: u grows by at least one unit in the last place per step, and quadratically near a
   // transversal root; at an exact tangency the distance falls by a constant factor per step.
   while (true) {
-    double value = at(p.order), slope = 0.0, size = std::abs(value);
-    for (int n = p.order - 1; n >= first; --n) {
-      slope = slope * u + value;
-      value = value * u + at(n);
-      size = size * u + std::abs(at(n));
-    }
-    const double noise = epsilon * size;
+    const auto [value, slope] = detail::value_and_slope(p, first, u);
     const double step =
         value <= 0.0 ? 0.0
                      : 2.0 * value / (-slope + std::sqrt(slope * slope + 2.0 * curvature * value));
-    if (value <= 0.25 * noise || u + step == u) {
-      const double whole_slope =
-          first == 0 ? slope : std::pow(u, first) * slope;  // value is zero here
-      const double uncertainty = std::min(2.0 * noise / std::max(std::abs(slope), noise), 1e-9);
-      return Root{u, whole_slope, uncertainty};
+    if (step < 1e-6 * u) {  // near a root, or at it
+      const double noise = epsilon * detail::size_at(p, first, u);
+      if (value <= 0.5 * noise || u + step == u) {
+        const double whole_slope = first == 0 ? slope : std::pow(u, first) * slope;
+        return Root{u, whole_slope,
+                    std::min(2.0 * noise / std::max(std::abs(slope), noise), 1e-9)};
+      }
     }
     ++counters.root_iterations;
     if (!(u + step <= limit)) return std::nullopt;  // also when the step is infinite
@@ -83,11 +104,7 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
 
 // Value and slope at u, with the exact zeros divided out so that small values keep their accuracy.
 inline OscillatorState<double> evaluate(const Polynomial &p, int zeros, double u) {
-  double value = p.coefficient[static_cast<std::size_t>(p.order)], slope = 0.0;
-  for (int n = p.order - 1; n >= zeros; --n) {
-    slope = slope * u + value;
-    value = value * u + p.coefficient[static_cast<std::size_t>(n)];
-  }
+  auto [value, slope] = detail::value_and_slope(p, zeros, u);
   for (int k = 0; k < zeros; ++k) {
     slope = slope * u + value;
     value *= u;
