@@ -1,4 +1,5 @@
-// The exact motion between two events: every mode of the free part of the chain in closed form (Eqs. 7, 21, 24).
+// The exact motion between two events: every mode of the free part of the chain in closed form
+// (Eqs. 7, 21, 24).
 #pragma once
 
 #include "scenes.hpp"
@@ -12,10 +13,10 @@
 namespace vibro_impact_reference {
 
 using Vector = std::vector<Real>;
-using Matrix = std::vector<Vector>;   // rows of equal length
+using Matrix = std::vector<Vector>;  // rows of equal length
 
 /// The stiffness matrix K of Eq. 3 for the whole chain.
-inline Matrix stiffness_matrix(const Chain& chain) {
+inline Matrix stiffness_matrix(const Chain &chain) {
   const std::size_t n = chain.masses.size();
   Matrix k(n, Vector(n));
   for (std::size_t i = 0; i < n; ++i) {
@@ -77,42 +78,46 @@ inline Eigensystem jacobi_eigensystem(Matrix a) {
   return result;
 }
 
-/// One mode, q'' + 2 a q' + lambda q = f cos(Omega t) + d, as a function of the time since the flow began.
-/// Free part: e^{-a tau} (u C(tau) + w S(tau)) with C, S = cos, sin(nu tau)/nu below critical damping, 1, tau at it, and
-/// cosh, sinh(nu tau)/nu above it; u and w then are the free displacement and w = u' + a u at tau = 0.
+/// One mode, q'' + 2 a q' + lambda q = f cos(Omega t) + d, as a function of the time since the flow
+/// began. Free part: e^{-a tau} (u C(tau) + w S(tau)) with C, S = cos, sin(nu tau)/nu below
+/// critical damping, 1, tau at it, and cosh, sinh(nu tau)/nu above it; u and w then are the free
+/// displacement and w = u' + a u at tau = 0.
 struct Mode {
   enum class Damping { under, critical, over };
-  Real lambda;                     // omega_n squared
-  Real decay;                      // a = zeta omega_n
-  Real nu;                         // sqrt(|lambda - a^2|)
+  Real lambda;  // omega_n squared
+  Real decay;   // a = zeta omega_n
+  Real nu;      // sqrt(|lambda - a^2|)
   Damping damping;
-  Real forcing;                    // f
-  Real rest;                       // d / lambda
-  Real forced_cos, forced_sin;     // particular solution
+  Real forcing;                 // f
+  Real rest;                    // d / lambda
+  Real forced_cos, forced_sin;  // particular solution
   Real u, w;
 };
 
-/// Motion of every mass at one instant: position and its first three derivatives, and the forcing phase.
+/// Motion of every mass at one instant: position and its first three derivatives, and the forcing
+/// phase.
 struct Motion {
   Vector x, v, a, jerk;
-  Real cosine, sine;   // of Omega t
+  Real cosine, sine;  // of Omega t
 };
 
-/// The flow of one contact mode from one state: the masses in `free` move, the others rest on their stops.
+/// The flow of one contact mode from one state: the masses in `free` move, the others rest on their
+/// stops.
 struct Flow {
   Real start_time;
   Real frequency;
-  Vector rest_positions;            // of every mass; used for the resting ones
-  std::vector<std::size_t> free;    // the moving masses
-  Matrix shapes;                    // x_free = shapes q, mass-normalised
+  Vector rest_positions;          // of every mass; used for the resting ones
+  std::vector<std::size_t> free;  // the moving masses
+  Matrix shapes;                  // x_free = shapes q, mass-normalised
   std::vector<Mode> modes;
-  Real fastest_rate;                // the largest of the natural frequencies, decay rates and Omega
+  Real fastest_rate;  // the largest of the natural frequencies, decay rates and Omega
 };
 
-/// Builds the flow from positions x and velocities v at time t; `resting[p]` says that mass p is held where it is.
-/// Throws std::invalid_argument for an undamped mode driven exactly at its own frequency (no bounded solution).
-inline Flow flow_from(const Chain& chain, const Real& t, const Vector& x, const Vector& v,
-                      const std::vector<bool>& resting) {
+/// Builds the flow from positions x and velocities v at time t; `resting[p]` says that mass p is
+/// held where it is. Throws std::invalid_argument for an undamped mode driven exactly at its own
+/// frequency (no bounded solution).
+inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector &v,
+                      const std::vector<bool> &resting) {
   const std::size_t n = chain.masses.size();
   Flow flow{t, chain.frequency, x, {}, {}, {}, chain.frequency};
   for (std::size_t p = 0; p < n; ++p) {
@@ -121,7 +126,8 @@ inline Flow flow_from(const Chain& chain, const Real& t, const Vector& x, const 
   const std::size_t size = flow.free.size();
   const Matrix k = stiffness_matrix(chain);
 
-  // Mass-scaled symmetric problem of the free rows; the resting neighbours act as the constant load -K_FS s_S.
+  // Mass-scaled symmetric problem of the free rows; the resting neighbours act as the constant load
+  // -K_FS s_S.
   Matrix scaled(size, Vector(size));
   Vector load(size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -136,7 +142,7 @@ inline Flow flow_from(const Chain& chain, const Real& t, const Vector& x, const 
   const Eigensystem eigen = jacobi_eigensystem(std::move(scaled));
   flow.shapes = eigen.vectors;
   for (std::size_t i = 0; i < size; ++i) {
-    for (Real& entry : flow.shapes[i]) entry /= sqrt(chain.masses[flow.free[i]]);
+    for (Real &entry : flow.shapes[i]) entry /= sqrt(chain.masses[flow.free[i]]);
   }
 
   const Real phase = chain.frequency * t;
@@ -147,7 +153,8 @@ inline Flow flow_from(const Chain& chain, const Real& t, const Vector& x, const 
     mode.lambda = eigen.values[j];
     mode.decay = chain.damping_ratio * mode.lambda / 2;
     const Real discriminant = mode.lambda - mode.decay * mode.decay;
-    // Within 1e-40 of critical the two forms differ from the critical one by less than the working precision.
+    // Within 1e-40 of critical the two forms differ from the critical one by less than the working
+    // precision.
     mode.damping = abs(discriminant) <= Real("1e-40") * mode.lambda ? Mode::Damping::critical
                    : discriminant > 0                               ? Mode::Damping::under
                                                                     : Mode::Damping::over;
@@ -164,7 +171,8 @@ inline Flow flow_from(const Chain& chain, const Real& t, const Vector& x, const 
     const Real detuning = mode.lambda - omega * omega;
     const Real drag = 2 * mode.decay * omega;
     const Real denominator = detuning * detuning + drag * drag;
-    if (denominator == 0) throw std::invalid_argument("frequency: an undamped mode is driven at resonance");
+    if (denominator == 0)
+      throw std::invalid_argument("frequency: an undamped mode is driven at resonance");
     mode.rest = constant / mode.lambda;
     mode.forced_cos = mode.forcing * detuning / denominator;
     mode.forced_sin = mode.forcing * drag / denominator;
@@ -179,7 +187,7 @@ inline Flow flow_from(const Chain& chain, const Real& t, const Vector& x, const 
 }
 
 /// The closed form at time tau after the start of the flow.
-inline Motion motion_at(const Flow& flow, const Real& tau) {
+inline Motion motion_at(const Flow &flow, const Real &tau) {
   const std::size_t n = flow.rest_positions.size();
   Motion motion{flow.rest_positions, Vector(n), Vector(n), Vector(n), Real(), Real()};
   for (const std::size_t p : flow.free) motion.x[p] = 0;
@@ -188,11 +196,11 @@ inline Motion motion_at(const Flow& flow, const Real& tau) {
   motion.cosine = cos(phase);
   motion.sine = sin(phase);
   for (std::size_t j = 0; j < flow.modes.size(); ++j) {
-    const Mode& mode = flow.modes[j];
+    const Mode &mode = flow.modes[j];
     // S = sin(nu tau)/nu or its like, C = S'; S'' = -(lambda - a^2) S gives the velocity.
     Real c = 1;
     Real s = tau;
-    Real bend = 0;   // C'/S
+    Real bend = 0;  // C'/S
     if (mode.damping == Mode::Damping::under) {
       const Real angle = mode.nu * tau;
       c = cos(angle);
@@ -207,10 +215,13 @@ inline Motion motion_at(const Flow& flow, const Real& tau) {
     const Real envelope = exp(-mode.decay * tau);
     const Real ringing = envelope * (mode.u * c + mode.w * s);
     const Real ringing_rate = envelope * (mode.u * bend * s + mode.w * c) - mode.decay * ringing;
-    const Real q = ringing + mode.rest + mode.forced_cos * motion.cosine + mode.forced_sin * motion.sine;
-    const Real dq = ringing_rate + omega * (mode.forced_sin * motion.cosine - mode.forced_cos * motion.sine);
+    const Real q =
+        ringing + mode.rest + mode.forced_cos * motion.cosine + mode.forced_sin * motion.sine;
+    const Real dq =
+        ringing_rate + omega * (mode.forced_sin * motion.cosine - mode.forced_cos * motion.sine);
     // Higher derivatives from the equation of motion itself.
-    const Real ddq = mode.forcing * motion.cosine - 2 * mode.decay * dq - mode.lambda * (q - mode.rest);
+    const Real ddq =
+        mode.forcing * motion.cosine - 2 * mode.decay * dq - mode.lambda * (q - mode.rest);
     const Real dddq = -omega * mode.forcing * motion.sine - 2 * mode.decay * ddq - mode.lambda * dq;
     for (std::size_t i = 0; i < flow.free.size(); ++i) {
       const std::size_t p = flow.free[i];

@@ -1,4 +1,5 @@
-// Writes the reference tables: the events of the paper's scenes and its key numbers. See README.md beside this file.
+// Writes the reference tables: the events of the paper's scenes and its key numbers. See README.md
+// beside this file.
 #include "event_driven.hpp"
 #include "key_numbers.hpp"
 #include "scenes.hpp"
@@ -19,7 +20,7 @@ using namespace vibro_impact_reference;
 /// Impacts slower than this are left out of a complete chatter's table.
 const Real kept_speed("1e-6");
 
-std::string contact_mode(const std::vector<bool>& stuck) {
+std::string contact_mode(const std::vector<bool> &stuck) {
   std::string mode;
   for (std::size_t p = 0; p < stuck.size(); ++p) {
     if (stuck[p]) mode += (mode.empty() ? "" : "+") + std::to_string(p + 1);
@@ -29,21 +30,25 @@ std::string contact_mode(const std::vector<bool>& stuck) {
 
 std::string kind_name(Event::Kind kind) {
   switch (kind) {
-    case Event::Kind::impact: return "impact";
-    case Event::Kind::stick: return "stick";
-    case Event::Kind::release: return "release";
+    case Event::Kind::impact:
+      return "impact";
+    case Event::Kind::stick:
+      return "stick";
+    case Event::Kind::release:
+      return "release";
   }
   return "";
 }
 
-/// Which events go to the table. Before a stick, the impacts of that mass slower than kept_speed are left out, back to
-/// the first faster one or to the first event of another mass: an interrupted or incomplete chatter stays whole.
-std::vector<bool> kept(const std::vector<Event>& events) {
+/// Which events go to the table. Before a stick, the impacts of that mass slower than kept_speed
+/// are left out, back to the first faster one or to the first event of another mass: an interrupted
+/// or incomplete chatter stays whole.
+std::vector<bool> kept(const std::vector<Event> &events) {
   std::vector<bool> keep(events.size(), true);
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (events[i].kind != Event::Kind::stick) continue;
     for (std::size_t j = i; j-- > 0;) {
-      const Event& earlier = events[j];
+      const Event &earlier = events[j];
       if (earlier.kind != Event::Kind::impact || earlier.mass != events[i].mass) break;
       if (abs(earlier.velocity_before) >= kept_speed) break;
       keep[j] = false;
@@ -52,21 +57,23 @@ std::vector<bool> kept(const std::vector<Event>& events) {
   return keep;
 }
 
-std::string events_table(const std::vector<Event>& events) {
+std::string events_table(const std::vector<Event> &events) {
   std::ostringstream table;
   table << "time,mass,event,velocity_before,velocity_after,contact_mode\n";
   const std::vector<bool> keep = kept(events);
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (!keep[i]) continue;
-    const Event& e = events[i];
-    table << e.time.str(30) << ',' << e.mass + 1 << ',' << kind_name(e.kind) << ',' << e.velocity_before.str(30) << ','
-          << e.velocity_after.str(30) << ',' << contact_mode(e.stuck) << '\n';
+    const Event &e = events[i];
+    table << e.time.str(30) << ',' << e.mass + 1 << ',' << kind_name(e.kind) << ','
+          << e.velocity_before.str(30) << ',' << e.velocity_after.str(30) << ','
+          << contact_mode(e.stuck) << '\n';
   }
   return table.str();
 }
 
-/// Writes under a temporary name and renames, so that no half-written table is ever seen; an empty path means stdout.
-void write_table(const std::string& path, const std::string& table) {
+/// Writes under a temporary name and renames, so that no half-written table is ever seen; an empty
+/// path means stdout.
+void write_table(const std::string &path, const std::string &table) {
   if (path.empty()) {
     std::cout << table;
     return;
@@ -85,19 +92,21 @@ void write_table(const std::string& path, const std::string& table) {
   std::filesystem::rename(temporary, path);
 }
 
-void report(const std::string& name, const std::vector<Event>& events) {
+void report(const std::string &name, const std::vector<Event> &events) {
   std::size_t impacts = 0, sticks = 0, releases = 0;
-  for (const Event& e : events) {
+  for (const Event &e : events) {
     impacts += e.kind == Event::Kind::impact;
     sticks += e.kind == Event::Kind::stick;
     releases += e.kind == Event::Kind::release;
   }
-  std::cerr << name << ": " << impacts << " impacts, " << sticks << " sticks, " << releases << " releases\n";
+  std::cerr << name << ": " << impacts << " impacts, " << sticks << " sticks, " << releases
+            << " releases\n";
 }
 
-int run(const std::vector<std::string>& arguments) {
+int run(const std::vector<std::string> &arguments) {
   if (arguments.empty() || arguments.size() > 2) {
-    std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, figure4b, figure5a, figure5b, "
+    std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
+                 "figure4b, figure5a, figure5b, "
                  "figure5c, key_numbers\n";
     return 2;
   }
@@ -115,10 +124,10 @@ int run(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char **argv) {
   try {
     return run({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
+  } catch (const std::exception &error) {
     std::cerr << "generate: " << error.what() << '\n';
     return 2;
   }

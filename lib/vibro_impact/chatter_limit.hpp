@@ -1,8 +1,8 @@
 // Complete chatter as a limit.
 //
 // Near the accumulation of a chatter sequence the impact map is smooth in the impact speed v, and
-// v = 0 is a curve of fixed points with multiplier r: times and states of consecutive impacts lie on
-// a smooth curve z(v). The limit is z(0), obtained by polynomial extrapolation in v through the
+// v = 0 is a curve of fixed points with multiplier r: times and states of consecutive impacts lie
+// on a smooth curve z(v). The limit is z(0), obtained by polynomial extrapolation in v through the
 // last impacts (Aitken-Neville on the actual speeds: a Richardson table of ratio r that needs no
 // exact geometric decay). The difference of the last two columns estimates the error.
 #pragma once
@@ -54,8 +54,8 @@ template <int D>
 bool extend(ChatterSequence<D> &sequence, const State<D> &state,
             const std::vector<std::size_t> &stops, double since_last, long long stride) {
   const double speed = state.stops[stops.front()].speed;
-  const bool goes_on = sequence.size > 0 && sequence.mode == state.mode && sequence.stops == stops &&
-                       speed < sequence.nodes[sequence.size - 1].speed;
+  const bool goes_on = sequence.size > 0 && sequence.mode == state.mode &&
+                       sequence.stops == stops && speed < sequence.nodes[sequence.size - 1].speed;
   if (!goes_on) {
     sequence.stops = stops;
     sequence.mode = state.mode;
@@ -88,7 +88,8 @@ std::array<double, max_chatter_nodes> weights_at_rest(const ChatterSequence<D> &
   for (std::size_t i = sequence.size - count; i < sequence.size; ++i) {
     weights[i] = 1.0;
     for (std::size_t j = sequence.size - count; j < sequence.size; ++j)
-      if (j != i) weights[i] *= sequence.nodes[j].speed / (sequence.nodes[j].speed - sequence.nodes[i].speed);
+      if (j != i)
+        weights[i] *= sequence.nodes[j].speed / (sequence.nodes[j].speed - sequence.nodes[i].speed);
   }
   return weights;
 }

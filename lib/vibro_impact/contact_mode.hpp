@@ -39,7 +39,8 @@ struct OpenStop {
   Reading<D> gap, press;
 };
 
-// A held mass: the force that presses it into its stop (Eqs. 12-13, sigma F_p >= 0 while it sticks).
+// A held mass: the force that presses it into its stop (Eqs. 12-13, sigma F_p >= 0 while it
+// sticks).
 template <int D>
 struct ClosedStop {
   std::size_t stop = 0, mass = 0;
@@ -50,13 +51,13 @@ template <int D>
 struct ContactMode {
   using Lanes = Eigen::Array<double, D, 1>;
   Held held;
-  Lanes kappa, lambda;           // y'' + kappa y' + lambda y = 0 per lane
-  Lanes rate;                    // largest modulus of a characteristic root of each lane
-  double fastest = 0.0;          // the largest of them
-  bool stiff = false;            // some lanes are much faster than others
-  // x = equilibrium + shape y, N x lanes; rows of held masses are zero. The last two columns are the
-  // steady response to cos(Omega t) and sin(Omega t) where there is forcing.
-  Eigen::VectorXd equilibrium;   // static position of every mass, N
+  Lanes kappa, lambda;   // y'' + kappa y' + lambda y = 0 per lane
+  Lanes rate;            // largest modulus of a characteristic root of each lane
+  double fastest = 0.0;  // the largest of them
+  bool stiff = false;    // some lanes are much faster than others
+  // x = equilibrium + shape y, N x lanes; rows of held masses are zero. The last two columns are
+  // the steady response to cos(Omega t) and sin(Omega t) where there is forcing.
+  Eigen::VectorXd equilibrium;  // static position of every mass, N
   Eigen::MatrixXd shape;
   Eigen::MatrixXd to_modal;           // y per displacement (and y' per velocity), lanes x N
   Eigen::MatrixXd velocity_to_modal;  // y per velocity: of the lanes of split modes only
@@ -218,7 +219,8 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
     mode.lambda(lane) = lambda;
     if (forcing) {
       double force = 0.0;  // Psi^T A of Eq. 7
-      for (std::size_t i : free) force += basis.shape(static_cast<Index>(i), j) * scene.amplitude[i];
+      for (std::size_t i : free)
+        force += basis.shape(static_cast<Index>(i), j) * scene.amplitude[i];
       const double detuning = lambda - omega2, loss = kappa * scene.omega;
       const double squared = detuning * detuning + loss * loss;
       if (std::sqrt(squared) < 0.015625 * (lambda + omega2)) {
@@ -260,7 +262,8 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
     const double sigma = sign(stop.side);
     if (held[i] == 0) {
       const auto row = static_cast<Index>(i);
-      Reading<D> gap{-sigma * mode.shape.row(row).transpose().array(), {},
+      Reading<D> gap{-sigma * mode.shape.row(row).transpose().array(),
+                     {},
                      sigma * (stop.position - mode.equilibrium(row))};
       gap.on_slope.setZero(lanes);
       mode.open.push_back({k, i, gap, press_reading(scene, mode, stop)});

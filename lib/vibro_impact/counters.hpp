@@ -4,20 +4,21 @@
 namespace vibro_impact {
 
 struct Counters {
-  long long expansions = 0;          // Taylor expansions of the flow
-  long long coefficients = 0;        // Taylor orders computed, summed over the expansions
-  long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
-  long long roots_searched = 0;      // polynomials iterated on
-  long long root_iterations = 0;     // guaranteed steps taken by those iterations
-  long long impacts = 0;             // impacts resolved one by one
-  long long sticks = 0;              // masses that came to stick
-  long long releases = 0;            // masses released
-  long long chatter_nodes = 0;       // impacts entered into a chatter table
-  long long chatter_limits = 0;      // complete chatter carried to its limit
-  long long chatter_incomplete = 0;  // sequences of five or more falling impacts that ended in flight
-  long long modes_built = 0;         // contact modes decomposed
-  long long modal_evaluations = 0;   // closed-form evaluations of all modes at one time
-  long long forcing_lanes = 0;       // oscillators carried for the forcing, in the last mode built
+  long long expansions = 0;       // Taylor expansions of the flow
+  long long coefficients = 0;     // Taylor orders computed, summed over the expansions
+  long long roots_dismissed = 0;  // polynomials shown positive by one lower bound
+  long long roots_searched = 0;   // polynomials iterated on
+  long long root_iterations = 0;  // guaranteed steps taken by those iterations
+  long long impacts = 0;          // impacts resolved one by one
+  long long sticks = 0;           // masses that came to stick
+  long long releases = 0;         // masses released
+  long long chatter_nodes = 0;    // impacts entered into a chatter table
+  long long chatter_limits = 0;   // complete chatter carried to its limit
+  long long chatter_incomplete =
+      0;                      // sequences of five or more falling impacts that ended in flight
+  long long modes_built = 0;  // contact modes decomposed
+  long long modal_evaluations = 0;  // closed-form evaluations of all modes at one time
+  long long forcing_lanes = 0;      // oscillators carried for the forcing, in the last mode built
 };
 
 }  // namespace vibro_impact

@@ -79,7 +79,8 @@ void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
   }
   c.col(0) = value;
   c.col(1) = slope * span;
-  const Eigen::Array<double, D, 1> damping = mode.kappa * span, stiffness = mode.lambda * (span * span);
+  const Eigen::Array<double, D, 1> damping = mode.kappa * span,
+                                   stiffness = mode.lambda * (span * span);
   for (int n = 0; n + 2 <= expansion.order + 1; ++n) {
     const auto [first, second] = detail::recurrence_factor[static_cast<std::size_t>(n)];
     c.col(n + 2) = -first * (damping * c.col(n + 1)) - second * (stiffness * c.col(n));
@@ -106,7 +107,8 @@ void advance(const Expansion<D> &expansion, double u, Eigen::Array<double, D, 1>
 
 // The polynomial of a reading along the expansion.
 template <int D>
-Polynomial polynomial_of(const Reading<D> &reading, const Expansion<D> &expansion, bool with_slope) {
+Polynomial polynomial_of(const Reading<D> &reading, const Expansion<D> &expansion,
+                         bool with_slope) {
   Polynomial p;
   p.order = expansion.order;
   for (int n = 0; n <= p.order; ++n) {

@@ -116,8 +116,7 @@ void move_to(State<D> &state, const Flight<D> &flight, double u, const Scene &sc
     stop = {std::max(0.0, carried.value), carried.slope / flight.expansion.span, 0, 0.0};
     // A wide gap is read off the lanes again, so that the carried one cannot drift away from them;
     // "wide" is when cancellation costs less than ten bits.
-    const double size =
-        std::abs(open.gap.offset) + (open.gap.on_value * state.value).abs().sum();
+    const double size = std::abs(open.gap.offset) + (open.gap.on_value * state.value).abs().sum();
     if (stop.gap > 0x1p-10 * size) {
       stop.gap = open.gap(state.value, state.slope);
       stop.speed = (open.gap.on_value * state.slope).sum();

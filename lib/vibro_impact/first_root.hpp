@@ -75,10 +75,10 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
     return std::nullopt;
   }
   ++counters.roots_searched;
-  const double curvature = -std::min(
-      0.0, detail::lower_bound(p, first + 2, [first](int n) {
-        return static_cast<double>(n - first) * static_cast<double>(n - first - 1);
-      }));
+  const double curvature =
+      -std::min(0.0, detail::lower_bound(p, first + 2, [first](int n) {
+                  return static_cast<double>(n - first) * static_cast<double>(n - first - 1);
+                }));
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double u = 0.0;
   // Ends: u grows by at least one unit in the last place per step, and quadratically near a
@@ -92,8 +92,7 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
       const double noise = epsilon * detail::size_at(p, first, u);
       if (value <= 0.5 * noise || u + step == u) {
         const double whole_slope = first == 0 ? slope : std::pow(u, first) * slope;
-        return Root{u, whole_slope,
-                    std::min(2.0 * noise / std::max(std::abs(slope), noise), 1e-9)};
+        return Root{u, whole_slope, std::min(2.0 * noise / std::max(std::abs(slope), noise), 1e-9)};
       }
     }
     ++counters.root_iterations;

@@ -8,7 +8,8 @@ namespace vibro_impact {
 // x_i' -> -r x_i' for the mass at stop `k`, in the lanes (Psi^-1 R Psi restricted to one mass; for
 // several masses at one instant the factors commute and their product is the R of Eq. 16).
 // `closing` is the gap speed just before, <= 0. The lanes are brought into agreement with the gap,
-// which is zero exactly. The gap speed afterwards is kept to full relative accuracy in the stop state.
+// which is zero exactly. The gap speed afterwards is kept to full relative accuracy in the stop
+// state.
 template <int D>
 void apply_impact(State<D> &state, const Scene &scene, const OpenStop<D> &open, double closing) {
   const double sigma = sign(scene.stops[open.stop].side);

@@ -20,8 +20,8 @@ struct Clock {
     constexpr double two_pi = 6.283185307179586477, two_pi_rest = 2.4492935982947064e-16;
     if (omega == 0.0) return;
     period = two_pi / omega;
-    period_rest = std::isfinite(period) ? (std::fma(-omega, period, two_pi) + two_pi_rest) / omega
-                                        : 0.0;
+    period_rest =
+        std::isfinite(period) ? (std::fma(-omega, period, two_pi) + two_pi_rest) / omega : 0.0;
   }
 };
 

@@ -104,10 +104,9 @@ void flow(const ContactMode<D> &mode, const Scene &scene, const Eigen::Array<dou
                                OscillatorState<double>{value(j), slope(j)}, tau);
     if (mode.resonant(j) != 0.0) {
       const Eigen::Index c = mode.lanes() - 2;
-      const auto added =
-          forced_from_rest(mode.kappa(j), mode.lambda(j),
-                           mode.resonant(j) * std::complex<double>(value(c), value(c + 1)),
-                           scene.omega, tau);
+      const auto added = forced_from_rest(
+          mode.kappa(j), mode.lambda(j),
+          mode.resonant(j) * std::complex<double>(value(c), value(c + 1)), scene.omega, tau);
       after.value += added.value;
       after.slope += added.slope;
     }
@@ -117,7 +116,8 @@ void flow(const ContactMode<D> &mode, const Scene &scene, const Eigen::Array<dou
 }
 
 template <int D>
-bool opposite_is_nearer(const State<D> &state, const ContactMode<D> &mode, const OpenStop<D> &open) {
+bool opposite_is_nearer(const State<D> &state, const ContactMode<D> &mode,
+                        const OpenStop<D> &open) {
   for (const OpenStop<D> &other : mode.open)
     if (other.mass == open.mass && state.stops[other.stop].gap < state.stops[open.stop].gap)
       return true;

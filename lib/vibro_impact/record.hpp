@@ -33,7 +33,7 @@ struct Event {
   Instant instant;
   double time = 0.0;
   double velocity_before = 0.0, velocity_after = 0.0;
-  Held held;              // contact mode after the event
+  Held held;               // contact mode after the event
   bool by_a_jump = false;  // a release forced by a neighbour's impact, not at a root of the force
 };
 

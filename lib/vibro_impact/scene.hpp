@@ -33,15 +33,15 @@ struct Stop {
 // A scene in one aggregate. Vectors hold one entry per mass; `displacement` and `velocity` may be
 // left empty (rest at zero), as may `amplitude` (unforced).
 struct Scene {
-  std::vector<double> mass = {};       // m_i > 0
-  std::vector<double> stiffness = {};  // k_i > 0, link between mass i - 1 and mass i
-  double beta = 0.0;                 // C = beta K, beta >= 0; the paper's c / k
-  std::vector<double> amplitude = {};  // A_i
-  double omega = 1.0;                // Omega >= 0
-  double restitution = 1.0;          // r in [0, 1]
-  std::vector<Stop> stops = {};  // at most one lower and one upper stop per mass
+  std::vector<double> mass = {};          // m_i > 0
+  std::vector<double> stiffness = {};     // k_i > 0, link between mass i - 1 and mass i
+  double beta = 0.0;                      // C = beta K, beta >= 0; the paper's c / k
+  std::vector<double> amplitude = {};     // A_i
+  double omega = 1.0;                     // Omega >= 0
+  double restitution = 1.0;               // r in [0, 1]
+  std::vector<Stop> stops = {};           // at most one lower and one upper stop per mass
   std::vector<double> displacement = {};  // x_i at t = 0
-  std::vector<double> velocity = {};  // x_i' at t = 0
+  std::vector<double> velocity = {};      // x_i' at t = 0
 
   int masses() const {
     return static_cast<int>(mass.size());
@@ -67,8 +67,8 @@ inline void require_length(const std::vector<double> &values, std::size_t masses
 inline void check_stop(const Stop &stop, const Scene &scene) {
   require(stop.mass >= 1 && stop.mass <= scene.masses(),
           fmt::format("stop on mass {}: the chain has masses 1 to {}", stop.mass, scene.masses()));
-  require(std::isfinite(stop.position), fmt::format("stop on mass {} at {}: must be finite",
-                                                    stop.mass, stop.position));
+  require(std::isfinite(stop.position),
+          fmt::format("stop on mass {} at {}: must be finite", stop.mass, stop.position));
   const auto i = static_cast<std::size_t>(stop.mass - 1);
   const double start = scene.displacement.empty() ? 0.0 : scene.displacement[i];
   require(sign(stop.side) * (stop.position - start) >= 0.0,
@@ -98,7 +98,8 @@ inline void check(const Scene &scene) {
   const std::size_t n = scene.mass.size();
   require(n > 0, "masses = 0: a chain has at least one mass");
   require(scene.stiffness.size() == n,
-          fmt::format("stiffness: {} values given, the chain has {} masses", scene.stiffness.size(), n));
+          fmt::format("stiffness: {} values given, the chain has {} masses", scene.stiffness.size(),
+                      n));
   for (double m : scene.mass)
     require(std::isfinite(m) && m > 0.0, fmt::format("mass = {}: must be positive and finite", m));
   for (double k : scene.stiffness)
@@ -117,4 +118,3 @@ inline void check(const Scene &scene) {
 }
 
 }  // namespace vibro_impact
-

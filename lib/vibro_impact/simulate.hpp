@@ -1,5 +1,5 @@
-// The pipeline: chain -> contact mode -> flow -> first event -> impact / chatter limit / sticking ->
-// record.
+// The pipeline: chain -> contact mode -> flow -> first event -> impact / chatter limit / sticking
+// -> record.
 #pragma once
 
 #include <algorithm>
@@ -64,12 +64,14 @@ struct Run {
   long long impacts_this_period = 0;
   Instant period_start = {};
   double guard_period = 0.0;
-  std::vector<double> last_speed = {};   // per stop, of its last impact
-  std::vector<int> falling = {};         // per stop, impacts in a row slower than the one before
+  std::vector<double> last_speed = {};  // per stop, of its last impact
+  std::vector<int> falling = {};        // per stop, impacts in a row slower than the one before
 };
 
 template <class Recorder>
-constexpr bool takes_events = requires(Recorder &r, const Event &e, const Moment &m) { r.event(e, m); };
+constexpr bool takes_events = requires(Recorder &r, const Event &e, const Moment &m) {
+  r.event(e, m);
+};
 template <class Recorder>
 constexpr bool takes_samples = requires(Recorder &r, const Moment &m) {
   r.sample(m);
@@ -87,8 +89,7 @@ Moment moment_of(const State<D> &state, const Scene &scene, const Clock &clock) 
           [&state, &scene](int mass) {
             for (const ClosedStop<D> &closed : state.mode->closed)
               if (closed.mass + 1 == static_cast<std::size_t>(mass))
-                return sign(scene.stops[closed.stop].side) *
-                       closed.press(state.value, state.slope);
+                return sign(scene.stops[closed.stop].side) * closed.press(state.value, state.slope);
             return std::numeric_limits<double>::quiet_NaN();
           }};
 }
@@ -98,8 +99,15 @@ void emit(const Run<D> &run, EventKind kind, std::size_t stop, double before, do
           bool by_a_jump, Recorders &...recorders) {
   if constexpr ((takes_events<Recorders> || ...)) {
     const Stop &at = run.scene.stops[stop];
-    const Event event{kind,   at.mass, at.side,  run.state.now, time_of(run.state.now, run.clock),
-                      before, after,   run.state.mode->held, by_a_jump};
+    const Event event{kind,
+                      at.mass,
+                      at.side,
+                      run.state.now,
+                      time_of(run.state.now, run.clock),
+                      before,
+                      after,
+                      run.state.mode->held,
+                      by_a_jump};
     const Moment moment = moment_of(run.state, run.scene, run.clock);
     const auto tell = [&](auto &recorder) {
       if constexpr (takes_events<std::remove_reference_t<decltype(recorder)>>)
@@ -160,8 +168,7 @@ void stick_at(Run<D> &run, std::size_t stop, Recorders &...recorders) {
 }
 
 template <int D, class... Recorders>
-void release_at(Run<D> &run, std::size_t stop, int zeros, double leading,
-                Recorders &...recorders) {
+void release_at(Run<D> &run, std::size_t stop, int zeros, double leading, Recorders &...recorders) {
   release(run.state, run.scene, run.modes, stop, zeros, leading, run.counters);
   run.chatter.size = 0;
   run.last_speed[stop] = 0.0;
@@ -186,8 +193,7 @@ void release_by_jump(Run<D> &run, std::size_t mass, Recorders &...recorders) {
   for (std::size_t k = 0; k < run.state.mode->closed.size();) {
     const ClosedStop<D> &closed = run.state.mode->closed[k];
     const std::size_t distance = closed.mass > mass ? closed.mass - mass : mass - closed.mass;
-    const double press =
-        distance == 1 ? closed.press(run.state.value, run.state.slope) : 0.0;
+    const double press = distance == 1 ? closed.press(run.state.value, run.state.slope) : 0.0;
     if (press < 0.0) {
       release_at(run, closed.stop, 2, -press / run.scene.mass[closed.mass], recorders...);
       k = 0;  // the contact mode has changed
@@ -236,7 +242,8 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double press, double tau_at_
 
   std::optional<ChatterLimit<D>> limit;
   if (tail * run.state.mode->fastest < 1e-9) {
-    // What is left is below rounding: its leading order is its limit, with an error of order tail^2.
+    // What is left is below rounding: its leading order is its limit, with an error of order
+    // tail^2.
     limit.emplace(ChatterLimit<D>{tail, run.state, 0.0});
     flow(*run.state.mode, run.scene, run.state.value, run.state.slope, tail, limit->state.value,
          limit->state.slope);
@@ -277,9 +284,9 @@ void count_impact(Run<D> &run, std::size_t stop, double speed) {
   }
   if (run.impacts_this_period > run.options.max_impacts_per_period) {
     const MotionState motion = physical(run.state, run.scene);
-    std::string text = fmt::format("more than {} impacts in one period, given up at t = {} with",
-                                   run.options.max_impacts_per_period,
-                                   time_of(run.state.now, run.clock));
+    std::string text =
+        fmt::format("more than {} impacts in one period, given up at t = {} with",
+                    run.options.max_impacts_per_period, time_of(run.state.now, run.clock));
     for (Eigen::Index i = 0; i < motion.displacement.size(); ++i)
       fmt::format_to(std::back_inserter(text), " x{} = {}, x{}' = {}", i + 1,
                      motion.displacement(i), i + 1, motion.velocity(i));
@@ -321,9 +328,9 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
   for (std::size_t stop : stops) {
     const OpenStop<D> &open = open_stop(run.state, stop);
     press = open.press(run.state.value, run.state.slope);
-    const double guess =
-        press > 0.0 ? 2.0 * run.state.stops[stop].speed * run.scene.mass[open.mass] / press
-                    : std::numeric_limits<double>::infinity();
+    const double guess = press > 0.0
+                             ? 2.0 * run.state.stops[stop].speed * run.scene.mass[open.mass] / press
+                             : std::numeric_limits<double>::infinity();
     longest = std::max(longest, guess);
   }
   run.flight_guess = 1.4 * longest;
@@ -334,8 +341,8 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
   const bool new_node = extend(run.chatter, run.state, stops, since_last, run.stride);
   if (new_node) ++run.counters.chatter_nodes;
   const double now = time_of(run.state.now, run.clock);
-  const double room = std::min(elapsed(run.state.now, run.end, run.clock),
-                               next_sample(recorders...) - now);
+  const double room =
+      std::min(elapsed(run.state.now, run.end, run.clock), next_sample(recorders...) - now);
   take_chatter_limit(run, new_node, press, room, recorders...);
 }
 
@@ -351,7 +358,8 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
                        const RunOptions &options, Recorders &...recorders) {
   const Clock clock(scene.omega);
   Run<D> run{scene, options, clock, instant_at(until, clock), {}};
-  run.stride = scene.restitution > 0.0 && scene.restitution < 1.0 ? chatter_stride(scene.restitution) : 1;
+  run.stride =
+      scene.restitution > 0.0 && scene.restitution < 1.0 ? chatter_stride(scene.restitution) : 1;
   run.last_speed.assign(scene.stops.size(), 0.0);
   run.falling.assign(scene.stops.size(), 0);
   run.period_start = run.state.now = start.instant;
@@ -429,9 +437,10 @@ Outcome simulate_from(const Scene &scene, const MotionState &start, double until
   // fixed lanes have no room for a strongly damped mode split in two (the bound is Gershgorin's).
   double stiffest = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i)
-    stiffest = std::max(stiffest, 2.0 * (scene.stiffness[i] +
-                                         (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
-                                      scene.mass[i]);
+    stiffest = std::max(
+        stiffest,
+        2.0 * (scene.stiffness[i] + (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
+            scene.mass[i]);
   if (scene.masses() == 2 && scene.forced() && !detail::strongly_damped(scene.beta, stiffest))
     return detail::simulate_lanes<4>(scene, start, until, options, recorders...);
   return detail::simulate_lanes<Eigen::Dynamic>(scene, start, until, options, recorders...);

@@ -18,7 +18,8 @@ void change_mode(State<D> &state, const Scene &scene, Modes<D> &modes, std::size
 
 // The mass at stop `k` sticks: its gap and speed are zero.
 template <int D>
-void stick(State<D> &state, const Scene &scene, Modes<D> &modes, std::size_t k, Counters &counters) {
+void stick(State<D> &state, const Scene &scene, Modes<D> &modes, std::size_t k,
+           Counters &counters) {
   const Stop &stop = scene.stops[k];
   const auto mass = static_cast<std::size_t>(stop.mass - 1);
   state.stops[k] = {};

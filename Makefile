@@ -1,0 +1,51 @@
+# make figures        install what is missing, build, compute and draw every figure (build/figures)
+# make figure2 ...    one figure
+# make test           the same packages and build, then every test
+# make test-sanitize  the tests under the address and undefined-behaviour sanitizers
+# make reference      recompute the 50-digit event tables in reference/ (minutes)
+# make format         clang-format on every source
+# make clean          remove build/
+
+figures := figure2 figure3 figure4 figure5
+jobs    := $(shell nproc 2>/dev/null || echo 1)
+
+.PHONY: figures $(figures) test test-sanitize reference format clean help packages build
+
+help:
+	@sed -n 's/^# //p' Makefile
+
+figures: $(figures)
+
+$(figures): build
+	@build/bin/$@ --output build/figures
+	@gnuplot -e "data='build/figures'" figures/$@.gp
+	@echo "drawn: build/figures/$@.png"
+
+test: build
+	@ctest --test-dir build --output-on-failure -j $(jobs)
+
+test-sanitize: packages
+	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }
+	@cmake --build build/sanitize -j $(jobs)
+	@ctest --test-dir build/sanitize --output-on-failure -j $(jobs)
+
+reference: build
+	@cmake --build build --target reference-generate
+	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
+	  build/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
+	@build/bin/reference-generate key_numbers reference/key_numbers.csv
+
+build: packages
+	@mkdir -p build
+	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >build/configure.log || { cat build/configure.log; exit 2; }
+	@cmake --build build -j $(jobs)
+
+packages:
+	@mkdir -p build
+	@.ci/packages
+
+format:
+	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
+
+clean:
+	@rm -rf build
