@@ -49,6 +49,16 @@ Polynomial gap_polynomial(const OpenStop<D> &open, const StopState &stop,
   return p;
 }
 
+// The gap polynomials of all open stops along `flight.expansion`, which expands `state`.
+template <int D>
+void read_gaps(const State<D> &state, Flight<D> &flight) {
+  flight.gaps.resize(state.mode->open.size());
+  for (std::size_t k = 0; k < flight.gaps.size(); ++k) {
+    const OpenStop<D> &open = state.mode->open[k];
+    flight.gaps[k] = gap_polynomial(open, state.stops[open.stop], flight.expansion);
+  }
+}
+
 // Finds the first event in (0, 1] of `flight.expansion`, which expands `state`.
 template <int D>
 void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counters) {
@@ -57,14 +67,13 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
   event.kind = Happening::nothing;
   event.u = 1.0;
   event.stops.clear();
-  flight.gaps.resize(mode.open.size());
+  read_gaps(state, flight);
   flight.roots.assign(mode.open.size(), Root{2.0, 0.0, 0.0});
   double limit = 1.0, uncertainty = 0.0;
 
   for (std::size_t k = 0; k < mode.open.size(); ++k) {
     const OpenStop<D> &open = mode.open[k];
     const StopState &stop = state.stops[open.stop];
-    flight.gaps[k] = gap_polynomial(open, stop, flight.expansion);
     const auto root = first_root(flight.gaps[k], stop.zeros, limit, counters);
     if (!root) continue;
     flight.roots[k] = *root;

@@ -245,8 +245,10 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double press, double tau_at_
     // What is left is below rounding: its leading order is its limit, with an error of order
     // tail^2.
     limit.emplace(ChatterLimit<D>{tail, run.state, 0.0});
-    flow(*run.state.mode, run.scene, run.state.value, run.state.slope, tail, limit->state.value,
-         limit->state.slope);
+    expand(*run.state.mode, run.state.value, run.state.slope, tail, run.flight.expansion,
+           run.counters);
+    read_gaps(run.state, run.flight);
+    move_to(limit->state, run.flight, 1.0, run.scene, run.clock);
   } else if (new_node && speed < run.options.resolve_chatter) {
     limit = extrapolate(run.chatter, run.options.chatter_tolerance);
   }
