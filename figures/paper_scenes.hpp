@@ -1,0 +1,93 @@
+// The scenes of the paper's figures, with the windows and the axis boxes they are shown in.
+//
+// Every number is *printed* (it stands in the paper's text, its captions or on the axes of its
+// figures) or *reconstructed* (the text does not give it; it was found by matching what the text
+// says of the figure and its axis box). Everything is non-dimensional.
+#pragma once
+
+#include "vibro_impact/scene.hpp"
+
+namespace vibro_impact::paper {
+
+// Two equal masses with two stops, at rest at t = 0. Printed (Section 3): m = k = 1, c = 0.1,
+// A = (0.5, 0), zero initial conditions. c enters as beta = c / k.
+inline Scene two_masses(Stop first, Stop second, double restitution, double omega) {
+  Scene scene;
+  scene.mass = {1.0, 1.0};
+  scene.stiffness = {1.0, 1.0};
+  scene.beta = 0.1;
+  scene.amplitude = {0.5, 0.0};
+  scene.omega = omega;
+  scene.restitution = restitution;
+  scene.stops = {first, second};
+  return scene;
+}
+
+// Figures 2 to 4: stops of different sign. Printed: s1 = -0.3, s2 = 0.1 (caption of Figure 2),
+// r = 0.7 (Section 3).
+inline Scene stops_of_different_sign(double omega) {
+  return two_masses({1, Side::lower, -0.3}, {2, Side::upper, 0.1}, 0.7, omega);
+}
+
+// Figure 2. Reconstructed: Omega = 0.28.
+inline Scene figure2() {
+  return stops_of_different_sign(0.28);
+}
+
+// Figure 3. Printed: Omega from 0.25 to 0.7 (Section 3.2 and the axis).
+inline Scene figure3(double omega) {
+  return stops_of_different_sign(omega);
+}
+
+// Figure 4. Printed: Omega (caption), just before and just after the multi-sliding bifurcation.
+inline Scene figure4a() {
+  return stops_of_different_sign(0.256);
+}
+inline Scene figure4b() {
+  return stops_of_different_sign(0.2561);
+}
+
+// Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Reconstructed: Omega = 0.1769 (the
+// motion is of this kind from about 0.157 to 0.184).
+inline Scene figure5a() {
+  return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.1769);
+}
+
+// Figure 5(b). Printed: s2 "moved to" 0.45, so that s1 stays at 0.3, and r = 0.001 (Section 3.3).
+// Reconstructed: Omega = 0.2996.
+inline Scene figure5b() {
+  return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.45}, 0.001, 0.2996);
+}
+
+// Figure 5(c). Printed: Omega = 0.02, r = 0.7 (Section 3.3). Reconstructed: s1 = s2 = 0.3.
+inline Scene figure5c() {
+  return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.02);
+}
+
+// What a panel shows: a window of the abscissa and a range of the ordinate. All printed (axes).
+struct AxisBox {
+  double from, to;         // Time, or Omega in Figure 3
+  double lowest, highest;  // displacement, impact velocity or force
+};
+
+constexpr AxisBox figure2a_box{700.0, 750.0, -0.5, 0.4};
+constexpr AxisBox figure2b_box{715.0, 722.0, -0.06, 0.12};
+constexpr AxisBox figure3a_box{0.25, 0.7, -0.4, 0.0};  // v1
+constexpr AxisBox figure3b_box{0.25, 0.7, 0.0, 0.4};   // v2
+constexpr AxisBox figure4_box{12.0, 17.5, -0.2, 0.02};  // F2 against the time within the period
+constexpr AxisBox figure5a_box{950.0, 964.0, -0.05, 0.35};
+constexpr AxisBox figure5b_box{916.0, 930.0, -0.4, 0.5};
+constexpr AxisBox figure5c_box{900.0, 1000.0, 0.2, 0.31};
+
+// Forcing periods left out before a motion counts as settled (ours: the paper does not say how long
+// it waits). A chatter that ends in sticking forgets what came before, so that the motion of Figure 4
+// settles at once; without sticking it may creep, and Figure 3 waits longer: at 150 periods one
+// frequency in ten above 0.57 has not settled.
+constexpr int figure3_settling_periods = 400;
+constexpr int figure4_settling_periods = 150;
+
+// Impacts faster than this are resolved one by one rather than carried to the chatter limit: below
+// it a bounce cannot be seen in any of the figures (ours).
+constexpr double slowest_impact_shown = 1e-4;
+
+}  // namespace vibro_impact::paper
