@@ -1,6 +1,7 @@
 # make figures        install what is missing, build, compute and draw every figure (build/figures)
 # make figure2 ...    one figure
 # make test           the same packages and build, then every test
+# make check          the key numbers: paper, computed, error, verdict
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
 # make reference      recompute the 50-digit event tables in reference/ (minutes)
 # make format         clang-format on every source
@@ -9,7 +10,7 @@
 figures := figure2 figure3 figure4 figure5
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: figures $(figures) test test-sanitize reference format clean help packages build
+.PHONY: figures $(figures) test check test-sanitize reference format clean help packages build
 
 help:
 	@sed -n 's/^# //p' Makefile
@@ -23,6 +24,9 @@ $(figures): build
 
 test: build
 	@ctest --test-dir build --output-on-failure -j $(jobs)
+
+check: build
+	@build/bin/check
 
 test-sanitize: packages
 	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }

@@ -47,8 +47,13 @@ int main(int argc, char **argv) {
   try {
     const auto references = read_references(path);
     int failed = 0;
-    if (markdown) fmt::print("| number | paper | computed | error | tolerance | kind of the reference |\n|---|---|---|---|---|---|\n");
-    else fmt::print("{:<30} {:<22} {:<11} {:>22} {:>10} {:>9}  verdict\n", "symbol", "paper", "kind", "computed", "error", "tolerance");
+    if (markdown)
+      fmt::print(
+          "| number | paper | computed | error | tolerance | kind of the reference "
+          "|\n|---|---|---|---|---|---|\n");
+    else
+      fmt::print("{:<30} {:<22} {:<11} {:>22} {:>10} {:>9}  verdict\n", "symbol", "paper", "kind",
+                 "computed", "error", "tolerance");
     for (const auto &number : vibro_impact::figures::key_numbers()) {
       const Reference &reference = references.at(number.symbol);
       const double computed = number.compute(), error = std::abs(computed - reference.value);

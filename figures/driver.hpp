@@ -1,4 +1,5 @@
-// What the figure drivers share: the option --output, the error exit, progress, displacement tables.
+// What the figure drivers share: the option --output, the error exit, progress, displacement
+// tables.
 #pragma once
 
 #include <unistd.h>
@@ -30,8 +31,8 @@ inline void open_folder(const std::filesystem::path &folder) {
     throw std::runtime_error("--output " + folder.string() + ": cannot be written to");
 }
 
-// The main function of a driver: reads the options, opens the folder and calls draw(folder). Returns
-// the exit status: 0, or 2 after one line on standard error.
+// The main function of a driver: reads the options, opens the folder and calls draw(folder).
+// Returns the exit status: 0, or 2 after one line on standard error.
 template <class Draw>
 int drive(int argc, char **argv, const std::string &purpose, Draw &&draw) {
   const std::string name = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "figure";
@@ -60,7 +61,8 @@ int drive(int argc, char **argv, const std::string &purpose, Draw &&draw) {
 // a terminal, a line each further quarter elsewhere. May be called from several threads.
 class Progress {
  public:
-  Progress(std::string of_what, long long total) : of_what_(std::move(of_what)), total_(total) {}
+  Progress(std::string of_what, long long total) : of_what_(std::move(of_what)), total_(total) {
+  }
 
   void advance() {
     const std::lock_guard lock(mutex_);

@@ -21,8 +21,8 @@ inline std::vector<double> frequencies_of_figure3(int count) {
   return omegas;
 }
 
-// The distinct ones among `values`, sorted: those that agree to 1e-6 of their size, as the impacts of
-// a periodic motion do from period to period, count as one.
+// The distinct ones among `values`, sorted: those that agree to 1e-6 of their size, as the impacts
+// of a periodic motion do from period to period, count as one.
 inline std::vector<double> distinct(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(a); };

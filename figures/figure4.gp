@@ -1,4 +1,5 @@
-# Figure 4: hold force on mass 1 while it sticks, before (a) and after (b) the multi-sliding bifurcation.
+# Figure 4: hold force on mass 1 while it sticks, before (a) and after (b) the multi-sliding
+# bifurcation.
 load 'figures/style.gp'
 set xlabel 'Time'
 set ylabel '{/:Italic F}_2'

@@ -14,12 +14,12 @@
 namespace vibro_impact::figures {
 
 struct KeyNumber {
-  std::string symbol;   // in reference/key_numbers.csv
+  std::string symbol;  // in reference/key_numbers.csv
   std::string meaning;
-  std::string printed;  // what the paper says, in its words or digits; empty where it is silent
-  std::string decimals; // how many digits to show, as a format
-  double tolerance;     // absolute
-  std::string why;      // why that tolerance
+  std::string printed;   // what the paper says, in its words or digits; empty where it is silent
+  std::string decimals;  // how many digits to show, as a format
+  double tolerance;      // absolute
+  std::string why;       // why that tolerance
   std::function<double()> compute;
 };
 
@@ -91,7 +91,8 @@ inline double extreme(const Scene &scene, int mass, double sense, double from, d
   simulate(scene, to, {}, samples);
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < samples.times.size(); ++i)
-    most = std::max(most, sense * samples.displacements[2 * i + static_cast<std::size_t>(mass - 1)]);
+    most =
+        std::max(most, sense * samples.displacements[2 * i + static_cast<std::size_t>(mass - 1)]);
   return sense * most;
 }
 
@@ -106,7 +107,8 @@ inline double hold_force_peak(const Scene &scene, double until) {
   // The ends of a phase are at zero by definition: only points well inside count.
   double peak = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 200; i + 200 < hold.rows.size(); ++i)
-    if (hold.rows[i - 200].phase == hold.rows[i + 200].phase && hold.rows[i].force > hold.rows[i - 200].force &&
+    if (hold.rows[i - 200].phase == hold.rows[i + 200].phase &&
+        hold.rows[i].force > hold.rows[i - 200].force &&
         hold.rows[i].force > hold.rows[i + 200].force)
       peak = std::max(peak, hold.rows[i].force);
   return peak;
@@ -132,13 +134,14 @@ inline std::vector<KeyNumber> key_numbers() {
       {"lambda2", "eigenvalue of E, N = 2", "2.618", "{:.15f}", 1e-14, rounding, modes(0, 2)},
       {"xi1_mass1", "first eigenvector, mass 1", "0.526", "{:.15f}", 1e-14, rounding, modes(1, 1)},
       {"xi1_mass2", "first eigenvector, mass 2", "0.851", "{:.15f}", 1e-14, rounding, modes(2, 1)},
-      {"xi2_mass1", "second eigenvector, mass 1", "-0.851", "{:.15f}", 1e-14, rounding, modes(1, 2)},
+      {"xi2_mass1", "second eigenvector, mass 1", "-0.851", "{:.15f}", 1e-14, rounding,
+       modes(1, 2)},
       {"xi2_mass2", "second eigenvector, mass 2", "0.526", "{:.15f}", 1e-14, rounding, modes(2, 2)},
       {"exit_slope", "exit boundary of mass 2, slope (fitted to simulated releases)", "-10",
        "{:.12f}", 1e-9, "rounding of a release point times c/k over the spread of the points",
        [] { return exit_boundary_of_mass_2().slope; }},
-      {"exit_intercept", "exit boundary of mass 2, intercept", "1", "{:.12f}", 1e-9,
-       "as the slope", [] { return exit_boundary_of_mass_2().intercept; }},
+      {"exit_intercept", "exit boundary of mass 2, intercept", "1", "{:.12f}", 1e-9, "as the slope",
+       [] { return exit_boundary_of_mass_2().intercept; }},
       {"figure2_sticks", "Figure 2: sticks to t = 750", "", "{:.0f}", 0.0, exact,
        [] { return count(events_of(figure2(), 750.0), EventKind::stick); }},
       {"figure2_releases", "Figure 2: releases to t = 750", "", "{:.0f}", 0.0, exact,

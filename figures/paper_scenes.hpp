@@ -72,16 +72,16 @@ struct AxisBox {
 
 constexpr AxisBox figure2a_box{700.0, 750.0, -0.5, 0.4};
 constexpr AxisBox figure2b_box{715.0, 722.0, -0.06, 0.12};
-constexpr AxisBox figure3a_box{0.25, 0.7, -0.4, 0.0};  // v1
-constexpr AxisBox figure3b_box{0.25, 0.7, 0.0, 0.4};   // v2
+constexpr AxisBox figure3a_box{0.25, 0.7, -0.4, 0.0};   // v1
+constexpr AxisBox figure3b_box{0.25, 0.7, 0.0, 0.4};    // v2
 constexpr AxisBox figure4_box{12.0, 17.5, -0.2, 0.02};  // F2 against the time within the period
 constexpr AxisBox figure5a_box{950.0, 964.0, -0.05, 0.35};
 constexpr AxisBox figure5b_box{916.0, 930.0, -0.4, 0.5};
 constexpr AxisBox figure5c_box{900.0, 1000.0, 0.2, 0.31};
 
 // Forcing periods left out before a motion counts as settled (ours: the paper does not say how long
-// it waits). A chatter that ends in sticking forgets what came before, so that the motion of Figure 4
-// settles at once; without sticking it may creep, and Figure 3 waits longer: at 150 periods one
+// it waits). A chatter that ends in sticking forgets what came before, so that the motion of Figure
+// 4 settles at once; without sticking it may creep, and Figure 3 waits longer: at 150 periods one
 // frequency in ten above 0.57 has not settled.
 constexpr int figure3_settling_periods = 400;
 constexpr int figure4_settling_periods = 150;

@@ -7,10 +7,11 @@ set encoding utf8
 set datafile separator comma
 
 # eval canvas('png', 'figure2', rows) opens a page for `rows` panels, one below the other.
-canvas(kind, figure, rows) = (kind eq 'png' \
-  ? sprintf("set terminal pngcairo size 1400,%d font 'Liberation Serif,22' linewidth 2 dashlength 1.2; ", 100 + 560 * rows) \
-  : sprintf("set terminal pdfcairo size 14cm,%.2fcm font 'Liberation Serif,10' linewidth 1 dashlength 1; ", 1.0 + 5.6 * rows)) \
-  . sprintf("set output '%s/%s.%s'", data, figure, kind)
+png(rows) = sprintf("pngcairo size 1400,%d font 'Liberation Serif,22' linewidth 2 dashlength 1.2", \
+                    100 + 560 * rows)
+pdf(rows) = sprintf("pdfcairo size 14cm,%.2fcm font 'Liberation Serif,10'", 1.0 + 5.6 * rows)
+canvas(kind, figure, rows) = sprintf("set terminal %s; set output '%s/%s.%s'", \
+                                     kind eq 'png' ? png(rows) : pdf(rows), data, figure, kind)
 
 set linetype 1 linecolor rgb '#12355b' linewidth 1.4 dashtype solid    # mass 1
 set linetype 2 linecolor rgb '#c8442c' linewidth 1.4 dashtype (9, 5)   # mass 2

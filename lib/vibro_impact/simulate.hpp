@@ -120,7 +120,7 @@ void emit(const Run<D> &run, EventKind kind, std::size_t stop, double before, do
 template <class... Recorders>
 double next_sample(const Recorders &...recorders) {
   double next = std::numeric_limits<double>::infinity();
-  const auto ask = [&next](const auto &recorder) {
+  [[maybe_unused]] const auto ask = [&next](const auto &recorder) {
     if constexpr (takes_samples<std::remove_cvref_t<decltype(recorder)>>)
       next = std::min(next, recorder.next_time());
   };
