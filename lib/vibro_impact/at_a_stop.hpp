@@ -1,0 +1,54 @@
+// What happens at a stop: sticking, release by a root or a jump of the hold force, coming to rest.
+#pragma once
+
+#include "impact.hpp"
+#include "run.hpp"
+#include "sticking.hpp"
+
+namespace vibro_impact::detail {
+
+template <int D, class... Recorders>
+void stick_at(Run<D> &run, std::size_t stop, Recorders &...recorders) {
+  stick(run.state, run.scene, run.modes, stop, run.counters);
+  run.falling[stop] = 0;
+  run.chatter.size = 0;
+  emit(run, EventKind::stick, stop, 0.0, 0.0, false, recorders...);
+}
+
+template <int D, class... Recorders>
+void release_at(Run<D> &run, std::size_t stop, int zeros, double leading, Recorders &...recorders) {
+  release(run.state, run.scene, run.modes, stop, zeros, leading, run.counters);
+  run.chatter.size = 0;
+  run.last_speed[stop] = 0.0;
+  emit(run, EventKind::release, stop, 0.0, 0.0, zeros == 2, recorders...);
+}
+
+// A mass at rest at its stop: it sticks when pressed, else leaves with the acceleration it has.
+template <int D, class... Recorders>
+void settle(Run<D> &run, std::size_t stop, Recorders &...recorders) {
+  const OpenStop<D> &open = open_stop(run.state, stop);
+  const double press = open.press(run.state.value, run.state.slope);
+  if (press > 0.0) {
+    stick_at(run, stop, recorders...);
+  } else {
+    run.state.stops[stop] = {0.0, 0.0, 2, -press / run.scene.mass[open.mass]};
+  }
+}
+
+// A neighbour's impact makes the hold force jump; where it changes sign the mass leaves at once.
+template <int D, class... Recorders>
+void release_by_jump(Run<D> &run, std::size_t mass, Recorders &...recorders) {
+  for (std::size_t k = 0; k < run.state.mode->closed.size();) {
+    const ClosedStop<D> &closed = run.state.mode->closed[k];
+    const std::size_t distance = closed.mass > mass ? closed.mass - mass : mass - closed.mass;
+    const double press = distance == 1 ? closed.press(run.state.value, run.state.slope) : 0.0;
+    if (press < 0.0) {
+      release_at(run, closed.stop, 2, -press / run.scene.mass[closed.mass], recorders...);
+      k = 0;  // the contact mode has changed
+    } else {
+      ++k;
+    }
+  }
+}
+
+}  // namespace vibro_impact::detail

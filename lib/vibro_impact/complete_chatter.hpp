@@ -1,0 +1,76 @@
+// Complete chatter within a run: when the limit of the sequence may be taken, and taking it.
+#pragma once
+
+#include <optional>
+
+#include "at_a_stop.hpp"
+
+namespace vibro_impact::detail {
+
+// True when nothing else can happen within tau: every other gap and hold force keeps clear of zero
+// by more than the impacts left in the chatter (total impulse per mass `impulse`) can move it.
+template <int D>
+bool clear_until(Run<D> &run, double tau, double impulse) {
+  const ContactMode<D> &mode = *run.state.mode;
+  expand(mode, run.state.value, run.state.slope, tau, run.flight.expansion, run.counters);
+  const double stiffest = mode.lambda.maxCoeff(), most_damped = mode.kappa.maxCoeff();
+  const double gap_margin = tau * tau * (most_damped + stiffest * tau) * impulse;
+  const double link = *std::max_element(run.scene.stiffness.begin(), run.scene.stiffness.end());
+  const double force_margin = link * (run.scene.beta + tau) * impulse;
+  const auto one = [](int) { return 1.0; };
+  for (const OpenStop<D> &open : mode.open) {
+    if (std::find(run.chatter.stops.begin(), run.chatter.stops.end(), open.stop) !=
+        run.chatter.stops.end())
+      continue;
+    const StopState &stop = run.state.stops[open.stop];
+    if (stop.zeros != 0 ||
+        lower_bound(gap_polynomial(open, stop, run.flight.expansion), 0, one) <= gap_margin)
+      return false;
+  }
+  for (const ClosedStop<D> &closed : mode.closed)
+    if (lower_bound(polynomial_of(closed.press, run.flight.expansion, true), 0, one) <=
+        force_margin)
+      return false;
+  return true;
+}
+
+// Carries a complete chatter to its limit when that is certain; true when it did.
+template <int D, class... Recorders>
+bool take_chatter_limit(Run<D> &run, bool new_node, double press, double tau_at_most,
+                        Recorders &...recorders) {
+  const std::size_t first = run.chatter.stops.front();
+  const double r = run.scene.restitution, speed = run.state.stops[first].speed;
+  const double mass = run.scene.mass[static_cast<std::size_t>(run.scene.stops[first].mass - 1)];
+  const double tail = 2.0 * speed * mass / (press * (1.0 - r));  // to leading order in the speed
+  if (tail > 2.0 * tau_at_most) return false;
+
+  std::optional<ChatterLimit<D>> limit;
+  if (tail * run.state.mode->fastest < 1e-9) {
+    // What is left is below rounding: its leading order is its limit, with an error of order
+    // tail^2.
+    limit.emplace(ChatterLimit<D>{tail, run.state, 0.0});
+    expand(*run.state.mode, run.state.value, run.state.slope, tail, run.flight.expansion,
+           run.counters);
+    read_gaps(run.state, run.flight);
+    move_to(limit->state, run.flight, 1.0, run.scene, run.clock);
+  } else if (new_node && speed < run.options.resolve_chatter) {
+    limit = extrapolate(run.chatter, run.options.chatter_tolerance);
+  }
+  if (!limit || !(limit->tau < tau_at_most)) return false;
+  if (!clear_until(run, limit->tau, (1.0 + r) / (1.0 - r) * speed)) return false;
+  limit->state.now = later(run.state.now, limit->tau, run.clock);
+  set_forcing(limit->state, run.scene);
+  for (std::size_t stop : run.chatter.stops)
+    if (!(open_stop(run.state, stop).press(limit->state.value, limit->state.slope) > 0.0))
+      return false;  // a border orbit or beyond: the chatter is not complete
+
+  sample_flight(run, 0.0, recorders...);
+  run.state = std::move(limit->state);
+  const std::vector<std::size_t> stops = run.chatter.stops;
+  for (std::size_t stop : stops) run.state.stops[stop] = {};
+  for (std::size_t stop : stops) stick_at(run, stop, recorders...);
+  ++run.counters.chatter_limits;
+  return true;
+}
+
+}  // namespace vibro_impact::detail
