@@ -3,6 +3,7 @@
 # make test           the same packages and build, then every test
 # make check          the key numbers: paper, computed, error, verdict
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
+# make random-scenes  20,000 random scenes, every property checked (minutes)
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them
 # make reference      recompute the 50-digit event tables in reference/ (minutes)
 # make format         clang-format on every source
@@ -11,7 +12,7 @@
 figures := figure2 figure3 figure4 figure5
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: figures $(figures) test check pictures test-sanitize reference format clean help packages build
+.PHONY: figures $(figures) test check pictures random-scenes test-sanitize reference format clean help packages build
 
 help:
 	@sed -n 's/^# //p' Makefile
@@ -33,6 +34,9 @@ test-sanitize: packages
 	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }
 	@cmake --build build/sanitize -j $(jobs)
 	@ctest --test-dir build/sanitize --output-on-failure -j $(jobs)
+
+random-scenes: build
+	@build/bin/random_scenes_test 20000
 
 pictures: figures
 	@mkdir -p figures/pictures

@@ -144,9 +144,11 @@ std::optional<ChatterLimit<D>> extrapolate(const ChatterSequence<D> &sequence, d
       limit.state.stops[k].speed += w * (node.state.stops[k].speed - latest.state.stops[k].speed);
     }
   }
-  const auto relative = [](const auto &error, const auto &size) {
-    const double largest = size.abs().maxCoeff();
-    return largest > 0.0 ? error.abs().maxCoeff() / largest : 0.0;
+  // The forcing lanes are known from the time, and have other units than the modes.
+  const Eigen::Index modal = sequence.mode->lanes() - sequence.mode->forcing_lanes;
+  const auto relative = [modal](const auto &error, const auto &size) {
+    const double largest = size.head(modal).abs().maxCoeff();
+    return largest > 0.0 ? error.head(modal).abs().maxCoeff() / largest : 0.0;
   };
   limit.error = std::max({best_error, relative(value_error, limit.state.value),
                           relative(slope_error, limit.state.slope)});

@@ -67,6 +67,7 @@ struct ContactMode {
   bool any_decay = false;
   Lanes resonant;  // forcing of the lanes too close to resonance for a steady response
   bool any_resonant = false;
+  Eigen::Index forcing_lanes = 0;  // 2 at the end, cos(Omega t) and sin(Omega t), or none
   std::vector<OpenStop<D>> open;
   std::vector<ClosedStop<D>> closed;
 
@@ -203,6 +204,7 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
 
   ContactMode<D> mode;
   mode.held = held;
+  mode.forcing_lanes = forcing;
   for (auto *array : {&mode.kappa, &mode.lambda, &mode.rate, &mode.resonant}) array->setZero(lanes);
   mode.decay.setConstant(lanes, false);
   mode.equilibrium = detail::static_positions(scene, held, held_at);
