@@ -1,6 +1,8 @@
 // Every event of the scenes of Figures 2, 4 and 5 against the 50-digit event tables.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "event_tables.hpp"
 #include "paper_scenes.hpp"
 
@@ -14,6 +16,11 @@ struct PaperRun {
   Scene scene;
   double until;
 };
+
+// What the test's name shows of a parameter.
+void PrintTo(const PaperRun &run, std::ostream *out) {
+  *out << run.name;
+}
 
 // 1e-10 in time: what the suite promises. Measured: below 6e-12 (Figure 4, where the distance to
 // the multi-sliding point is 4e-5 in force and the motion is that much more sensitive), 3e-13
