@@ -1,0 +1,143 @@
+// The exact flow: closed form and Taylor expansion, against an independent integration and
+// against each other.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/numeric/odeint.hpp>
+
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using Pair = std::array<double, 2>;
+
+Pair integrate(double kappa, double lambda, double force, double omega, Pair y, double until) {
+  namespace odeint = boost::numeric::odeint;
+  odeint::bulirsch_stoer<Pair> stepper(1e-14, 1e-14);
+  const auto equation = [=](const Pair &p, Pair &rate, double t) {
+    rate = {p[1], force * std::cos(omega * t) - kappa * p[1] - lambda * p[0]};
+  };
+  odeint::integrate_adaptive(stepper, equation, y, 0.0, until, 1e-3);
+  return y;
+}
+
+// 1e-12: the tolerance of the integration, 1e-14 per step, over some hundred steps.
+TEST(Flow, FreeResponseAgreesWithAnIntegrationForEveryDamping) {
+  const double lambda = 1.7, critical = 2.0 * std::sqrt(lambda);
+  for (double ratio : {0.0, 1e-8, 0.05, 0.9, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.1, 3.0, 8.0}) {
+    const auto y = free_response(ratio * critical, lambda, OscillatorState<double>{0.3, -0.8}, 4.0);
+    const Pair expected = integrate(ratio * critical, lambda, 0.0, 0.0, {0.3, -0.8}, 4.0);
+    EXPECT_NEAR(y.value, expected[0], 1e-12) << ratio;
+    EXPECT_NEAR(y.slope, expected[1], 1e-12) << ratio;
+  }
+}
+
+TEST(Flow, PassesSmoothlyThroughCriticalDamping) {
+  const double lambda = 1.7, critical = 2.0 * std::sqrt(lambda);
+  const auto at = [&](double ratio) {
+    return free_response(ratio * critical, lambda, OscillatorState<double>{0.3, -0.8}, 2.0).value;
+  };
+  // The derivative by the damping ratio is of order one: half of its change over 2e-8, to 1e-15.
+  EXPECT_NEAR(at(1.0), 0.5 * (at(1.0 - 1e-8) + at(1.0 + 1e-8)), 4e-16);
+}
+
+TEST(Flow, ResponseAtAndNearResonance) {
+  const double lambda = 1.7;
+  for (double kappa : {0.0, 1e-4, 1e-2})
+    for (double omega : {std::sqrt(lambda), std::sqrt(lambda) * (1 + 1e-9), 1.29}) {
+      const auto y = forced_from_rest(kappa, lambda, std::complex<double>(0.6, 0.0), omega, 9.0);
+      const Pair expected = integrate(kappa, lambda, 0.6, omega, {0.0, 0.0}, 9.0);
+      EXPECT_NEAR(y.value, expected[0], 1e-11) << kappa << " " << omega;
+      EXPECT_NEAR(y.slope, expected[1], 1e-11) << kappa << " " << omega;
+    }
+}
+
+Scene chain(double beta, double omega) {
+  Scene scene;
+  scene.mass = {1.0, 0.5, 2.0};
+  scene.stiffness = {1.0, 3.0, 0.7};
+  scene.beta = beta;
+  scene.amplitude = {0.5, 0.0, -0.2};
+  scene.omega = omega;
+  scene.displacement = {0.1, -0.2, 0.3};
+  scene.velocity = {-0.4, 0.2, 0.1};
+  return scene;
+}
+
+// The same motion of a chain without stops three ways. Damping ratios up to 40: split modes.
+TEST(Flow, ForcedChainAgreesWithAnIntegration) {
+  namespace odeint = boost::numeric::odeint;
+  const auto lambda = build_contact_mode<Eigen::Dynamic>(chain(0.0, 0.7), Held{0, 0, 0}).lambda;
+  for (double beta : {0.0, 0.1, 1.0, 5.0, 30.0})
+    for (double omega : {0.0, 0.7, std::sqrt(lambda(0)), 6.0}) {
+      const Scene scene = chain(beta, omega);
+      const Outcome outcome = simulate(scene, 10.0, {});
+      std::array<double, 6> y{0.1, -0.2, 0.3, -0.4, 0.2, 0.1};
+      const auto equation = [&](const auto &s, auto &rate, double t) {
+        std::array<double, 4> tension{};  // of the links; none beyond the last mass
+        for (std::size_t i = 0; i < 3; ++i)
+          tension[i] = scene.stiffness[i] *
+                       (s[i] - (i ? s[i - 1] : 0.0) + beta * (s[3 + i] - (i ? s[2 + i] : 0.0)));
+        for (std::size_t i = 0; i < 3; ++i) {
+          rate[i] = s[3 + i];
+          rate[3 + i] = (tension[i + 1] - tension[i] + scene.amplitude[i] * std::cos(omega * t)) /
+                        scene.mass[i];
+        }
+      };
+      odeint::bulirsch_stoer<std::array<double, 6>> stepper(1e-14, 1e-14);
+      odeint::integrate_adaptive(stepper, equation, y, 0.0, 10.0, 1e-3);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        // 2e-11: 1e-14 per step, up to a thousand steps where the damping makes it stiff.
+        EXPECT_NEAR(outcome.state.displacement(k), y[i], 2e-11) << beta << " " << omega;
+        EXPECT_NEAR(outcome.state.velocity(k), y[3 + i], 2e-11) << beta << " " << omega;
+      }
+    }
+}
+
+// A stop far away makes the run go by Taylor expansions; without one it goes by the closed form.
+// 1e-13: fifty rounding errors of numbers of order one over some ten expansions.
+TEST(Flow, TaylorExpansionsAgreeWithTheClosedForm) {
+  for (double beta : {0.0, 0.1, 1.0, 30.0}) {
+    Scene scene = chain(beta, 0.7);
+    const Outcome closed = simulate(scene, 10.0, {});
+    scene.stops = {{2, Side::upper, 50.0}};
+    const Outcome taylor = simulate(scene, 10.0, {});
+    EXPECT_GT(taylor.counters.expansions, 3);
+    EXPECT_EQ(closed.counters.expansions, 0);
+    EXPECT_LT((closed.state.displacement - taylor.state.displacement).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_LT((closed.state.velocity - taylor.state.velocity).cwiseAbs().maxCoeff(), 1e-13);
+  }
+}
+
+TEST(Flow, FreeFlightIsReversible) {
+  Scene scene = chain(0.0, 0.7);
+  scene.amplitude.clear();
+  scene.stops = {{2, Side::upper, 50.0}};
+  const Outcome there = simulate(scene, 20.0, {});
+  for (std::size_t i = 0; i < 3; ++i) {
+    scene.displacement[i] = there.state.displacement(static_cast<Eigen::Index>(i));
+    scene.velocity[i] = -there.state.velocity(static_cast<Eigen::Index>(i));
+  }
+  const Outcome back = simulate(scene, 20.0, {});
+  const Scene start = chain(0.0, 0.7);
+  for (std::size_t i = 0; i < 3; ++i)  // rounding of two runs of 20 units of time each
+    EXPECT_NEAR(back.state.displacement(static_cast<Eigen::Index>(i)), start.displacement[i],
+                1e-13);
+}
+
+// The phase does not drift: after a million periods the undisturbed steady motion is where it was.
+TEST(Instant, AMillionPeriodsDoNotShiftThePhase) {
+  const Clock clock(0.28);
+  Instant instant{};
+  const double step = clock.period / 7.0;
+  for (int i = 0; i < 700000; ++i) instant = later(instant, step, clock);
+  // 700,000 additions of a rounded step: the error of the step itself dominates, 1e5 periods times
+  // 7 half units in its last place.
+  EXPECT_NEAR(time_of(instant, clock), 1e5 * clock.period, 7e5 * 4.5e-16 + 1e-8);
+  const Instant far = instant_at(1e6 * clock.period, clock);
+  EXPECT_LE(std::min(far.phase, clock.period - far.phase), 1e6 * clock.period * 2.3e-16);
+}
+
+}  // namespace
