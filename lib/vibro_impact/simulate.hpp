@@ -33,7 +33,9 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
     const auto i = static_cast<Eigen::Index>(stop.mass - 1);
     const double sigma = sign(stop.side), gap = sigma * (stop.position - start.displacement(i));
     run.state.stops[k] = {gap, -sigma * start.velocity(i), 0, 0.0};
-    if (gap == 0.0)
+    if (start.held[static_cast<std::size_t>(stop.mass - 1)] == static_cast<int>(stop.side))
+      run.state.stops[k] = {};  // held: nothing is known of its force beforehand
+    else if (gap == 0.0)
       run.state.stops[k] = {0.0, -sigma * start.velocity(i), 1, -sigma * start.velocity(i)};
   }
   for (std::size_t k = 0; k < scene.stops.size(); ++k)
