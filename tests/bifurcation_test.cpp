@@ -73,7 +73,8 @@ TEST(Pressing_force, agrees_with_the_hold_force_a_run_reports) {
     const auto press = pressing_force(scene, scene.stops[0], at);
     EXPECT_NEAR(press.value, -row.force, 1e-12);
     const double h = 1e-5;
-    const auto later = pressing_force(scene, scene.stops[0], simulate(scene, row.time + h, {}).state);
+    const auto later =
+        pressing_force(scene, scene.stops[0], simulate(scene, row.time + h, {}).state);
     EXPECT_NEAR(press.slope, (later.value - press.value) / h, 1e-4);
     ++compared;
   }

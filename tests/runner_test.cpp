@@ -1,14 +1,18 @@
 // The scene runner, tested through the program itself.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "vibro_impact/simulate.hpp"
 
 namespace {
 
@@ -23,6 +27,13 @@ std::string contents(const fs::path &path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
+}
+
+std::vector<std::string> cells(const std::string &row) {
+  std::vector<std::string> found;
+  std::istringstream stream(row);
+  for (std::string cell; std::getline(stream, cell, ',');) found.push_back(cell);
+  return found;
 }
 
 std::vector<std::string> lines(const std::string &text) {
@@ -68,17 +79,17 @@ TEST_F(Runner, WritesTheEventTableOfThePaperScene) {
   int sticks = 0, releases = 0, impacts = 0, slow = 0;
   double last = 0.0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    std::istringstream row(rows[i]);
-    std::vector<std::string> cells;
-    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    ASSERT_EQ(cells.size(), 6u) << rows[i];
-    EXPECT_GE(std::stod(cells[0]), last) << "events in order of time";
-    last = std::stod(cells[0]);
-    sticks += cells[2] == "stick";
-    releases += cells[2] == "release";
-    impacts += cells[2] == "impact";
-    slow += cells[2] == "impact" && std::abs(std::stod(cells[3])) < 2e-4;
-    EXPECT_TRUE(cells[5] == "-" || cells[5] == "1" || cells[5] == "2" || cells[5] == "1+2");
+    const auto row = cells(rows[i]);
+    ASSERT_EQ(row.size(), 6u) << rows[i];
+    EXPECT_GE(std::stod(row[0]), last) << "events in order of time";
+    last = std::stod(row[0]);
+    sticks += row[2] == "stick";
+    releases += row[2] == "release";
+    impacts += row[2] == "impact";
+    slow += row[2] == "impact" && std::abs(std::stod(row[3])) < 2e-4;
+    EXPECT_TRUE(row[5] == "-" || row[5] == "1" || row[5] == "2" || row[5] == "1+2") << rows[i];
+    const bool held = row[5].find(row[1]) != std::string::npos;
+    EXPECT_TRUE(row[2] == "impact" || held == (row[2] == "stick")) << rows[i];
   }
   EXPECT_EQ(sticks, 66);
   EXPECT_EQ(releases, 66);
@@ -87,8 +98,84 @@ TEST_F(Runner, WritesTheEventTableOfThePaperScene) {
   EXPECT_NE(result.err.find("66 sticks, 66 releases"), std::string::npos) << result.err;
 }
 
+// The cells are read back to the very doubles the library hands over: 17 digits, nothing rounded.
+TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
+  using namespace vibro_impact;
+  Scene scene;
+  scene.mass = {1.0, 1.0};
+  scene.stiffness = {1.0, 1.0};
+  scene.beta = 0.1;
+  scene.amplitude = {0.5, 0.0};
+  scene.omega = 0.28;
+  scene.restitution = 0.7;
+  scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
+  EventRecorder events;
+  events.from = 20.0;
+  SampleRecorder samples;
+  samples.from = 20.0;
+  samples.to = 60.0;
+  samples.every = 0.25;
+  samples.masses = 2;
+  simulate(scene, 60.0, RunOptions{}, events, samples);
+
+  const Result result =
+      run(paper_scene + "--until 60 --from 20 --every 0.25 --events e.csv --samples s.csv");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto event_rows = lines(contents(folder / "e.csv"));
+  ASSERT_EQ(event_rows.size(), events.events.size() + 1);
+  EXPECT_GT(event_rows.size(), 30u);
+  for (std::size_t i = 0; i < events.events.size(); ++i) {
+    const Event &event = events.events[i];
+    const auto row = cells(event_rows[i + 1]);
+    ASSERT_EQ(row.size(), 6u);
+    EXPECT_EQ(std::stod(row[0]), event.time);
+    EXPECT_GE(event.time, 20.0);
+    EXPECT_EQ(row[1], std::to_string(event.mass));
+    EXPECT_EQ(row[2], name(event.kind));
+    EXPECT_EQ(std::stod(row[3]), event.velocity_before);
+    EXPECT_EQ(std::stod(row[4]), event.velocity_after);
+    EXPECT_EQ(row[5], contact_mode_name(event.held));
+  }
+  const auto sample_rows = lines(contents(folder / "s.csv"));
+  ASSERT_EQ(sample_rows.size(), 162u);  // 20, 20.25, ... 60 and the header
+  ASSERT_EQ(samples.times.size(), 161u);
+  for (std::size_t i = 0; i < samples.times.size(); ++i) {
+    const auto row = cells(sample_rows[i + 1]);
+    ASSERT_EQ(row.size(), 3u);
+    EXPECT_EQ(std::stod(row[0]), samples.times[i]);
+    EXPECT_EQ(std::stod(row[1]), samples.displacements[2 * i]);
+    EXPECT_EQ(std::stod(row[2]), samples.displacements[2 * i + 1]);
+  }
+}
+
 TEST_F(Runner, DefaultsAreThePaperScene) {
-  EXPECT_EQ(run("run --until 100 --events -").out, run(paper_scene + "--until 100 --events -").out);
+  const std::string table = run(paper_scene + "--until 750 --events -").out;
+  EXPECT_GT(lines(table).size(), 1000u);
+  EXPECT_EQ(run("run --events -").out, table);
+  EXPECT_EQ(lines(run("run --until 1 --samples -").out).size(), 102u) << "every 0.01 from 0";
+}
+
+TEST_F(Runner, ComputesOnlyWhatIsAskedFor) {
+  EXPECT_NE(run("run --until 50 --events e.csv").err.find(" 0 modal evaluations"),
+            std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "e.csv"));
+  EXPECT_FALSE(fs::exists(folder / "s.csv"));
+  EXPECT_NE(run("run --until 50 --every 0.5 --samples s.csv").err.find(" 101 modal evaluations"),
+            std::string::npos);
+}
+
+// The smaller the speed down to which chatter is resolved, the more impacts stand in the table;
+// the sticking phases are the same.
+TEST_F(Runner, ResolveChatterSetsHowFarChatterIsWrittenOut) {
+  std::size_t before = 0;
+  for (const char *option :
+       {"", "--resolve-chatter 1e-4", "--resolve-chatter 1e-8", "--resolve-chatter 0"}) {
+    const Result result = run(std::string("run --until 100 --events - ") + option);
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.err.find(" 8 sticks, 8 releases"), std::string::npos) << result.err;
+    EXPECT_GT(lines(result.out).size(), before) << option;
+    before = lines(result.out).size();
+  }
 }
 
 TEST_F(Runner, ScalarsRepeatForAllMassesAndBetaIsDampingOverStiffness) {
@@ -97,6 +184,12 @@ TEST_F(Runner, ScalarsRepeatForAllMassesAndBetaIsDampingOverStiffness) {
   EXPECT_EQ(scalar,
             run("run --mass 1,1 --stiffness 1,1 --damping 0.1,0.1 --until 60 --events -").out);
   EXPECT_EQ(scalar, run("run --beta 0.1 --until 60 --events -").out);
+  // c stays c when the stiffness changes: beta = 0.1 / 2.
+  const std::string stiffer = run("run --stiffness 2 --until 60 --events -").out;
+  EXPECT_NE(stiffer, scalar);
+  EXPECT_EQ(stiffer, run("run --stiffness 2,2 --beta 0.05 --until 60 --events -").out);
+  EXPECT_EQ(run("run --stiffness 1,2 --damping 0.1,0.2 --until 60 --events -").out,
+            run("run --stiffness 1,2 --beta 0.1 --until 60 --events -").out);
 }
 
 TEST_F(Runner, SamplesEveryIntervalFromTheStartAskedFor) {
@@ -112,13 +205,25 @@ TEST_F(Runner, SamplesEveryIntervalFromTheStartAskedFor) {
 TEST_F(Runner, RunsWithoutStopsAndWithAnyNumberOfMasses) {
   EXPECT_EQ(lines(run("run --masses 5 --stop none --until 50 --events -").out).size(), 1u);
   EXPECT_EQ(run("run --masses 5 --stop 5:upper:0.05 --until 100").status, 0);
+  const std::string forced = "run --masses 3 --stop none --until 5 --every 1 --samples - ";
+  const std::string on_the_first = run(forced).out;
+  EXPECT_EQ(lines(on_the_first).front(), "time,x1,x2,x3");
+  EXPECT_EQ(run(forced + "--amplitude 0.5,0,0").out, on_the_first);
+  EXPECT_EQ(run("run --masses 1 --stop none --until 5").status, 0);
 }
 
 TEST_F(Runner, HelpAndVersionExplainThemselves) {
-  const Result help = run("run --help");
-  EXPECT_EQ(help.status, 0);
-  for (const char *word : {"--resolve-chatter", "--stop", "non-dimensional", "contact_mode"})
-    EXPECT_NE((help.out + run("--help").out).find(word), std::string::npos) << word;
+  for (const char *command : {"run --help", "--help"}) {
+    const Result help = run(command);
+    EXPECT_EQ(help.status, 0);
+    EXPECT_TRUE(help.err.empty()) << help.err;
+    for (const char *word : {"non-dimensional", "reconstructed", "Example:", "contact_mode"})
+      EXPECT_NE(help.out.find(word), std::string::npos) << command << ": " << word;
+  }
+  const std::string options = run("run --help").out;
+  for (const char *word : {"Usage: vibro-impact run", "--masses", "--stop", "--beta",
+                           "--resolve-chatter", "--initial-velocity", "--max-impacts"})
+    EXPECT_NE(options.find(word), std::string::npos) << word;
   EXPECT_EQ(run("--version").out, "vibro-impact 0.1.0\n");
 }
 
@@ -144,21 +249,49 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
       {"--stop 1:upper:0.1 --stop 1:upper:0.2", "same side"},
       {"--stop 1:left:3", "1:left:3"},
       {"--stop 3:upper:1", "stop on mass 3"},
-      {"--stop 1:upper:", "not a number"},
+      {"--stop 1:upper:", "--stop 1:upper:"},
+      {"--stop 1:upper:x", "--stop 1:upper:x"},
+      {"--stop 1:upper:nan", "nan"},
+      {"--stop 1.5:upper:1", "1.5:upper:1"},
+      {"--stop 0:upper:1", "0:upper:1"},
+      {"--masses 1", "--masses 1: the default stops"},
       {"--until 0", "--until 0"},
-      {"--until 1e", "1e"},
-      {"--from 800", "800"},
+      {"--until 1e", "--until 1e"},
+      {"--until nan", "--until nan"},
+      {"--until inf", "--until inf"},
+      {"--omega 1e400", "--omega 1e400"},
+      {"--omega 0.28x", "--omega 0.28x"},
+      {"--omega ''", "not a number"},
+      {"--mass 1,", "--mass 1,"},
+      {"--from 800", "--from 800"},
+      {"--from -1", "--from -1"},
+      {"--from nan", "--from nan"},
       {"--every 0", "--every 0"},
+      {"--every 1e-12", "--every 1e-12"},
       {"--masses 0", "--masses 0"},
       {"--masses 2.5", "2.5"},
       {"--stiffness 1,2", "proportional"},
+      {"--stiffness 1,2", "--beta"},
+      {"--damping 0.1,0.1000000000005", "proportional"},
+      {"--damping nan", "--damping nan: must be non-negative and finite"},
+      {"--damping -0.1", "--damping -0.1"},
+      {"--beta ''", "--beta"},
       {"--beta 0.1 --damping 0.1", "--beta"},
       {"--beta -1", "-1"},
       {"--resolve-chatter -1", "-1"},
-      {"--max-impacts 0", "0"},
+      {"--resolve-chatter nan", "nan"},
+      {"--resolve-chatter ''", "--resolve-chatter"},
+      {"--max-impacts 0", "--max-impacts 0"},
+      {"--max-impacts 2.5", "--max-impacts 2.5"},
       {"--bogus 3", "--bogus"},
+      {"--omega", "--omega"},
+      {"--omega 1 --omega 2", "--omega"},
+      {"stray", "stray"},
       {"--events /nonexistent/e.csv", "/nonexistent/e.csv"},
+      {"--samples /nonexistent/s.csv", "/nonexistent/s.csv"},
       {"--events . ", "--events ."},
+      {"--events ''", "--events"},
+      {"--events ./t.csv --samples t.csv", "--samples t.csv"},
       {"--events - --samples -", "standard output"},
   };
   for (const BadCase &bad : cases) {
@@ -169,10 +302,41 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
     const Result result = run("run " + unless_given("--events", " e.csv ") +
                               unless_given("--samples", " s.csv ") + given);
     EXPECT_EQ(result.status, 2) << bad.arguments;
+    EXPECT_EQ(result.out, "") << bad.arguments;
     EXPECT_EQ(lines(result.err).size(), 1u) << bad.arguments << ": " << result.err;
+    EXPECT_EQ(result.err.rfind("vibro-impact: ", 0), 0u) << bad.arguments << ": " << result.err;
     EXPECT_NE(result.err.find(bad.names), std::string::npos) << bad.arguments << ": " << result.err;
     EXPECT_TRUE(fs::is_empty(folder)) << bad.arguments << " left a file";
   }
+}
+
+TEST_F(Runner, ACommandIsNeeded) {
+  const Result result = run("");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(lines(result.err).size(), 1u) << result.err;
+}
+
+// A table is renamed into place: what stands at its path and is not a file must survive that.
+TEST_F(Runner, SparesPipesLinksAndTheFilesOfOthers) {
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const Result pipe = run("run --until 5 --events pipe");
+  EXPECT_EQ(pipe.status, 2);
+  EXPECT_NE(pipe.err.find("--events pipe"), std::string::npos) << pipe.err;
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+
+  fs::create_symlink("target.csv", folder / "link.csv");
+  EXPECT_EQ(run("run --until 5 --events link.csv").status, 2) << "the link leads nowhere";
+  std::ofstream(folder / "target.csv") << "old";
+  EXPECT_EQ(run("run --until 5 --events link.csv").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(contents(folder / "target.csv").substr(0, 5), "time,");
+
+  std::ofstream(folder / "e.csv") << "old";
+  std::ofstream(folder / "e.csv.part") << "theirs";
+  EXPECT_EQ(run("run --mass 0 --events e.csv").status, 2);
+  EXPECT_EQ(run("run --events e.csv --samples /nonexistent/s.csv").status, 2);
+  EXPECT_EQ(contents(folder / "e.csv"), "old") << "kept when the run does not take place";
+  EXPECT_EQ(contents(folder / "e.csv.part"), "theirs");
 }
 
 TEST_F(Runner, EndlessImpactsEndWithTheStateAndStatusOne) {
