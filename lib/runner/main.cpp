@@ -3,30 +3,19 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <exception>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include "options.hpp"
+#include "output_path.hpp"
 #include "vibro_impact/table.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-using runner::BadInput;
 using runner::Request;
-
-// Fails before the run, not after it, when a table could not be written.
-void require_writable(const std::string &option, const std::string &path) {
-  if (path.empty() || path == "-") return;
-  const std::string rule = fmt::format("{} {}: cannot be written", option, path);
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw BadInput(rule);
-  const std::string temporary = path + ".part";
-  std::FILE *file = std::fopen(temporary.c_str(), "wb");
-  if (file == nullptr) throw BadInput(rule);
-  std::fclose(file);
-  std::filesystem::remove(temporary, error);
-}
 
 Table event_table(const EventRecorder &recorder) {
   Table table("time,mass,event,velocity_before,velocity_after,contact_mode");
@@ -88,8 +77,9 @@ int main(int argc, char **argv) {
       std::fputs(answer->text.c_str(), stdout);
       return 0;
     }
-    require_writable("--events", request.events);
-    require_writable("--samples", request.samples);
+    runner::require_apart(request.events, request.samples);
+    request.events = runner::output_path("--events", request.events);
+    request.samples = runner::output_path("--samples", request.samples);
     EventRecorder events;
     events.from = request.from;
     SampleRecorder samples;
