@@ -2,6 +2,7 @@
 // beside this file.
 #include "event_driven.hpp"
 #include "key_numbers.hpp"
+#include "located.hpp"
 #include "scenes.hpp"
 
 #include <exception>
@@ -107,12 +108,16 @@ int run(const std::vector<std::string> &arguments) {
   if (arguments.empty() || arguments.size() > 2) {
     std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
                  "figure4b, figure5a, figure5b, "
-                 "figure5c, key_numbers\n";
+                 "figure5c, key_numbers, located\n";
     return 2;
   }
   const std::string path = arguments.size() > 1 ? arguments[1] : "";
   if (arguments[0] == "key_numbers") {
     write_table(path, key_numbers_table());
+    return 0;
+  }
+  if (arguments[0] == "located") {
+    write_table(path, located_table());
     return 0;
   }
   const Scene scene = scene_named(arguments[0]);

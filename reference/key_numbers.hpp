@@ -323,19 +323,24 @@ inline std::vector<KeyNumber> computed_numbers() {
   return rows;
 }
 
-/// The table key_numbers.csv.
-inline std::string key_numbers_table() {
+/// Rows as a table: symbol,value,kind,source,meaning.
+inline std::string table_of(const std::vector<KeyNumber> &rows) {
   const auto quoted = [](const std::string &field) {
     return field.find(',') == std::string::npos ? field : '"' + field + '"';
   };
   std::string table = "symbol,value,kind,source,meaning\n";
-  for (const auto &rows : {stated_numbers(), derived_numbers(), computed_numbers()}) {
-    for (const KeyNumber &row : rows) {
-      table += row.symbol + ',' + row.value + ',' + row.kind + ',' + quoted(row.source) + ',' +
-               quoted(row.meaning) + '\n';
-    }
-  }
+  for (const KeyNumber &row : rows)
+    table += row.symbol + ',' + row.value + ',' + row.kind + ',' + quoted(row.source) + ',' +
+             quoted(row.meaning) + '\n';
   return table;
+}
+
+/// The table key_numbers.csv.
+inline std::string key_numbers_table() {
+  std::vector<KeyNumber> all;
+  for (const auto &rows : {stated_numbers(), derived_numbers(), computed_numbers()})
+    all.insert(all.end(), rows.begin(), rows.end());
+  return table_of(all);
 }
 
 }  // namespace vibro_impact_reference

@@ -50,7 +50,7 @@ MotionState section_after(const Scene &scene, int periods) {
 // derivatives along the way); the derivative itself is far better.
 constexpr double differences_tolerance = 1e-8;
 
-TEST(Derivative, of_figure_2_equals_differences_and_sticking_takes_its_rank) {
+TEST(Derivative, OfFigure2EqualsDifferencesAndStickingTakesItsRank) {
   const Scene scene = paper::figure2();
   const MotionState at = section_after(scene, 30);
   ASSERT_EQ(free_coordinates(at.held).size(), 4u);
@@ -65,7 +65,7 @@ TEST(Derivative, of_figure_2_equals_differences_and_sticking_takes_its_rank) {
   EXPECT_LT(std::abs(multipliers(0)), 1.0);
 }
 
-TEST(Derivative, without_sticking_has_full_rank_and_equals_differences) {
+TEST(Derivative, WithoutStickingHasFullRankAndEqualsDifferences) {
   const Scene scene = paper::stops_of_different_sign(0.6);
   const MotionState at = section_after(scene, 200);
   const StroboscopicImage image = stroboscopic_map_and_derivative(scene, at, 1, {});
@@ -85,7 +85,7 @@ TEST(Derivative, without_sticking_has_full_rank_and_equals_differences) {
 }
 
 // Figure 4(b): mass 1 sticks twice, with a chatter in between; the section is in a sticking phase.
-TEST(Derivative, with_two_sticking_phases_equals_differences) {
+TEST(Derivative, WithTwoStickingPhasesEqualsDifferences) {
   const Scene scene = paper::figure4b();
   const MotionState at = section_after(scene, 30);
   ASSERT_EQ(free_coordinates(at.held).size(), 2u);
@@ -95,7 +95,7 @@ TEST(Derivative, with_two_sticking_phases_equals_differences) {
 }
 
 // The chatter limit of the tangents against tangents carried through every impact to rounding.
-TEST(Derivative, does_not_depend_on_where_chatter_is_carried_to_its_limit) {
+TEST(Derivative, DoesNotDependOnWhereChatterIsCarriedToItsLimit) {
   const Scene scene = paper::figure2();
   const MotionState at = section_after(scene, 30);
   const Eigen::MatrixXd standard = stroboscopic_map_and_derivative(scene, at, 1, {}).derivative;
@@ -109,7 +109,7 @@ TEST(Derivative, does_not_depend_on_where_chatter_is_carried_to_its_limit) {
             1e-8);
 }
 
-TEST(Derivative, of_plastic_impacts_and_of_releases_by_a_jump_equals_differences) {
+TEST(Derivative, OfPlasticImpactsAndOfReleasesByAJumpEqualsDifferences) {
   // r = 0: sticking and the impact are one event. Mass 2 hits while mass 1 is stuck (Figure 5(a)).
   for (double r : {0.0, 0.001, 0.7, 0.95}) {
     Scene scene = paper::figure5a();
@@ -123,7 +123,7 @@ TEST(Derivative, of_plastic_impacts_and_of_releases_by_a_jump_equals_differences
 
 // What `stroboscopic_map` rests on: a run that is taken up again inside a sticking phase goes on as
 // the undivided run does. Rounding of a few events: 1e-13.
-TEST(Stroboscopic_map, run_taken_up_in_a_sticking_phase_goes_on_unchanged) {
+TEST(StroboscopicMap, RunTakenUpInAStickingPhaseGoesOnUnchanged) {
   const Scene scene = paper::figure4a();
   const double period = Clock(scene.omega).period;
   const Outcome inside = simulate(scene, 60.0 * period + 14.7, {});
@@ -134,7 +134,7 @@ TEST(Stroboscopic_map, run_taken_up_in_a_sticking_phase_goes_on_unchanged) {
   EXPECT_LT(largest(coordinates(whole) - coordinates(resumed)), 1e-13);
 }
 
-TEST(Newton, finds_the_orbit_of_figure_2_from_five_periods) {
+TEST(Newton, FindsTheOrbitOfFigure2FromFivePeriods) {
   const Scene scene = paper::figure2();
   const PeriodicOrbit orbit = find_periodic_orbit(scene, section_after(scene, 5));
   ASSERT_TRUE(orbit.converged);
@@ -151,7 +151,7 @@ TEST(Newton, finds_the_orbit_of_figure_2_from_five_periods) {
 
 // From farther away: each residual is bounded by a constant times the square of the one before,
 // until rounding. The constant is the curvature of the map, some tens.
-TEST(Newton, converges_quadratically) {
+TEST(Newton, ConvergesQuadratically) {
   for (double omega : {0.28, 0.6}) {
     const Scene scene = paper::stops_of_different_sign(omega);
     MotionState start = section_after(scene, 150);
@@ -167,7 +167,7 @@ TEST(Newton, converges_quadratically) {
 }
 
 // A chain without stops: the orbit is the steady response, the multipliers exp(lambda T).
-TEST(Newton, of_a_linear_chain_takes_one_step_and_gives_its_multipliers) {
+TEST(Newton, OfALinearChainTakesOneStepAndGivesItsMultipliers) {
   Scene scene = paper::figure2();
   scene.stops.clear();
   MotionState start = start_of(scene);
@@ -180,7 +180,7 @@ TEST(Newton, of_a_linear_chain_takes_one_step_and_gives_its_multipliers) {
               1e-13);
 }
 
-TEST(Newton, reports_when_it_does_not_converge) {
+TEST(Newton, ReportsWhenItDoesNotConverge) {
   NewtonOptions options;
   options.max_iterations = 0;
   const Scene scene = paper::figure2();
@@ -189,7 +189,7 @@ TEST(Newton, reports_when_it_does_not_converge) {
   EXPECT_EQ(orbit.residuals.size(), 1u);
 }
 
-TEST(Recurrence, tells_the_period_of_a_settled_motion_or_that_it_does_not_repeat) {
+TEST(Recurrence, TellsThePeriodOfASettledMotionOrThatItDoesNotRepeat) {
   const auto period_at = [](double omega) {
     const Scene scene = paper::stops_of_different_sign(omega);
     return recurrence(scene, settled(scene, 600)).periods;
@@ -201,7 +201,7 @@ TEST(Recurrence, tells_the_period_of_a_settled_motion_or_that_it_does_not_repeat
   EXPECT_EQ(period_at(0.697), 0);
 }
 
-TEST(Recurrence, agrees_with_newton_on_an_orbit_of_period_two) {
+TEST(Recurrence, AgreesWithNewtonOnAnOrbitOfPeriodTwo) {
   const Scene scene = paper::stops_of_different_sign(0.607);
   const MotionState start = section_after(scene, 600);
   const PeriodicOrbit twice = find_periodic_orbit(scene, start, 2);
@@ -213,7 +213,7 @@ TEST(Recurrence, agrees_with_newton_on_an_orbit_of_period_two) {
       1e-3);
 }
 
-TEST(Stroboscopic_map, rejects_a_scene_without_a_forcing_period) {
+TEST(StroboscopicMap, RejectsASceneWithoutAForcingPeriod) {
   Scene scene = paper::figure2();
   scene.omega = 0.0;
   EXPECT_THROW(stroboscopic_map(scene, start_of(scene), 1, {}), std::invalid_argument);

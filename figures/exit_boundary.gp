@@ -1,0 +1,62 @@
+# The exit boundaries in the Figure 2 scene: (a) of mass 2, in the plane of mass 1; (b) of mass 1, in
+# the plane of mass 2, moving with the forcing.
+load 'figures/style.gp'
+set tmargin 1.2
+
+second = data.'/exit_boundary2.csv'
+second_at(n) = n == 0 ? second : sprintf('%s/exit_boundary2_%d.csv', data, n)
+array other_dash[3] = [2, 3, 4]
+first = data.'/exit_boundary1.csv'
+# Hold force zero (Eqs. 23 and 20 with c = 0.1, k = 1, A1 = 0.5, s1 = -0.3, s2 = 0.1, Omega = 0.28).
+boundary2(x) = -10 * x + 1
+boundary1(x, t) = -10 * (x + 0.6) - 5 * cos(0.28 * t)
+of_kind(name, value) = strcol('kind') eq name ? value : NaN
+
+# The settled sticking phase of mass 1, from its stick to its release, and the boundary at five
+# times of it.
+settled = 10
+stats first using (column('phase') == settled && strcol('kind') eq 'stick' ? column('t') : NaN) nooutput name 'stuck'
+stats first using (column('phase') == settled && strcol('kind') eq 'release' ? column('t') : NaN) nooutput name 'left'
+instant(n) = stuck_min + (n - 1) * (left_min - stuck_min) / 4
+# The orbit's sample nearest to that time.
+near(n, value) = column('phase') == settled && abs(column('t') - instant(n)) <= 0.0025 ? value : NaN
+time_text(n) = sprintf('{/*0.8 %s%.2f}', n == 1 ? '{/:Italic t} = ' : '', instant(n))
+array shade[5] = ['#b9cfc4', '#90b5a2', '#659a80', '#3b7d5f', '#0f5f40']
+
+do for [kind in 'png pdf'] {
+  eval canvas(kind, 'exit_boundary', 2)
+  set multiplot layout 2,1
+
+  eval panel('a')
+  set xlabel '{/:Italic x}_1'; set ylabel "{/:Italic x}_1'"
+  set xrange [0.06:0.34]; set xtics 0.04
+  set yrange [-0.3:0.35]; set ytics 0.1
+  set label 2 '{/:Italic S}' at 0.2, 0.1 center front
+  set label 3 "{/:Italic ∂S}:  {/:Italic x}_1' = -10 {/:Italic x}_1 + 1" at 0.083, 0.24 left front
+  set label 4 '(0.1, 0)' at 0.098, -0.02 right front
+  set key at graph 0.97, graph 0.97
+  plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
+    boundary2(x) with lines dt solid lw 1.8 lc rgb '#0f5f40', 0 lt 3, \
+    second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title 'Ω = 0.28, from rest', \
+    for [n = 1:3] second_at(n) using (of_kind('orbit', column('x'))):'v' with lines lt 1 dt other_dash[n] lw 0.8 title 'Ω = '.word('0.31 0.34 0.43', n), \
+    for [n = 0:3] second_at(n) using (of_kind('stick', column('x'))):'v' with points pt 7 ps 0.9 lc rgb '#12355b' title (n == 0 ? 'mass 2 sticks' : ''), \
+    for [n = 0:3] second_at(n) using (of_kind('release', column('x'))):'v' with points pt 6 ps 1.1 lc rgb '#12355b' title (n == 0 ? 'mass 2 is released' : ''), \
+    '+' using (0.1):(0) with points pt 2 ps 1.1 lc rgb '#202020'
+  unset label
+
+  eval panel('b')
+  set xlabel '{/:Italic x}_2'; set ylabel "{/:Italic x}_2'"
+  set xrange [-0.38:-0.1]; set xtics 0.04
+  set yrange [0:0.25]; set ytics 0.05
+  set label 2 '{/:Italic S} at the release' at -0.28, 0.08 center front
+  set label 3 '{/:Italic ∂S} at the times of the dots' at -0.186, 0.03 right front
+  plot '+' using 1:(boundary1($1, instant(5))):(0) with filledcurves lc rgb '#e9f0ec', \
+    for [n = 1:5] boundary1(x, instant(n)) with lines dt solid lw 1.8 lc rgb shade[n], \
+    first using (column('phase') == settled ? column('x') : NaN):'v' with lines lt 2 dt solid, \
+    for [n = 1:5] first using (near(n, column('x'))):'v' with points pt 7 ps 1.1 lc rgb shade[n], \
+    for [n = 1:4] first using (of_kind(n == 1 ? 'stick' : 'orbit', near(n, column('x')))):(column('v') + 0.014):(time_text(n)) with labels, \
+    first using (of_kind('release', column('phase') == settled ? column('x') + 0.003 : NaN)):(column('v') + 0.004):(time_text(5)) with labels left
+  unset label
+  unset multiplot
+  unset output
+}

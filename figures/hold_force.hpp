@@ -1,0 +1,24 @@
+// The hold force on mass 1 (the paper's F2, Eq. 20) over one settled forcing period.
+#pragma once
+
+#include "paper_scenes.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace vibro_impact::figures {
+
+// Sticking phases of mass 1 (counted from 1), time within the period, hold force.
+inline Table hold_force(const Scene &scene) {
+  const Clock clock(scene.omega);
+  HoldForceRecorder force;
+  force.mass = 1;
+  force.from = paper::figure4_settling_periods * clock.period;
+  force.to = force.from + clock.period;
+  force.every = 0.001;
+  simulate(scene, force.to, {}, force);
+  Table table("phase,t,F2");
+  for (const HoldForceRecorder::Row &row : force.rows)
+    table.row(row.phase, instant_at(row.time, clock).phase, row.force);
+  return table;
+}
+
+}  // namespace vibro_impact::figures
