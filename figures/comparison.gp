@@ -40,14 +40,14 @@ do for [kind in 'png pdf'] {
   set format x '10^{%L}'
   set xrange [1e2:1e16]; set xtics 1e2, 100
   set xlabel 'stiffness {/:Italic κ} of the stops'
-  set ylabel 'error'
-  set yrange [1e-9:1]; set ytics 1e-9, 100
+  set ylabel 'error of the state at {/:Italic t} = 6'
+  set yrange [1e-13:1]; set ytics 1e-12, 1000
   set key bottom left maxrows 6
   plot for [i = 1:4] springs using 'kappa':(of(steppers[i], tolerances[i], 'state_error')) \
       with linespoints lt 10 + i ps size title label(i), \
     '' using 'kappa':(of('dopri5', 1e-10, 'time_error')) with points lt 12 pt 6 ps 1.3 * size \
       title 'impact times, dopri5, 10^{-10}', \
-    2 / sqrt(x) lt 17 title '{/:Italic κ}^{-1/2}'
+    2 / sqrt(x) lt 17 title '∝ {/:Italic κ}^{-1/2}'
 
   eval panel('b')
   set ylabel 'evaluations in one forcing period'
@@ -69,7 +69,7 @@ do for [kind in 'png pdf'] {
   set ylabel 'speed'
   set yrange [1e-17:1]; set ytics 1e-16, 100
   set key top right maxrows 3
-  plot STATS_max * 0.7**(x - 60) lt 17 title '{/:Italic r}^{/:Italic n}', \
+  plot STATS_max * 0.7**(x - 60) lt 17 title '∝ {/:Italic r}^{/:Italic n}', \
     chatter using (strcol('scheme') eq 'plain' ? column('impact') : NaN):'speed' \
       with points lt 14 ps 0.7 * size title 'plain scheme, no threshold', \
     '' using (strcol('scheme') eq 'library' ? column('impact') : NaN):'speed' \

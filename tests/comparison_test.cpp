@@ -201,13 +201,19 @@ TEST(StiffSpring, CostsMoreTheMoreAccurateItIsAndTheLibraryDoesNot) {
   const Counters library = simulate(scene, period, {}).counters;
   EXPECT_LT(library.expansions, 100);
   EXPECT_LT(library.coefficients, 1500);
-  const auto cost = [](double kappa) {
-    return stiff_spring::integrate(scene, period, {.kappa = kappa, .tolerance = 1e-10}).evaluations;
+  const auto cost = [](double kappa, Stepper stepper, double tolerance) {
+    return stiff_spring::integrate(scene, period,
+                                   {.kappa = kappa, .tolerance = tolerance, .stepper = stepper})
+        .evaluations;
   };
   // Explicit steps follow the period of the spring for as long as a mass rests on it.
-  const auto soft = cost(1e8), stiff = cost(1e12);
+  const auto soft = cost(1e8, Stepper::dopri5, 1e-10), stiff = cost(1e12, Stepper::dopri5, 1e-10);
   EXPECT_GT(soft, 20 * library.coefficients);
   EXPECT_GT(stiff, 10 * soft);
+  // Implicit steps do not, as long as their Jacobian is right; they are many all the same.
+  const auto implicit = cost(1e11, Stepper::rosenbrock4, 1e-6);
+  EXPECT_GT(implicit, 5 * library.coefficients);
+  EXPECT_LT(implicit, 2 * cost(1e7, Stepper::rosenbrock4, 1e-6));
 }
 
 TEST(StiffSpring, SaysWhereItBreaks) {
