@@ -9,7 +9,7 @@
 # make format         clang-format on every source
 # make clean          remove build/
 
-figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1
+figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
 .PHONY: figures $(figures) test check pictures random-scenes test-sanitize reference format clean help packages build
