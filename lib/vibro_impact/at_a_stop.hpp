@@ -35,6 +35,18 @@ void settle(Run<D> &run, std::size_t stop, Recorders &...recorders) {
   }
 }
 
+// A neighbour's impact at the very instant at which a mass is about to leave its stop from rest:
+// the damper between them changes the acceleration it leaves with, or presses it back.
+template <int D, class... Recorders>
+void settle_beside(Run<D> &run, std::size_t mass, Recorders &...recorders) {
+  for (std::size_t k = 0; k < run.scene.stops.size(); ++k) {
+    const auto other = static_cast<std::size_t>(run.scene.stops[k].mass - 1);
+    const bool neighbour = other + 1 == mass || mass + 1 == other;
+    if (neighbour && run.state.mode->held[other] == 0 && run.state.stops[k].zeros >= 2)
+      settle(run, k, recorders...);
+  }
+}
+
 // A neighbour's impact makes the hold force jump; where it changes sign the mass leaves at once.
 template <int D, class... Recorders>
 void release_by_jump(Run<D> &run, std::size_t mass, Recorders &...recorders) {

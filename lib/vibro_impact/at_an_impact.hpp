@@ -57,9 +57,12 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
   }
   for (std::size_t stop : stops)
     if (run.state.stops[stop].speed == 0.0) settle(run, stop, recorders...);
-  if (run.scene.beta > 0.0 && !run.state.mode->closed.empty())
+  if (run.scene.beta > 0.0) {
+    for (std::size_t stop : stops)
+      settle_beside(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1), recorders...);
     for (std::size_t stop : stops)
       release_by_jump(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1), recorders...);
+  }
 
   // Chatter: not where r = 0 (one impact stops the mass) and not where r = 1 (it never ends).
   const double since_last = run.since_impact;
