@@ -2,6 +2,7 @@
 // release at a root of the hold force, or the hold force grazing zero without crossing it.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "expansion.hpp"
@@ -17,7 +18,10 @@ enum class Happening { nothing, impact, press, release, force_graze };
 struct FirstEvent {
   Happening kind = Happening::nothing;
   double u = 1.0;
-  double force_slope = 0.0;  // d/du of the hold force, for a release
+  // For a release: the first derivative of the hold force that is not zero, with respect to u, and
+  // its order: 1 at a root, more where a mass at rest waits for motion to reach it along the chain.
+  double force_slope = 0.0;
+  int force_order = 1;
   std::vector<std::size_t> stops;
 };
 
@@ -91,10 +95,17 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     // One order less than the expansion: the force contains the velocity.
     const auto root = first_root(force, zeros, event.u, counters);
     if (!root || (event.kind != Happening::nothing && root->at >= event.u)) continue;
-    const double slope = root->at == 0.0 && zeros == 1 ? force.coefficient[1] : root->slope;
+    double slope = root->slope;
+    int order = 1;
+    if (root->at == 0.0 && zeros == 1) {  // it leaves zero with its first non-zero derivative
+      while (order < force.order && force.coefficient[static_cast<std::size_t>(order)] == 0.0)
+        ++order;
+      slope = std::tgamma(order + 1.0) * force.coefficient[static_cast<std::size_t>(order)];
+    }
     event.kind = slope < 0.0 ? Happening::release : Happening::force_graze;
     event.u = root->at;
     event.force_slope = slope;
+    event.force_order = order;
     event.stops.assign(1, closed.stop);
   }
   if (event.kind != Happening::impact) return;

@@ -2,6 +2,8 @@
 // -> record.
 #pragma once
 
+#include <cmath>
+
 #include "at_an_impact.hpp"
 
 namespace vibro_impact {
@@ -77,7 +79,9 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
       case Happening::release: {
         const std::size_t stop = event.stops.front();
         const double m = scene.mass[static_cast<std::size_t>(scene.stops[stop].mass - 1)];
-        release_at(run, stop, 3, -event.force_slope / (span * m), recorders...);
+        const int order = event.force_order;
+        release_at(run, stop, std::min(order + 2, max_order),
+                   -event.force_slope / (std::pow(span, order) * m), recorders...);
         break;
       }
       case Happening::force_graze:
