@@ -49,10 +49,12 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double press, double tau_at_
     // What is left is below rounding: its leading order is its limit, with an error of order
     // tail^2.
     limit.emplace(ChatterLimit<D>{tail, run.state, 0.0});
-    expand(*run.state.mode, run.state.value, run.state.slope, tail, run.flight.expansion,
-           run.counters);
-    read_gaps(run.state, run.flight);
-    move_to(limit->state, run.flight, 1.0, run.scene, run.clock);
+    if (tail * run.state.mode->fastest > 0x1p-60) {  // else nothing moves, and tail^2 may underflow
+      expand(*run.state.mode, run.state.value, run.state.slope, tail, run.flight.expansion,
+             run.counters);
+      read_gaps(run.state, run.flight);
+      move_to(limit->state, run.flight, 1.0, run.scene, run.clock);
+    }
   } else if (new_node && speed < run.options.resolve_chatter) {
     limit = extrapolate(run.chatter, run.options.chatter_tolerance);
   }

@@ -58,6 +58,13 @@ inline double size_at(const Polynomial &p, int first, double u) {
   return size;
 }
 
+// The positive root of value + slope d - curvature d^2 / 2 for value > 0, in the form that does not
+// cancel: a mass that leaves its stop slowly and is pulled away has slope^2 >> curvature value.
+inline double safe_step(double value, double slope, double curvature) {
+  const double root = std::sqrt(slope * slope + 2.0 * curvature * value);
+  return slope > 0.0 ? (slope + root) / curvature : 2.0 * value / (root - slope);
+}
+
 }  // namespace detail
 
 // First root in (0, limit] of the polynomial with its `zeros` leading (exactly zero) coefficients
@@ -85,9 +92,7 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   // transversal root; at an exact tangency the distance falls by a constant factor per step.
   while (true) {
     const auto [value, slope] = detail::value_and_slope(p, first, u);
-    const double step =
-        value <= 0.0 ? 0.0
-                     : 2.0 * value / (-slope + std::sqrt(slope * slope + 2.0 * curvature * value));
+    const double step = value <= 0.0 ? 0.0 : detail::safe_step(value, slope, curvature);
     if (step < 1e-6 * u) {  // near a root, or at it
       const double noise = epsilon * detail::size_at(p, first, u);
       if (value <= 0.5 * noise || u + step == u) {

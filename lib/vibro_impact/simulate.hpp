@@ -14,7 +14,8 @@ template <int D>
 double choose_span(const Run<D> &run, double remaining) {
   const double fastest = fastest_in_motion(*run.state.mode, run.state.value, run.state.slope);
   const double longest = fastest > 0.0 ? max_reach / fastest : remaining;
-  return std::min({remaining, longest, run.flight_guess});
+  // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
+  return std::min({remaining, longest, std::max(run.flight_guess, 0x1p-60 * longest)});
 }
 
 template <int D, class... Recorders>
