@@ -2,6 +2,7 @@
 # make figure2 ...    one figure
 # make test           the same packages and build, then every test
 # make check          the key numbers: paper, computed, error, verdict
+# make readme         the README's table of key numbers, from the same source as make check
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
 # make random-scenes  20,000 random scenes, every property checked (minutes)
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them
@@ -12,7 +13,7 @@
 figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: figures $(figures) test check pictures random-scenes test-sanitize reference format clean help packages build
+.PHONY: figures $(figures) test check readme pictures random-scenes test-sanitize reference format clean help packages build
 
 help:
 	@sed -n 's/^# //p' Makefile
@@ -29,6 +30,13 @@ test: build
 
 check: build
 	@build/bin/check
+
+# The rows go between the two markers; nothing else of the file changes.
+readme: build
+	@build/bin/check --markdown >build/key_numbers.md
+	@sed -e '/<!-- make readme: begin -->/,/<!-- make readme: end -->/{//!d}' \
+	  -e '/<!-- make readme: begin -->/r build/key_numbers.md' README.md >build/README.md
+	@cp build/README.md README.md
 
 test-sanitize: packages
 	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }
