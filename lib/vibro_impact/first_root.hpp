@@ -93,7 +93,7 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   while (true) {
     const auto [value, slope] = detail::value_and_slope(p, first, u);
     const double step = value <= 0.0 ? 0.0 : detail::safe_step(value, slope, curvature);
-    if (step < 1e-6 * u) {  // near a root, or at it
+    if (step <= 1e-6 * u) {  // near a root, or at it (or, step = 0 at u = 0, out of range)
       const double noise = epsilon * detail::size_at(p, first, u);
       if (value <= 0.5 * noise || u + step == u) {
         const double whole_slope = first == 0 ? slope : std::pow(u, first) * slope;

@@ -14,6 +14,14 @@ template <int D>
 double choose_span(const Run<D> &run, double remaining) {
   const double fastest = fastest_in_motion(*run.state.mode, run.state.value, run.state.slope);
   const double longest = fastest > 0.0 ? max_reach / fastest : remaining;
+  if (!run.state.value.allFinite() || !run.state.slope.allFinite())
+    throw std::runtime_error(
+        fmt::format("the motion leaves the range of double precision before t = {}, given up",
+                    time_of(run.state.now, run.clock)));
+  if (longest < remaining && run.state.now.phase + longest == run.state.now.phase)
+    throw std::runtime_error(
+        fmt::format("the rate {} of the fastest mode cannot be resolved at t = {}, given up",
+                    fastest, time_of(run.state.now, run.clock)));
   // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
   return std::min({remaining, longest, std::max(run.flight_guess, 0x1p-60 * longest)});
 }
@@ -96,12 +104,17 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
 }  // namespace detail
 
 // Runs `scene` from `start` to time `until` (non-dimensional) and tells `recorders` what they ask
-// for. Throws std::invalid_argument for a scene that `check` rejects, std::runtime_error (with the
-// state) when the impacts of one period exceed the stated limit.
+// for. Throws std::invalid_argument for a scene that `check` rejects or an `until` of more than
+// 2^53 radians of the forcing; std::runtime_error (with the state) when the impacts of one period
+// exceed the stated limit, and when the motion leaves the range of double precision or a mode is
+// too fast for its time to advance.
 template <class... Recorders>
 Outcome simulate_from(const Scene &scene, const MotionState &start, double until,
                       const RunOptions &options, Recorders &...recorders) {
   check(scene);
+  detail::require(
+      !(until * scene.omega > 0x1p53),  // the whole periods are counted, and the phase kept exact
+      fmt::format("until = {}: more forcing periods than double precision can count", until));
   // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. The
   // fixed lanes have no room for a strongly damped mode split in two (the bound is Gershgorin's).
   double stiffest = 0.0;
