@@ -4,7 +4,7 @@
 #include <cstdio>
 #include "key_bifurcations.hpp"
 #include "key_numbers.hpp"
-#include "references.hpp"
+#include "table_reader.hpp"
 
 namespace {
 

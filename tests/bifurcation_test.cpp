@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "grazing.hpp"
-#include "references.hpp"
+#include "table_reader.hpp"
 
 namespace {
 

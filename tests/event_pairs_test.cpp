@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "references.hpp"
 #include "table1_scenes.hpp"
+#include "table_reader.hpp"
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "table_reader.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::testing {
@@ -23,20 +23,24 @@ struct TableRow {
   std::string contact_mode;
 };
 
+// Throws std::runtime_error naming the table and what is wrong with it.
+inline std::vector<TableRow> read_event_table(std::istream &file, const std::string &name) {
+  using figures::number_in;
+  std::vector<TableRow> rows;
+  for (const auto &cells : figures::read_rows(file, name, 6)) {
+    const double mass = number_in(name, cells[1]);
+    if (!(mass >= 1.0 && mass <= 1e6) || mass != std::floor(mass))
+      throw std::runtime_error(fmt::format("{}: '{}' is not a mass", name, cells[1]));
+    rows.push_back({number_in(name, cells[0]), static_cast<int>(mass), cells[2],
+                    number_in(name, cells[3]), cells[5]});
+  }
+  return rows;
+}
+
 inline std::vector<TableRow> read_event_table(const std::string &path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error(path + ": cannot be read");
-  std::vector<TableRow> rows;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream stream(line);
-    std::vector<std::string> cells;
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    rows.push_back(
-        {std::stod(cells.at(0)), std::stoi(cells[1]), cells[2], std::stod(cells[3]), cells.at(5)});
-  }
-  return rows;
+  return read_event_table(file, path);
 }
 
 struct Comparison {

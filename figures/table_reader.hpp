@@ -1,0 +1,73 @@
+// Reading the CSV tables of reference/: rows of cells, and numbers that are numbers.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <istream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vibro_impact::figures {
+
+// The rows below the header line, each split at its commas. Throws std::runtime_error naming
+// `name` and the line of a row with fewer than `columns` cells.
+inline std::vector<std::vector<std::string>> read_rows(std::istream &file, const std::string &name,
+                                                       std::size_t columns) {
+  std::vector<std::vector<std::string>> rows;
+  std::string line;
+  std::getline(file, line);
+  for (int number = 2; std::getline(file, line); ++number) {
+    std::vector<std::string> cells(1);
+    for (char c : line) {
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back().push_back(c);
+    }
+    if (cells.size() < columns)
+      throw std::runtime_error(fmt::format("{}: line {} has {} columns, {} are needed", name,
+                                           number, cells.size(), columns));
+    rows.push_back(std::move(cells));
+  }
+  return rows;
+}
+
+// A whole cell as a number. Throws std::runtime_error naming `name` and the cell; infinities and
+// NaN are no entries of a table.
+inline double number_in(const std::string &name, const std::string &cell) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
+    throw std::runtime_error(fmt::format("{}: '{}' is not a number", name, cell));
+  return value;
+}
+
+// A reference number and how it is known (printed, derived, reconstructed, computed).
+struct Reference {
+  double value = 0.0;
+  std::string kind = {};
+};
+
+using References = std::map<std::string, Reference>;
+
+// symbol -> value and kind, from the first three columns, symbol,value,kind, of a table of
+// reference/. Throws std::runtime_error as above.
+inline References read_references(std::istream &file, const std::string &name) {
+  References table;
+  for (const auto &cells : read_rows(file, name, 3))
+    table[cells[0]] = {number_in(name, cells[1]), cells[2]};
+  return table;
+}
+
+inline References read_references(const std::string &path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  return read_references(file, path);
+}
+
+}  // namespace vibro_impact::figures
