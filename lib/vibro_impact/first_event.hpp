@@ -2,6 +2,7 @@
 // release at a root of the hold force, or the hold force grazing zero without crossing it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "expansion.hpp"
@@ -78,7 +79,7 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     if (!root) continue;
     flight.roots[k] = *root;
     if (root->at < event.u || event.kind == Happening::nothing) {
-      event.kind = root->at == 0.0 && stop.zeros != 1 ? Happening::press : Happening::impact;
+      event.kind = root->at == 0.0 && stop.speed == 0.0 ? Happening::press : Happening::impact;
       event.u = root->at;
       uncertainty = root->uncertainty;
       event.stops.assign(1, open.stop);
@@ -105,6 +106,7 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
         root.at - event.u <= root.uncertainty + uncertainty)
       event.stops.push_back(mode.open[k].stop);
   }
+  std::sort(event.stops.begin(), event.stops.end());  // their order by time is rounding
 }
 
 // Moves `state` to u of the expansion: lanes, time, and the carried gaps.
