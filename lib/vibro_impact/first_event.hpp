@@ -92,8 +92,11 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     // One order less than the expansion: the force contains the velocity.
     const auto root = first_root(force, zeros, event.u, counters);
     if (!root || (event.kind != Happening::nothing && root->at >= event.u)) continue;
-    const double slope = root->at == 0.0 && zeros == 1 ? force.coefficient[1] : root->slope;
-    event.kind = slope < 0.0 ? Happening::release : Happening::force_graze;
+    // Known to be zero now, it falls: by its slope, or where that is zero too by a later
+    // derivative.
+    const bool falls = root->at == 0.0 && zeros == 1;
+    const double slope = falls ? force.coefficient[1] : root->slope;
+    event.kind = falls || slope < 0.0 ? Happening::release : Happening::force_graze;
     event.u = root->at;
     event.force_slope = slope;
     event.stops.assign(1, closed.stop);
