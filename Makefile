@@ -9,7 +9,7 @@
 # make format         clang-format on every source
 # make clean          remove build/
 
-figures := figure2 figure3 figure4 figure5
+figures := figure2 figure3 figure4 figure5 stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
 .PHONY: figures $(figures) test check pictures random-scenes test-sanitize reference format clean help packages build
@@ -47,6 +47,7 @@ reference: build
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
 	  build/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
 	@build/bin/reference-generate key_numbers reference/key_numbers.csv
+	@build/bin/reference-generate extremes reference/extreme_events.csv
 
 build: packages
 	@mkdir -p build
