@@ -49,14 +49,27 @@ TEST(Economy, OnlyStopsThatExistAreTested) {
   }
 }
 
+// r = 0 stops a mass at once; r = 1 bounces for ever at the same speed, however hard it is pressed.
 TEST(Economy, NoChatterTableWhereChatterCannotBe) {
+  const auto counters_of = [](double r) {
+    const Scene scene = extremes::one_mass(0.0, 0.0, 1.0, r, -0.5, -0.51);  // flights of 0.4
+    return simulate(scene, 30.0, {}).counters;
+  };
   for (const double r : {0.0, 1.0}) {
-    const Counters counters = simulate(extremes::figure2_with(r), 300.0, {}).counters;
-    EXPECT_GT(counters.impacts, 20) << r;
-    EXPECT_EQ(counters.chatter_nodes, 0) << r;
-    EXPECT_EQ(counters.chatter_limits, 0) << r;
+    EXPECT_GT(counters_of(r).impacts, 0) << r;
+    EXPECT_EQ(counters_of(r).chatter_nodes, 0) << r;
+    EXPECT_EQ(counters_of(r).chatter_limits, 0) << r;
   }
-  EXPECT_GT(simulate(extremes::figure2_with(0.7), 300.0, {}).counters.chatter_nodes, 0);
+  EXPECT_GT(counters_of(0.7).chatter_nodes, 0);
+}
+
+// Also where every mass comes to rest, and the state at the limit is nothing but a position: 53
+// impacts, 124 when the limit is not taken before the rest lies below rounding.
+TEST(Economy, AChatterThatEndsAllMotionIsCarriedToItsLimit) {
+  const Counters counters =
+      simulate(extremes::one_mass(0.0, 0.0, 1.0, 0.9, -0.5, -1.0), 100.0, {}).counters;
+  EXPECT_EQ(counters.chatter_limits, 1);
+  EXPECT_LE(counters.impacts, 60);
 }
 
 TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
@@ -95,7 +108,7 @@ TEST(Economy, TheWorkDoesNotGrowWithMassesThatDoNothing) {
     Scene scene = extremes::long_chain(masses, 0.7);
     scene.velocity.clear();
     scene.stops.pop_back();
-    return simulate(scene, 15.0, {}).counters;
+    return simulate(scene, 11.0, {}).counters;  // before the chatter of mass 1 completes
   };
   const Counters few = counters_of(10);
   EXPECT_GT(few.impacts, 5);
