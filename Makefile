@@ -10,7 +10,7 @@
 # make format         clang-format on every source
 # make clean          remove build/
 
-figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison
+figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
 .PHONY: figures $(figures) test check readme pictures random-scenes test-sanitize reference format clean help packages build
@@ -56,6 +56,7 @@ reference: build
 	  build/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
 	@for table in key_numbers located; do \
 	  build/bin/reference-generate $$table reference/$$table.csv || exit 2; done
+	@build/bin/reference-generate extremes reference/extreme_events.csv
 
 build: packages
 	@mkdir -p build

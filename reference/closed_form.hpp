@@ -6,7 +6,7 @@
 
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -91,6 +91,7 @@ struct Mode {
   Real forcing;                 // f
   Real rest;                    // d / lambda
   Real forced_cos, forced_sin;  // particular solution
+  Real secular;                 // undamped at resonance: secular tau sin(Omega t) instead
   Real u, w;
 };
 
@@ -110,36 +111,50 @@ struct Flow {
   std::vector<std::size_t> free;  // the moving masses
   Matrix shapes;                  // x_free = shapes q, mass-normalised
   std::vector<Mode> modes;
-  Real fastest_rate;  // the largest of the natural frequencies, decay rates and Omega
 };
 
+/// The eigensystem of the free masses of each contact mode met so far, by the resting masses: a
+/// large chain is not decomposed again at every event.
+using Eigensystems = std::map<std::vector<bool>, Eigensystem>;
+
+/// Modes of the masses that do not rest: M^-1/2 K M^-1/2 on their rows.
+inline Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
+                                    const std::vector<std::size_t> &free) {
+  const std::size_t size = free.size();
+  Matrix scaled(size, Vector(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      scaled[i][j] = k[free[i]][free[j]] / sqrt(chain.masses[free[i]] * chain.masses[free[j]]);
+    }
+  }
+  return jacobi_eigensystem(std::move(scaled));
+}
+
 /// Builds the flow from positions x and velocities v at time t; `resting[p]` says that mass p is
-/// held where it is. Throws std::invalid_argument for an undamped mode driven exactly at its own
-/// frequency (no bounded solution).
+/// held where it is. An undamped mode driven exactly at its own frequency has no bounded particular
+/// solution and gets the growing one.
 inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector &v,
-                      const std::vector<bool> &resting) {
+                      const std::vector<bool> &resting, Eigensystems &known) {
   const std::size_t n = chain.masses.size();
-  Flow flow{t, chain.frequency, x, {}, {}, {}, chain.frequency};
+  Flow flow{t, chain.frequency, x, {}, {}, {}};
   for (std::size_t p = 0; p < n; ++p) {
     if (!resting[p]) flow.free.push_back(p);
   }
   const std::size_t size = flow.free.size();
   const Matrix k = stiffness_matrix(chain);
 
-  // Mass-scaled symmetric problem of the free rows; the resting neighbours act as the constant load
-  // -K_FS s_S.
-  Matrix scaled(size, Vector(size));
+  // The resting neighbours act as the constant load -K_FS s_S.
   Vector load(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t p = flow.free[i];
-    for (std::size_t j = 0; j < size; ++j) {
-      scaled[i][j] = k[p][flow.free[j]] / sqrt(chain.masses[p] * chain.masses[flow.free[j]]);
-    }
     for (std::size_t s = 0; s < n; ++s) {
       if (resting[s]) load[i] -= k[p][s] * x[s];
     }
   }
-  const Eigensystem eigen = jacobi_eigensystem(std::move(scaled));
+  auto found = known.find(resting);
+  if (found == known.end())
+    found = known.emplace(resting, free_eigensystem(chain, k, flow.free)).first;
+  const Eigensystem &eigen = found->second;
   flow.shapes = eigen.vectors;
   for (std::size_t i = 0; i < size; ++i) {
     for (Real &entry : flow.shapes[i]) entry /= sqrt(chain.masses[flow.free[i]]);
@@ -171,19 +186,35 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
     const Real detuning = mode.lambda - omega * omega;
     const Real drag = 2 * mode.decay * omega;
     const Real denominator = detuning * detuning + drag * drag;
-    if (denominator == 0)
-      throw std::invalid_argument("frequency: an undamped mode is driven at resonance");
     mode.rest = constant / mode.lambda;
-    mode.forced_cos = mode.forcing * detuning / denominator;
-    mode.forced_sin = mode.forcing * drag / denominator;
+    if (denominator == 0) {
+      // (tau sin(Omega t))'' + Omega^2 tau sin(Omega t) = 2 Omega cos(Omega t).
+      mode.secular = mode.forcing / (2 * omega);
+    } else {
+      mode.forced_cos = mode.forcing * detuning / denominator;
+      mode.forced_sin = mode.forcing * drag / denominator;
+    }
     mode.u = q - mode.rest - mode.forced_cos * cosine - mode.forced_sin * sine;
-    mode.w = dq - omega * (mode.forced_sin * cosine - mode.forced_cos * sine) + mode.decay * mode.u;
-    const Real natural = sqrt(mode.lambda);
-    if (natural > flow.fastest_rate) flow.fastest_rate = natural;
-    if (2 * mode.decay > flow.fastest_rate) flow.fastest_rate = 2 * mode.decay;
+    mode.w = dq - omega * (mode.forced_sin * cosine - mode.forced_cos * sine) -
+             mode.secular * sine + mode.decay * mode.u;
     flow.modes.push_back(mode);
   }
   return flow;
+}
+
+/// The fastest rate still in motion a time tau after the start of the flow: the fast decay of an
+/// over-damped mode, e^{-(a + nu) tau}, no longer counts once it is below 1e-60.
+inline Real fastest_rate_at(const Flow &flow, const Real &tau) {
+  const Real spent = 138;  // -log of it
+  Real fastest = flow.frequency;
+  for (const Mode &mode : flow.modes) {
+    Real rate = sqrt(mode.lambda);
+    if (2 * mode.decay > rate) rate = 2 * mode.decay;
+    if (mode.damping == Mode::Damping::over && (mode.decay + mode.nu) * tau > spent)
+      rate = mode.lambda / (mode.decay + mode.nu);  // of the slow decay
+    if (rate > fastest) fastest = rate;
+  }
+  return fastest;
 }
 
 /// The closed form at time tau after the start of the flow.
@@ -215,10 +246,11 @@ inline Motion motion_at(const Flow &flow, const Real &tau) {
     const Real envelope = exp(-mode.decay * tau);
     const Real ringing = envelope * (mode.u * c + mode.w * s);
     const Real ringing_rate = envelope * (mode.u * bend * s + mode.w * c) - mode.decay * ringing;
-    const Real q =
-        ringing + mode.rest + mode.forced_cos * motion.cosine + mode.forced_sin * motion.sine;
-    const Real dq =
-        ringing_rate + omega * (mode.forced_sin * motion.cosine - mode.forced_cos * motion.sine);
+    const Real q = ringing + mode.rest + mode.forced_cos * motion.cosine +
+                   mode.forced_sin * motion.sine + mode.secular * tau * motion.sine;
+    const Real dq = ringing_rate +
+                    omega * (mode.forced_sin * motion.cosine - mode.forced_cos * motion.sine) +
+                    mode.secular * (motion.sine + omega * tau * motion.cosine);
     // Higher derivatives from the equation of motion itself.
     const Real ddq =
         mode.forcing * motion.cosine - 2 * mode.decay * dq - mode.lambda * (q - mode.rest);

@@ -170,7 +170,9 @@ inline Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion
 /// What is known exactly at the start of a piece of motion, and would be noise if evaluated.
 enum class Start {
   apart,     // the mass is away from its stop
-  touching,  // it has just hit, or was let go by a jump of the force: the gap is zero
+  touching,  // it has just hit: the gap is zero
+  pulled,    // it rests there and is pulled away, at the start or by a jump of the force: gap and
+             // speed are zero
   let_go,  // the hold force has just fallen through zero: gap, speed and acceleration are zero, the
            // gap opens
 };
@@ -215,6 +217,7 @@ inline std::vector<std::optional<Signal>> starting_signals(const Scene &scene, c
     auto signal = stop_signal(scene, state, i, motion);
     if (signal && !state.stuck_on[scene.stops[i].mass] && state.stop_start[i] != Start::apart) {
       signal->value = 0;
+      if (state.stop_start[i] == Start::pulled) signal->rate = 0;
       if (state.stop_start[i] == Start::let_go) {
         signal->rate = 0;
         signal->curvature = std::numeric_limits<Real>::min();  // 0, about to grow
@@ -252,10 +255,12 @@ struct NextEvents {
 /// Samples the flow until something happens or `horizon` is reached (then no stop is named).
 inline NextEvents find_next(const Scene &scene, const State &state, const Flow &flow,
                             const Real &horizon, const Resolution &resolution) {
-  const Real cycle = 2 * acos(Real(-1)) / flow.fastest_rate;
-  const Real longest = cycle / resolution.samples_per_cycle;
+  const Real two_pi = 2 * acos(Real(-1));
+  const auto longest_at = [&](const Real &tau) -> Real {
+    return two_pi / fastest_rate_at(flow, tau) / resolution.samples_per_cycle;
+  };
   auto signals = starting_signals(scene, state, motion_at(flow, Real(0)));
-  Real step = first_step(scene, state, signals, longest);
+  Real step = first_step(scene, state, signals, longest_at(Real(0)));
   Real a = 0;
   while (a < horizon) {
     const Real b = std::min<Real>(a + step, horizon);
@@ -282,7 +287,7 @@ inline NextEvents find_next(const Scene &scene, const State &state, const Flow &
       return next;
     }
     a = b;
-    step = std::min<Real>(2 * step, longest);
+    step = std::min<Real>(2 * step, longest_at(a));
   }
   return {horizon, {}};
 }
@@ -341,7 +346,7 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
         pressing_signal(scene.chain, scene.stops[i], frozen(scene.chain, state)).value;
     if (pressing >= -resolution.pressing_floor) continue;
     state.stuck_on[p].reset();
-    state.stop_start[i] = Start::touching;
+    state.stop_start[i] = Start::pulled;
     record(p, Event::Kind::release, Real(0), Real(0));
   }
 }
@@ -349,7 +354,7 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
 /// The state at t = 0; a mass that starts on a stop hits it, rests on it, or leaves it, as its
 /// speed and the force say. Where the force is zero at t = 0 (all at rest, stop at zero), its
 /// growth decides: it is looked up with the mass held.
-inline State initial_state(const Scene &scene, const Resolution &resolution,
+inline State initial_state(const Scene &scene, const Resolution &resolution, Eigensystems &known,
                            std::vector<Event> &events) {
   const std::size_t n = scene.chain.masses.size();
   State state{Real(0), scene.initial_positions, scene.initial_velocities,
@@ -369,7 +374,7 @@ inline State initial_state(const Scene &scene, const Resolution &resolution,
     }
   }
   const Motion motion =
-      motion_at(flow_from(scene.chain, state.time, state.x, state.v, held), Real(0));
+      motion_at(flow_from(scene.chain, state.time, state.x, state.v, held, known), Real(0));
   for (const std::size_t i : at_rest) {
     const Signal pressing = pressing_signal(scene.chain, scene.stops[i], motion);
     bool sticks = true;
@@ -378,7 +383,11 @@ inline State initial_state(const Scene &scene, const Resolution &resolution,
       sticks = order > 0;
       break;
     }
-    if (!sticks) continue;
+    if (!sticks) {
+      const bool zero = abs(pressing.value) <= resolution.pressing_floor;
+      state.stop_start[i] = zero ? Start::let_go : Start::pulled;
+      continue;
+    }
     const std::size_t p = scene.stops[i].mass;
     state.stuck_on[p] = i;
     events.push_back({state.time, p, Event::Kind::stick, Real(0), Real(0), stuck_masses(state)});
@@ -395,10 +404,11 @@ inline std::vector<Event> simulate(const Scene &scene, const FlowObserver &obser
                                    const Resolution &resolution = {}) {
   require_valid(scene);
   std::vector<Event> events;
-  State state = initial_state(scene, resolution, events);
+  Eigensystems known;
+  State state = initial_state(scene, resolution, known, events);
   while (state.time < scene.end_time) {
     const std::vector<bool> stuck = stuck_masses(state);
-    const Flow flow = flow_from(scene.chain, state.time, state.x, state.v, stuck);
+    const Flow flow = flow_from(scene.chain, state.time, state.x, state.v, stuck, known);
     const NextEvents next = find_next(scene, state, flow, scene.end_time - state.time, resolution);
     if (observe) observe(flow, next.duration);
     const Motion motion = motion_at(flow, next.duration);

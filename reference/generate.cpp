@@ -1,6 +1,7 @@
 // Writes the reference tables: the events of the paper's scenes and its key numbers. See README.md
 // beside this file.
 #include "event_driven.hpp"
+#include "extremes.hpp"
 #include "key_numbers.hpp"
 #include "located.hpp"
 #include "scenes.hpp"
@@ -18,7 +19,8 @@ namespace {
 
 using namespace vibro_impact_reference;
 
-/// Impacts slower than this are left out of a complete chatter's table.
+/// Impacts slower than this are left out of a complete chatter's table; in the extreme scenes, of
+/// any scale, slower than this part of the mass's fastest impact.
 const Real kept_speed("1e-6");
 
 std::string contact_mode(const std::vector<bool> &stuck) {
@@ -41,35 +43,42 @@ std::string kind_name(Event::Kind kind) {
   return "";
 }
 
-/// Which events go to the table. Before a stick, the impacts of that mass slower than kept_speed
-/// are left out, back to the first faster one or to the first event of another mass: an interrupted
-/// or incomplete chatter stays whole.
-std::vector<bool> kept(const std::vector<Event> &events) {
+/// Which events go to the table. Before a stick, the impacts of that mass slower than `slowest`
+/// (per mass) are left out, back to the first faster one or to the first event of another mass: an
+/// interrupted or incomplete chatter stays whole.
+std::vector<bool> kept(const std::vector<Event> &events, const Vector &slowest) {
   std::vector<bool> keep(events.size(), true);
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (events[i].kind != Event::Kind::stick) continue;
     for (std::size_t j = i; j-- > 0;) {
       const Event &earlier = events[j];
       if (earlier.kind != Event::Kind::impact || earlier.mass != events[i].mass) break;
-      if (abs(earlier.velocity_before) >= kept_speed) break;
+      if (abs(earlier.velocity_before) >= slowest[earlier.mass]) break;
       keep[j] = false;
     }
   }
   return keep;
 }
 
-std::string events_table(const std::vector<Event> &events) {
+/// The rows of the kept events, each after `lead`.
+std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
+                       const std::string &lead) {
   std::ostringstream table;
-  table << "time,mass,event,velocity_before,velocity_after,contact_mode\n";
-  const std::vector<bool> keep = kept(events);
+  const std::vector<bool> keep = kept(events, slowest);
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (!keep[i]) continue;
     const Event &e = events[i];
-    table << e.time.str(30) << ',' << e.mass + 1 << ',' << kind_name(e.kind) << ','
+    table << lead << e.time.str(30) << ',' << e.mass + 1 << ',' << kind_name(e.kind) << ','
           << e.velocity_before.str(30) << ',' << e.velocity_after.str(30) << ','
           << contact_mode(e.stuck) << '\n';
   }
   return table.str();
+}
+
+const char *const columns = "time,mass,event,velocity_before,velocity_after,contact_mode\n";
+
+std::string events_table(const std::vector<Event> &events, std::size_t masses) {
+  return columns + event_rows(events, Vector(masses, kept_speed), "");
 }
 
 /// Writes under a temporary name and renames, so that no half-written table is ever seen; an empty
@@ -104,11 +113,28 @@ void report(const std::string &name, const std::vector<Event> &events) {
             << " releases\n";
 }
 
+/// The events of all extreme cases, one table.
+std::string extremes_table() {
+  std::string table = std::string("case,") + columns;
+  for (const auto &extreme : cases_in_digits()) {
+    const Scene scene = in_digits(extreme);
+    const std::vector<Event> events = simulate(scene, {}, resolution_of(extreme));
+    report(scene.name, events);
+    Vector slowest(scene.chain.masses.size());
+    for (const Event &e : events) {
+      const Real speed = kept_speed * abs(e.velocity_before);
+      if (speed > slowest[e.mass]) slowest[e.mass] = speed;
+    }
+    table += event_rows(events, slowest, extreme.name + ',');
+  }
+  return table;
+}
+
 int run(const std::vector<std::string> &arguments) {
   if (arguments.empty() || arguments.size() > 2) {
     std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
                  "figure4b, figure5a, figure5b, "
-                 "figure5c, key_numbers, located\n";
+                 "figure5c, key_numbers, located, extremes\n";
     return 2;
   }
   const std::string path = arguments.size() > 1 ? arguments[1] : "";
@@ -120,10 +146,14 @@ int run(const std::vector<std::string> &arguments) {
     write_table(path, located_table());
     return 0;
   }
+  if (arguments[0] == "extremes") {
+    write_table(path, extremes_table());
+    return 0;
+  }
   const Scene scene = scene_named(arguments[0]);
   const std::vector<Event> events = simulate(scene);
   report(scene.name, events);
-  write_table(path, events_table(events));
+  write_table(path, events_table(events, scene.chain.masses.size()));
   return 0;
 }
 

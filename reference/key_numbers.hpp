@@ -38,7 +38,7 @@ inline void extend_extremes(Extremes &extremes, const Flow &flow, const Real &du
       extremes.highest[p] = std::max<Real>(extremes.highest[p], motion.x[p]);
     }
   };
-  const Real step = 2 * acos(Real(-1)) / flow.fastest_rate / 128;
+  const Real step = 2 * acos(Real(-1)) / fastest_rate_at(flow, Real(0)) / 128;
   Motion at_a = motion_at(flow, begin);
   include(at_a);
   for (Real a = begin; a < end;) {
@@ -70,7 +70,7 @@ inline void extend_closest_hold(std::optional<Real> &closest, const Scene &scene
   const auto pressing = [&](const Real &tau) {
     return pressing_signal(scene.chain, stop, motion_at(flow, tau));
   };
-  const Real step = 2 * acos(Real(-1)) / flow.fastest_rate / 128;
+  const Real step = 2 * acos(Real(-1)) / fastest_rate_at(flow, Real(0)) / 128;
   Signal at_a = pressing(Real(0));
   for (Real a = 0; a < duration;) {
     const Real b = std::min<Real>(a + step, duration);

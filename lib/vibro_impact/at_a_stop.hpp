@@ -24,15 +24,19 @@ void release_at(Run<D> &run, std::size_t stop, int zeros, double leading, Record
 }
 
 // A mass at rest at its stop: it sticks when pressed, else leaves with the acceleration it has.
+// Where the force is zero its rate decides, known to the next expansion as the third derivative of
+// the gap.
 template <int D, class... Recorders>
 void settle(Run<D> &run, std::size_t stop, Recorders &...recorders) {
   const OpenStop<D> &open = open_stop(run.state, stop);
   const double press = open.press(run.state.value, run.state.slope);
-  if (press > 0.0) {
+  const double mass = run.scene.mass[open.mass];
+  if (press > 0.0)
     stick_at(run, stop, recorders...);
-  } else {
-    run.state.stops[stop] = {0.0, 0.0, 2, -press / run.scene.mass[open.mass]};
-  }
+  else if (press < 0.0)
+    run.state.stops[stop] = {0.0, 0.0, 2, -press / mass};
+  else
+    run.state.stops[stop] = {0.0, 0.0, 3, -rate_of(open.press, run.state) / mass};
 }
 
 // A neighbour's impact at the very instant at which a mass is about to leave its stop from rest:

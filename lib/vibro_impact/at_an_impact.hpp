@@ -72,10 +72,10 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
     run.chatter.size = 0;
     return;
   }
-  double longest = 0.0, press = 0.0;
+  double longest = 0.0;
   for (std::size_t stop : stops) {
     const OpenStop<D> &open = open_stop(run.state, stop);
-    press = open.press(run.state.value, run.state.slope);
+    const double press = open.press(run.state.value, run.state.slope);
     const double guess = press > 0.0
                              ? 2.0 * run.state.stops[stop].speed * run.scene.mass[open.mass] / press
                              : std::numeric_limits<double>::infinity();
@@ -91,7 +91,7 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
   const double now = time_of(run.state.now, run.clock);
   const double room =
       std::min(elapsed(run.state.now, run.end, run.clock), next_sample(recorders...) - now);
-  take_chatter_limit(run, new_node, press, room, recorders...);
+  take_chatter_limit(run, new_node, longest, room, recorders...);
 }
 
 }  // namespace vibro_impact::detail

@@ -146,12 +146,14 @@ std::optional<ChatterLimit<D>> extrapolate(const ChatterSequence<D> &sequence, d
   }
   // The forcing lanes are known from the time, and have other units than the modes.
   const Eigen::Index modal = sequence.mode->lanes() - sequence.mode->forcing_lanes;
-  const auto relative = [modal](const auto &error, const auto &size) {
-    const double largest = size.head(modal).abs().maxCoeff();
-    return largest > 0.0 ? error.head(modal).abs().maxCoeff() / largest : 0.0;
+  const auto largest = [modal](const auto &of) -> double {
+    return of.head(modal).abs().maxCoeff();
   };
-  limit.error = std::max({best_error, relative(value_error, limit.state.value),
-                          relative(slope_error, limit.state.slope)});
+  const double value = largest(limit.state.value), slope = largest(limit.state.slope);
+  // Where all masses come to rest together the slope is zero: then relative to what it was.
+  const double speed = std::max(slope, largest(sequence.nodes[last - best].state.slope));
+  limit.error = std::max({best_error, value > 0.0 ? largest(value_error) / value : 0.0,
+                          speed > 0.0 ? largest(slope_error) / speed : 0.0});
   if (limit.error > tolerance || !(limit.tau > 0.0)) return std::nullopt;
   return limit;
 }

@@ -34,14 +34,14 @@ bool clear_until(Run<D> &run, double tau, double impulse) {
   return true;
 }
 
-// Carries a complete chatter to its limit when that is certain; true when it did.
+// Carries a complete chatter to its limit when that is certain; true when it did. `flight` is the
+// time to the next impact, to leading order.
 template <int D, class... Recorders>
-bool take_chatter_limit(Run<D> &run, bool new_node, double press, double tau_at_most,
+bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at_most,
                         Recorders &...recorders) {
   const std::size_t first = run.chatter.stops.front();
   const double r = run.scene.restitution, speed = run.state.stops[first].speed;
-  const double mass = run.scene.mass[static_cast<std::size_t>(run.scene.stops[first].mass - 1)];
-  const double tail = 2.0 * speed * mass / (press * (1.0 - r));  // to leading order in the speed
+  const double tail = flight / (1.0 - r);  // to leading order in the speed
   if (tail > 2.0 * tau_at_most) return false;
 
   std::optional<ChatterLimit<D>> limit;

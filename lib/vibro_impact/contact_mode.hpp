@@ -140,6 +140,15 @@ inline Decomposition decompose(const Scene &scene, const std::vector<std::size_t
       basis.shape(static_cast<Index>(i), j) = u / root_m;
       basis.inverse(j, static_cast<Index>(i)) = u * root_m;
     }
+    // The eigenvalue again as twice the energy in the links. The solver leaves it an error relative
+    // to the largest one, which a soft mode beside a stiff link does not survive.
+    double energy = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto row = static_cast<Index>(i);
+      const double stretch = basis.shape(row, j) - (i > 0 ? basis.shape(row - 1, j) : 0.0);
+      energy += scene.stiffness[i] * stretch * stretch;
+    }
+    basis.lambda(j) = energy;
   }
   return basis;
 }

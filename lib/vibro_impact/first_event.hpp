@@ -2,6 +2,7 @@
 // release at a root of the hold force, or the hold force grazing zero without crossing it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -82,7 +83,7 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     if (!root) continue;
     flight.roots[k] = *root;
     if (root->at < event.u || event.kind == Happening::nothing) {
-      event.kind = root->at == 0.0 && stop.zeros != 1 ? Happening::press : Happening::impact;
+      event.kind = root->at == 0.0 && stop.speed == 0.0 ? Happening::press : Happening::impact;
       event.u = root->at;
       uncertainty = root->uncertainty;
       event.stops.assign(1, open.stop);
@@ -97,12 +98,14 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     if (!root || (event.kind != Happening::nothing && root->at >= event.u)) continue;
     double slope = root->slope;
     int order = 1;
-    if (root->at == 0.0 && zeros == 1) {  // it leaves zero with its first non-zero derivative
+    // Known to be zero now, it falls: with its first derivative that is not zero.
+    const bool falls = root->at == 0.0 && zeros == 1;
+    if (falls) {
       while (order < force.order && force.coefficient[static_cast<std::size_t>(order)] == 0.0)
         ++order;
       slope = std::tgamma(order + 1.0) * force.coefficient[static_cast<std::size_t>(order)];
     }
-    event.kind = slope < 0.0 ? Happening::release : Happening::force_graze;
+    event.kind = falls || slope < 0.0 ? Happening::release : Happening::force_graze;
     event.u = root->at;
     event.force_slope = slope;
     event.force_order = order;
@@ -116,6 +119,7 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
         root.at - event.u <= root.uncertainty + uncertainty)
       event.stops.push_back(mode.open[k].stop);
   }
+  std::sort(event.stops.begin(), event.stops.end());  // their order by time is rounding
 }
 
 // Moves `state` to u of the expansion: lanes, time, and the carried gaps.

@@ -142,6 +142,15 @@ MotionState physical(const State<D> &state, const Scene &scene) {
   return motion;
 }
 
+// Time derivative of a reading.
+template <int D>
+double rate_of(const Reading<D> &reading, const State<D> &state) {
+  const ContactMode<D> &mode = *state.mode;
+  typename State<D>::Lanes curvature = -mode.kappa * state.slope - mode.lambda * state.value;
+  if (mode.any_resonant) curvature += mode.resonant * state.value(mode.lanes() - 2);
+  return (reading.on_value * state.slope).sum() + (reading.on_slope * curvature).sum();
+}
+
 // Expresses a physical state in the lanes of `mode`; the stop states are left to the caller.
 template <int D>
 void set_lanes(State<D> &state, const Scene &scene, const ContactMode<D> &mode,

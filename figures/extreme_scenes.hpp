@@ -1,0 +1,117 @@
+// The extreme scenes: one per row of the stability figure, each with what it is compared with.
+//
+// Included by the drivers, the tests and the 50-digit generator (which takes nothing but these
+// numbers from the project), so that a scene is written down once.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "paper_scenes.hpp"
+
+namespace vibro_impact::extremes {
+
+// An event as it truly happens, at cycle T + time with T the forcing period: a time that is known
+// better than a double could hold after 1e6 periods.
+struct TrueEvent {
+  long long cycle = 0;
+  double time = 0.0;
+  int mass = 1;
+  std::string event;  // impact, stick, release
+  double velocity_before = 0.0;
+  std::string contact_mode;  // after it: `-`, `1`, `1+2`
+};
+
+// What a case is compared with.
+enum class Truth {
+  digits,   // the events of the 50-digit generator, reference/extreme_events.csv
+  exact,    // a closed formula, `events`
+  grazing,  // a closed formula whose event lies within rounding of not happening, `events`
+};
+
+inline const char *name(Truth truth) {
+  return truth == Truth::digits ? "digits" : truth == Truth::exact ? "exact" : "grazing";
+}
+
+struct Case {
+  std::string name, group;
+  Scene scene;
+  double until = 0.0;
+  Truth truth = Truth::digits;
+  std::function<std::vector<TrueEvent>()> events = {};  // the formula; none with `digits`
+  double from = 0.0;  // events before this are not compared (they are counted)
+  // Speed at which the generator ends a chatter. Its flight is v^2 / a high and must stand above
+  // the 50 digits of the displacement; what is left out lasts some v / a.
+  double slowest_impact = 1e-20;
+};
+
+// --- Scenes -----------------------------------------------------------------------------------
+
+// The two masses of Figure 2 with one number changed by the caller.
+inline Scene figure2_with(double restitution) {
+  Scene scene = paper::figure2();
+  scene.restitution = restitution;
+  return scene;
+}
+
+// n unit masses on unit springs.
+inline Scene chain(int n, double beta) {
+  Scene scene;
+  scene.mass.assign(static_cast<std::size_t>(n), 1.0);
+  scene.stiffness = scene.mass;
+  scene.beta = beta;
+  return scene;
+}
+
+// One mass on a spring before an upper stop, forced by A cos(omega t).
+inline Scene one_mass(double beta, double amplitude, double omega, double restitution, double stop,
+                      double start = 0.0, double velocity = 0.0) {
+  Scene scene = chain(1, beta);
+  scene.amplitude = {amplitude};
+  scene.omega = omega;
+  scene.restitution = restitution;
+  scene.stops = {{1, Side::upper, stop}};
+  scene.displacement = {start};
+  scene.velocity = {velocity};
+  return scene;
+}
+
+// Two masses whose mode at lambda = 1 has the shape (1, 2) in exact numbers: k1 = 3, k2 = 2. A
+// start, a forcing and stops in the proportion 1 : 2 keep x2 = 2 x1 for ever, so that both masses
+// hit, stick and are let go at the same instants, those of one mass with m = k = 1.
+inline Scene in_step(double beta, double amplitude, double omega, double restitution, double stop,
+                     double start) {
+  Scene scene = chain(2, beta);
+  scene.stiffness = {3.0, 2.0};
+  scene.amplitude = {amplitude, 2.0 * amplitude};
+  scene.omega = omega;
+  scene.restitution = restitution;
+  scene.stops = {{1, Side::upper, stop}, {2, Side::upper, 2.0 * stop}};
+  scene.displacement = {start, 2.0 * start};
+  return scene;
+}
+
+// A chain of n with stops near both ends, forced at its first mass.
+inline Scene long_chain(int n, double restitution) {
+  Scene scene = chain(n, 0.1);
+  scene.amplitude.assign(static_cast<std::size_t>(n), 0.0);
+  scene.amplitude.front() = 0.5;
+  scene.omega = 0.28;
+  scene.restitution = restitution;
+  scene.stops = {{1, Side::lower, -0.1}, {2, Side::upper, 0.25}, {n, Side::upper, 0.0}};
+  scene.velocity.assign(static_cast<std::size_t>(n), 0.0);
+  scene.velocity.back() = -0.2;
+  return scene;
+}
+
+// Starts on the stops of Figure 2's chain: displacements and velocities of both masses.
+inline Scene started(double x1, double v1, double x2, double v2, double restitution = 0.7) {
+  Scene scene = figure2_with(restitution);
+  scene.displacement = {x1, x2};
+  scene.velocity = {v1, v2};
+  return scene;
+}
+
+}  // namespace vibro_impact::extremes

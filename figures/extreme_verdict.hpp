@@ -1,0 +1,201 @@
+// One extreme case run and judged: its errors, how sensitive it is, its work.
+#pragma once
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "extreme_cases.hpp"
+#include "extreme_comparison.hpp"
+
+namespace vibro_impact::extremes {
+
+// The true events of every case that the generator computed.
+using EventTables = std::map<std::string, std::vector<TrueEvent>>;
+
+// Reads reference/extreme_events.csv. Throws std::runtime_error naming the file.
+inline EventTables read_event_tables(const std::string &path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  EventTables tables;
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    std::istringstream stream(line);
+    std::vector<std::string> cells;
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (cells.size() != 7) throw std::runtime_error(path + ": a row needs 7 columns: " + line);
+    // strtod takes the generator's smallest numbers as well, where stod throws.
+    tables[cells[0]].push_back({0, std::strtod(cells[1].c_str(), nullptr), std::stoi(cells[2]),
+                                cells[3], std::strtod(cells[4].c_str(), nullptr), cells[6]});
+  }
+  return tables;
+}
+
+// Samples between the events: the deepest penetration of a stop, the size of the motion.
+struct Samples {
+  const Scene *scene;
+  double from, until;
+  long long count, taken = 0;
+  double penetration = 0.0, size = 0.0, speed = 0.0;
+  bool finite = true;
+
+  double next_time() const {
+    const double next =
+        from + (until - from) * static_cast<double>(taken) / static_cast<double>(count);
+    return taken < count ? next : std::numeric_limits<double>::infinity();
+  }
+  void sample(const Moment &moment) {
+    ++taken;
+    for (int mass = 1; mass <= scene->masses(); ++mass) {
+      const double x = moment.displacement(mass), v = moment.velocity(mass);
+      finite = finite && std::isfinite(x) && std::isfinite(v);
+      size = std::max(size, std::abs(x));
+      speed = std::max(speed, std::abs(v));
+    }
+    for (const Stop &stop : scene->stops)
+      penetration =
+          std::max(penetration, sign(stop.side) * (moment.displacement(stop.mass) - stop.position));
+  }
+};
+
+// What a case came to. Times relative to `period`, velocities to the largest, displacements to the
+// largest.
+struct Measured {
+  double period = 0.0;
+  Differences differences;
+  double conditioning = 0.0;  // largest change of an event time per relative change of the start
+  double penetration = 0.0;
+  bool finite = true;
+  Counters counters;
+  bool pass = false;
+};
+
+// The forcing period; without forcing, the longest natural period of the chain.
+inline double period_of(const Scene &scene) {
+  if (scene.forced() && scene.omega > 0.0) return 2.0 * std::numbers::pi / scene.omega;
+  Scene bare = scene;
+  bare.stops.clear();
+  const auto mode = build_contact_mode<Eigen::Dynamic>(bare, Held(bare.mass.size(), 0));
+  double slowest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j)
+    if (mode.lambda(j) > 0.0) slowest = std::min(slowest, mode.lambda(j));
+  return 2.0 * std::numbers::pi / std::sqrt(slowest);
+}
+
+namespace detail {
+
+// Events of a run that are compared.
+inline std::vector<TrueEvent> events_of(const Scene &scene, const Case &extreme,
+                                        Outcome *outcome = nullptr) {
+  EventRecorder recorder{extreme.from};
+  const Outcome result = simulate(scene, extreme.until, {}, recorder);
+  if (outcome != nullptr) *outcome = result;
+  return as_truth(recorder.events);
+}
+
+// The changes made to a start to see what becomes of them, relative to the motion. The smaller one
+// is for contacts that the larger one would undo.
+constexpr double perturbations[] = {1e-10, 1e-13};
+
+// What is changed: displacements or velocities, of neighbours alike or in turn (which strains every
+// link), or the forcing.
+struct Change {
+  enum class Of { displacement, velocity, amplitude } of;
+  bool in_turn;
+  double relative;
+};
+
+// Masses on their stops stay there: leaving would be another scene.
+inline Scene perturbed(const Scene &scene, const Change &change, double size, double speed) {
+  Scene result = scene;
+  if (change.of == Change::Of::amplitude) {
+    for (double &a : result.amplitude) a *= 1.0 + change.relative;
+    return result;
+  }
+  result.displacement.resize(scene.mass.size(), 0.0);
+  result.velocity.resize(scene.mass.size(), 0.0);
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    bool near = false;
+    for (const Stop &stop : scene.stops)
+      near =
+          near || (stop.mass == static_cast<int>(i) + 1 &&
+                   std::abs(stop.position - result.displacement[i]) <= 2 * change.relative * size);
+    if (near) continue;
+    const double sense = change.in_turn && i % 2 == 1 ? -1.0 : 1.0;
+    if (change.of == Change::Of::displacement)
+      result.displacement[i] += sense * change.relative * size;
+    else
+      result.velocity[i] += sense * change.relative * speed;
+  }
+  return result;
+}
+
+// Every change tried.
+inline std::vector<Change> changes(const Scene &scene) {
+  std::vector<Change> all;
+  for (const double relative : perturbations) {
+    for (const auto of : {Change::Of::displacement, Change::Of::velocity})
+      for (const bool in_turn : {false, true})
+        if (!in_turn || scene.masses() > 1) all.push_back({of, in_turn, relative});
+    if (scene.forced()) all.push_back({Change::Of::amplitude, false, relative});
+  }
+  return all;
+}
+
+}  // namespace detail
+
+// Runs a case: once as it is, once sampled, and perturbed. `tables` holds the truth
+// of the generator's cases.
+inline Measured measure(const Case &extreme, const EventTables &tables) {
+  const Scene &scene = extreme.scene;
+  Measured result;
+  result.period = period_of(scene);
+  Outcome outcome;
+  const std::vector<TrueEvent> events = detail::events_of(scene, extreme, &outcome);
+  result.counters = outcome.counters;
+  const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events();
+  result.differences = extreme.truth == Truth::grazing
+                           ? compare_grazing(events, truth, scene)
+                           : compare(events, truth, scene, result.period);
+
+  // A long run is sampled and perturbed over its first 1000 periods only.
+  Case shorter = extreme;
+  if (extreme.from > 0.0) {
+    shorter.from = 0.0;
+    shorter.until = std::min(extreme.until, 1000.0 * result.period);
+  }
+  Samples samples{&scene, 0.0, shorter.until, 1000};
+  simulate(scene, shorter.until, {}, samples);
+  result.finite = samples.finite && outcome.state.displacement.allFinite() &&
+                  outcome.state.velocity.allFinite();
+  double speed = samples.speed;
+  for (const TrueEvent &event : truth) speed = std::max(speed, std::abs(event.velocity_before));
+  const auto relative = [](double value, double scale) {
+    return scale > 0.0 ? value / scale : value;
+  };
+  result.penetration = relative(samples.penetration, samples.size);
+
+  const auto unchanged = extreme.from > 0.0 ? detail::events_of(scene, shorter) : events;
+  for (const detail::Change &change : detail::changes(scene)) {
+    const Scene changed = detail::perturbed(scene, change, samples.size, speed);
+    const Differences difference =
+        compare(detail::events_of(changed, shorter), unchanged, scene, result.period, true);
+    result.conditioning =
+        std::max(result.conditioning, difference.time / result.period / change.relative);
+  }
+  result.differences.time /= result.period;
+  result.differences.velocity = relative(result.differences.velocity, speed);
+
+  // A touch is compared within what a stop 100 roundings away would do, so it passes by agreeing.
+  const double rounding = 100.0 * std::numeric_limits<double>::epsilon();
+  result.pass = result.differences.first.empty() && result.finite && result.penetration <= 1e-12 &&
+                (extreme.truth == Truth::grazing || result.differences.time <= 1e-10 ||
+                 result.differences.time <= rounding * result.conditioning);
+  return result;
+}
+
+}  // namespace vibro_impact::extremes

@@ -1,0 +1,135 @@
+// The extreme scenes, group by group: every event against its truth, no penetration, bounded work.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <ostream>
+
+#include "extreme_verdict.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::extremes;
+
+const EventTables &reference() {
+  static const EventTables tables = read_event_tables(REFERENCE_DIR "/extreme_events.csv");
+  return tables;
+}
+
+// Rate of the fastest mode of the free chain or of the forcing. No contact mode has a faster one:
+// holding masses interlaces the frequencies with those of the free chain (they stay below a bound
+// that holds for every submatrix, Gershgorin's).
+double fastest_rate(const Scene &scene) {
+  double stiffest = 0.0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i)
+    stiffest = std::max(
+        stiffest,
+        2.0 * (scene.stiffness[i] + (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
+            scene.mass[i]);
+  return std::max(vibro_impact::detail::root_modulus(scene.beta * stiffest, stiffest), scene.omega);
+}
+
+// The work of a run is bounded by
+//   expansions <= rate * until / max_reach + 3 (impacts + sticks + releases) + 3 :
+// one per reach of the fastest rate, and per event the one it ends, one or two to look across a
+// chatter's limit, and
+//   root iterations <= 24 * polynomials searched:
+// a guaranteed step gains digits quadratically at a transversal root and one bit at a tangency,
+// where 24 bits are all a double has (an error eps in the gap is sqrt(eps) in time).
+void expect_bounded_work(const Case &extreme, const Counters &counters) {
+  const double reaches = fastest_rate(extreme.scene) * extreme.until / max_reach;
+  const auto events = static_cast<double>(counters.impacts + counters.sticks + counters.releases);
+  EXPECT_LE(static_cast<double>(counters.expansions), reaches + 3.0 * events + 3.0) << extreme.name;
+  EXPECT_LE(counters.root_iterations, 24 * counters.roots_searched) << extreme.name;
+}
+
+std::vector<std::string> groups() {
+  std::vector<std::string> names;
+  for (const Case &extreme : all_cases())
+    if (names.empty() || names.back() != extreme.group) names.push_back(extreme.group);
+  return names;
+}
+
+class Group : public ::testing::TestWithParam<std::string> {};
+
+// The verdict is that of figures/extreme_verdict.hpp: every event has its counterpart, and its time
+// is right to 1e-10 of the period or, where the scene amplifies a change of its start, to 100
+// roundings times that amplification.
+TEST_P(Group, AgreesWithTheTruthWithinRounding) {
+  for (const Case &extreme : all_cases()) {
+    if (extreme.group != GetParam()) continue;
+    const Measured measured = measure(extreme, reference());
+    EXPECT_EQ(measured.differences.first, "") << extreme.name;
+    EXPECT_TRUE(measured.finite) << extreme.name;
+    EXPECT_LE(measured.penetration, 1e-12) << extreme.name;
+    EXPECT_TRUE(measured.pass) << extreme.name << ": error " << measured.differences.time
+                               << ", conditioning " << measured.conditioning;
+    expect_bounded_work(extreme, measured.counters);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Extremes, Group, ::testing::ValuesIn(groups()), [](const auto &group) {
+  std::string name;
+  for (const char c : group.param)
+    if (std::isalnum(static_cast<unsigned char>(c))) name.push_back(c);
+  return name;
+});
+
+// A million forcing periods, one impact each: none lost, none added.
+TEST(LongRun, HasOneImpactPerPeriod) {
+  for (const Case &extreme : all_cases()) {
+    if (extreme.name != "1e+06 periods") continue;
+    const Outcome outcome = simulate(extreme.scene, extreme.until, {});
+    EXPECT_EQ(outcome.counters.impacts, 1'000'000);
+    return;
+  }
+  FAIL() << "the case is gone";
+}
+
+// At a hold force that is exactly zero a mass bounces for ever and never sticks; its speed falls to
+// the smallest double.
+TEST(ZeroHoldForce, NeverSticks) {
+  const Scene scene = one_mass(0.0, 0.0, 1.0, 0.3, 0.0, -1.0);
+  const Outcome outcome = simulate(scene, 1800.0, {});
+  EXPECT_EQ(outcome.counters.sticks, 0);
+  EXPECT_GT(outcome.counters.impacts, 500);
+}
+
+// r = 1 and a stop that presses: the flights shorten without limit towards none, each as fast as
+// the one before. The run ends at the stated number of impacts, and says where it was.
+TEST(EndlessImpacts, EndAtTheLimitWithTheState) {
+  Scene scene = one_mass(0.0, 1.0, 0.0, 1.0, -1.0, -1.0 - 1e-9);
+  RunOptions options;
+  options.max_impacts_per_period = 5000;
+  EventRecorder recorder;
+  try {
+    simulate(scene, 1e3, options, recorder);
+    FAIL() << "no limit was reached";
+  } catch (const std::runtime_error &error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("more than 5000 impacts in one period"), std::string::npos) << text;
+    for (const char *part : {"t = ", "x1 = ", "x1' = "})
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+  }
+  EXPECT_EQ(recorder.events.size(), 5000u);  // the one that was too many is not reported
+}
+
+// The comparison itself: an event taken away, added or moved is found.
+TEST(Comparison, FindsAMissingASpuriousAndAMovedEvent) {
+  const Case extreme = all_cases().front();
+  const auto truth = reference().at(extreme.name);
+  const double period = period_of(extreme.scene);
+  ASSERT_GT(truth.size(), 10u);
+  EXPECT_EQ(compare(truth, truth, extreme.scene, period).first, "");
+  auto missing = truth, spurious = truth, moved = truth;
+  missing.erase(missing.begin() + 5);
+  spurious.insert(spurious.begin() + 5, spurious[4]);
+  moved[5].time += 1e-9;
+  EXPECT_NE(compare(missing, truth, extreme.scene, period).first, "");
+  EXPECT_NE(compare(spurious, truth, extreme.scene, period).first, "");
+  EXPECT_NEAR(compare(moved, truth, extreme.scene, period).time, 1e-9, 1e-14);
+}
+
+}  // namespace
