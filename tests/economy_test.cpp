@@ -4,6 +4,7 @@
 #include <set>
 
 #include "extreme_cases.hpp"
+#include "vibro_impact/expansion.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

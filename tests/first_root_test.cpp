@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "test_scenes.hpp"
+#include "vibro_impact/first_root.hpp"
 
 namespace {
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <boost/numeric/odeint.hpp>
 
+#include "vibro_impact/expansion.hpp"
+#include "vibro_impact/flow.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "extreme_verdict.hpp"
+#include "vibro_impact/expansion.hpp"
 
 namespace {
 
@@ -27,7 +28,7 @@ double fastest_rate(const Scene &scene) {
         stiffest,
         2.0 * (scene.stiffness[i] + (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
             scene.mass[i]);
-  return std::max(vibro_impact::detail::root_modulus(scene.beta * stiffest, stiffest), scene.omega);
+  return std::max(vibro_impact::root_modulus(scene.beta * stiffest, stiffest), scene.omega);
 }
 
 // The work of a run is bounded by

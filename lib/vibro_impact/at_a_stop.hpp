@@ -7,32 +7,32 @@
 
 namespace vibro_impact::detail {
 
-template <int D, class... Recorders>
-void stick_at(Run<D> &run, std::size_t stop, Recorders &...recorders) {
+template <int D>
+void stick_at(Run<D> &run, std::size_t stop) {
   stick(run.state, run.scene, run.modes, stop, run.counters);
   run.falling[stop] = 0;
   run.chatter.size = 0;
-  emit(run, EventKind::stick, stop, 0.0, 0.0, false, recorders...);
+  emit(run, EventKind::stick, stop, 0.0, 0.0, false);
 }
 
-template <int D, class... Recorders>
-void release_at(Run<D> &run, std::size_t stop, int zeros, double leading, Recorders &...recorders) {
+template <int D>
+void release_at(Run<D> &run, std::size_t stop, int zeros, double leading) {
   release(run.state, run.scene, run.modes, stop, zeros, leading, run.counters);
   run.chatter.size = 0;
   run.last_speed[stop] = 0.0;
-  emit(run, EventKind::release, stop, 0.0, 0.0, zeros == 2, recorders...);
+  emit(run, EventKind::release, stop, 0.0, 0.0, zeros == 2);
 }
 
 // A mass at rest at its stop: it sticks when pressed, else leaves with the acceleration it has.
 // Where the force is zero its rate decides, known to the next expansion as the third derivative of
 // the gap.
-template <int D, class... Recorders>
-void settle(Run<D> &run, std::size_t stop, Recorders &...recorders) {
+template <int D>
+void settle(Run<D> &run, std::size_t stop) {
   const OpenStop<D> &open = open_stop(run.state, stop);
   const double press = open.press(run.state.value, run.state.slope);
   const double mass = run.scene.mass[open.mass];
   if (press > 0.0)
-    stick_at(run, stop, recorders...);
+    stick_at(run, stop);
   else if (press < 0.0)
     run.state.stops[stop] = {0.0, 0.0, 2, -press / mass};
   else
@@ -41,25 +41,25 @@ void settle(Run<D> &run, std::size_t stop, Recorders &...recorders) {
 
 // A neighbour's impact at the very instant at which a mass is about to leave its stop from rest:
 // the damper between them changes the acceleration it leaves with, or presses it back.
-template <int D, class... Recorders>
-void settle_beside(Run<D> &run, std::size_t mass, Recorders &...recorders) {
+template <int D>
+void settle_beside(Run<D> &run, std::size_t mass) {
   for (std::size_t k = 0; k < run.scene.stops.size(); ++k) {
     const auto other = static_cast<std::size_t>(run.scene.stops[k].mass - 1);
     const bool neighbour = other + 1 == mass || mass + 1 == other;
     if (neighbour && run.state.mode->held[other] == 0 && run.state.stops[k].zeros >= 2)
-      settle(run, k, recorders...);
+      settle(run, k);
   }
 }
 
 // A neighbour's impact makes the hold force jump; where it changes sign the mass leaves at once.
-template <int D, class... Recorders>
-void release_by_jump(Run<D> &run, std::size_t mass, Recorders &...recorders) {
+template <int D>
+void release_by_jump(Run<D> &run, std::size_t mass) {
   for (std::size_t k = 0; k < run.state.mode->closed.size();) {
     const ClosedStop<D> &closed = run.state.mode->closed[k];
     const std::size_t distance = closed.mass > mass ? closed.mass - mass : mass - closed.mass;
     const double press = distance == 1 ? closed.press(run.state.value, run.state.slope) : 0.0;
     if (press < 0.0) {
-      release_at(run, closed.stop, 2, -press / run.scene.mass[closed.mass], recorders...);
+      release_at(run, closed.stop, 2, -press / run.scene.mass[closed.mass]);
       k = 0;  // the contact mode has changed
     } else {
       ++k;

@@ -39,8 +39,8 @@ void count_impact(Run<D> &run, std::size_t stop, double speed) {
   }
 }
 
-template <int D, class... Recorders>
-void handle_impact(Run<D> &run, Recorders &...recorders) {
+template <int D>
+void handle_impact(Run<D> &run) {
   const std::vector<std::size_t> &stops = run.flight.event.stops;
   std::vector<double> closing;
   for (std::size_t stop : stops) {
@@ -52,16 +52,15 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
   const ContactMode<D> *before = run.state.mode;
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const double velocity = -sign(run.scene.stops[stops[k]].side) * closing[k];
-    emit(run, EventKind::impact, stops[k], velocity, -run.scene.restitution * velocity, false,
-         recorders...);
+    emit(run, EventKind::impact, stops[k], velocity, -run.scene.restitution * velocity, false);
   }
   for (std::size_t stop : stops)
-    if (run.state.stops[stop].speed == 0.0) settle(run, stop, recorders...);
+    if (run.state.stops[stop].speed == 0.0) settle(run, stop);
   if (run.scene.beta > 0.0) {
     for (std::size_t stop : stops)
-      settle_beside(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1), recorders...);
+      settle_beside(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1));
     for (std::size_t stop : stops)
-      release_by_jump(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1), recorders...);
+      release_by_jump(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1));
   }
 
   // Chatter: not where r = 0 (one impact stops the mass) and not where r = 1 (it never ends).
@@ -90,8 +89,8 @@ void handle_impact(Run<D> &run, Recorders &...recorders) {
   if (new_node) ++run.counters.chatter_nodes;
   const double now = time_of(run.state.now, run.clock);
   const double room =
-      std::min(elapsed(run.state.now, run.end, run.clock), next_sample(recorders...) - now);
-  take_chatter_limit(run, new_node, longest, room, recorders...);
+      std::min(elapsed(run.state.now, run.end, run.clock), next_sample(run.recorders) - now);
+  take_chatter_limit(run, new_node, longest, room);
 }
 
 }  // namespace vibro_impact::detail

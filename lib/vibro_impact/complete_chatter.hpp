@@ -36,9 +36,8 @@ bool clear_until(Run<D> &run, double tau, double impulse) {
 
 // Carries a complete chatter to its limit when that is certain; true when it did. `flight` is the
 // time to the next impact, to leading order.
-template <int D, class... Recorders>
-bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at_most,
-                        Recorders &...recorders) {
+template <int D>
+bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at_most) {
   const std::size_t first = run.chatter.stops.front();
   const double r = run.scene.restitution, speed = run.state.stops[first].speed;
   const double tail = flight / (1.0 - r);  // to leading order in the speed
@@ -66,11 +65,11 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at
     if (!(open_stop(run.state, stop).press(limit->state.value, limit->state.slope) > 0.0))
       return false;  // a border orbit or beyond: the chatter is not complete
 
-  sample_flight(run, 0.0, recorders...);
+  sample_flight(run, 0.0);
   run.state = std::move(limit->state);
   const std::vector<std::size_t> stops = run.chatter.stops;
   for (std::size_t stop : stops) run.state.stops[stop] = {};
-  for (std::size_t stop : stops) stick_at(run, stop, recorders...);
+  for (std::size_t stop : stops) stick_at(run, stop);
   ++run.counters.chatter_limits;
   return true;
 }

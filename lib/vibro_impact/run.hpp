@@ -2,44 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <concepts>
 #include <limits>
-#include <type_traits>
+#include <span>
 #include <vector>
 
 #include "chatter_limit.hpp"
 #include "first_event.hpp"
-#include "record.hpp"
-#include "scene.hpp"
+#include "simulate.hpp"
 
 namespace vibro_impact {
-
-struct RunOptions {
-  // Chatter is carried to its limit only from impacts slower than this: every faster one is
-  // resolved and recorded. 0 resolves chatter until what is left of it lies below rounding.
-  double resolve_chatter = std::numeric_limits<double>::infinity();
-  // Largest estimated relative error at which a chatter limit is accepted.
-  double chatter_tolerance = 1e-13;
-  // More impacts than this in one forcing period end the run with an error carrying the state.
-  long long max_impacts_per_period = 1'000'000;
-};
-
-struct Outcome {
-  MotionState state;  // at the end
-  double time = 0.0;
-  Counters counters;
-};
-
-// The initial state of a scene, at t = 0 with no mass held yet.
-inline MotionState start_of(const Scene &scene) {
-  const auto n = static_cast<Eigen::Index>(scene.mass.size());
-  const auto vector = [n](const std::vector<double> &values) -> Eigen::VectorXd {
-    if (values.empty()) return Eigen::VectorXd::Zero(n);
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), n);
-  };
-  return {Instant{}, vector(scene.displacement), vector(scene.velocity),
-          Held(scene.mass.size(), 0)};
-}
 
 namespace detail {
 
@@ -48,6 +19,7 @@ template <int D>
 struct Run {
   const Scene &scene;
   const RunOptions &options;
+  std::span<const RecorderRef> recorders;
   Clock clock;
   Instant end;
   State<D> state;
@@ -63,16 +35,6 @@ struct Run {
   double guard_period = 0.0;
   std::vector<double> last_speed = {};  // per stop, of its last impact
   std::vector<int> falling = {};        // per stop, impacts in a row slower than the one before
-};
-
-template <class Recorder>
-constexpr bool takes_events = requires(Recorder &r, const Event &e, const Moment &m) {
-  r.event(e, m);
-};
-template <class Recorder>
-constexpr bool takes_samples = requires(Recorder &r, const Moment &m) {
-  r.sample(m);
-  { r.next_time() } -> std::convertible_to<double>;
 };
 
 template <int D>
@@ -91,62 +53,52 @@ Moment moment_of(const State<D> &state, const Scene &scene, const Clock &clock) 
           }};
 }
 
-template <int D, class... Recorders>
+template <int D>
 void emit(const Run<D> &run, EventKind kind, std::size_t stop, double before, double after,
-          bool by_a_jump, Recorders &...recorders) {
-  if constexpr ((takes_events<Recorders> || ...)) {
-    const Stop &at = run.scene.stops[stop];
-    const Event event{kind,
-                      at.mass,
-                      at.side,
-                      run.state.now,
-                      time_of(run.state.now, run.clock),
-                      before,
-                      after,
-                      run.state.mode->held,
-                      by_a_jump};
-    const Moment moment = moment_of(run.state, run.scene, run.clock);
-    const auto tell = [&](auto &recorder) {
-      if constexpr (takes_events<std::remove_reference_t<decltype(recorder)>>)
-        recorder.event(event, moment);
-    };
-    (tell(recorders), ...);
-  }
+          bool by_a_jump) {
+  const auto takes_events = [](const RecorderRef &ref) { return ref.event != nullptr; };
+  if (std::none_of(run.recorders.begin(), run.recorders.end(), takes_events)) return;
+  const Stop &at = run.scene.stops[stop];
+  const Event event{kind,
+                    at.mass,
+                    at.side,
+                    run.state.now,
+                    time_of(run.state.now, run.clock),
+                    before,
+                    after,
+                    run.state.mode->held,
+                    by_a_jump};
+  const Moment moment = moment_of(run.state, run.scene, run.clock);
+  for (const RecorderRef &ref : run.recorders)
+    if (ref.event != nullptr) ref.event(ref.recorder, event, moment);
 }
 
-template <class... Recorders>
-double next_sample(const Recorders &...recorders) {
+inline double next_sample(std::span<const RecorderRef> recorders) {
   double next = std::numeric_limits<double>::infinity();
-  [[maybe_unused]] const auto ask = [&next](const auto &recorder) {
-    if constexpr (takes_samples<std::remove_cvref_t<decltype(recorder)>>)
-      next = std::min(next, recorder.next_time());
-  };
-  (ask(recorders), ...);
+  for (const RecorderRef &ref : recorders)
+    if (ref.sample != nullptr) next = std::min(next, ref.next_time(ref.recorder));
   return next;
 }
 
-// Serves the sample times up to tau after `state`, each by one closed-form modal evaluation.
-template <int D, class... Recorders>
-void sample_flight(Run<D> &run, double tau, Recorders &...recorders) {
-  if constexpr ((takes_samples<Recorders> || ...)) {
-    double next = next_sample(recorders...);
-    State<D> between{run.state.now, run.state.mode, {}, {}, {}};
-    while (next < std::numeric_limits<double>::infinity()) {
-      const Instant instant = instant_at(next, run.clock);
-      const double after = std::max(0.0, elapsed(run.state.now, instant, run.clock));
-      if (after > tau) return;
-      between.now = instant;
-      flow(*run.state.mode, run.scene, run.state.value, run.state.slope, after, between.value,
-           between.slope);
-      ++run.counters.modal_evaluations;
-      const Moment moment = moment_of(between, run.scene, run.clock);
-      const auto tell = [&](auto &recorder) {
-        if constexpr (takes_samples<std::remove_reference_t<decltype(recorder)>>)
-          if (recorder.next_time() <= next) recorder.sample(moment);
-      };
-      (tell(recorders), ...);
-      next = next_sample(recorders...);
-    }
+// Serves the sample times up to tau after the state, each by one closed-form modal evaluation.
+template <int D>
+void sample_flight(Run<D> &run, double tau) {
+  double next = next_sample(run.recorders);
+  if (!(next < std::numeric_limits<double>::infinity())) return;
+  State<D> between{run.state.now, run.state.mode, {}, {}, {}};
+  while (next < std::numeric_limits<double>::infinity()) {
+    const Instant instant = instant_at(next, run.clock);
+    const double after = std::max(0.0, elapsed(run.state.now, instant, run.clock));
+    if (after > tau) return;
+    between.now = instant;
+    flow(*run.state.mode, run.scene, run.state.value, run.state.slope, after, between.value,
+         between.slope);
+    ++run.counters.modal_evaluations;
+    const Moment moment = moment_of(between, run.scene, run.clock);
+    for (const RecorderRef &ref : run.recorders)
+      if (ref.sample != nullptr && ref.next_time(ref.recorder) <= next)
+        ref.sample(ref.recorder, moment);
+    next = next_sample(run.recorders);
   }
 }
 

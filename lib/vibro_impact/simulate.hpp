@@ -1,131 +1,56 @@
 // The pipeline: chain -> contact mode -> flow -> first event -> impact / chatter limit / sticking
-// -> record.
+// -> record. simulate.cpp is the loop over these steps, run.hpp what it carries from event to
+// event.
 #pragma once
 
-#include <cmath>
+#include <array>
+#include <limits>
+#include <span>
 
-#include "at_an_impact.hpp"
+#include "counters.hpp"
+#include "record.hpp"
+#include "scene.hpp"
 
 namespace vibro_impact {
 
-namespace detail {
+struct RunOptions {
+  // Chatter is carried to its limit only from impacts slower than this: every faster one is
+  // resolved and recorded. 0 resolves chatter until what is left of it lies below rounding.
+  double resolve_chatter = std::numeric_limits<double>::infinity();
+  // Largest estimated relative error at which a chatter limit is accepted.
+  double chatter_tolerance = 1e-13;
+  // More impacts than this in one forcing period end the run with an error carrying the state.
+  long long max_impacts_per_period = 1'000'000;
+};
 
-template <int D>
-double choose_span(const Run<D> &run, double remaining) {
-  const double fastest = fastest_in_motion(*run.state.mode, run.state.value, run.state.slope);
-  const double longest = fastest > 0.0 ? max_reach / fastest : remaining;
-  if (!run.state.value.allFinite() || !run.state.slope.allFinite())
-    throw std::runtime_error(
-        fmt::format("the motion leaves the range of double precision before t = {}, given up",
-                    time_of(run.state.now, run.clock)));
-  if (longest < remaining && run.state.now.phase + longest == run.state.now.phase)
-    throw std::runtime_error(
-        fmt::format("the rate {} of the fastest mode cannot be resolved at t = {}, given up",
-                    fastest, time_of(run.state.now, run.clock)));
-  // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
-  return std::min({remaining, longest, std::max(run.flight_guess, 0x1p-60 * longest)});
+struct Outcome {
+  MotionState state;  // at the end
+  double time = 0.0;
+  Counters counters;
+};
+
+// The initial state of a scene, at t = 0 with no mass held yet.
+inline MotionState start_of(const Scene &scene) {
+  const auto n = static_cast<Eigen::Index>(scene.mass.size());
+  const auto vector = [n](const std::vector<double> &values) -> Eigen::VectorXd {
+    if (values.empty()) return Eigen::VectorXd::Zero(n);
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), n);
+  };
+  return {Instant{}, vector(scene.displacement), vector(scene.velocity),
+          Held(scene.mass.size(), 0)};
 }
-
-template <int D, class... Recorders>
-Outcome simulate_lanes(const Scene &scene, const MotionState &start, double until,
-                       const RunOptions &options, Recorders &...recorders) {
-  const Clock clock(scene.omega);
-  Run<D> run{scene, options, clock, instant_at(until, clock), {}};
-  run.stride =
-      scene.restitution > 0.0 && scene.restitution < 1.0 ? chatter_stride(scene.restitution) : 1;
-  run.last_speed.assign(scene.stops.size(), 0.0);
-  run.falling.assign(scene.stops.size(), 0);
-  run.period_start = run.state.now = start.instant;
-  set_lanes(run.state, scene, run.modes.enter(scene, start.held, run.counters), start);
-  run.guard_period = scene.omega > 0.0 ? clock.period : until;
-  run.state.stops.resize(scene.stops.size());
-  for (std::size_t k = 0; k < scene.stops.size(); ++k) {
-    const Stop &stop = scene.stops[k];
-    const auto i = static_cast<Eigen::Index>(stop.mass - 1);
-    const double sigma = sign(stop.side), gap = sigma * (stop.position - start.displacement(i));
-    run.state.stops[k] = {gap, -sigma * start.velocity(i), 0, 0.0};
-    if (start.held[static_cast<std::size_t>(stop.mass - 1)] == static_cast<int>(stop.side))
-      run.state.stops[k] = {};  // held: nothing is known of its force beforehand
-    else if (gap == 0.0)
-      run.state.stops[k] = {0.0, -sigma * start.velocity(i), 1, -sigma * start.velocity(i)};
-  }
-  for (std::size_t k = 0; k < scene.stops.size(); ++k)
-    if (start.held[static_cast<std::size_t>(scene.stops[k].mass - 1)] == 0 &&
-        run.state.stops[k].gap == 0.0 && run.state.stops[k].speed == 0.0)
-      settle(run, k, recorders...);
-
-  while (true) {
-    const double remaining = elapsed(run.state.now, run.end, clock);
-    if (!(remaining > 0.0)) break;
-    const ContactMode<D> &mode = *run.state.mode;
-    if (mode.open.empty() && mode.closed.empty()) {  // no stops: nothing can happen
-      sample_flight(run, remaining, recorders...);
-      const State<D> from = run.state;
-      flow(mode, scene, from.value, from.slope, remaining, run.state.value, run.state.slope);
-      ++run.counters.modal_evaluations;
-      run.state.now = run.end;
-      break;
-    }
-    const double span = choose_span(run, remaining);
-    run.flight_guess = std::numeric_limits<double>::infinity();
-    expand(mode, run.state.value, run.state.slope, span, run.flight.expansion, run.counters);
-    find_first_event(run.state, run.flight, run.counters);
-    const FirstEvent &event = run.flight.event;
-    sample_flight(run, event.u * span, recorders...);
-    move_to(run.state, run.flight, event.u, scene, clock);
-    run.since_impact += event.u * span;
-    if (event.kind == Happening::nothing && span == remaining) run.state.now = run.end;
-
-    switch (event.kind) {
-      case Happening::nothing:
-        break;
-      case Happening::impact:
-        handle_impact(run, recorders...);
-        break;
-      case Happening::press:
-        stick_at(run, event.stops.front(), recorders...);
-        break;
-      case Happening::release: {
-        const std::size_t stop = event.stops.front();
-        const double m = scene.mass[static_cast<std::size_t>(scene.stops[stop].mass - 1)];
-        const int order = event.force_order;
-        release_at(run, stop, std::min(order + 2, max_order),
-                   -event.force_slope / (std::pow(span, order) * m), recorders...);
-        break;
-      }
-      case Happening::force_graze:
-        run.state.stops[event.stops.front()].zeros = 1;
-        break;
-    }
-  }
-  return {physical(run.state, scene), time_of(run.state.now, clock), run.counters};
-}
-
-}  // namespace detail
 
 // Runs `scene` from `start` to time `until` (non-dimensional) and tells `recorders` what they ask
-// for. Throws std::invalid_argument for a scene that `check` rejects or an `until` of more than
-// 2^53 radians of the forcing; std::runtime_error (with the state) when the impacts of one period
-// exceed the stated limit, and when the motion leaves the range of double precision or a mode is
-// too fast for its time to advance.
+// for. Throws std::invalid_argument for a scene that `check` rejects, std::runtime_error (with the
+// state) when the impacts of one period exceed the stated limit.
+Outcome simulate_seen(const Scene &scene, const MotionState &start, double until,
+                      const RunOptions &options, std::span<const RecorderRef> recorders);
+
 template <class... Recorders>
 Outcome simulate_from(const Scene &scene, const MotionState &start, double until,
                       const RunOptions &options, Recorders &...recorders) {
-  check(scene);
-  detail::require(
-      !(until * scene.omega > 0x1p53),  // the whole periods are counted, and the phase kept exact
-      fmt::format("until = {}: more forcing periods than double precision can count", until));
-  // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. The
-  // fixed lanes have no room for a strongly damped mode split in two (the bound is Gershgorin's).
-  double stiffest = 0.0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i)
-    stiffest = std::max(
-        stiffest,
-        2.0 * (scene.stiffness[i] + (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
-            scene.mass[i]);
-  if (scene.masses() == 2 && scene.forced() && !detail::strongly_damped(scene.beta, stiffest))
-    return detail::simulate_lanes<4>(scene, start, until, options, recorders...);
-  return detail::simulate_lanes<Eigen::Dynamic>(scene, start, until, options, recorders...);
+  const std::array<RecorderRef, sizeof...(Recorders)> seen{recorder_ref(recorders)...};
+  return simulate_seen(scene, start, until, options, seen);
 }
 
 // The same from the scene's own initial state at t = 0.
