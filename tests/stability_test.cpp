@@ -87,6 +87,19 @@ TEST(LongRun, HasOneImpactPerPeriod) {
   FAIL() << "the case is gone";
 }
 
+// A soft mode beside a link 1e6 or 1e12 times as stiff keeps its frequency: lambda_1 lambda_2 = k1
+// k2 and lambda_1 + lambda_2 = k1 + 2 k2 for unit masses. A few roundings.
+TEST(StiffLink, LeavesTheSoftModeItsFrequency) {
+  for (const double stiff : {1e6, 1e12}) {
+    Scene scene = chain(2, 0.0);
+    scene.stiffness = {1.0, stiff};
+    const auto mode = build_contact_mode<Eigen::Dynamic>(scene, Held(2, 0));
+    const double sum = 1.0 + 2.0 * stiff;
+    const double exact = 2.0 * stiff / (sum + std::sqrt(sum * sum - 4.0 * stiff));
+    EXPECT_NEAR(mode.lambda.minCoeff() / exact, 1.0, 1e-14) << stiff;
+  }
+}
+
 // At a hold force that is exactly zero a mass bounces for ever and never sticks; its speed falls to
 // the smallest double.
 TEST(ZeroHoldForce, NeverSticks) {
