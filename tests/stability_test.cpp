@@ -88,6 +88,37 @@ TEST(LongRun, HasOneImpactPerPeriod) {
   FAIL() << "the case is gone";
 }
 
+// A touch takes nothing from the motion: its amplitude stays to 1e-12 (an impact at sqrt(200 eps)
+// takes 1e-14 of it), its phase to (1 + r) sqrt(200 eps) a touch.
+TEST(Grazing, LeavesTheMotionAsItWas) {
+  const double blur = std::sqrt(200.0 * std::numeric_limits<double>::epsilon());
+  int touched = 0;
+  for (const Case &extreme : all_cases()) {
+    if (extreme.truth != Truth::grazing) continue;
+    ++touched;
+    const MotionState end = simulate(extreme.scene, extreme.until, {}).state;
+    const double x0 = extreme.scene.displacement[0];
+    const double shift = 1.7 * blur * static_cast<double>(extreme.events().size());
+    EXPECT_NEAR(std::hypot(end.displacement(0), end.velocity(0)), 1.0, 1e-12) << extreme.name;
+    EXPECT_NEAR(end.displacement(0), x0 * std::cos(extreme.until), shift) << extreme.name;
+    EXPECT_NEAR(end.velocity(0), -x0 * std::sin(extreme.until), shift) << extreme.name;
+  }
+  EXPECT_GE(touched, 4);
+}
+
+// A soft mode beside a link 1e6 or 1e12 times as stiff keeps its frequency: lambda_1 lambda_2 = k1
+// k2 and lambda_1 + lambda_2 = k1 + 2 k2 for unit masses. A few roundings.
+TEST(StiffLink, LeavesTheSoftModeItsFrequency) {
+  for (const double stiff : {1e6, 1e12}) {
+    Scene scene = chain(2, 0.0);
+    scene.stiffness = {1.0, stiff};
+    const auto mode = build_contact_mode<Eigen::Dynamic>(scene, Held(2, 0));
+    const double sum = 1.0 + 2.0 * stiff;
+    const double exact = 2.0 * stiff / (sum + std::sqrt(sum * sum - 4.0 * stiff));
+    EXPECT_NEAR(mode.lambda.minCoeff() / exact, 1.0, 1e-14) << stiff;
+  }
+}
+
 // At a hold force that is exactly zero a mass bounces for ever and never sticks; its speed falls to
 // the smallest double.
 TEST(ZeroHoldForce, NeverSticks) {
