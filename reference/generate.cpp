@@ -3,6 +3,7 @@
 #include "event_driven.hpp"
 #include "key_numbers.hpp"
 #include "scenes.hpp"
+#include "work_precision.hpp"
 
 #include <exception>
 #include <filesystem>
@@ -57,18 +58,29 @@ std::vector<bool> kept(const std::vector<Event> &events) {
   return keep;
 }
 
-std::string events_table(const std::vector<Event> &events) {
+std::string event_rows(const std::vector<Event> &events, const std::string &label = "") {
   std::ostringstream table;
-  table << "time,mass,event,velocity_before,velocity_after,contact_mode\n";
   const std::vector<bool> keep = kept(events);
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (!keep[i]) continue;
     const Event &e = events[i];
-    table << e.time.str(30) << ',' << e.mass + 1 << ',' << kind_name(e.kind) << ','
+    table << label << e.time.str(30) << ',' << e.mass + 1 << ',' << kind_name(e.kind) << ','
           << e.velocity_before.str(30) << ',' << e.velocity_after.str(30) << ','
           << contact_mode(e.stuck) << '\n';
   }
   return table.str();
+}
+
+const std::string event_header = "time,mass,event,velocity_before,velocity_after,contact_mode\n";
+
+/// The tables of the work-precision figure: states or events of every stretch.
+std::string work_precision_table(bool states) {
+  std::vector<StretchRun> runs;
+  for (const Stretch &stretch : stretches()) runs.push_back(run(stretch));
+  if (states) return states_table(runs);
+  std::string table = "problem," + event_header;
+  for (const StretchRun &run : runs) table += event_rows(run.events, run.stretch.name + ",");
+  return table;
 }
 
 /// Writes under a temporary name and renames, so that no half-written table is ever seen; an empty
@@ -107,7 +119,7 @@ int run(const std::vector<std::string> &arguments) {
   if (arguments.empty() || arguments.size() > 2) {
     std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
                  "figure4b, figure5a, figure5b, "
-                 "figure5c, key_numbers\n";
+                 "figure5c, key_numbers, work_precision_states, work_precision_events\n";
     return 2;
   }
   const std::string path = arguments.size() > 1 ? arguments[1] : "";
@@ -115,10 +127,14 @@ int run(const std::vector<std::string> &arguments) {
     write_table(path, key_numbers_table());
     return 0;
   }
+  if (arguments[0] == "work_precision_states" || arguments[0] == "work_precision_events") {
+    write_table(path, work_precision_table(arguments[0] == "work_precision_states"));
+    return 0;
+  }
   const Scene scene = scene_named(arguments[0]);
   const std::vector<Event> events = simulate(scene);
   report(scene.name, events);
-  write_table(path, events_table(events));
+  write_table(path, event_header + event_rows(events));
   return 0;
 }
 
