@@ -1,5 +1,6 @@
 # make figures        install what is missing, build, compute and draw every figure (build/figures)
 # make figure2 ...    one figure
+# make error-vs-runtime  error against run time, beside other methods (half a minute)
 # make test           the same packages and build, then every test
 # make check          the key numbers: paper, computed, error, verdict
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
@@ -12,17 +13,22 @@
 figures := figure2 figure3 figure4 figure5
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: figures $(figures) test check pictures random-scenes test-sanitize reference format clean help packages build
+.PHONY: figures $(figures) error-vs-runtime test check pictures random-scenes test-sanitize reference format clean help packages build
 
 help:
 	@sed -n 's/^# //p' Makefile
 
-figures: $(figures)
+figures: $(figures) error-vs-runtime
 
 $(figures): build
 	@build/bin/$@ --output build/figures
 	@gnuplot -e "data='build/figures'" figures/$@.gp
 	@echo "drawn: build/figures/$@.png"
+
+error-vs-runtime: build
+	@build/bin/error_vs_runtime --output build/figures
+	@gnuplot -e "data='build/figures'" figures/error_vs_runtime.gp
+	@echo "drawn: build/figures/error_vs_runtime.png"
 
 test: build
 	@ctest --test-dir build --output-on-failure -j $(jobs)
@@ -40,13 +46,15 @@ random-scenes: build
 
 pictures: figures
 	@mkdir -p figures/pictures
-	@cp $(figures:%=build/figures/%.png) figures/pictures/
+	@cp $(figures:%=build/figures/%.png) build/figures/error_vs_runtime.png figures/pictures/
 
 reference: build
 	@cmake --build build --target reference-generate
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
 	  build/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
 	@build/bin/reference-generate key_numbers reference/key_numbers.csv
+	@for part in states events; do \
+	  build/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
 
 build: packages
 	@mkdir -p build

@@ -3,8 +3,8 @@
 #include "error_vs_runtime/method.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -28,14 +28,17 @@ struct Trial {
   std::vector<double> microseconds = {};  // per forcing period, one entry per repeat
 };
 
-// A sample lasts at least this long, in seconds, so that the clock and its call do not count.
-constexpr double shortest_sample = 2e-4;
+// A sample lasts at least this long, in seconds, so that the step of the clock (1e-6) does not
+// count.
+constexpr double shortest_sample = 4e-4;
 
+// Processor time, which leaves out what others do on the machine meanwhile. All methods run in one
+// thread.
 double seconds_of(const Trial &trial) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   for (long long i = 0; i < trial.runs_per_sample; ++i)
     trial.method->run(*trial.problem, trial.setting);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 std::vector<Trial> trials_of(const std::vector<Problem> &problems,
@@ -51,9 +54,11 @@ std::vector<Trial> trials_of(const std::vector<Problem> &problems,
 void try_out(Trial &trial) {
   trial.result = trial.method->run(*trial.problem, trial.setting);
   trial.errors = errors_of(trial.result, *trial.problem);
-  const double once = seconds_of(trial);
-  trial.runs_per_sample =
-      1 + static_cast<long long>(shortest_sample / std::max(once, 1e-3 * shortest_sample));
+  double seconds = seconds_of(trial);
+  while (seconds < shortest_sample) {
+    trial.runs_per_sample *= 2;
+    seconds = seconds_of(trial);
+  }
 }
 
 double median(std::vector<double> values) {
@@ -92,6 +97,7 @@ Table conditions(const std::vector<Method> &methods, int repeats) {
   table.row("processor", quoted(processor));
   table.row("compiler", quoted(std::string("g++ ") + __VERSION__));
   table.row("repeats", repeats);
+  table.row("time", quoted("processor time of the process"));
   table.row("low; high", quoted("fastest and slowest of the repeats"));
   for (const Method &method : methods)
     table.row(quoted(method.name), quoted("setting: " + method.setting + "; work: " + method.work));

@@ -120,7 +120,7 @@ Result integrate(const Problem &problem, double kappa) {
 }  // namespace
 
 std::vector<Method> stiff_spring() {
-  return {{"stiff spring, dopri5",
+  return {{"stiff spring (dopri5)",
            "stiffness",
            "right-hand sides",
            {1e4, 1e5, 1e6, 1e7, 1e8, 1e9},

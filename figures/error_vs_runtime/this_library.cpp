@@ -63,7 +63,7 @@ std::vector<Method> this_library() {
            "expansions",
            {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
            with_chatter_limit},
-          {"this library, every impact",
+          {"this library (every impact)",
            "none",
            "expansions",
            {std::numeric_limits<double>::epsilon()},
