@@ -131,7 +131,7 @@ void compare(const std::filesystem::path &output, const std::string &reference, 
 
 int main(int argc, char **argv) {
   std::string reference = "reference";
-  int repeats = 5;
+  int repeats = 7;
   return figures::drive(
       argc, argv, "Error against run time of this library and other methods",
       [&](CLI::App &options) {

@@ -55,7 +55,7 @@ do for [kind in 'png pdf'] {
           using (column(column)):(good(p, word(methods, k), 0, column('error_time'))): \
             (column(column eq 'rhs_or_expansions' ? column : 'low')): \
             (column(column eq 'rhs_or_expansions' ? column : 'high')) \
-          with xerrorbars pointtype 0 linewidth 0.8 linecolor rgb word(colours, k), \
+          with xerrorbars pointtype 0 linewidth 0.8 dashtype solid linecolor rgb word(colours, k), \
         for [k = 1:words(methods)] table \
           using (column(column)):(bad(p, word(methods, k))) \
           with points pointtype 2 pointsize 1.2 linecolor rgb word(colours, k)

@@ -14,6 +14,12 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
+// Odeint has d4 of RODAS (Hairer and Wanner, Solving Ordinary Differential Equations II) with the
+// wrong sign: the method is of order four for autonomous systems, but of order one under forcing.
+struct Rodas : odeint::default_rosenbrock_coefficients<double> {
+  const double d4 = -0.03620000000000023;
+};
+
 using UblasVector = boost::numeric::ublas::vector<double>;
 using UblasMatrix = boost::numeric::ublas::matrix<double>;
 
@@ -44,7 +50,8 @@ Result rosenbrock(const Problem &problem, double tolerance) {
   };
   return guarded([&] {
     return run_with_dense_output<UblasVector>(
-        problem, odeint::make_dense_output(tolerance, tolerance, odeint::rosenbrock4<double>()),
+        problem,
+        odeint::make_dense_output(tolerance, tolerance, odeint::rosenbrock4<double, Rodas>()),
         tolerance, system_for);
   });
 }
@@ -55,7 +62,7 @@ std::vector<Method> odeint_rosenbrock() {
   return {{"odeint rosenbrock4",
            "tolerance",
            "right-hand sides",
-           {1e-4, 1e-6, 1e-8, 1e-10},
+           {1e-4, 1e-6, 1e-8, 1e-10, 1e-12},
            rosenbrock}};
 }
 
