@@ -1,5 +1,6 @@
 # make figures        install what is missing, build, compute and draw every figure (build/figures)
 # make figure2 ...    one figure
+# make error-vs-runtime  error against run time, beside other methods (half a minute)
 # make test           the same packages and build, then every test
 # make check          the key numbers: paper, computed, error, verdict
 # make readme         the README's table of key numbers, from the same source as make check
@@ -13,17 +14,22 @@
 figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: figures $(figures) test check readme pictures random-scenes test-sanitize reference format clean help packages build
+.PHONY: figures $(figures) error-vs-runtime test check readme pictures random-scenes test-sanitize reference format clean help packages build
 
 help:
 	@sed -n 's/^# //p' Makefile
 
-figures: $(figures)
+figures: $(figures) error-vs-runtime
 
 $(figures): build
 	@build/bin/$@ --output build/figures
 	@gnuplot -e "data='build/figures'" figures/$@.gp
 	@echo "drawn: build/figures/$@.png"
+
+error-vs-runtime: build
+	@build/bin/error_vs_runtime --output build/figures
+	@gnuplot -e "data='build/figures'" figures/error_vs_runtime.gp
+	@echo "drawn: build/figures/error_vs_runtime.png"
 
 test: build
 	@ctest --test-dir build --output-on-failure -j $(jobs)
@@ -48,7 +54,7 @@ random-scenes: build
 
 pictures: figures
 	@mkdir -p figures/pictures
-	@cp $(figures:%=build/figures/%.png) figures/pictures/
+	@cp $(figures:%=build/figures/%.png) build/figures/error_vs_runtime.png figures/pictures/
 
 reference: build
 	@cmake --build build --target reference-generate
@@ -57,6 +63,8 @@ reference: build
 	@for table in key_numbers located; do \
 	  build/bin/reference-generate $$table reference/$$table.csv || exit 2; done
 	@build/bin/reference-generate extremes reference/extreme_events.csv
+	@for part in states events; do \
+	  build/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
 
 build: packages
 	@mkdir -p build

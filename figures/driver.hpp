@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "paper_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -32,14 +33,17 @@ inline void open_folder(const std::filesystem::path &folder) {
 }
 
 // The main function of a driver: reads the options, opens the folder and calls draw(folder).
-// Returns the exit status: 0, or 2 after one line on standard error.
-template <class Draw>
-int drive(int argc, char **argv, const std::string &purpose, Draw &&draw) {
+// Returns the exit status: 0, or 2 after one line on standard error. `add_options` gives the driver
+// options beside --output.
+template <class AddOptions, class Draw>
+int drive(int argc, char **argv, const std::string &purpose, AddOptions &&add_options,
+          Draw &&draw) {
   const std::string name = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "figure";
   std::string output = "build/figures";
   CLI::App options(purpose, name);
   options.add_option("--output", output, "Folder for the tables (created if missing)")
       ->capture_default_str();
+  add_options(options);
   std::string error;
   try {
     options.parse(argc, argv);
@@ -55,6 +59,12 @@ int drive(int argc, char **argv, const std::string &purpose, Draw &&draw) {
   std::replace(error.begin(), error.end(), '\n', ' ');
   fmt::print(stderr, "{}: {}\n", name, error);
   return 2;
+}
+
+template <class Draw>
+int drive(int argc, char **argv, const std::string &purpose, Draw &&draw) {
+  return drive(
+      argc, argv, purpose, [](CLI::App &) {}, std::forward<Draw>(draw));
 }
 
 // How far a run of more than two seconds has come, on standard error: one line that is rewritten on

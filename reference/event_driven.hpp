@@ -396,16 +396,11 @@ inline State initial_state(const Scene &scene, const Resolution &resolution, Eig
   return state;
 }
 
-/// Simulates a scene from t = 0 to its end time and returns every event in order. Events of several
-/// masses at one instant carry the same time. Throws std::invalid_argument for a scene that breaks
-/// a rule of require_valid, and std::runtime_error if a bounce under a vanishing hold force becomes
-/// too slow for the working precision.
-inline std::vector<Event> simulate(const Scene &scene, const FlowObserver &observe = {},
-                                   const Resolution &resolution = {}) {
-  require_valid(scene);
-  std::vector<Event> events;
-  Eigensystems known;
-  State state = initial_state(scene, resolution, known, events);
+/// Carries a state on to the end time of the scene and appends every event in order. `known` are
+/// the contact modes met so far.
+inline void advance(const Scene &scene, State &state, Eigensystems &known,
+                    std::vector<Event> &events, const FlowObserver &observe = {},
+                    const Resolution &resolution = {}) {
   while (state.time < scene.end_time) {
     const std::vector<bool> stuck = stuck_masses(state);
     const Flow flow = flow_from(scene.chain, state.time, state.x, state.v, stuck, known);
@@ -419,6 +414,19 @@ inline std::vector<Event> simulate(const Scene &scene, const FlowObserver &obser
     if (next.stops.empty()) break;
     apply_events(scene, state, next.stops, resolution, events);
   }
+}
+
+/// Simulates a scene from t = 0 to its end time and returns every event in order. Events of several
+/// masses at one instant carry the same time. Throws std::invalid_argument for a scene that breaks
+/// a rule of require_valid, and std::runtime_error if a bounce under a vanishing hold force becomes
+/// too slow for the working precision.
+inline std::vector<Event> simulate(const Scene &scene, const FlowObserver &observe = {},
+                                   const Resolution &resolution = {}) {
+  require_valid(scene);
+  std::vector<Event> events;
+  Eigensystems known;
+  State state = initial_state(scene, resolution, known, events);
+  advance(scene, state, known, events, observe, resolution);
   return events;
 }
 

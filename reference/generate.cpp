@@ -5,6 +5,7 @@
 #include "key_numbers.hpp"
 #include "located.hpp"
 #include "scenes.hpp"
+#include "work_precision.hpp"
 
 #include <exception>
 #include <filesystem>
@@ -130,11 +131,22 @@ std::string extremes_table() {
   return table;
 }
 
+/// The tables of the work-precision figure: states or events of every stretch.
+std::string work_precision_table(bool states) {
+  std::vector<StretchRun> runs;
+  for (const Stretch &stretch : stretches()) runs.push_back(run(stretch));
+  if (states) return states_table(runs);
+  std::string table = std::string("problem,") + columns;
+  for (const StretchRun &run : runs)
+    table += event_rows(run.events, Vector(2, kept_speed), run.stretch.name + ",");
+  return table;
+}
+
 int run(const std::vector<std::string> &arguments) {
   if (arguments.empty() || arguments.size() > 2) {
     std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
                  "figure4b, figure5a, figure5b, "
-                 "figure5c, key_numbers, located, extremes\n";
+                 "figure5c, key_numbers, located, extremes, work_precision_states, work_precision_events\n";
     return 2;
   }
   const std::string path = arguments.size() > 1 ? arguments[1] : "";
@@ -148,6 +160,10 @@ int run(const std::vector<std::string> &arguments) {
   }
   if (arguments[0] == "extremes") {
     write_table(path, extremes_table());
+    return 0;
+  }
+  if (arguments[0] == "work_precision_states" || arguments[0] == "work_precision_events") {
+    write_table(path, work_precision_table(arguments[0] == "work_precision_states"));
     return 0;
   }
   const Scene scene = scene_named(arguments[0]);

@@ -1,0 +1,146 @@
+// Error against run time: this library beside what one would otherwise pick, every method over its
+// own tolerance or step. See README and error_vs_runtime/ for how each is used.
+#include "error_vs_runtime/method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "driver.hpp"
+#include "error_vs_runtime/problem.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::comparison;
+
+// One method at one setting on one problem.
+struct Trial {
+  const Problem *problem;
+  const Method *method;
+  double setting;
+  Result result = {};
+  Errors errors = {};
+  long long runs_per_sample = 1;
+  std::vector<double> microseconds = {};  // per forcing period, one entry per repeat
+};
+
+// A sample lasts at least this long, in seconds, so that the step of the clock (1e-6) does not
+// count.
+constexpr double shortest_sample = 4e-4;
+
+// Processor time, which leaves out what others do on the machine meanwhile. All methods run in one
+// thread.
+double seconds_of(const Trial &trial) {
+  const std::clock_t begin = std::clock();
+  for (long long i = 0; i < trial.runs_per_sample; ++i)
+    trial.method->run(*trial.problem, trial.setting);
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+std::vector<Trial> trials_of(const std::vector<Problem> &problems,
+                             const std::vector<Method> &methods) {
+  std::vector<Trial> trials;
+  for (const Problem &problem : problems)
+    for (const Method &method : methods)
+      for (const double setting : method.settings) trials.push_back({&problem, &method, setting});
+  return trials;
+}
+
+// First run of each trial, untimed: its errors, and how many runs make a sample.
+void try_out(Trial &trial) {
+  trial.result = trial.method->run(*trial.problem, trial.setting);
+  trial.errors = errors_of(trial.result, *trial.problem);
+  double seconds = seconds_of(trial);
+  while (seconds < shortest_sample) {
+    trial.runs_per_sample *= 2;
+    seconds = seconds_of(trial);
+  }
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+Table table_of(const std::vector<Trial> &trials) {
+  Table table(
+      "problem,method,setting,error_time,error_state,median_us_per_period,low,high,"
+      "rhs_or_expansions,impacts,failure");
+  for (const Trial &trial : trials) {
+    const auto [low, high] =
+        std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
+    std::string failure = trial.errors.failure;
+    std::replace(failure.begin(), failure.end(), ',', ';');
+    table.row(trial.problem->name, '"' + trial.method->name + '"', trial.setting, trial.errors.time,
+              trial.errors.state, median(trial.microseconds), *low, *high, trial.result.work,
+              trial.result.impacts, '"' + failure + '"');
+  }
+  return table;
+}
+
+// What was measured where, and what the columns of the first table mean for each method.
+Table conditions(const std::vector<Method> &methods, int repeats) {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  std::string processor = "not known";
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.rfind("model name", 0) == 0) {
+      processor = line.substr(line.find(':') + 2);
+      break;
+    }
+  Table table("what,value");
+  const auto quoted = [](const std::string &text) { return '"' + text + '"'; };
+  table.row("processor", quoted(processor));
+  table.row("compiler", quoted(std::string("g++ ") + __VERSION__));
+  table.row("repeats", repeats);
+  table.row("time", quoted("processor time of the process"));
+  table.row("low; high", quoted("fastest and slowest of the repeats"));
+  for (const Method &method : methods)
+    table.row(quoted(method.name), quoted("setting: " + method.setting + "; work: " + method.work));
+  return table;
+}
+
+void compare(const std::filesystem::path &output, const std::string &reference, int repeats) {
+  const std::vector<Problem> cases = problems(reference);
+  const Methods all = all_methods();
+  for (const std::string &line : all.left_out) fmt::print(stderr, "{}\n", line);
+  std::vector<Trial> trials = trials_of(cases, all.methods);
+  figures::Progress progress("error_vs_runtime",
+                             static_cast<long long>(trials.size()) * (repeats + 1));
+  for (Trial &trial : trials) {
+    try_out(trial);
+    progress.advance();
+  }
+  // Round robin: what disturbs the machine for a while disturbs all methods alike.
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    for (Trial &trial : trials) {
+      trial.microseconds.push_back(1e6 * seconds_of(trial) /
+                                   static_cast<double>(trial.runs_per_sample) /
+                                   trial.problem->periods());
+      progress.advance();
+    }
+  write(table_of(trials), output / "error_vs_runtime.csv");
+  write(conditions(all.methods, repeats), output / "error_vs_runtime_conditions.csv");
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  std::string reference = "reference";
+  int repeats = 7;
+  return figures::drive(
+      argc, argv, "Error against run time of this library and other methods",
+      [&](CLI::App &options) {
+        options.add_option("--reference", reference, "Folder of the 50-digit reference tables")
+            ->capture_default_str();
+        options
+            .add_option("--repeats", repeats, "Timed runs of every method, interleaved; at least 1")
+            ->check(CLI::Range(1, 1000))
+            ->capture_default_str();
+      },
+      [&](const std::filesystem::path &output) { compare(output, reference, repeats); });
+}

@@ -1,0 +1,73 @@
+// This library, with chatter carried to its limit and without.
+#include <limits>
+
+#include "method.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace vibro_impact::comparison {
+
+namespace {
+
+// What the comparison keeps of an event.
+struct Kept {
+  std::vector<Happened> *events;
+  void event(const Event &event, const Moment &) {
+    events->push_back({event.time, event.mass, event.kind, event.velocity_before});
+  }
+};
+
+Result run_with(const Problem &problem, const RunOptions &options) {
+  Result result;
+  const Clock clock(problem.scene.omega);
+  MotionState start{instant_at(problem.start.time, clock), Eigen::VectorXd(2), Eigen::VectorXd(2),
+                    Held(2, 0)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    start.displacement(static_cast<Eigen::Index>(i)) = problem.start.displacement[i];
+    start.velocity(static_cast<Eigen::Index>(i)) = problem.start.velocity[i];
+    if (problem.start.held[i])
+      start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
+  }
+  Kept kept{&result.events};
+  const Outcome outcome = simulate_from(problem.scene, start, problem.until, options, kept);
+  result.end.time = outcome.time;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    result.end.displacement[i] = outcome.state.displacement(at);
+    result.end.velocity[i] = outcome.state.velocity(at);
+    result.end.held[i] = outcome.state.held[i] != 0;
+  }
+  result.work = outcome.counters.expansions;
+  result.impacts = outcome.counters.impacts;
+  return result;
+}
+
+Result with_chatter_limit(const Problem &problem, double tolerance) {
+  RunOptions options;
+  options.chatter_tolerance = tolerance;
+  return run_with(problem, options);
+}
+
+// Every impact resolved, until what is left of a chatter lies below rounding. There is nothing to
+// sweep: flow and roots are exact to rounding.
+Result without_chatter_limit(const Problem &problem, double) {
+  RunOptions options;
+  options.resolve_chatter = 0.0;
+  return run_with(problem, options);
+}
+
+}  // namespace
+
+std::vector<Method> this_library() {
+  return {{"this library",
+           "tolerance of the chatter limit",
+           "expansions",
+           {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
+           with_chatter_limit},
+          {"this library (every impact)",
+           "none",
+           "expansions",
+           {std::numeric_limits<double>::epsilon()},
+           without_chatter_limit}};
+}
+
+}  // namespace vibro_impact::comparison

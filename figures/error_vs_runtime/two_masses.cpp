@@ -1,0 +1,97 @@
+#include "two_masses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace vibro_impact::comparison {
+
+TwoMasses two_masses(const Scene &scene) {
+  if (scene.masses() != 2 || scene.stops.size() != 2 || scene.stops[0].mass != 1 ||
+      scene.stops[1].mass != 2)
+    throw std::invalid_argument("the comparison takes two masses with one stop each");
+  const double k1 = scene.stiffness[0], k2 = scene.stiffness[1];
+  const double stiffness[2][2] = {{k1 + k2, -k2}, {-k2, k2}};
+  TwoMasses chain{{}, {}, {}, scene.omega, scene.restitution};
+  for (std::size_t i = 0; i < 2; ++i) {
+    chain.side[i] = sign(scene.stops[i].side);
+    chain.stop[i] = scene.stops[i].position;
+  }
+  // x_i = s_i - side_i g_i, so that u_i' = -side_i x_i''.
+  for (std::size_t i = 0; i < 2; ++i) {
+    GapEquation &e = chain.equation[i];
+    const double per_mass = chain.side[i] / scene.mass[i];
+    e.rest = 0.0;
+    for (std::size_t j = 0; j < 2; ++j) {
+      e.gap[j] = -per_mass * stiffness[i][j] * chain.side[j];
+      e.speed[j] = scene.beta * e.gap[j];
+      e.rest += per_mass * stiffness[i][j] * chain.stop[j];
+    }
+    e.drive = scene.amplitude.empty() ? 0.0 : -per_mass * scene.amplitude[i];
+  }
+  return chain;
+}
+
+GapState gap_state(const TwoMasses &chain, const TwoMassState &state) {
+  GapState gaps{state.time, {}, state.held};
+  for (std::size_t i = 0; i < 2; ++i) {
+    gaps.y[2 * i] = state.held[i] ? 0.0 : chain.side[i] * (chain.stop[i] - state.displacement[i]);
+    gaps.y[2 * i + 1] = state.held[i] ? 0.0 : -chain.side[i] * state.velocity[i];
+  }
+  return gaps;
+}
+
+TwoMassState physical_state(const TwoMasses &chain, const GapState &state) {
+  TwoMassState physical{state.time, {}, {}, state.held};
+  for (std::size_t i = 0; i < 2; ++i) {
+    physical.displacement[i] = chain.stop[i] - chain.side[i] * state.y[2 * i];
+    physical.velocity[i] = -chain.side[i] * state.y[2 * i + 1];
+  }
+  return physical;
+}
+
+void happen(const TwoMasses &chain, GapState &state, std::size_t i, double slowest,
+            Result &result) {
+  const double cosine = std::cos(chain.omega * state.time);
+  const int mass = static_cast<int>(i) + 1;
+  double &gap = state.y[2 * i], &speed = state.y[2 * i + 1];
+  gap = 0.0;
+  if (state.held[i]) {
+    state.held[i] = false;
+    speed = 0.0;
+    result.events.push_back({state.time, mass, EventKind::release});
+    return;
+  }
+  ++result.impacts;
+  result.events.push_back({state.time, mass, EventKind::impact, -chain.side[i] * speed});
+  speed = std::abs(chain.restitution * speed);
+  const double pressing = -chain.acceleration(i, state.y, cosine);
+  if (speed < slowest && pressing > 0.0) {
+    const double rest = 2.0 * speed / (pressing * (1.0 - chain.restitution));
+    speed = 0.0;
+    state.held[i] = true;
+    result.events.push_back({state.time + rest, mass, EventKind::stick});
+  }
+  const std::size_t j = 1 - i;
+  if (state.held[j] && chain.acceleration(j, state.y, cosine) > 0.0) {
+    state.held[j] = false;
+    result.events.push_back({state.time, static_cast<int>(j) + 1, EventKind::release});
+  }
+  if (result.impacts > impacts_at_most)
+    result.failure = fmt::format("more than {} impacts up to t = {:.6f} (mass {}, speed {:.2g})",
+                                 impacts_at_most, state.time, mass, speed);
+}
+
+double flight_ahead(const TwoMasses &chain, const GapState &state) {
+  double flight = std::numeric_limits<double>::infinity();
+  const double cosine = std::cos(chain.omega * state.time);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (state.held[i] || state.y[2 * i] != 0.0 || !(state.y[2 * i + 1] > 0.0)) continue;
+    const double falling = -chain.acceleration(i, state.y, cosine);
+    if (falling > 0.0) flight = std::min(flight, 2.0 * state.y[2 * i + 1] / falling);
+  }
+  return flight;
+}
+
+}  // namespace vibro_impact::comparison
