@@ -8,7 +8,7 @@
 #include <span>
 
 #include "counters.hpp"
-#include "record.hpp"
+#include "recorder_ref.hpp"
 #include "scene.hpp"
 
 namespace vibro_impact {
