@@ -58,6 +58,14 @@ inline double size_at(const Polynomial &p, int first, double u) {
   return size;
 }
 
+// An upper bound on [0, reach] of -p'' of the polynomial with its first coefficients divided out.
+inline double curvature_bound(const Polynomial &p, int first, double reach) {
+  return std::max(0.0, -lower_bound(p, first + 2, [first, reach](int n) {
+                    return static_cast<double>(n - first) * static_cast<double>(n - first - 1) *
+                           (reach == 1.0 ? 1.0 : std::pow(reach, n - first - 2));
+                  }));
+}
+
 // The positive root of value + slope d - curvature d^2 / 2 for value > 0, in the form that does not
 // cancel: a mass that leaves its stop slowly and is pulled away has slope^2 >> curvature value.
 inline double safe_step(double value, double slope, double curvature) {
@@ -82,17 +90,15 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
     return std::nullopt;
   }
   ++counters.roots_searched;
-  const double curvature =
-      -std::min(0.0, detail::lower_bound(p, first + 2, [first](int n) {
-                  return static_cast<double>(n - first) * static_cast<double>(n - first - 1);
-                }));
+  double reach = 1.0, curvature = detail::curvature_bound(p, first, reach);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double u = 0.0;
+  int steps = 0;
   // Ends: u grows by at least one unit in the last place per step, and quadratically near a
   // transversal root; at an exact tangency the distance falls by a constant factor per step.
   while (true) {
     const auto [value, slope] = detail::value_and_slope(p, first, u);
-    const double step = value <= 0.0 ? 0.0 : detail::safe_step(value, slope, curvature);
+    double step = value <= 0.0 ? 0.0 : detail::safe_step(value, slope, curvature);
     if (step <= 1e-6 * u) {  // near a root, or at it (or, step = 0 at u = 0, out of range)
       const double noise = epsilon * detail::size_at(p, first, u);
       if (value <= 0.5 * noise || u + step == u) {
@@ -101,6 +107,15 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
       }
     }
     ++counters.root_iterations;
+    if (reach < 1.0 && u + step > reach) {  // not beyond where the bound holds
+      step = reach - u;
+      reach = std::min(1.0, 4.0 * reach);
+      curvature = detail::curvature_bound(p, first, reach);
+    } else if (++steps % 32 == 0 && u < 0.25 * reach) {
+      // Creeping: the bound over [0, 1] says nothing of a small polynomial near 0.
+      reach = std::min(1.0, 4.0 * (u + step));
+      curvature = detail::curvature_bound(p, first, reach);
+    }
     if (!(u + step <= limit)) return std::nullopt;  // also when the step is infinite
     u += step;
   }
