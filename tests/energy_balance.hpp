@@ -176,7 +176,8 @@ struct EnergyAudit {
   Held held = Held(scene.mass.size(), 0);
   EnergyAccount account = at_the_start(scene);
   Real start = energy(), lost = 0, greatest = start;
-  Real misplaced = 0;  // largest elastic energy of the jump of the displacements at an event
+  Real in_impacts = 0;  // kinetic energy brought into the impacts
+  Real misplaced = 0;   // largest elastic energy of the jump of the displacements at an event
   std::map<Held, FreeModes> modes = {};
 
   static EnergyAccount at_the_start(const Scene &scene) {
@@ -238,9 +239,10 @@ struct EnergyAudit {
   void event(const Event &event, const Moment &moment) {
     move_to(event.instant);
     if (event.kind == EventKind::impact) {
-      const Real loss = (1 - restitution * restitution) *
-                        scene.mass[static_cast<std::size_t>(event.mass - 1)] *
-                        event.velocity_before * event.velocity_before / 2;
+      const Real v = event.velocity_before;
+      const Real energy = scene.mass[static_cast<std::size_t>(event.mass - 1)] * v * v / 2;
+      const Real loss = (1 - restitution * restitution) * energy;
+      in_impacts += energy;
       lost += loss;
       account.turnover += loss;
     }

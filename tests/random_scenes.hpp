@@ -1,4 +1,4 @@
-// Random scenes, seeded, and the properties every run must have whatever the scene.
+// Random scenes, seeded, and the same scene seen otherwise: mirrored, in other units, as a command.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,34 +13,96 @@
 
 namespace vibro_impact::testing {
 
-// A chain of 1 to 8 masses with any stops, any r, damped or not, forced or not, at rest or moving.
 // Reproducible: the generator and the mapping to numbers are fixed by the seed alone.
-inline Scene random_scene(unsigned seed) {
-  std::mt19937 generator(seed);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * (static_cast<double>(generator()) / 4294967296.0);
-  };
-  const auto spread = [&](double a, double b) {
-    return std::exp(uniform(std::log(a), std::log(b)));
-  };
-  const auto one_in = [&](unsigned n) { return generator() % n == 0; };
-  Scene scene;
-  const int masses = 1 + static_cast<int>(generator() % 8);
-  const bool unforced = one_in(8);
-  for (int i = 1; i <= masses; ++i) {
-    scene.mass.push_back(spread(0.05, 20.0));
-    scene.stiffness.push_back(spread(0.05, 20.0));
-    scene.amplitude.push_back(unforced ? 0.0 : uniform(-1.0, 1.0));
-    scene.displacement.push_back(0.0);
-    scene.velocity.push_back(one_in(3) ? 0.0 : uniform(-0.3, 0.3));
-    if (!one_in(2)) scene.stops.push_back({i, Side::upper, one_in(6) ? 0.0 : spread(1e-4, 0.5)});
-    if (one_in(3)) scene.stops.push_back({i, Side::lower, -spread(1e-5, 0.5)});
+struct Draw {
+  std::mt19937 generator;
+
+  unsigned below(unsigned n) {
+    return static_cast<unsigned>(generator() % n);
   }
-  scene.beta = one_in(4) ? 0.0 : spread(1e-3, 5.0);
-  scene.omega = spread(0.05, 5.0);
+  bool one_in(unsigned n) {
+    return below(n) == 0;
+  }
+  double uniform(double a, double b) {
+    return a + (b - a) * (static_cast<double>(generator()) / 4294967296.0);
+  }
+  double spread(double a, double b) {  // uniform in the logarithm
+    return std::exp(uniform(std::log(a), std::log(b)));
+  }
+};
+
+// A chain of 1 to 8 masses with any stops, any r, damped or not, forced or not, at rest or moving.
+inline Scene random_scene(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = 1 + static_cast<int>(draw.below(8));
+  const bool unforced = draw.one_in(8);
+  for (int i = 1; i <= masses; ++i) {
+    scene.mass.push_back(draw.spread(0.05, 20.0));
+    scene.stiffness.push_back(draw.spread(0.05, 20.0));
+    scene.amplitude.push_back(unforced ? 0.0 : draw.uniform(-1.0, 1.0));
+    scene.displacement.push_back(0.0);
+    scene.velocity.push_back(draw.one_in(3) ? 0.0 : draw.uniform(-0.3, 0.3));
+    if (!draw.one_in(2))
+      scene.stops.push_back({i, Side::upper, draw.one_in(6) ? 0.0 : draw.spread(1e-4, 0.5)});
+    if (draw.one_in(3)) scene.stops.push_back({i, Side::lower, -draw.spread(1e-5, 0.5)});
+  }
+  scene.beta = draw.one_in(4) ? 0.0 : draw.spread(1e-3, 5.0);
+  scene.omega = draw.spread(0.05, 5.0);
   const double restitutions[] = {0.0, 1e-6, 0.05, 0.3, 0.5, 0.7, 0.8, 0.9, 0.97, 1.0};
-  scene.restitution = restitutions[generator() % 10];
+  scene.restitution = restitutions[draw.below(10)];
   return scene;
+}
+
+// The same with every parameter drawn to its ends: links from 1e-4 to 1e4, beta to 100, Omega from
+// 1e-2 to 1e2, r as near to 0 and 1 as one likes, stops at equal positions (Figure 5(c)), gaps of
+// zero or next to it, masses that start on their stops, at rest there or moving.
+inline Scene extreme_scene(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = 1 + static_cast<int>(draw.below(8));
+  const bool unforced = draw.one_in(8), equal_links = draw.one_in(3), equal_stops = draw.one_in(3);
+  const double common = draw.one_in(4) ? 0.0 : draw.spread(1e-6, 1.0),
+               link = draw.spread(1e-4, 1e4);
+  for (int i = 1; i <= masses; ++i) {
+    scene.mass.push_back(equal_links ? 1.0 : draw.spread(0.1, 10.0));
+    scene.stiffness.push_back(equal_links ? link : draw.spread(1e-4, 1e4));
+    scene.amplitude.push_back(unforced || draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0));
+    double at = draw.one_in(2) ? 0.0 : draw.uniform(-0.5, 0.5);
+    const bool upper = !draw.one_in(3), lower = draw.one_in(3);
+    const double clearance = draw.one_in(2) ? draw.spread(1e-9, 1e-3) : draw.spread(1e-3, 1.0);
+    if (equal_stops) {
+      if (upper) scene.stops.push_back({i, Side::upper, common});
+      at = draw.one_in(2) ? common : std::min(common, at);
+    } else {
+      const bool touching = draw.one_in(2);
+      if (upper) scene.stops.push_back({i, Side::upper, touching ? at : at + clearance});
+      if (lower) scene.stops.push_back({i, Side::lower, at - draw.spread(1e-6, 1.0)});
+    }
+    scene.displacement.push_back(at);
+    scene.velocity.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-0.3, 0.3));
+  }
+  scene.beta = draw.one_in(4) ? 0.0 : draw.spread(1e-4, 1e2);
+  scene.omega = draw.spread(1e-2, 1e2);
+  const double restitutions[] = {0.0, 1e-300, 1e-12,      0.2,         0.6,
+                                 0.9, 0.99,   1.0 - 1e-6, 1.0 - 1e-15, 1.0};
+  scene.restitution = restitutions[draw.below(10)];
+  return scene;
+}
+
+// The rate of the fastest mode is at most this (Gershgorin).
+inline double frequency_bound(const Scene &scene) {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double next = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+    squared = std::max(squared, 2.0 * (scene.stiffness[i] + next) / scene.mass[i]);
+  }
+  return std::sqrt(squared);
+}
+
+// Eight forcing periods, or as long as the fastest mode takes for `radians`.
+inline double run_length(const Scene &scene, double radians) {
+  return std::min(8.0 * 2.0 * std::acos(-1.0) / scene.omega, radians / frequency_bound(scene));
 }
 
 // Mirror image: x -> -x.
@@ -67,80 +129,18 @@ inline Scene rescaled(Scene scene, double length, double mass) {
   return scene;
 }
 
-// Deepest penetration and most negative pressing force over dense samples.
-struct Watch {
-  const Scene *scene;
-  double until, every;
-  long long asked = 0;
-  double penetration = 0.0, pull = 0.0, size = 0.0;
-  bool finite = true;
-
-  double next_time() const {
-    const double next = every * static_cast<double>(asked);
-    return next <= until ? next : std::numeric_limits<double>::infinity();
-  }
-  void sample(const Moment &moment) {
-    ++asked;
-    for (const Stop &stop : scene->stops) {
-      const double x = moment.displacement(stop.mass), force = moment.hold_force(stop.mass);
-      finite = finite && std::isfinite(x);
-      size = std::max(size, std::abs(x));
-      penetration = std::max(penetration, sign(stop.side) * (x - stop.position));
-      if (!std::isnan(force) && x == stop.position) pull = std::max(pull, -sign(stop.side) * force);
-    }
-  }
-};
-
-// Empty when every property holds, else what failed. `gave_up` is set where the run ended at the
-// documented limit of impacts per period.
-inline std::string broken_property(const Scene &scene, bool &gave_up) {
-  const double until = 8.0 * 2.0 * std::acos(-1.0) / scene.omega;
-  RunOptions options;
-  options.max_impacts_per_period = 20000;
-  EventRecorder events, mirror, scaled;
-  Watch watch{&scene, until, until / 701.3};
-  gave_up = false;
-  Outcome outcome;
-  try {
-    outcome = simulate(scene, until, options, events, watch);
-  } catch (const std::runtime_error &) {
-    gave_up = true;
-    // Endless impacts are possible only where almost no energy is lost in them, or where a mass
-    // rattles in a small clearance.
-    return scene.restitution < 0.97 && scene.stops.size() < 2 ? "gave up" : "";
-  }
-  if (!watch.finite || !outcome.state.displacement.allFinite()) return "not finite";
-  const double scale = std::max(1.0, watch.size);
-  if (watch.penetration > 1e-12 * scale)
-    return fmt::format("penetration {:.3g}", watch.penetration);
-  if (watch.pull > 1e-11 * scale) return fmt::format("hold force pulls {:.3g}", watch.pull);
-  for (std::size_t i = 1; i < events.events.size(); ++i)
-    if (events.events[i].time < events.events[i - 1].time) return "events out of order";
-  for (const Event &event : events.events) {
-    const double sigma = sign(event.side);
-    if (event.kind == EventKind::impact &&
-        (sigma * event.velocity_before < 0.0 ||
-         event.velocity_after != -scene.restitution * event.velocity_before))
-      return "impact law";
-  }
-
-  // Samples make a run resolve a chatter up to the sample, so the three runs compared take none.
-  events.events.clear();
-  simulate(scene, until, options, events);
-  simulate(mirrored(scene), until, options, mirror);
-  simulate(rescaled(scene, 0x1p-7, 0x1p6), until, options, scaled);
-  if (mirror.events.size() != events.events.size()) return "mirror image: other events";
-  if (scaled.events.size() != events.events.size()) return "rescaled units: other events";
-  for (std::size_t i = 0; i < events.events.size(); ++i) {
-    const Event &e = events.events[i], &m = mirror.events[i], &s = scaled.events[i];
-    if (m.time != e.time || m.mass != e.mass || m.kind != e.kind ||
-        m.velocity_before != -e.velocity_before)
-      return fmt::format("mirror image differs at event {} of {}", i, events.events.size());
-    if (s.time != e.time || s.mass != e.mass || s.kind != e.kind ||
-        s.velocity_before != 0x1p-7 * e.velocity_before)
-      return fmt::format("rescaled units differ at event {} of {}", i, events.events.size());
-  }
-  return "";
+// The scene as a command line of the runner.
+inline std::string command_of(const Scene &scene, double until) {
+  std::string text = fmt::format(
+      "vibro-impact run --masses {} --mass {} --stiffness {} --beta {} --amplitude {} --omega {} "
+      "--restitution {} --initial-displacement {} --initial-velocity {} --until {}",
+      scene.masses(), fmt::join(scene.mass, ","), fmt::join(scene.stiffness, ","), scene.beta,
+      fmt::join(scene.amplitude, ","), scene.omega, scene.restitution,
+      fmt::join(scene.displacement, ","), fmt::join(scene.velocity, ","), until);
+  for (const Stop &stop : scene.stops)
+    text += fmt::format(" --stop {}:{}:{}", stop.mass, stop.side == Side::upper ? "upper" : "lower",
+                        stop.position);
+  return text + (scene.stops.empty() ? " --stop none" : "");
 }
 
 }  // namespace vibro_impact::testing
