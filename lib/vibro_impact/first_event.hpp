@@ -128,6 +128,8 @@ void move_to(State<D> &state, const Flight<D> &flight, double u, const Scene &sc
              const Clock &clock) {
   const ContactMode<D> &mode = *state.mode;
   if (u == 0.0) return;
+  const bool long_flight =
+      u * flight.expansion.span * fastest_in_motion(mode, state.value, state.slope) > 1.0;
   advance(flight.expansion, u, state.value, state.slope);
   tie_decays(state);
   drop_dead_lanes(state);
@@ -139,9 +141,10 @@ void move_to(State<D> &state, const Flight<D> &flight, double u, const Scene &sc
     const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
     stop = {std::max(0.0, carried.value), carried.slope / flight.expansion.span, 0, 0.0};
     // A wide gap is read off the lanes again, so that the carried one cannot drift away from them;
-    // "wide" is when cancellation costs less than ten bits.
+    // "wide" is when cancellation costs less than ten bits; after a long flight the carried one has
+    // no more digits than the lanes, and is read off wherever that cannot close it.
     const double size = std::abs(open.gap.offset) + (open.gap.on_value * state.value).abs().sum();
-    if (stop.gap > 0x1p-10 * size) {
+    if (stop.gap > (long_flight ? 0x1p-40 : 0x1p-10) * size) {
       stop.gap = open.gap(state.value, state.slope);
       stop.speed = (open.gap.on_value * state.slope).sum();
     }
