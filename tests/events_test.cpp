@@ -169,7 +169,8 @@ TEST(Economy, NothingASceneDoesNotNeed) {
   EXPECT_LE(outcome.counters.modes_built, 2) << "a contact mode is built when it is entered";
   EXPECT_EQ(outcome.counters.forcing_lanes, 0) << "no forcing terms where A = 0";
   EXPECT_EQ(outcome.counters.modal_evaluations, 0) << "no samples where none are asked for";
-  EXPECT_LE(outcome.counters.roots_dismissed + outcome.counters.roots_searched,
+  EXPECT_LE(outcome.counters.stops_out_of_reach + outcome.counters.roots_dismissed +
+                outcome.counters.roots_searched,
             outcome.counters.expansions)
       << "one stop, one polynomial per expansion";
 

@@ -42,7 +42,8 @@ void count_impact(Run<D> &run, std::size_t stop, double speed) {
 template <int D>
 void handle_impact(Run<D> &run) {
   const std::vector<std::size_t> &stops = run.flight.event.stops;
-  std::vector<double> closing;
+  std::vector<double> &closing = run.closing;
+  closing.clear();
   for (std::size_t stop : stops) {
     const double speed = std::min(0.0, run.state.stops[stop].speed);
     closing.push_back(speed);
@@ -80,7 +81,7 @@ void handle_impact(Run<D> &run) {
                              : std::numeric_limits<double>::infinity();
     longest = std::max(longest, guess);
   }
-  run.flight_guess = 1.4 * longest;
+  run.flight_guess = 1.1 * longest;
   if (!(longest * run.state.mode->fastest < 1.0)) {
     run.chatter.size = 0;
     return;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct ChatterSequence {
   double time = 0.0;
   std::size_t size = 0;
   std::array<ChatterNode<D>, max_chatter_nodes> nodes;  // oldest first
+  // Last row of Neville's table for the time of accumulation, counted from the last node, and how
+  // far apart its entries with one node less and one node more lie.
+  std::array<double, max_chatter_nodes> row{}, difference{};
 };
 
 template <int D>
@@ -47,6 +51,24 @@ struct ChatterLimit {
 inline long long chatter_stride(double restitution) {
   if (restitution <= 0.71) return 1;
   return static_cast<long long>(std::ceil(std::log(0.71) / std::log(restitution)));
+}
+
+// The next row of Neville's table, from the last one: O(nodes).
+template <int D>
+void extend_table(ChatterSequence<D> &sequence) {
+  const std::size_t last = sequence.size - 1;
+  const double near = sequence.nodes[last].speed;
+  const double passed = last > 0 ? sequence.nodes[last].time - sequence.nodes[last - 1].time : 0.0;
+  double current = 0.0;
+  for (std::size_t column = 1; column <= last; ++column) {
+    const double above = sequence.row[column - 1] - passed;  // the same with one node less, older
+    const double far = sequence.nodes[last - column].speed;
+    const double next = current + (current - above) * (near / (far - near));
+    sequence.row[column - 1] = current;
+    sequence.difference[column] = std::abs(next - current);
+    current = next;
+  }
+  sequence.row[last] = current;
 }
 
 // Enters the impact just applied to `state`; true when it became a node.
@@ -75,6 +97,7 @@ bool extend(ChatterSequence<D> &sequence, const State<D> &state,
   node.speed = speed;
   node.time = sequence.time;
   node.state = state;
+  extend_table(sequence);
   return true;
 }
 
@@ -101,29 +124,21 @@ std::array<double, max_chatter_nodes> weights_at_rest(const ChatterSequence<D> &
 template <int D>
 std::optional<ChatterLimit<D>> extrapolate(const ChatterSequence<D> &sequence, double tolerance) {
   if (sequence.size < 4) return std::nullopt;
-  // Neville's table for the time alone decides how many nodes to use; it costs O(nodes).
+  // The table for the time alone decides how many nodes to use.
   const std::size_t last = sequence.size - 1;
-  std::array<double, max_chatter_nodes> row{};
   std::size_t best = 0;
   double best_error = tolerance;
-  const double origin = sequence.nodes[last].time;
-  for (std::size_t i = 0; i <= last; ++i) row[i] = sequence.nodes[i].time - origin;
-  for (std::size_t column = 1; column <= last; ++column) {
-    const double previous = row[last];
-    for (std::size_t i = last; i >= column; --i) {
-      const double near = sequence.nodes[i].speed, far = sequence.nodes[i - column].speed;
-      row[i] += (row[i] - row[i - 1]) * (near / (far - near));
-    }
-    const double error = std::abs(row[last] - previous) * sequence.mode->fastest;
-    if (column >= 2 && error <= best_error) {
+  for (std::size_t column = 2; column <= last; ++column) {
+    const double error = sequence.difference[column] * sequence.mode->fastest;
+    if (error <= best_error) {
       best_error = error;
       best = column;
     }
   }
   if (best == 0) return std::nullopt;
 
-  const auto fine = detail::weights_at_rest(sequence, best + 1);
-  const auto coarse = detail::weights_at_rest(sequence, best);
+  const auto weights = detail::weights_at_rest(sequence, best + 1);
+  const double oldest = sequence.nodes[last - best].speed;
   const ChatterNode<D> &latest = sequence.nodes[last];
   ChatterLimit<D> limit;
   limit.state = latest.state;
@@ -133,7 +148,8 @@ std::optional<ChatterLimit<D>> extrapolate(const ChatterSequence<D> &sequence, d
   for (std::size_t i = last - best; i < last; ++i) {
     // Differences from the latest node: what is extrapolated is small, and so is its rounding.
     const ChatterNode<D> &node = sequence.nodes[i];
-    const double w = fine[i], dw = fine[i] - coarse[i];
+    // Without the oldest node the weight is less by the factor (oldest - v) / oldest.
+    const double w = weights[i], dw = w * (node.speed / oldest);
     limit.tau += w * (node.time - latest.time);
     limit.state.value += w * (node.state.value - latest.state.value);
     limit.state.slope += w * (node.state.slope - latest.state.slope);

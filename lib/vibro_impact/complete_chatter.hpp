@@ -23,14 +23,14 @@ bool clear_until(Run<D> &run, double tau, double impulse) {
         run.chatter.stops.end())
       continue;
     const StopState &stop = run.state.stops[open.stop];
-    if (stop.zeros != 0 ||
-        lower_bound(gap_polynomial(open, stop, run.flight.expansion), 0, one) <= gap_margin)
-      return false;
+    if (stop.zeros != 0) return false;
+    read_gap(open, stop, run.flight.expansion, run.flight.watched);
+    if (lower_bound(run.flight.watched, 0, one) <= gap_margin) return false;
   }
-  for (const ClosedStop<D> &closed : mode.closed)
-    if (lower_bound(polynomial_of(closed.press, run.flight.expansion, true), 0, one) <=
-        force_margin)
-      return false;
+  for (const ClosedStop<D> &closed : mode.closed) {
+    read_along(closed.press, run.flight.expansion, true, run.flight.watched);
+    if (lower_bound(run.flight.watched, 0, one) <= force_margin) return false;
+  }
   return true;
 }
 

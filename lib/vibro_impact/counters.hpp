@@ -4,16 +4,17 @@
 namespace vibro_impact {
 
 struct Counters {
-  long long expansions = 0;       // Taylor expansions of the flow
-  long long coefficients = 0;     // Taylor orders computed, summed over the expansions
-  long long roots_dismissed = 0;  // polynomials shown positive by one lower bound
-  long long roots_searched = 0;   // polynomials iterated on
-  long long root_iterations = 0;  // guaranteed steps taken by those iterations
-  long long impacts = 0;          // impacts resolved one by one
-  long long sticks = 0;           // masses that came to stick
-  long long releases = 0;         // masses released
-  long long chatter_nodes = 0;    // impacts entered into a chatter table
-  long long chatter_limits = 0;   // complete chatter carried to its limit
+  long long expansions = 0;          // Taylor expansions of the flow
+  long long coefficients = 0;        // Taylor orders computed, summed over the expansions
+  long long stops_out_of_reach = 0;  // stops that no lane is fast enough to reach: not looked at
+  long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
+  long long roots_searched = 0;      // polynomials iterated on
+  long long root_iterations = 0;     // guaranteed steps taken by those iterations
+  long long impacts = 0;             // impacts resolved one by one
+  long long sticks = 0;              // masses that came to stick
+  long long releases = 0;            // masses released
+  long long chatter_nodes = 0;       // impacts entered into a chatter table
+  long long chatter_limits = 0;      // complete chatter carried to its limit
   long long chatter_incomplete =
       0;                      // sequences of five or more falling impacts that ended in flight
   long long modes_built = 0;  // contact modes decomposed

@@ -1,10 +1,10 @@
 // Taylor expansion of the flow about an event.
 //
-// The Taylor coefficients of every lane follow from y'' = -kappa y' - lambda y by a two-term
-// recurrence, at constant cost per order, and are exact up to a bounded remainder. The variable is
-// scaled, u = tau / span in [0, 1]. `order_for` picks the order from fastest * span so that the
-// remainder lies below rounding even relative to the second-order term, which is what keeps the
-// tiny gaps of a late chatter accurate.
+// The derivatives of every lane follow from y'' = -kappa y' - lambda y by a two-term recurrence, at
+// constant cost per order, and are exact up to a bounded remainder. The variable is scaled, u = tau
+// / span in [0, 1]. `order_for` picks the order from fastest * span so that the remainder lies
+// below rounding even relative to the second-order term, which is what keeps the tiny gaps of a
+// late chatter accurate.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,12 +40,14 @@ inline const std::array<double, max_order + 1> reach_of_order = [] {
   return reach;
 }();
 
-// 1 / (n + 2) and 1 / ((n + 1) (n + 2)), the factors of the recurrence.
-inline const std::array<std::array<double, 2>, max_order + 1> recurrence_factor = [] {
-  std::array<std::array<double, 2>, max_order + 1> factor{};
-  for (int n = 0; n <= max_order; ++n)
-    factor[static_cast<std::size_t>(n)] = {1.0 / (n + 2), 1.0 / ((n + 1.0) * (n + 2.0))};
-  return factor;
+inline const std::array<double, max_order + 2> inverse_factorial = [] {
+  std::array<double, max_order + 2> inverse{};
+  double factorial = 1.0;
+  for (int n = 0; n < max_order + 2; ++n) {
+    inverse[static_cast<std::size_t>(n)] = 1.0 / factorial;
+    factorial *= n + 1;
+  }
+  return inverse;
 }();
 
 }  // namespace detail
@@ -77,49 +79,58 @@ void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
   if constexpr (D == Eigen::Dynamic) {
     if (c.rows() != mode.lanes()) c.resize(mode.lanes(), max_order + 2);
   }
-  c.col(0) = value;
-  c.col(1) = slope * span;
-  const Eigen::Array<double, D, 1> damping = mode.kappa * span,
-                                   stiffness = mode.lambda * (span * span);
-  for (int n = 0; n + 2 <= expansion.order + 1; ++n) {
-    const auto [first, second] = detail::recurrence_factor[static_cast<std::size_t>(n)];
-    c.col(n + 2) = -first * (damping * c.col(n + 1)) - second * (stiffness * c.col(n));
-    if (mode.any_resonant)
-      c.col(n + 2) += (second * span * span * c(mode.lanes() - 2, n)) * mode.resonant;
+  // The derivatives with respect to u, y'' = -damping y' - stiffness y, divided by n! on the way
+  // out: the division is not in the chain from one order to the next.
+  using Lanes = Eigen::Array<double, D, 1>;
+  const Lanes damping = mode.kappa * -span, stiffness = mode.lambda * (span * span);
+  Lanes before = value, derivative = slope * span, next(value.size());
+  c.col(0) = before;
+  c.col(1) = derivative;
+  for (int n = 2; n <= expansion.order + 1; ++n) {
+    next = damping * derivative - stiffness * before;
+    if (mode.any_resonant) next += (span * span * before(mode.lanes() - 2)) * mode.resonant;
+    c.col(n) = detail::inverse_factorial[static_cast<std::size_t>(n)] * next;
+    before = derivative;
+    derivative = next;
   }
   ++counters.expansions;
   counters.coefficients += expansion.order + 1;
 }
 
-// The lanes at u by Horner's rule.
+// The lanes at u by Horner's rule, on the even and the odd orders at once: the chain of dependent
+// operations is half as long.
 template <int D>
 void advance(const Expansion<D> &expansion, double u, Eigen::Array<double, D, 1> &value,
              Eigen::Array<double, D, 1> &slope) {
+  using Lanes = Eigen::Array<double, D, 1>;
   const auto &c = expansion.coefficient;
-  value = c.col(expansion.order);
-  slope.setZero(value.size());
-  for (int n = expansion.order - 1; n >= 0; --n) {
-    slope = slope * u + value;
-    value = value * u + c.col(n);
+  const double w = u * u;
+  int n = expansion.order;
+  const Lanes none = Lanes::Zero(value.size());
+  Lanes even = none, odd = none, even_slope = none, odd_slope = none;  // slopes in w
+  if (n % 2 == 0) even = c.col(n--);
+  for (; n > 0; n -= 2) {
+    odd_slope = odd_slope * w + odd;
+    even_slope = even_slope * w + even;
+    odd = odd * w + c.col(n);
+    even = even * w + c.col(n - 1);
   }
-  slope /= expansion.span;
+  value = even + u * odd;
+  slope = (odd + (2.0 * u) * (even_slope + u * odd_slope)) / expansion.span;
 }
 
-// The polynomial of a reading along the expansion.
+// Sets `p` to the polynomial of a reading along the expansion.
 template <int D>
-Polynomial polynomial_of(const Reading<D> &reading, const Expansion<D> &expansion,
-                         bool with_slope) {
-  Polynomial p;
+void read_along(const Reading<D> &reading, const Expansion<D> &expansion, bool with_slope,
+                Polynomial &p) {
   p.order = expansion.order;
   for (int n = 0; n <= p.order; ++n) {
-    p.coefficient[static_cast<std::size_t>(n)] =
-        (reading.on_value * expansion.coefficient.col(n)).sum();
+    double c = (reading.on_value * expansion.coefficient.col(n)).sum();
     if (with_slope)
-      p.coefficient[static_cast<std::size_t>(n)] +=
-          (n + 1) / expansion.span * (reading.on_slope * expansion.coefficient.col(n + 1)).sum();
+      c += (n + 1) / expansion.span * (reading.on_slope * expansion.coefficient.col(n + 1)).sum();
+    p.coefficient[static_cast<std::size_t>(n)] = c;
   }
   p.coefficient[0] += reading.offset;
-  return p;
 }
 
 }  // namespace vibro_impact

@@ -26,24 +26,27 @@ struct FirstEvent {
   std::vector<std::size_t> stops;
 };
 
+constexpr int out_of_reach = -1;
+
 // Storage of one flight, reused: no allocation between events.
 template <int D>
 struct Flight {
   Expansion<D> expansion;
   std::vector<Polynomial> gaps;  // one per open stop of the mode
+  Polynomial watched;            // of the one stop looked at
   std::vector<Root> roots;       // the first root of each, `at` > 1 for none
   FirstEvent event;
 };
 
-// The gap polynomial with what is known exactly put in place of what rounding left.
+// Sets `p` to the gap polynomial, with what is known exactly in place of what rounding left.
 template <int D>
-Polynomial gap_polynomial(const OpenStop<D> &open, const StopState &stop,
-                          const Expansion<D> &expansion) {
-  Polynomial p = polynomial_of(open.gap, expansion, false);
+void read_gap(const OpenStop<D> &open, const StopState &stop, const Expansion<D> &expansion,
+              Polynomial &p) {
+  read_along(open.gap, expansion, false, p);
   if (stop.zeros == 0) {
     p.coefficient[0] = stop.gap;
     p.coefficient[1] = stop.speed * expansion.span;
-    return p;
+    return;
   }
   double scaled = stop.leading;
   for (int n = 0; n < stop.zeros; ++n) {
@@ -51,16 +54,32 @@ Polynomial gap_polynomial(const OpenStop<D> &open, const StopState &stop,
     scaled *= expansion.span / (n + 1);
   }
   p.coefficient[static_cast<std::size_t>(stop.zeros)] = scaled;
-  return p;
 }
 
-// The gap polynomials of all open stops along `flight.expansion`, which expands `state`.
+// A wide gap is known from the lanes with less than ten bits lost to cancellation.
+template <int D>
+double wide_gap(const OpenStop<D> &open, const Eigen::Array<double, D, 1> &value) {
+  return 0x1p-10 * (std::abs(open.gap.offset) + (open.gap.on_value * value).abs().sum());
+}
+
+// The gap polynomials of the open stops along `flight.expansion`, which expands `state`. A stop
+// that is out of reach needs none: no lane moves faster than sqrt(y'^2 + lambda y^2), its speed at
+// the origin were its energy all kinetic, which never grows. Its order is set to `out_of_reach`.
 template <int D>
 void read_gaps(const State<D> &state, Flight<D> &flight) {
-  flight.gaps.resize(state.mode->open.size());
+  const ContactMode<D> &mode = *state.mode;
+  flight.gaps.resize(mode.open.size());
+  const Eigen::Array<double, D, 1> reach =
+      flight.expansion.span * (state.slope.square() + mode.lambda * state.value.square()).sqrt();
   for (std::size_t k = 0; k < flight.gaps.size(); ++k) {
-    const OpenStop<D> &open = state.mode->open[k];
-    flight.gaps[k] = gap_polynomial(open, state.stops[open.stop], flight.expansion);
+    const OpenStop<D> &open = mode.open[k];
+    const StopState &stop = state.stops[open.stop];
+    if (stop.zeros == 0 && !mode.any_resonant &&
+        stop.gap > 2.0 * wide_gap(open, state.value) +
+                       (1.0 + 0x1p-9) * (open.gap.on_value.abs() * reach).sum())
+      flight.gaps[k].order = out_of_reach;
+    else
+      read_gap(open, stop, flight.expansion, flight.gaps[k]);
   }
 }
 
@@ -73,12 +92,16 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
   event.u = 1.0;
   event.stops.clear();
   read_gaps(state, flight);
-  flight.roots.assign(mode.open.size(), Root{2.0, 0.0, 0.0});
+  flight.roots.assign(mode.open.size(), Root{2.0, 0.0});
   double limit = 1.0, uncertainty = 0.0;
 
   for (std::size_t k = 0; k < mode.open.size(); ++k) {
     const OpenStop<D> &open = mode.open[k];
     const StopState &stop = state.stops[open.stop];
+    if (flight.gaps[k].order == out_of_reach) {
+      ++counters.stops_out_of_reach;
+      continue;
+    }
     const auto root = first_root(flight.gaps[k], stop.zeros, limit, counters);
     if (!root) continue;
     flight.roots[k] = *root;
@@ -91,12 +114,13 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     }
   }
   for (const ClosedStop<D> &closed : mode.closed) {
-    const Polynomial force = polynomial_of(closed.press, flight.expansion, true);
+    Polynomial &force = flight.watched;
+    read_along(closed.press, flight.expansion, true, force);
     const int zeros = state.stops[closed.stop].zeros;
     // One order less than the expansion: the force contains the velocity.
     const auto root = first_root(force, zeros, event.u, counters);
     if (!root || (event.kind != Happening::nothing && root->at >= event.u)) continue;
-    double slope = root->slope;
+    double slope = evaluate(force, 0, root->at).slope;
     int order = 1;
     // Known to be zero now, it falls: with its first derivative that is not zero.
     const bool falls = root->at == 0.0 && zeros == 1;
@@ -138,13 +162,15 @@ void move_to(State<D> &state, const Flight<D> &flight, double u, const Scene &sc
   for (std::size_t k = 0; k < mode.open.size(); ++k) {
     const OpenStop<D> &open = mode.open[k];
     StopState &stop = state.stops[open.stop];
-    const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
-    stop = {std::max(0.0, carried.value), carried.slope / flight.expansion.span, 0, 0.0};
+    const bool far = flight.gaps[k].order == out_of_reach;
+    if (!far) {
+      const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
+      stop = {std::max(0.0, carried.value), carried.slope / flight.expansion.span, 0, 0.0};
+    }
     // A wide gap is read off the lanes again, so that the carried one cannot drift away from them;
-    // "wide" is when cancellation costs less than ten bits; after a long flight the carried one has
-    // no more digits than the lanes, and is read off wherever that cannot close it.
-    const double size = std::abs(open.gap.offset) + (open.gap.on_value * state.value).abs().sum();
-    if (stop.gap > (long_flight ? 0x1p-40 : 0x1p-10) * size) {
+    // after a long flight the carried one has no more digits than the lanes, and is read off
+    // wherever that cannot close it.
+    if (far || stop.gap > (long_flight ? 0x1p-30 : 1.0) * wide_gap(open, state.value)) {
       stop.gap = open.gap(state.value, state.slope);
       stop.speed = (open.gap.on_value * state.slope).sum();
     }

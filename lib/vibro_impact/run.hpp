@@ -35,6 +35,7 @@ struct Run {
   double guard_period = 0.0;
   std::vector<double> last_speed = {};  // per stop, of its last impact
   std::vector<int> falling = {};        // per stop, impacts in a row slower than the one before
+  std::vector<double> closing = {};     // gap speeds before the impacts of one event
 };
 
 template <int D>
