@@ -5,7 +5,8 @@
 # make check          the key numbers: paper, computed, error, verdict
 # make readme         the README's table of key numbers, from the same source as make check
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
-# make random-scenes  20,000 random scenes, every property checked (minutes)
+# make random-scenes  20,000 ordinary and 20,000 extreme scenes, every property checked (minutes)
+# make fuzz           the command line and the table readers under libFuzzer, seconds=60 (needs clang)
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them
 # make reference      recompute the 50-digit event tables in reference/ (minutes)
 # make format         clang-format on every source
@@ -14,7 +15,7 @@
 figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: figures $(figures) error-vs-runtime test check readme pictures random-scenes test-sanitize reference format clean help packages build
+.PHONY: figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format clean help packages build
 
 help:
 	@sed -n 's/^# //p' Makefile
@@ -51,6 +52,15 @@ test-sanitize: packages
 
 random-scenes: build
 	@build/bin/random_scenes_test 20000
+
+seconds := 60
+fuzz: packages
+	@command -v clang++ >/dev/null || { echo "make fuzz needs clang++ (Debian package clang)" >&2; exit 2; }
+	@mkdir -p build/fuzz/corpus build/fuzz/found
+	@cmake -S . -B build/fuzz -DCMAKE_CXX_COMPILER=clang++ -DVIBRO_IMPACT_FUZZ=ON >build/fuzz.log 2>&1 || { cat build/fuzz.log; exit 2; }
+	@cmake --build build/fuzz -j $(jobs)
+	@build/fuzz/bin/fuzz_options -max_total_time=$(seconds) -timeout=10 -max_len=600 -print_final_stats=1 \
+	  -dict=tests/fuzz_options.dict -artifact_prefix=build/fuzz/found/ build/fuzz/corpus tests/fuzz_inputs
 
 pictures: figures
 	@mkdir -p figures/pictures

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "../lib/runner/options.hpp"
 #include "event_tables.hpp"
+#include "options.hpp"
 #include "table_reader.hpp"
 
 namespace {
