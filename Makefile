@@ -7,6 +7,7 @@
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
 # make random-scenes  20,000 ordinary and 20,000 extreme scenes, every property checked (minutes)
 # make fuzz           the command line and the table readers under libFuzzer, seconds=60 (needs clang)
+# make benchmarks     micro-benchmarks of the steps of the pipeline (needs libbenchmark-dev)
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them
 # make reference      recompute the 50-digit event tables in reference/ (minutes)
 # make format         clang-format on every source
@@ -15,7 +16,7 @@
 figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format clean help packages build
+.PHONY: benchmarks figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format clean help packages build
 
 help:
 	@sed -n 's/^# //p' Makefile
@@ -49,6 +50,13 @@ test-sanitize: packages
 	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }
 	@cmake --build build/sanitize -j $(jobs)
 	@ctest --test-dir build/sanitize --output-on-failure -j $(jobs)
+
+benchmarks: packages
+	@mkdir -p build
+	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >build/configure.log || { cat build/configure.log; exit 2; }
+	@cmake --build build --target benchmarks -j $(jobs) >build/benchmarks.log 2>&1 || { \
+	  grep -q "No rule to make target" build/benchmarks.log && echo "make benchmarks needs Google Benchmark (Debian package libbenchmark-dev)" >&2 || cat build/benchmarks.log; exit 2; }
+	@build/bin/benchmarks
 
 random-scenes: build
 	@build/bin/random_scenes_test 20000

@@ -8,6 +8,8 @@
 #include <functional>
 #include <utility>
 
+#include "rodas.hpp"
+
 namespace vibro_impact::stiff_spring {
 
 namespace {
@@ -149,7 +151,7 @@ Result integrate(const Scene &scene, double until, const Options &options) {
                  equations, equations, until, options.max_evaluations, result);
   else
     step_through(odeint::make_dense_output(options.tolerance, options.tolerance,
-                                           odeint::rosenbrock4<double>()),
+                                           odeint::rosenbrock4<double, Rodas>()),
                  std::make_pair(std::cref(equations), std::cref(equations)), equations, until,
                  options.max_evaluations, result);
   return result;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
 #include "paper_scenes.hpp"
 
 namespace {

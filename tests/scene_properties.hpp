@@ -10,6 +10,7 @@
 
 #include "energy_balance.hpp"
 #include "random_scenes.hpp"
+#include "vibro_impact/expansion.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::testing {
@@ -88,7 +89,7 @@ struct EventRules {
 // scene seen; 64 would be a search that creeps. Empty, or what is exceeded.
 inline std::string excessive_work(const Scene &scene, double until, const Counters &work) {
   const double w = frequency_bound(scene), stops = static_cast<double>(scene.stops.size());
-  const double rate = std::max(scene.omega, detail::root_modulus(scene.beta * w * w, w * w));
+  const double rate = std::max(scene.omega, root_modulus(scene.beta * w * w, w * w));
   const auto impacts = static_cast<double>(work.impacts);
   const auto changes = static_cast<double>(work.sticks + work.releases);
   const double spans = rate * until / max_reach;

@@ -65,6 +65,7 @@ struct Expansion {
   double span = 0.0;
   int order = 0;
   Eigen::Array<double, D, max_order + 2> coefficient;  // column n: u^n, of every lane
+  std::array<Eigen::Array<double, D, 1>, 5> scratch;   // of `expand`, for a dynamic D
 };
 
 // Expands the lanes of `mode` about (value, slope) over [0, span].
@@ -81,17 +82,26 @@ void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
   }
   // The derivatives with respect to u, y'' = -damping y' - stiffness y, divided by n! on the way
   // out: the division is not in the chain from one order to the next.
-  using Lanes = Eigen::Array<double, D, 1>;
-  const Lanes damping = mode.kappa * -span, stiffness = mode.lambda * (span * span);
-  Lanes before = value, derivative = slope * span, next(value.size());
-  c.col(0) = before;
-  c.col(1) = derivative;
-  for (int n = 2; n <= expansion.order + 1; ++n) {
-    next = damping * derivative - stiffness * before;
-    if (mode.any_resonant) next += (span * span * before(mode.lanes() - 2)) * mode.resonant;
-    c.col(n) = detail::inverse_factorial[static_cast<std::size_t>(n)] * next;
-    before = derivative;
-    derivative = next;
+  const auto recur = [&](auto &damping, auto &stiffness, auto &before, auto &derivative,
+                         auto &next) {
+    damping = mode.kappa * -span;
+    stiffness = mode.lambda * (span * span);
+    c.col(0) = before = value;
+    c.col(1) = derivative = slope * span;
+    for (int n = 2; n <= expansion.order + 1; ++n) {
+      next = damping * derivative - stiffness * before;
+      if (mode.any_resonant) next += (span * span * before(mode.lanes() - 2)) * mode.resonant;
+      c.col(n) = detail::inverse_factorial[static_cast<std::size_t>(n)] * next;
+      before.swap(derivative);
+      derivative.swap(next);
+    }
+  };
+  if constexpr (D == Eigen::Dynamic) {  // in storage that is there already
+    auto &scratch = expansion.scratch;
+    recur(scratch[0], scratch[1], scratch[2], scratch[3], scratch[4]);
+  } else {  // in registers
+    Eigen::Array<double, D, 1> damping, stiffness, before, derivative, next;
+    recur(damping, stiffness, before, derivative, next);
   }
   ++counters.expansions;
   counters.coefficients += expansion.order + 1;

@@ -49,6 +49,14 @@ inline OscillatorState<double> value_and_slope(const Polynomial &p, int first, d
   return {even + u * odd, odd + 2.0 * u * (even_slope + u * odd_slope)};
 }
 
+// Sum of the moduli of the terms at u: the scale of the rounding of the value.
+inline double size_at(const Polynomial &p, int first, double u) {
+  double size = 0.0;
+  for (int n = p.order; n >= first; --n)
+    size = size * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
+  return size;
+}
+
 // The coefficients from `first` on, for sums over them.
 inline auto coefficients_from(const Polynomial &p, int first) {
   return Eigen::Map<const Eigen::ArrayXd>(p.coefficient.data() + first,
@@ -116,10 +124,12 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   // transversal root; at an exact tangency the distance falls by a constant factor per step.
   while (true) {
     double step = value <= 0.0 ? 0.0 : detail::safe_step(value, slope, curvature);
-    // What the step leaves of the distance to a transversal root is below bend step^2 / |p'|.
-    const bool last = bend * step * step <= -0.25 * epsilon * u * slope;
+    // Kantorovich: where bend step <= |p'| / 8 the root is that near, and what the step leaves of
+    // the distance to it is below bend step^2 / |p'|.
+    const bool last =
+        bend * step <= -0.125 * slope && bend * step * step <= -0.25 * epsilon * u * slope;
     if (last || step <= 1e-6 * u) {  // or near a root (or, step = 0 at u = 0, out of range)
-      const double noise = epsilon * (at(first) + rest.abs().sum());
+      const double noise = epsilon * detail::size_at(p, first, u);
       if (last || value <= 0.5 * noise || u + step == u) {
         if (last) u += step;
         if (!(u <= limit)) return std::nullopt;

@@ -1,0 +1,123 @@
+// Micro-benchmarks of the steps of the pipeline, for chains of 2, 10, 50 and 200 masses with stops
+// on the first and the last: `make benchmarks`. Times are per call; the counters beside them say
+// what one call does.
+#include <benchmark/benchmark.h>
+
+#include "paper_scenes.hpp"
+#include "vibro_impact/chatter_limit.hpp"
+#include "vibro_impact/first_event.hpp"
+#include "vibro_impact/impact.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+// The paper's chain with n masses, stops on the first and the last.
+Scene chain_of(int n) {
+  const auto masses = static_cast<std::size_t>(n);
+  Scene scene = paper::figure2();
+  scene.mass.assign(masses, 1.0);
+  scene.stiffness.assign(masses, 1.0);
+  scene.amplitude.assign(masses, 0.0);
+  scene.amplitude[0] = 0.5;
+  scene.stops[1].mass = n;
+  return scene;
+}
+
+// A state in flight, with the contact mode it belongs to.
+template <int D>
+struct InFlight {
+  Scene scene;
+  Clock clock;
+  ContactMode<D> mode;
+  State<D> state;
+  Counters counters;
+
+  explicit InFlight(int n)
+      : scene(chain_of(n)),
+        clock(scene.omega),
+        mode(build_contact_mode<D>(scene, Held(static_cast<std::size_t>(n), 0))) {
+    MotionState motion = start_of(scene);
+    motion.instant.phase = 1.0;
+    motion.velocity(0) = -0.1;
+    motion.displacement(0) = -0.2;
+    set_lanes(state, scene, mode, motion);
+    state.now = motion.instant;
+    state.stops = {{0.1, -0.1, 0, 0.0}, {0.1, 0.0, 0, 0.0}};
+  }
+};
+
+template <int D>
+void expansion(benchmark::State &run) {
+  InFlight<D> at(static_cast<int>(run.range(0)));
+  Expansion<D> expansion;
+  for (auto _ : run) {
+    expand(at.mode, at.state.value, at.state.slope, 1.0, expansion, at.counters);
+    benchmark::DoNotOptimize(expansion.coefficient.data());
+  }
+  run.counters["order"] = expansion.order;
+}
+
+template <int D>
+void first_event(benchmark::State &run) {
+  InFlight<D> at(static_cast<int>(run.range(0)));
+  Flight<D> flight;
+  expand(at.mode, at.state.value, at.state.slope, 1.0, flight.expansion, at.counters);
+  for (auto _ : run) {
+    find_first_event(at.state, flight, at.counters);
+    benchmark::DoNotOptimize(flight.event.u);
+  }
+  run.counters["root steps"] = benchmark::Counter(static_cast<double>(at.counters.root_iterations),
+                                                  benchmark::Counter::kAvgIterations);
+}
+
+template <int D>
+void impact(benchmark::State &run) {
+  InFlight<D> at(static_cast<int>(run.range(0)));
+  State<D> state = at.state;
+  for (auto _ : run) {
+    apply_impact(state, at.scene, at.mode.open[0], -0.1);
+    benchmark::DoNotOptimize(state.value.data());
+  }
+}
+
+// The limit of the first complete chatter of the paper's scene, from its last fourteen impacts.
+void chatter_limit(benchmark::State &run) {
+  InFlight<4> at(2);
+  ChatterSequence<4> sequence;
+  double speed = 1e-2;
+  for (int i = 0; i < 14; ++i) {
+    apply_impact(at.state, at.scene, at.mode.open[0], -speed / 0.7);
+    extend(sequence, at.state, {0}, 2.0 * speed, 1);
+    speed *= 0.7;
+  }
+  for (auto _ : run) benchmark::DoNotOptimize(extrapolate(sequence, 1e-13));
+}
+
+// Settled motion, per forcing period.
+void forcing_period(benchmark::State &run) {
+  const Scene scene = chain_of(static_cast<int>(run.range(0)));
+  constexpr int periods = 20;
+  const double period = Clock(scene.omega).period;
+  const MotionState start = simulate(scene, 20 * period, {}).state;
+  Counters counters;
+  for (auto _ : run) counters = simulate_from(scene, start, (20 + periods) * period, {}).counters;
+  run.counters["impacts"] = static_cast<double>(counters.impacts) / periods;
+  run.counters["expansions"] = static_cast<double>(counters.expansions) / periods;
+  run.counters["per period"] = benchmark::Counter(
+      periods, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK(expansion<4>)->Arg(2);
+BENCHMARK(expansion<Eigen::Dynamic>)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK(first_event<4>)->Arg(2);
+BENCHMARK(first_event<Eigen::Dynamic>)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK(impact<4>)->Arg(2);
+BENCHMARK(impact<Eigen::Dynamic>)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK(chatter_limit);
+BENCHMARK(forcing_period)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+
+}  // namespace
+
+BENCHMARK_MAIN();
