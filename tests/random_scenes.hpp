@@ -92,12 +92,7 @@ inline Scene extreme_scene(unsigned seed) {
 
 // The rate of the fastest mode is at most this (Gershgorin).
 inline double frequency_bound(const Scene &scene) {
-  double squared = 0.0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double next = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    squared = std::max(squared, 2.0 * (scene.stiffness[i] + next) / scene.mass[i]);
-  }
-  return std::sqrt(squared);
+  return std::sqrt(largest_eigenvalue_bound(scene));
 }
 
 // Eight forcing periods, or as long as the fastest mode takes for `radians`.

@@ -18,17 +18,10 @@ const EventTables &reference() {
   return tables;
 }
 
-// Rate of the fastest mode of the free chain or of the forcing. No contact mode has a faster one:
-// holding masses interlaces the frequencies with those of the free chain (they stay below a bound
-// that holds for every submatrix, Gershgorin's).
+// Rate of the fastest mode of any contact mode or of the forcing.
 double fastest_rate(const Scene &scene) {
-  double stiffest = 0.0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i)
-    stiffest = std::max(
-        stiffest,
-        2.0 * (scene.stiffness[i] + (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
-            scene.mass[i]);
-  return std::max(vibro_impact::root_modulus(scene.beta * stiffest, stiffest), scene.omega);
+  const double stiffest = largest_eigenvalue_bound(scene);
+  return std::max(root_modulus(scene.beta * stiffest, stiffest), scene.omega);
 }
 
 // The work of a run is bounded by

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -90,6 +91,17 @@ inline bool Scene::forced() const {
   for (double a : amplitude)
     if (a != 0.0) return true;
   return false;
+}
+
+// Gershgorin's bound of the eigenvalues of the chain (squares of its natural frequencies). It holds
+// for every contact mode: holding masses keeps the eigenvalues between those of the free chain.
+inline double largest_eigenvalue_bound(const Scene &scene) {
+  double bound = 0.0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+    bound = std::max(bound, 2.0 * (scene.stiffness[i] + right) / scene.mass[i]);
+  }
+  return bound;
 }
 
 // Throws std::invalid_argument with one line naming the value and the rule it breaks.

@@ -108,14 +108,9 @@ Outcome simulate_seen(const Scene &scene, const MotionState &start, double until
       !(until * scene.omega > 0x1p53),  // the whole periods are counted, and the phase kept exact
       fmt::format("until = {}: more forcing periods than double precision can count", until));
   // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. The
-  // fixed lanes have no room for a strongly damped mode split in two (the bound is Gershgorin's).
-  double stiffest = 0.0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i)
-    stiffest = std::max(
-        stiffest,
-        2.0 * (scene.stiffness[i] + (i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0)) /
-            scene.mass[i]);
-  if (scene.masses() == 2 && scene.forced() && !strongly_damped(scene.beta, stiffest))
+  // fixed lanes have no room for a strongly damped mode split in two.
+  if (scene.masses() == 2 && scene.forced() &&
+      !strongly_damped(scene.beta, largest_eigenvalue_bound(scene)))
     return detail::simulate_lanes<4>(scene, start, until, options, recorders);
   return detail::simulate_lanes<Eigen::Dynamic>(scene, start, until, options, recorders);
 }
