@@ -146,7 +146,8 @@ int run(const std::vector<std::string> &arguments) {
   if (arguments.empty() || arguments.size() > 2) {
     std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
                  "figure4b, figure5a, figure5b, "
-                 "figure5c, key_numbers, located, extremes, work_precision_states, work_precision_events\n";
+                 "figure5c, key_numbers, located, extremes, work_precision_states, "
+                 "work_precision_events\n";
     return 2;
   }
   const std::string path = arguments.size() > 1 ? arguments[1] : "";

@@ -48,8 +48,8 @@ void summarise(const Outcome &outcome) {
              "work: {} contact modes, {} expansions, {} root searches ({} stops dismissed), "
              "{} root iterations, {} modal evaluations\n",
              outcome.time, c.impacts, c.sticks, c.releases, c.chatter_limits, c.chatter_incomplete,
-             c.modes_built, c.expansions, c.roots_searched, c.roots_dismissed + c.stops_out_of_reach, c.root_iterations,
-             c.modal_evaluations);
+             c.modes_built, c.expansions, c.roots_searched,
+             c.roots_dismissed + c.stops_out_of_reach, c.root_iterations, c.modal_evaluations);
 }
 
 // Only the recorders that are asked for take part in the run.

@@ -62,9 +62,9 @@ double wide_gap(const OpenStop<D> &open, const Eigen::Array<double, D, 1> &value
   return 0x1p-10 * (std::abs(open.gap.offset) + (open.gap.on_value * value).abs().sum());
 }
 
-// The gap polynomials of the open stops along `flight.expansion`, which expands `state`. A stop that
-// is out of reach needs none: no lane moves faster than |y'| + rate |y|, for y'^2 + lambda y^2 never
-// grows and lambda <= rate^2. Its order is set to `out_of_reach`.
+// The gap polynomials of the open stops along `flight.expansion`, which expands `state`. A stop
+// that is out of reach needs none: no lane moves faster than |y'| + rate |y|, for y'^2 + lambda y^2
+// never grows and lambda <= rate^2. Its order is set to `out_of_reach`.
 template <int D>
 void read_gaps(const State<D> &state, Flight<D> &flight) {
   const ContactMode<D> &mode = *state.mode;
