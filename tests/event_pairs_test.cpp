@@ -101,6 +101,33 @@ TEST(TableI, AnswersFollowTheTolerances) {
   EXPECT_THROW(event_pairs({}, {-1.0, 0.0, 0.0}), std::invalid_argument);
 }
 
+PressedEvent event_at(EventKind kind, int mass, double time, Held held) {
+  PressedEvent pressed;
+  pressed.event.kind = kind;
+  pressed.event.mass = mass;
+  pressed.event.time = time;
+  pressed.event.velocity_before = kind == EventKind::impact ? 0.1 : 0.0;
+  pressed.event.held = std::move(held);
+  return pressed;
+}
+
+// Within the tolerance of the end of a chatter both readings apply; sticking takes precedence.
+TEST(TableI, AnImpactAtTheEndOfAChatterIsAStickingImpact) {
+  const auto pairs = event_pairs({event_at(EventKind::impact, 1, 1.0, {0, 0}),
+                                  event_at(EventKind::stick, 1, 1.0 + 1e-7, {1, 0}),
+                                  event_at(EventKind::impact, 2, 1.0 + 2e-7, {1, 0}),
+                                  event_at(EventKind::release, 1, 2.0, {0, 0})});
+  EXPECT_EQ(count(pairs, EventPair::sticking_impact), 1);
+  EXPECT_EQ(count(pairs, EventPair::double_impact), 0);
+}
+
+TEST(TableI, StickingPhasesOneAfterTheOtherAreNotDualSticking) {
+  const auto pairs = event_pairs(
+      {event_at(EventKind::stick, 1, 1.0, {1, 0}), event_at(EventKind::release, 1, 2.0, {0, 0}),
+       event_at(EventKind::stick, 2, 2.5, {0, 1}), event_at(EventKind::release, 2, 3.0, {0, 0})});
+  EXPECT_TRUE(pairs.empty());
+}
+
 // The paper's question: mass 2 hits its stop while mass 1 rests on its own.
 TEST(TableI, ImpactsInsideAStickingPhaseAreStickingImpacts) {
   const auto pairs = pairs_of(paper::figure5a(), 964.0, 950.0);
