@@ -9,15 +9,14 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "paper_scenes.hpp"
 #include "vibro_impact/event_pairs.hpp"
+#include "vibro_impact/locate.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -40,18 +39,9 @@ inline MotionState state_at(const Scene &scene, double time) {
   return simulate(scene, time, {}).state;
 }
 
-// The root of f in [below, above], where it changes sign, to the last digits.
-template <class Function>
-double root_between(Function &&f, double below, double above) {
-  std::uintmax_t steps = 100;
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      f, below, above, boost::math::tools::eps_tolerance<double>(53), steps);
-  return std::abs(f(a)) <= std::abs(f(b)) ? a : b;
-}
-
 // The time in [from, to] at which `mass` (from 1) turns round.
 inline double turning_time(const Scene &scene, int mass, double from, double to) {
-  return root_between([&](double t) { return state_at(scene, t).velocity(mass - 1); }, from, to);
+  return zero([&](double t) { return state_at(scene, t).velocity(mass - 1); }, from, to).value;
 }
 
 // The place of `mass` (from 1) at `time`.
@@ -74,8 +64,10 @@ inline PairScene dual_grazing() {
     return scene;
   };
   const auto minimum = [&](double omega) { return turning_time(free(omega), 1, 6.0, 12.0); };
-  const double omega = root_between(
-      [&](double trial) { return state_at(free(trial), minimum(trial)).velocity(1); }, 0.3, 0.5);
+  const double omega =
+      zero([&](double trial) { return state_at(free(trial), minimum(trial)).velocity(1); }, 0.3,
+           0.5)
+          .value;
   const double time = minimum(omega);
   const MotionState both = state_at(free(omega), time);
   Scene scene =
@@ -98,8 +90,9 @@ inline PairScene dual_sticking() {
 inline PairScene double_impact() {
   Scene scene = paper::two_masses({1, Side::upper, 0.5}, {2, Side::upper, 0.0}, 0.7, 0.1769);
   const Scene free = without_stop(without_stop(scene, 1), 2);
-  const double time = root_between(
-      [&](double t) { return place_at(free, 1, t) - scene.stops[0].position; }, 1.0, 3.0);
+  const double time =
+      zero([&](double t) { return place_at(free, 1, t) - scene.stops[0].position; }, 1.0, 3.0)
+          .value;
   scene.stops[1].position = place_at(free, 2, time);
   return {EventPair::double_impact, scene, time, 0.0, 7.0};
 }
