@@ -51,10 +51,12 @@ struct InFlight {
 template <int D>
 void expansion(benchmark::State &run) {
   InFlight<D> at(static_cast<int>(run.range(0)));
-  Expansion<D> expansion;
+  Expansion expansion;
+  Polynomial gap;
   for (auto _ : run) {
     expand(at.mode, at.state.value, at.state.slope, 1.0, expansion, at.counters);
-    benchmark::DoNotOptimize(expansion.coefficient.data());
+    read_gap(at.state, at.mode.open[0], expansion, gap, at.counters);
+    benchmark::DoNotOptimize(gap.coefficient.data());
   }
   run.counters["order"] = expansion.order;
 }
@@ -62,7 +64,7 @@ void expansion(benchmark::State &run) {
 template <int D>
 void first_event(benchmark::State &run) {
   InFlight<D> at(static_cast<int>(run.range(0)));
-  Flight<D> flight;
+  Flight flight;
   expand(at.mode, at.state.value, at.state.slope, 1.0, flight.expansion, at.counters);
   for (auto _ : run) {
     find_first_event(at.state, flight, at.counters);

@@ -26,8 +26,8 @@ Coefficients times(const Coefficients &a, const Coefficients &b) {
 
 Polynomial rounded(const Coefficients &coefficients) {
   Polynomial p;
-  p.coefficient.fill(NAN);  // what lies beyond the order must not be read
-  p.order = static_cast<int>(coefficients.size()) - 1;
+  p.coefficient.fill(NAN);  // what lies beyond the padding must not be read
+  end_at(p, static_cast<int>(coefficients.size()) - 1);
   for (std::size_t n = 0; n < coefficients.size(); ++n)
     p.coefficient[n] = static_cast<double>(coefficients[n]);
   return p;
@@ -68,7 +68,7 @@ TEST(FirstRoot, FindsATransversalRootToRounding) {
     // at most, since the coefficients of order zero and one dominate.
     EXPECT_NEAR(root->at, at, 4 * epsilon * std::max(at, 0.1));
     EXPECT_NEAR(evaluate(p, 0, root->at).slope, -(2.0 + at * at), 1e-14);
-    EXPECT_LE(std::abs(root->at - at), root->uncertainty + epsilon * at);
+    EXPECT_LE(std::abs(root->at - at), uncertainty(p, 0, *root) + epsilon * at);
   }
 }
 

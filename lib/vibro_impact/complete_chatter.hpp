@@ -24,11 +24,12 @@ bool clear_until(Run<D> &run, double tau, double impulse) {
       continue;
     const StopState &stop = run.state.stops[open.stop];
     if (stop.zeros != 0) return false;
-    read_gap(open, stop, run.flight.expansion, run.flight.watched);
+    read_gap(run.state, open, run.flight.expansion, run.flight.watched, run.counters);
     if (lower_bound(run.flight.watched, 0, one) <= gap_margin) return false;
   }
   for (const ClosedStop<D> &closed : mode.closed) {
-    read_along(closed.press, run.flight.expansion, true, run.flight.watched);
+    read_along(mode, closed.press, run.state.value, run.state.slope, run.flight.expansion,
+               run.flight.watched, run.counters);
     if (lower_bound(run.flight.watched, 0, one) <= force_margin) return false;
   }
   return true;
@@ -51,7 +52,7 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at
     if (tail * run.state.mode->fastest > 0x1p-60) {  // else nothing moves, and tail^2 may underflow
       expand(*run.state.mode, run.state.value, run.state.slope, tail, run.flight.expansion,
              run.counters);
-      read_gaps(run.state, run.flight);
+      read_gaps(run.state, run.flight, run.counters);
       move_to(limit->state, run.flight, 1.0, run.scene, run.clock);
     }
   } else if (new_node && speed < run.options.resolve_chatter) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "polynomial.hpp"
+
 namespace vibro_impact {
 
 namespace {
@@ -193,7 +195,8 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
       const auto row = static_cast<Index>(i);
       Reading<D> gap{-sigma * mode.shape.row(row).transpose().array(),
                      {},
-                     sigma * (stop.position - mode.equilibrium(row))};
+                     sigma * (stop.position - mode.equilibrium(row)),
+                     {}};
       gap.on_slope.setZero(lanes);
       mode.open.push_back({k, i, gap, press_reading(scene, mode, stop)});
     } else if (static_cast<double>(held[i]) == sigma) {
@@ -203,8 +206,74 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
   return mode;
 }
 
+// d/dt (P . y + Q . y') = P . y' + Q . (-kappa y' - lambda y + resonant c): the coefficients of the
+// next derivative. For the forcing c' = -Omega s, s' = Omega c.
+template <int D>
+void build_series(const ContactMode<D> &mode, const Reading<D> &reading, double rate) {
+  using Eigen::Index;
+  using Column = Eigen::Array<double, Eigen::Dynamic, 1>;
+  const Index lanes = mode.lanes(), modal = mode.modal_lanes(), columns = lanes + modal;
+  ReadingSeries &series = reading.series;
+  series.rate = rate;
+  series.weight.setZero(4, (max_order / 4 + 1) * columns);
+  if (rate == 0.0) return;
+  const auto takes_part = [&](Index j) { return mode.rate(j) <= rate; };
+  Column p = reading.on_value, q = reading.on_slope.head(modal);
+  const double omega = lanes > modal ? std::sqrt(mode.lambda(lanes - 1)) : 0.0;
+  if (lanes > modal) {
+    p(modal) += omega * reading.on_slope(modal + 1);
+    p(modal + 1) -= omega * reading.on_slope(modal);
+  }
+  for (Index j = 0; j < modal; ++j)
+    if (!takes_part(j)) p(j) = q(j) = 0.0;
+  for (int n = 0; n <= max_order; ++n) {
+    const Index group = (n / 4) * columns;
+    series.weight.row(n % 4).segment(group, lanes) = p;
+    series.weight.row(n % 4).segment(group + lanes, modal) = q;
+    const double scale = 1.0 / (rate * (n + 1));
+    double on_cosine = 0.0, on_sine = 0.0;
+    if (lanes > modal) {
+      on_cosine = omega * p(modal + 1) + (q * mode.resonant.head(modal)).sum();
+      on_sine = -omega * p(modal);
+    }
+    for (Index j = 0; j < modal; ++j) {
+      const double before = p(j);
+      p(j) = takes_part(j) ? -mode.lambda(j) * q(j) * scale : 0.0;
+      q(j) = takes_part(j) ? (before - mode.kappa(j) * q(j)) * scale : 0.0;
+    }
+    if (lanes > modal) p.tail(2) << on_cosine * scale, on_sine * scale;
+  }
+}
+
+template <int D>
+void build_flow_series(const ContactMode<D> &mode, double rate) {
+  using Eigen::Index;
+  const Index modal = mode.modal_lanes();
+  FlowSeries<D> &series = mode.series;
+  series.rate = rate;
+  series.response.setZero(modal + modal % 2, max_order + 2);
+  series.rate_of_response = series.response;
+  if (rate == 0.0) return;
+  for (Index j = 0; j < modal; ++j) {
+    if (!(mode.rate(j) <= rate)) continue;
+    const double damping = mode.kappa(j) / rate, stiffness = mode.lambda(j) / rate / rate;
+    series.response(j, 1) = 1.0;
+    for (int n = 1; n <= max_order; ++n)
+      series.response(j, n + 1) =
+          -(damping * n * series.response(j, n) + stiffness * series.response(j, n - 1)) /
+          (n * (n + 1.0));
+    for (int n = 0; n <= max_order; ++n)
+      series.rate_of_response(j, n) = (n + 1) * series.response(j, n + 1);
+  }
+}
+
 template ContactMode<4> build_contact_mode<4>(const Scene &, const Held &);
 template ContactMode<Eigen::Dynamic> build_contact_mode<Eigen::Dynamic>(const Scene &,
                                                                         const Held &);
+template void build_series<4>(const ContactMode<4> &, const Reading<4> &, double);
+template void build_series<Eigen::Dynamic>(const ContactMode<Eigen::Dynamic> &,
+                                           const Reading<Eigen::Dynamic> &, double);
+template void build_flow_series<4>(const ContactMode<4> &, double);
+template void build_flow_series<Eigen::Dynamic>(const ContactMode<Eigen::Dynamic> &, double);
 
 }  // namespace vibro_impact

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -15,14 +16,24 @@
 
 namespace vibro_impact {
 
-// Per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop.
-using Held = std::vector<signed char>;
+// Per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop. Short ones need no heap:
+// every event carries one.
+using Held = boost::container::small_vector<signed char, 16>;
+
+// Taylor coefficients of a reading, per unit of every lane: those of order n, in units of rate^-n.
+// Orders come in groups of four; per group one column for every y, then for every y' of a mode (y'
+// of the forcing lanes is known from their values).
+struct ReadingSeries {
+  double rate = -1.0;  // of the fastest lane that may be in motion; -1 before it is built
+  Eigen::Array<double, 4, Eigen::Dynamic> weight;
+};
 
 // A scalar that depends linearly on the lanes: offset + on_value . y + on_slope . y'.
 template <int D>
 struct Reading {
   Eigen::Array<double, D, 1> on_value, on_slope;
   double offset = 0.0;
+  mutable ReadingSeries series;  // built when the reading is first followed along a flight
 
   double operator()(const Eigen::Array<double, D, 1> &value,
                     const Eigen::Array<double, D, 1> &slope) const {
@@ -44,6 +55,15 @@ template <int D>
 struct ClosedStop {
   std::size_t stop = 0, mass = 0;
   Reading<D> press;
+};
+
+// Taylor coefficients of the solution S of every mode with S(0) = 0, S'(0) = 1, and of S', in units
+// of rate^-n: column n is of order n, with the rows filled up to an even number.
+template <int D>
+struct FlowSeries {
+  static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : D - 2;
+  double rate = -1.0;
+  Eigen::Array<double, rows, Eigen::Dynamic> response, rate_of_response;
 };
 
 template <int D>
@@ -69,9 +89,14 @@ struct ContactMode {
   Eigen::Index forcing_lanes = 0;  // 2 at the end, cos(Omega t) and sin(Omega t), or none
   std::vector<OpenStop<D>> open;
   std::vector<ClosedStop<D>> closed;
+  mutable FlowSeries<D> series;  // built with the first flight
 
   Eigen::Index lanes() const {
     return kappa.size();
+  }
+  // The lanes that are not of the forcing.
+  Eigen::Index modal_lanes() const {
+    return D == Eigen::Dynamic ? lanes() - forcing_lanes : D - 2;
   }
 };
 
@@ -90,6 +115,13 @@ inline bool strongly_damped(double beta, double lambda) {
 // D = 4 and Eigen::Dynamic.
 template <int D>
 ContactMode<D> build_contact_mode(const Scene &scene, const Held &held);
+
+// Builds the series of a reading, or of the flow, for motion in which no lane faster than `rate`
+// takes part: those are at rest for good, and have coefficients zero.
+template <int D>
+void build_series(const ContactMode<D> &mode, const Reading<D> &reading, double rate);
+template <int D>
+void build_flow_series(const ContactMode<D> &mode, double rate);
 
 // The contact modes of one scene, each built on first entry. Addresses stay valid.
 template <int D>

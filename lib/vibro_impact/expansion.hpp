@@ -1,10 +1,11 @@
-// Taylor expansion of the flow about an event.
+// Taylor expansion of the flow about an event, of nothing but what is looked at.
 //
-// The derivatives of every lane follow from y'' = -kappa y' - lambda y by a two-term recurrence, at
-// constant cost per order, and are exact up to a bounded remainder. The variable is scaled, u = tau
-// / span in [0, 1]. `order_for` picks the order from fastest * span so that the remainder lies
-// below rounding even relative to the second-order term, which is what keeps the tiny gaps of a
-// late chatter accurate.
+// A gap, a hold force, depends linearly on the lanes, which obey a linear equation: its derivatives
+// are linear in the lanes as well, with weights that the adjoint recurrence gives once per contact
+// mode. Along a flight a coefficient costs one product with the lanes, and stops that are not
+// looked at cost nothing. The variable is scaled, u = tau / span in [0, 1]. `order_for` picks the
+// order from the rate of the fastest lane so that the remainder lies below rounding even relative
+// to the second-order term, which is what keeps the tiny gaps of a late chatter accurate.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,18 +14,12 @@
 
 #include "counters.hpp"
 #include "motion.hpp"
+#include "polynomial.hpp"
 
 namespace vibro_impact {
 
-constexpr int max_order = 32;
 // Largest fastest * span of one expansion. Rounding grows like exp(reach), cost like 1 / reach.
 constexpr double max_reach = 2.5;
-
-// A polynomial in u on [0, 1]; entries beyond `order` are not read.
-struct Polynomial {
-  std::array<double, max_order + 1> coefficient;
-  int order = 0;
-};
 
 namespace detail {
 
@@ -40,107 +35,102 @@ inline const std::array<double, max_order + 1> reach_of_order = [] {
   return reach;
 }();
 
-inline const std::array<double, max_order + 2> inverse_factorial = [] {
-  std::array<double, max_order + 2> inverse{};
-  double factorial = 1.0;
-  for (int n = 0; n < max_order + 2; ++n) {
-    inverse[static_cast<std::size_t>(n)] = 1.0 / factorial;
-    factorial *= n + 1;
-  }
-  return inverse;
-}();
-
 }  // namespace detail
 
-// Smallest order whose remainder lies below rounding over fastest * span = reach.
+// Smallest order of the form 4 k + 3, one that fills whole packets, whose remainder lies below
+// rounding over fastest * span = reach.
 inline int order_for(double reach) {
   int order = 3;
-  while (order < max_order - 1 && detail::reach_of_order[static_cast<std::size_t>(order)] < reach)
-    ++order;
+  for (int p = 3; p < max_order - 1; p += 4)
+    order += reach > detail::reach_of_order[static_cast<std::size_t>(p)] ? 4 : 0;
   return order;
 }
 
-template <int D>
+// One stretch of flight: how far, at which rate, to which order; powers of rate * span.
 struct Expansion {
-  double span = 0.0;
+  double span = 0.0, rate = 0.0;
   int order = 0;
-  Eigen::Array<double, D, max_order + 2> coefficient;  // column n: u^n, of every lane
-  std::array<Eigen::Array<double, D, 1>, 5> scratch;   // of `expand`, for a dynamic D
+  std::array<double, max_order + 4> power{};
 };
 
-// Expands the lanes of `mode` about (value, slope) over [0, span].
+// Opens an expansion of the lanes of `mode` over [0, span].
 template <int D>
 void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
-            const Eigen::Array<double, D, 1> &slope, double span, Expansion<D> &expansion,
+            const Eigen::Array<double, D, 1> &slope, double span, Expansion &expansion,
             Counters &counters) {
-  const double reach = fastest_in_motion(mode, value, slope) * span;
+  const double rate = fastest_in_motion(mode, value, slope), x = rate * span;
   expansion.span = span;
-  expansion.order = order_for(reach);
-  auto &c = expansion.coefficient;
-  if constexpr (D == Eigen::Dynamic) {
-    if (c.rows() != mode.lanes()) c.resize(mode.lanes(), max_order + 2);
-  }
-  // The derivatives with respect to u, y'' = -damping y' - stiffness y, divided by n! on the way
-  // out: the division is not in the chain from one order to the next.
-  const auto recur = [&](auto &damping, auto &stiffness, auto &before, auto &derivative,
-                         auto &next) {
-    damping = mode.kappa * -span;
-    stiffness = mode.lambda * (span * span);
-    c.col(0) = before = value;
-    c.col(1) = derivative = slope * span;
-    for (int n = 2; n <= expansion.order + 1; ++n) {
-      next = damping * derivative - stiffness * before;
-      if (mode.any_resonant) next += (span * span * before(mode.lanes() - 2)) * mode.resonant;
-      c.col(n) = detail::inverse_factorial[static_cast<std::size_t>(n)] * next;
-      before.swap(derivative);
-      derivative.swap(next);
-    }
-  };
-  if constexpr (D == Eigen::Dynamic) {  // in storage that is there already
-    auto &scratch = expansion.scratch;
-    recur(scratch[0], scratch[1], scratch[2], scratch[3], scratch[4]);
-  } else {  // in registers
-    Eigen::Array<double, D, 1> damping, stiffness, before, derivative, next;
-    recur(damping, stiffness, before, derivative, next);
+  expansion.rate = rate;
+  expansion.order = order_for(x);
+  detail::Two power = detail::one_and(x);
+  for (int n = 0; n <= expansion.order; n += 2) {
+    Eigen::Map<detail::Two>(expansion.power.data() + n) = power;
+    power *= x * x;
   }
   ++counters.expansions;
   counters.coefficients += expansion.order + 1;
 }
 
-// The lanes at u by Horner's rule, on the even and the odd orders at once: the chain of dependent
-// operations is half as long.
+// Sets `p` to the polynomial of a reading along the expansion of (value, slope).
 template <int D>
-void advance(const Expansion<D> &expansion, double u, Eigen::Array<double, D, 1> &value,
-             Eigen::Array<double, D, 1> &slope) {
-  using Lanes = Eigen::Array<double, D, 1>;
-  const auto &c = expansion.coefficient;
-  const double w = u * u;
-  int n = expansion.order;
-  const Lanes none = Lanes::Zero(value.size());
-  Lanes even = none, odd = none, even_slope = none, odd_slope = none;  // slopes in w
-  if (n % 2 == 0) even = c.col(n--);
-  for (; n > 0; n -= 2) {
-    odd_slope = odd_slope * w + odd;
-    even_slope = even_slope * w + even;
-    odd = odd * w + c.col(n);
-    even = even * w + c.col(n - 1);
+void read_along(const ContactMode<D> &mode, const Reading<D> &reading,
+                const Eigen::Array<double, D, 1> &value, const Eigen::Array<double, D, 1> &slope,
+                const Expansion &expansion, Polynomial &p, Counters &counters) {
+  if (reading.series.rate != expansion.rate) build_series(mode, reading, expansion.rate);
+  const Eigen::Index lanes = mode.lanes(), modal = mode.modal_lanes();
+  const double *weight = reading.series.weight.data();
+  using Four = Eigen::Array<double, 4, 1>;
+  const auto four = [](const double *at) { return Eigen::Map<const Four>(at); };
+  for (int n = 0; n <= expansion.order; n += 4) {
+    Four even = Four::Zero(), odd = even;  // two chains of sums
+    Eigen::Index k = 0;
+    for (; k + 1 < lanes; k += 2, weight += 8) {
+      even += four(weight) * value(k);
+      odd += four(weight + 4) * value(k + 1);
+    }
+    if (k < lanes) even += four(weight) * value(k), weight += 4;
+    for (k = 0; k + 1 < modal; k += 2, weight += 8) {
+      even += four(weight) * slope(k);
+      odd += four(weight + 4) * slope(k + 1);
+    }
+    if (k < modal) even += four(weight) * slope(k), weight += 4;
+    Eigen::Map<Four>(p.coefficient.data() + n) = (even + odd) * four(expansion.power.data() + n);
   }
-  value = even + u * odd;
-  slope = (odd + (2.0 * u) * (even_slope + u * odd_slope)) / expansion.span;
+  end_at(p, expansion.order);
+  p.coefficient[0] += reading.offset;
+  counters.products += (expansion.order + 1) * (lanes + modal);
 }
 
-// Sets `p` to the polynomial of a reading along the expansion.
+// The lanes u of the expansion later, those of the forcing excepted. One solution of each lane, S
+// with S(0) = 0 and S'(0) = 1, gives all others: C = S' + kappa S, C' = -lambda S.
 template <int D>
-void read_along(const Reading<D> &reading, const Expansion<D> &expansion, bool with_slope,
-                Polynomial &p) {
-  p.order = expansion.order;
-  for (int n = 0; n <= p.order; ++n) {
-    double c = (reading.on_value * expansion.coefficient.col(n)).sum();
-    if (with_slope)
-      c += (n + 1) / expansion.span * (reading.on_slope * expansion.coefficient.col(n + 1)).sum();
-    p.coefficient[static_cast<std::size_t>(n)] = c;
+void advance(const ContactMode<D> &mode, const Expansion &expansion, double u,
+             Eigen::Array<double, D, 1> &value, Eigen::Array<double, D, 1> &slope) {
+  using Two = Eigen::Array<double, 2, 1>;
+  FlowSeries<D> &series = mode.series;
+  if (series.rate != expansion.rate) build_flow_series(mode, expansion.rate);
+  if (expansion.rate == 0.0) return;  // nothing moves
+  const double x = expansion.power[1] * u, w = x * x;
+  const Eigen::Index modal = mode.modal_lanes(), stride = series.response.rows();
+  const int top = expansion.order | 1;  // odd
+  for (Eigen::Index j = 0; j < modal; j += 2) {
+    const double *s = series.response.data() + j + top * stride;
+    const double *ds = series.rate_of_response.data() + j + top * stride;
+    Two even = Two::Zero(), odd = even, even_slope = even, odd_slope = even;
+    for (int n = top; n > 0; n -= 2, s -= 2 * stride, ds -= 2 * stride) {
+      odd = odd * w + Eigen::Map<const Two>(s);
+      even = even * w + Eigen::Map<const Two>(s - stride);
+      odd_slope = odd_slope * w + Eigen::Map<const Two>(ds);
+      even_slope = even_slope * w + Eigen::Map<const Two>(ds - stride);
+    }
+    const Two response = (even + x * odd) / expansion.rate, rate = even_slope + x * odd_slope;
+    for (Eigen::Index i = j; i < std::min(modal, j + 2); ++i) {
+      const double before = value(i);
+      value(i) =
+          before * (rate(i - j) + mode.kappa(i) * response(i - j)) + slope(i) * response(i - j);
+      slope(i) = slope(i) * rate(i - j) - mode.lambda(i) * before * response(i - j);
+    }
   }
-  p.coefficient[0] += reading.offset;
 }
 
 }  // namespace vibro_impact

@@ -29,20 +29,21 @@ struct FirstEvent {
 constexpr int out_of_reach = -1;
 
 // Storage of one flight, reused: no allocation between events.
-template <int D>
 struct Flight {
-  Expansion<D> expansion;
+  Expansion expansion;
   std::vector<Polynomial> gaps;  // one per open stop of the mode
   Polynomial watched;            // of the one stop looked at
   std::vector<Root> roots;       // the first root of each, `at` > 1 for none
+  std::size_t within_reach = 0;  // open stops
   FirstEvent event;
 };
 
 // Sets `p` to the gap polynomial, with what is known exactly in place of what rounding left.
 template <int D>
-void read_gap(const OpenStop<D> &open, const StopState &stop, const Expansion<D> &expansion,
-              Polynomial &p) {
-  read_along(open.gap, expansion, false, p);
+void read_gap(const State<D> &state, const OpenStop<D> &open, const Expansion &expansion,
+              Polynomial &p, Counters &counters) {
+  const StopState &stop = state.stops[open.stop];
+  read_along(*state.mode, open.gap, state.value, state.slope, expansion, p, counters);
   if (stop.zeros == 0) {
     p.coefficient[0] = stop.gap;
     p.coefficient[1] = stop.speed * expansion.span;
@@ -66,9 +67,11 @@ double wide_gap(const OpenStop<D> &open, const Eigen::Array<double, D, 1> &value
 // that is out of reach needs none: no lane moves faster than |y'| + rate |y|, for y'^2 + lambda y^2
 // never grows and lambda <= rate^2. Its order is set to `out_of_reach`.
 template <int D>
-void read_gaps(const State<D> &state, Flight<D> &flight) {
+void read_gaps(const State<D> &state, Flight &flight, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   flight.gaps.resize(mode.open.size());
+  flight.roots.assign(mode.open.size(), Root{2.0});
+  flight.within_reach = 0;
   const Eigen::Array<double, D, 1> reach =
       flight.expansion.span * (state.slope.abs() + mode.rate * state.value.abs());
   for (std::size_t k = 0; k < flight.gaps.size(); ++k) {
@@ -76,24 +79,29 @@ void read_gaps(const State<D> &state, Flight<D> &flight) {
     const StopState &stop = state.stops[open.stop];
     if (stop.zeros == 0 && !mode.any_resonant &&
         stop.gap > 2.0 * wide_gap(open, state.value) +
-                       (1.0 + 0x1p-9) * (open.gap.on_value.abs() * reach).sum())
+                       (1.0 + 0x1p-9) * (open.gap.on_value.abs() * reach).sum()) {
       flight.gaps[k].order = out_of_reach;
-    else
-      read_gap(open, stop, flight.expansion, flight.gaps[k]);
+    } else {
+      read_gap(state, open, flight.expansion, flight.gaps[k], counters);
+      ++flight.within_reach;
+    }
   }
 }
 
 // Finds the first event in (0, 1] of `flight.expansion`, which expands `state`.
 template <int D>
-void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counters) {
+void find_first_event(const State<D> &state, Flight &flight, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   FirstEvent &event = flight.event;
   event.kind = Happening::nothing;
   event.u = 1.0;
   event.stops.clear();
-  read_gaps(state, flight);
-  flight.roots.assign(mode.open.size(), Root{2.0, 0.0});
-  double limit = 1.0, uncertainty = 0.0;
+  read_gaps(state, flight, counters);
+  double limit = 1.0;
+  std::size_t hit = 0;
+  const auto uncertainty_of = [&](std::size_t k) {
+    return uncertainty(flight.gaps[k], state.stops[mode.open[k].stop].zeros, flight.roots[k]);
+  };
 
   for (std::size_t k = 0; k < mode.open.size(); ++k) {
     const OpenStop<D> &open = mode.open[k];
@@ -108,14 +116,15 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     if (root->at < event.u || event.kind == Happening::nothing) {
       event.kind = root->at == 0.0 && stop.speed == 0.0 ? Happening::press : Happening::impact;
       event.u = root->at;
-      uncertainty = root->uncertainty;
       event.stops.assign(1, open.stop);
-      limit = std::min(1.0, event.u + uncertainty + 1e-9 * event.u);
+      hit = k;
+      if (flight.within_reach > 1)
+        limit = std::min(1.0, event.u + uncertainty_of(k) + 1e-9 * event.u);
     }
   }
   for (const ClosedStop<D> &closed : mode.closed) {
     Polynomial &force = flight.watched;
-    read_along(closed.press, flight.expansion, true, force);
+    read_along(mode, closed.press, state.value, state.slope, flight.expansion, force, counters);
     const int zeros = state.stops[closed.stop].zeros;
     // One order less than the expansion: the force contains the velocity.
     const auto root = first_root(force, zeros, event.u, counters);
@@ -135,44 +144,51 @@ void find_first_event(const State<D> &state, Flight<D> &flight, Counters &counte
     event.force_order = order;
     event.stops.assign(1, closed.stop);
   }
-  if (event.kind != Happening::impact) return;
+  if (event.kind != Happening::impact || flight.within_reach == 1) return;
   // Impacts whose times agree within their rounding are one event.
-  for (std::size_t k = 0; k < mode.open.size(); ++k) {
-    const Root &root = flight.roots[k];
-    if (mode.open[k].stop != event.stops.front() &&
-        root.at - event.u <= root.uncertainty + uncertainty)
+  for (std::size_t k = 0; k < mode.open.size(); ++k)
+    if (k != hit && flight.roots[k].at <= 1.0 &&
+        flight.roots[k].at - event.u <= uncertainty_of(k) + uncertainty_of(hit))
       event.stops.push_back(mode.open[k].stop);
-  }
   std::sort(event.stops.begin(), event.stops.end());  // their order by time is rounding
 }
 
 // Moves `state` to u of the expansion: lanes, time, and the carried gaps.
 template <int D>
-void move_to(State<D> &state, const Flight<D> &flight, double u, const Scene &scene,
+void move_to(State<D> &state, const Flight &flight, double u, const Scene &scene,
              const Clock &clock) {
   const ContactMode<D> &mode = *state.mode;
   if (u == 0.0) return;
-  const bool long_flight =
-      u * flight.expansion.span * fastest_in_motion(mode, state.value, state.slope) > 1.0;
-  advance(flight.expansion, u, state.value, state.slope);
+  const Expansion &expansion = flight.expansion;
+  const bool long_flight = u * expansion.power[1] > 1.0;
+  if (mode.any_resonant) {  // the forcing works on these lanes: in closed form
+    const State<D> before{{}, nullptr, state.value, state.slope, {}};
+    flow(mode, scene, before.value, before.slope, u * expansion.span, state.value, state.slope);
+  } else {
+    advance(mode, expansion, u, state.value, state.slope);
+  }
   tie_decays(state);
   drop_dead_lanes(state);
-  state.now = later(state.now, u * flight.expansion.span, clock);
+  state.now = later(state.now, u * expansion.span, clock);
   set_forcing(state, scene);
   for (std::size_t k = 0; k < mode.open.size(); ++k) {
     const OpenStop<D> &open = mode.open[k];
     StopState &stop = state.stops[open.stop];
-    const bool far = flight.gaps[k].order == out_of_reach;
-    if (!far) {
-      const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
-      stop = {std::max(0.0, carried.value), carried.slope / flight.expansion.span, 0, 0.0};
+    const Root &root = flight.roots[k];
+    if (root.at == u) {
+      stop = {0.0, root.slope / expansion.span, 0, 0.0};
+      continue;
     }
-    // A wide gap is read off the lanes again, so that the carried one cannot drift away from them;
-    // after a long flight the carried one has no more digits than the lanes, and is read off
-    // wherever that cannot close it.
-    if (far || stop.gap > (long_flight ? 0x1p-30 : 1.0) * wide_gap(open, state.value)) {
-      stop.gap = open.gap(state.value, state.slope);
-      stop.speed = (open.gap.on_value * state.slope).sum();
+    // A wide gap is read off the lanes, so that the carried one cannot drift away from them; after
+    // a long flight the carried one has no more digits than the lanes, which are read wherever
+    // that cannot close the gap.
+    const double gap = open.gap(state.value, state.slope);
+    if (flight.gaps[k].order == out_of_reach ||
+        gap > (long_flight ? 0x1p-30 : 1.0) * wide_gap(open, state.value)) {
+      stop = {gap, (open.gap.on_value * state.slope).sum(), 0, 0.0};
+    } else {
+      const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
+      stop = {std::max(0.0, carried.value), carried.slope / expansion.span, 0, 0.0};
     }
   }
   for (const ClosedStop<D> &closed : mode.closed) state.stops[closed.stop].zeros = 0;

@@ -1,9 +1,9 @@
 // The first root of a polynomial on (0, 1], with a guarantee and without sampling.
 //
 // From u with p(u) > 0, slope p'(u) and a lower bound -B of p'' on [0, 1], no root lies before the
-// positive root of p + p' d - B d^2 / 2. Advancing by that d never passes a root, converges
-// quadratically to a transversal one, and passes a dip that does not touch zero: grazing is decided
-// instead of sampled for.
+// positive root of p + p' d - B d^2 / 2. Advancing by that d never passes a root, and passes a dip
+// that does not touch zero: grazing is decided instead of sampled for. Where the root ahead is
+// known to be the only one near (Kantorovich), steps of order five take over.
 #pragma once
 
 #include <algorithm>
@@ -12,85 +12,67 @@
 #include <optional>
 
 #include "counters.hpp"
-#include "expansion.hpp"
+#include "polynomial.hpp"
 
 namespace vibro_impact {
 
 struct Root {
-  double at = 0.0;           // u
-  double uncertainty = 0.0;  // of u, from the rounding of the coefficients
+  double at = 0.0;     // u
+  double slope = 0.0;  // there
 };
 
 namespace detail {
 
-// Lower bound on [0, 1] of sum_{n >= first} weight(n) c_n u^(n - first): nested minima.
-template <class Weight>
-double lower_bound(const Polynomial &p, int first, Weight weight) {
-  double bound = 0.0;
-  for (int n = p.order; n >= first; --n)
-    bound = weight(n) * p.coefficient[static_cast<std::size_t>(n)] + std::min(0.0, bound);
-  return bound;
-}
-
-// Value and slope at u of sum_{n >= first} c_n u^(n - first). Horner's rule on the even and the odd
-// part at once: two short chains of dependent operations instead of a long one.
-inline OscillatorState<double> value_and_slope(const Polynomial &p, int first, double u) {
-  const auto at = [&](int n) { return p.coefficient[static_cast<std::size_t>(n)]; };
-  const double w = u * u;
-  double even = 0.0, even_slope = 0.0, odd = 0.0, odd_slope = 0.0;  // slopes with respect to w
-  int n = p.order;
-  if ((n - first) % 2 == 0) even = at(n--);
-  for (; n > first; n -= 2) {
-    odd_slope = odd_slope * w + odd;
-    even_slope = even_slope * w + even;
-    odd = odd * w + at(n);
-    even = even * w + at(n - 1);
-  }
-  return {even + u * odd, odd + 2.0 * u * (even_slope + u * odd_slope)};
-}
-
-// Sum of the moduli of the terms at u: the scale of the rounding of the value.
-inline double size_at(const Polynomial &p, int first, double u) {
-  double size = 0.0;
-  for (int n = p.order; n >= first; --n)
-    size = size * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
-  return size;
-}
-
-// The coefficients from `first` on, for sums over them.
-inline auto coefficients_from(const Polynomial &p, int first) {
-  return Eigen::Map<const Eigen::ArrayXd>(p.coefficient.data() + first,
-                                          std::max(0, p.order - first + 1));
-}
-
 // An upper bound on [0, reach] of -p'' of the polynomial with its first coefficients divided out.
 inline double curvature_bound(const Polynomial &p, int first, double reach) {
-  const auto second = [first](int n) {
-    return static_cast<double>(n - first) * static_cast<double>(n - first - 1);
+  const auto within = [&](int n) {
+    const double k = n - first;
+    return k * (k - 1.0) * std::pow(reach, k - 2.0);
   };
-  if (reach == 1.0) return std::max(0.0, -lower_bound(p, first + 2, second));
-  const auto within = [&](int n) { return second(n) * std::pow(reach, n - first - 2); };
   return std::max(0.0, -lower_bound(p, first + 2, within));
-}
-
-// An upper bound on [0, 1] of |p''| of the same.
-inline double bend_bound(const Polynomial &p, int first) {
-  static const Eigen::ArrayXd weight = [] {
-    Eigen::ArrayXd n = Eigen::ArrayXd::LinSpaced(max_order + 1, 2.0, max_order + 2.0);
-    return Eigen::ArrayXd(n * (n - 1.0));
-  }();
-  const auto rest = coefficients_from(p, first + 2);
-  return (rest.abs() * weight.head(rest.size())).sum();
 }
 
 // The positive root of value + slope d - curvature d^2 / 2 for value > 0, in the form that does not
 // cancel: a mass that leaves its stop slowly and is pulled away has slope^2 >> curvature value.
-// Near a transversal root a little less, without the square root: sqrt(1 + x) < 1 + x / 2.
 inline double safe_step(double value, double slope, double curvature) {
-  const double square = slope * slope, bent = curvature * value;
-  if (slope < 0.0 && bent < 0x1p-6 * square) return -value * slope / (square + 0.5 * bent);
-  const double root = std::sqrt(square + 2.0 * bent);
+  const double root = std::sqrt(slope * slope + 2.0 * curvature * value);
   return slope > 0.0 ? (slope + root) / curvature : 2.0 * value / (root - slope);
+}
+
+// The same where p'' > 0, from p'' >= 2 second - twist d over the next d: superlinear even at a
+// tangency, and over a dip in one step.
+inline double convex_step(const Jet &at, double twist) {
+  if (at.slope >= 0.0) return 2.0 * at.second / twist;  // p' >= 0 that far
+  const double d = -at.slope / at.second, curvature = 2.0 * at.second - twist * d;
+  if (curvature <= 0.0) return 0.0;
+  const double square = at.slope * at.slope - 2.0 * curvature * at.value;
+  return square < 0.0 ? d : std::min(d, 2.0 * at.value / (std::sqrt(square) - at.slope));
+}
+
+// A root at u of the polynomial with its first coefficients divided out, where it has this slope.
+inline Root root_at(double u, double slope, int first) {
+  for (int k = 0; k < first; ++k) slope *= u;
+  return {u, slope};
+}
+
+// A step towards the root of a jet by the inverse of its series, to fourth order in Newton's step.
+struct SeriesStep {
+  double newton, step;
+  double slope;  // after the step, relative to the slope before it
+  double error;  // of that slope, relative; that of the step, relative, is less
+};
+
+inline SeriesStep series_step(const Jet &at, double fifth) {
+  const double inverse = -1.0 / at.slope, newton = at.value * inverse;
+  const double a = at.second * inverse, b = at.third * inverse, c = at.fourth * inverse;
+  const double aa = a * a, n2 = newton * newton;
+  const double correction =
+      newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
+  const double step = newton + newton * std::clamp(correction, -0.25, 0.25);
+  const double next = 14.0 * aa * aa + 21.0 * aa * std::abs(b) + 6.0 * std::abs(a * c) +
+                      3.0 * b * b + fifth * std::abs(inverse);
+  return {newton, step, 1.0 - step * (2.0 * a + step * (3.0 * b + step * (4.0 * c))),
+          5.0 * next * n2 * n2};
 }
 
 }  // namespace detail
@@ -103,38 +85,51 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   int first = zeros;
   while (first <= p.order && p.coefficient[static_cast<std::size_t>(first)] == 0.0) ++first;
   if (first > p.order) return std::nullopt;  // identically zero: it never leaves, never returns
-  const auto at = [&](int n) { return p.coefficient[static_cast<std::size_t>(n)]; };
-  if (at(first) < 0.0) return Root{};
-  // Most stops are dismissed by the sum of the negative coefficients, the others by nested minima,
-  // which are tighter; a polynomial that ends below zero needs neither.
-  const auto rest = detail::coefficients_from(p, first + 1);
-  if (at(first) + rest.min(0.0).sum() > 0.0 ||
-      (at(first) + rest.sum() > 0.0 &&
-       detail::lower_bound(p, first, [](int) { return 1.0; }) > 0.0)) {
+  const double *c = p.coefficient.data() + first;
+  if (c[0] < 0.0) return Root{};
+  // Most are dismissed by the sum of the negative coefficients, others by nested minima, which are
+  // tighter; a polynomial that ends below zero needs neither.
+  const detail::Bounds bounds = detail::bounds_of(p, first);
+  if (bounds.lowest > 0.0 ||
+      (bounds.end > 0.0 && detail::lower_bound(p, first, [](int) { return 1.0; }) > 0.0)) {
     ++counters.roots_dismissed;
     return std::nullopt;
   }
   ++counters.roots_searched;
-  double reach = 1.0, curvature = detail::curvature_bound(p, first, reach);
-  const double bend = detail::bend_bound(p, first);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  double u = 0.0, value = at(first), slope = first < p.order ? at(first + 1) : 0.0;
+  double reach = 1.0, curvature = bounds.curvature, twist = -1.0;  // not known yet
+  double u = 0.0, last_newton = std::numeric_limits<double>::infinity();
+  const auto known = [&](int n) { return n <= p.order - first ? c[n] : 0.0; };
+  Jet at{c[0], known(1), known(2), known(3), known(4)};
   int steps = 0;
-  // Ends: u grows by at least one unit in the last place per step, and quadratically near a
-  // transversal root; at an exact tangency the distance falls by a constant factor per step.
+  // Ends: u grows by at least one unit in the last place per step away from a root, Newton's step
+  // is at least halved near one.
   while (true) {
-    double step = value <= 0.0 ? 0.0 : detail::safe_step(value, slope, curvature);
-    // Kantorovich: where bend step <= |p'| / 8 the root is that near, and what the step leaves of
-    // the distance to it is below bend step^2 / |p'|.
-    const bool last =
-        bend * step <= -0.125 * slope && bend * step * step <= -0.25 * epsilon * u * slope;
-    if (last || step <= 1e-6 * u) {  // or near a root (or, step = 0 at u = 0, out of range)
-      const double noise = epsilon * detail::size_at(p, first, u);
-      if (last || value <= 0.5 * noise || u + step == u) {
-        if (last) u += step;
-        if (!(u <= limit)) return std::nullopt;
-        return Root{u, std::min(2.0 * noise / std::max(std::abs(slope), noise), 1e-9)};
+    // Kantorovich, with a margin of two: p' varies by less than half of itself over twice Newton's
+    // step, so that the root ahead is the only one there.
+    if (at.slope < 0.0 && bounds.bend * std::abs(at.value) <= 0.25 * at.slope * at.slope) {
+      const detail::SeriesStep to = detail::series_step(at, bounds.fifth);
+      const bool stalled = !(std::abs(to.newton) <= 0.5 * last_newton);  // by rounding
+      if (to.error <= 0.25 * epsilon || stalled) {
+        if (!(u + to.step <= limit)) return std::nullopt;
+        return detail::root_at(u + to.step, at.slope * to.slope, first);
       }
+      if (u + to.step <= limit) {
+        ++counters.root_iterations;
+        last_newton = std::abs(to.newton);
+        u += to.step;
+        at = jet_at(p, first, u);
+        continue;
+      }
+    }
+    double step = at.value <= 0.0 ? 0.0 : detail::safe_step(at.value, at.slope, curvature);
+    if (at.value > 0.0 && at.second > 0.0 && steps >= 2) {
+      if (twist < 0.0) twist = detail::twist_bound(p, first);
+      step = std::max(step, detail::convex_step(at, twist));
+    }
+    if (step <= 1e-6 * u && (u + step == u || at.value <= 0.5 * epsilon * size_at(p, first, u))) {
+      if (!(u <= limit)) return std::nullopt;
+      return detail::root_at(u, at.slope, first);
     }
     ++counters.root_iterations;
     if (reach < 1.0 && u + step > reach) {  // not beyond where the bound holds
@@ -148,20 +143,16 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
     }
     if (!(u + step <= limit)) return std::nullopt;  // also when the step is infinite
     u += step;
-    const auto [value_at, slope_at] = detail::value_and_slope(p, first, u);
-    value = value_at;
-    slope = slope_at;
+    at = jet_at(p, first, u);
   }
 }
 
-// Value and slope at u, with the exact zeros divided out so that small values keep their accuracy.
-inline OscillatorState<double> evaluate(const Polynomial &p, int zeros, double u) {
-  auto [value, slope] = detail::value_and_slope(p, zeros, u);
-  for (int k = 0; k < zeros; ++k) {
-    slope = slope * u + value;
-    value *= u;
-  }
-  return {value, slope};
+// How far off the root may be for the rounding of the coefficients.
+inline double uncertainty(const Polynomial &p, int zeros, const Root &root) {
+  double noise = 2.0 * std::numeric_limits<double>::epsilon() * size_at(p, zeros, root.at);
+  for (int k = 0; k < zeros; ++k) noise *= root.at;
+  if (noise == 0.0) return 0.0;
+  return std::min(noise / std::max(std::abs(root.slope), 0.5 * noise), 1e-9);
 }
 
 }  // namespace vibro_impact

@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -50,14 +49,24 @@ inline std::string contact_mode_name(const Held &held) {
   return text;
 }
 
-// The motion at one time, evaluated only where it is asked. Masses from 1.
+// A quantity of one mass (from 1), evaluated when it is asked for. Refers to the state of the run.
+struct OfMass {
+  const void *state, *scene;
+  double (*at)(const void *state, const void *scene, int mass);
+
+  double operator()(int mass) const {
+    return at(state, scene, mass);
+  }
+};
+
+// The motion at one time, while a recorder is told of it.
 struct Moment {
   Instant instant;
   double time = 0.0;
-  std::function<double(int)> displacement, velocity;
+  OfMass displacement, velocity;
   // Force of the neighbours and the forcing on a held mass (Eqs. 12-13, F_p; towards +x); NaN for a
   // mass that is free.
-  std::function<double(int)> hold_force;
+  OfMass hold_force;
 };
 
 // Every event from time `from` on.

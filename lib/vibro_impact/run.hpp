@@ -24,7 +24,7 @@ struct Run {
   Instant end;
   State<D> state;
   Modes<D> modes = {};
-  Flight<D> flight = {};
+  Flight flight = {};
   ChatterSequence<D> chatter = {};
   Counters counters = {};
   long long stride = 1;
@@ -40,18 +40,25 @@ struct Run {
 
 template <int D>
 Moment moment_of(const State<D> &state, const Scene &scene, const Clock &clock) {
-  return {state.now, time_of(state.now, clock),
-          [&state](int mass) {
-            return state.mode->equilibrium(mass - 1) +
-                   state.mode->shape.row(mass - 1).dot(state.value.matrix());
-          },
-          [&state](int mass) { return state.mode->shape.row(mass - 1).dot(state.slope.matrix()); },
-          [&state, &scene](int mass) {
-            for (const ClosedStop<D> &closed : state.mode->closed)
+  const auto of_mass = [&](double (*at)(const void *, const void *, int)) {
+    return OfMass{&state, &scene, at};
+  };
+  return {state.now, time_of(state.now, clock), of_mass([](const void *of, const void *, int mass) {
+            const auto &[now, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
+            return mode->equilibrium(mass - 1) + mode->shape.row(mass - 1).dot(value.matrix());
+          }),
+          of_mass([](const void *of, const void *, int mass) {
+            const auto &[now, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
+            return mode->shape.row(mass - 1).dot(slope.matrix());
+          }),
+          of_mass([](const void *of, const void *in, int mass) {
+            const auto &[now, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
+            for (const ClosedStop<D> &closed : mode->closed)
               if (closed.mass + 1 == static_cast<std::size_t>(mass))
-                return sign(scene.stops[closed.stop].side) * closed.press(state.value, state.slope);
+                return sign(static_cast<const Scene *>(in)->stops[closed.stop].side) *
+                       closed.press(value, slope);
             return std::numeric_limits<double>::quiet_NaN();
-          }};
+          })};
 }
 
 template <int D>

@@ -1,0 +1,160 @@
+// Polynomials in u on [0, 1]: the gap of a stop, or a hold force, along one expansion.
+//
+// Everything is summed in packets of four terms c_n u^n, with no chain of dependent operations as
+// long as the polynomial: a value and its first four derivatives cost little more than a value.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "flow.hpp"
+
+namespace vibro_impact {
+
+constexpr int max_order = 32;
+
+// Coefficients are read in packets of four: three zeros follow the last one (see `end_at`).
+struct Polynomial {
+  std::array<double, max_order + 4> coefficient{};
+  int order = 0;
+};
+
+inline void end_at(Polynomial &p, int order) {
+  p.order = order;
+  std::fill_n(p.coefficient.begin() + order + 1, 3, 0.0);
+}
+
+// Taylor coefficients of a polynomial about one point: p, p', p''/2, p'''/6, p''''/24.
+struct Jet {
+  double value, slope, second, third, fourth;
+};
+
+namespace detail {
+
+using Two = Eigen::Array<double, 2, 1>;
+
+// binomial[k][n] = n over k: the derivatives of u^n are binomial[k][n] u^(n - k) k!.
+inline const auto binomial = [] {
+  std::array<std::array<double, max_order + 4>, 6> table{};
+  for (std::size_t n = 0; n < table[0].size(); ++n) {
+    table[0][n] = 1.0;
+    for (std::size_t k = 1; k < table.size() && n > 0; ++k)
+      table[k][n] = table[k][n - 1] + table[k - 1][n - 1];
+  }
+  return table;
+}();
+
+inline Two two(const double *at) {
+  return Eigen::Map<const Two>(at);
+}
+
+// 1, x: without a detour through memory.
+inline Two one_and(double x) {
+  static const Two unit(1.0, 0.0), other(0.0, 1.0);
+  return unit + x * other;
+}
+
+inline Two two_binomials(std::size_t k, int n) {
+  return two(binomial[k].data() + n);
+}
+
+// Sums over the coefficients: bounds on [0, 1].
+struct Bounds {
+  double end;        // value at 1
+  double lowest;     // lower bound of the value, for c_0 > 0: c_0 and all negative ones
+  double bend;       // |p''|
+  double curvature;  // -p''
+  double fifth;      // |p^(5)| / 5!
+};
+
+inline Bounds bounds_of(const Polynomial &p, int first) {
+  const double *c = p.coefficient.data() + first;
+  Two sum = Two::Zero(), modulus = sum, bend = sum, bent = sum, fifth = sum;
+  for (int n = 0; n <= p.order - first; n += 2) {
+    const Two at = two(c + n), curved = two_binomials(2, n) * at;
+    sum += at;
+    modulus += at.abs();
+    bend += curved.abs();
+    bent += curved;
+    fifth += two_binomials(5, n) * at.abs();
+  }
+  // The negative part of a number is half of what it and its modulus differ by.
+  const double end = sum.sum();
+  return {end, c[0] + 0.5 * (end - modulus.sum()), 2.0 * bend.sum(),
+          std::max(0.0, (bend - bent).sum()), fifth.sum()};
+}
+
+// An upper bound on [0, 1] of |p'''|.
+inline double twist_bound(const Polynomial &p, int first) {
+  const double *c = p.coefficient.data() + first;
+  Two sum = Two::Zero();
+  for (int n = 0; n <= p.order - first; n += 2) sum += two_binomials(3, n) * two(c + n).abs();
+  return 6.0 * sum.sum();
+}
+
+// Lower bound on [0, 1] of sum_{n >= first} weight(n) c_n u^(n - first): nested minima.
+template <class Weight>
+double lower_bound(const Polynomial &p, int first, Weight weight) {
+  double bound = 0.0;
+  for (int n = p.order; n >= first; --n)
+    bound = weight(n) * p.coefficient[static_cast<std::size_t>(n)] + std::min(0.0, bound);
+  return bound;
+}
+
+}  // namespace detail
+
+// The polynomial with its `first` leading coefficients divided out, about u >= 0.
+inline Jet jet_at(const Polynomial &p, int first, double u) {
+  using detail::Two;
+  const double *c = p.coefficient.data() + first;
+  const double w = u * u, inverse = 1.0 / std::max(u, 1e-300);
+  Two power = detail::one_and(u);
+  Two value = Two::Zero(), slope = value, second = value, third = value, fourth = value;
+  for (int n = 0; n <= p.order - first; n += 2) {
+    const Two term = detail::two(c + n) * power;
+    value += term;
+    slope += detail::two_binomials(1, n) * term;
+    second += detail::two_binomials(2, n) * term;
+    third += detail::two_binomials(3, n) * term;
+    fourth += detail::two_binomials(4, n) * term;
+    power *= w;
+  }
+  // From left to right, so that what has underflown stays zero.
+  return {value.sum(), slope.sum() * inverse, second.sum() * inverse * inverse,
+          third.sum() * inverse * inverse * inverse,
+          fourth.sum() * inverse * inverse * inverse * inverse};
+}
+
+// Sum of the moduli of the terms at u: the scale of the rounding of the value there.
+inline double size_at(const Polynomial &p, int first, double u) {
+  using detail::Two;
+  const double *c = p.coefficient.data() + first;
+  Two size = Two::Zero(), power = detail::one_and(u);
+  for (int n = 0; n <= p.order - first; n += 2) {
+    size += detail::two(c + n).abs() * power;
+    power *= u * u;
+  }
+  return size.sum();
+}
+
+// Value and slope at u, with the exact zeros divided out so that small values keep their accuracy.
+inline OscillatorState<double> evaluate(const Polynomial &p, int zeros, double u) {
+  using detail::Two;
+  const double *c = p.coefficient.data() + zeros;
+  Two power = detail::one_and(u), value_terms = Two::Zero(), slope_terms = value_terms;
+  for (int n = 0; n <= p.order - zeros; n += 2) {
+    value_terms += detail::two(c + n) * power;
+    slope_terms += detail::two(c + n + 1) * detail::two_binomials(1, n + 1) * power;
+    power *= u * u;
+  }
+  double value = value_terms.sum(), slope = slope_terms.sum();
+  for (int k = 0; k < zeros; ++k) {
+    slope = slope * u + value;
+    value *= u;
+  }
+  return {value, slope};
+}
+
+}  // namespace vibro_impact
