@@ -38,15 +38,13 @@ inline EventTables read_event_tables(const std::string &path) {
 // Samples between the events: the deepest penetration of a stop, the size of the motion.
 struct Samples {
   const Scene *scene;
-  double from, until;
-  long long count, taken = 0;
+  double from, until, every;
+  std::size_t taken = 0;
   double penetration = 0.0, size = 0.0, speed = 0.0;
   bool finite = true;
 
   double next_time() const {
-    const double next =
-        from + (until - from) * static_cast<double>(taken) / static_cast<double>(count);
-    return taken < count ? next : std::numeric_limits<double>::infinity();
+    return sample_time(from, until, every, taken);
   }
   void sample(const Moment &moment) {
     ++taken;
@@ -167,7 +165,7 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
     shorter.from = 0.0;
     shorter.until = std::min(extreme.until, 1000.0 * result.period);
   }
-  Samples samples{&scene, 0.0, shorter.until, 1000};
+  Samples samples{&scene, 0.0, shorter.until, shorter.until / 1000};
   simulate(scene, shorter.until, {}, samples);
   result.finite = samples.finite && outcome.state.displacement.allFinite() &&
                   outcome.state.velocity.allFinite();

@@ -19,13 +19,12 @@ namespace vibro_impact::testing {
 struct Watch {
   const Scene *scene;
   double until, every;
-  long long asked = 0;
+  std::size_t asked = 0;
   double penetration = 0.0, pull = 0.0, size = 0.0;
   bool finite = true;
 
   double next_time() const {
-    const double next = every * static_cast<double>(asked);
-    return next <= until ? next : std::numeric_limits<double>::infinity();
+    return sample_time(0.0, until, every, asked);
   }
   void sample(const Moment &moment) {
     ++asked;
