@@ -40,18 +40,16 @@ inline std::vector<TrueEvent> read_event_table(std::istream &file, const std::st
 }
 
 inline std::vector<TrueEvent> read_event_table(const std::string &path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::ifstream file = opened(path);
   return read_event_table(file, path);
 }
 
-// The events of several cases, whose name stands in a column before the others.
+// The events of several cases, named in a column before the others.
 using EventTables = std::map<std::string, std::vector<TrueEvent>>;
 
 // Throws std::runtime_error as above.
 inline EventTables read_event_tables(const std::string &path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::ifstream file = opened(path);
   EventTables tables;
   for (const auto &cells : read_rows(file, path, 7))
     tables[cells[0]].push_back(event_in(path, cells, 1));
