@@ -123,8 +123,8 @@ inline std::vector<Change> changes(const Scene &scene) {
 
 }  // namespace detail
 
-// Runs a case: once as it is, once sampled, and perturbed. `tables` holds the truth
-// of the generator's cases.
+// Runs a case: once as it is, once sampled, and perturbed. `tables` holds the truth of the
+// generator's cases.
 inline Measured measure(const Case &extreme, const EventTables &tables) {
   const Scene &scene = extreme.scene;
   Measured result;
