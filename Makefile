@@ -48,7 +48,7 @@ readme: build
 
 test-sanitize: packages
 	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }
-	@cmake --build build/sanitize -j $(jobs)
+	@cmake --build build/sanitize --target test_programs -j $(jobs)
 	@ctest --test-dir build/sanitize --output-on-failure -j $(jobs)
 
 benchmarks: packages

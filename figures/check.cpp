@@ -1,65 +1,63 @@
 // `make check`: every key number of the paper, computed and held against its reference; one row
 // each, and a verdict. With --markdown the same rows as the table of the README.
-#include <CLI/CLI.hpp>
 #include <cstdio>
+
+#include "driver.hpp"
 #include "key_bifurcations.hpp"
 #include "key_numbers.hpp"
 #include "table_reader.hpp"
 
 namespace {
 
+using namespace vibro_impact;
+
 std::string shown(const std::string &format, double value) {
   return fmt::format(fmt::runtime(format), value);
+}
+
+// Exit status: 1 when a number misses its reference.
+int check_key_numbers(const std::string &folder, bool markdown) {
+  // A number located with 50 digits takes precedence over the library's own of an earlier version.
+  figures::References references;
+  for (const char *table : {"key_numbers.csv", "located.csv", "bifurcation_points.csv"})
+    references.merge(figures::read_references(folder + "/" + table));
+  auto numbers = figures::key_numbers();
+  for (auto &number : figures::key_bifurcations()) numbers.push_back(std::move(number));
+  int failed = 0;
+  if (markdown)
+    fmt::print(
+        "| number | paper | computed | error | tolerance | kind of the reference "
+        "|\n|---|---|---|---|---|---|\n");
+  else
+    fmt::print("{:<30} {:<22} {:<11} {:>22} {:>10} {:>9}  verdict\n", "symbol", "paper", "kind",
+               "computed", "error", "tolerance");
+  for (const auto &number : numbers) {
+    const figures::Reference &reference = references.at(number.symbol);
+    const double computed = number.compute(), error = std::abs(computed - reference.value);
+    const bool pass = error <= number.tolerance;  // false for NaN
+    if (!pass) ++failed;
+    if (markdown)
+      fmt::print("| {} | {} | {} | {:.1e} | {:.0e} | {} |\n", number.meaning, number.printed,
+                 shown(number.decimals, computed), error, number.tolerance, reference.kind);
+    else
+      fmt::print("{:<30} {:<22} {:<11} {:>22} {:>10.1e} {:>9.0e}  {}\n", number.symbol,
+                 number.printed, reference.kind, shown(number.decimals, computed), error,
+                 number.tolerance, pass ? "pass" : "FAIL");
+  }
+  if (failed == 0) return 0;
+  std::fflush(stdout);
+  fmt::print(stderr, "check: {} of the key numbers miss their reference\n", failed);
+  return 1;
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  using namespace vibro_impact;
   std::string folder = "reference";
   bool markdown = false;
-  CLI::App options("Computes every key number and compares it with its reference", "check");
-  options.add_option("--reference", folder, "Folder of the tables of references")
-      ->capture_default_str();
-  options.add_flag("--markdown", markdown, "Print the table of the README");
-  CLI11_PARSE(options, argc, argv);
-  try {
-    // A number located with 50 digits takes precedence over the library's own of an earlier
-    // version.
-    figures::References references;
-    for (const char *table : {"key_numbers.csv", "located.csv", "bifurcation_points.csv"})
-      references.merge(figures::read_references(folder + "/" + table));
-    auto numbers = figures::key_numbers();
-    for (auto &number : figures::key_bifurcations()) numbers.push_back(std::move(number));
-    int failed = 0;
-    if (markdown)
-      fmt::print(
-          "| number | paper | computed | error | tolerance | kind of the reference "
-          "|\n|---|---|---|---|---|---|\n");
-    else
-      fmt::print("{:<30} {:<22} {:<11} {:>22} {:>10} {:>9}  verdict\n", "symbol", "paper", "kind",
-                 "computed", "error", "tolerance");
-    for (const auto &number : numbers) {
-      const figures::Reference &reference = references.at(number.symbol);
-      const double computed = number.compute(), error = std::abs(computed - reference.value);
-      const bool pass = error <= number.tolerance;  // false for NaN
-      if (!pass) ++failed;
-      if (markdown)
-        fmt::print("| {} | {} | {} | {:.1e} | {:.0e} | {} |\n", number.meaning, number.printed,
-                   shown(number.decimals, computed), error, number.tolerance, reference.kind);
-      else
-        fmt::print("{:<30} {:<22} {:<11} {:>22} {:>10.1e} {:>9.0e}  {}\n", number.symbol,
-                   number.printed, reference.kind, shown(number.decimals, computed), error,
-                   number.tolerance, pass ? "pass" : "FAIL");
-    }
-    if (failed > 0) {
-      std::fflush(stdout);
-      fmt::print(stderr, "check: {} of the key numbers miss their reference\n", failed);
-      return 1;
-    }
-    return 0;
-  } catch (const std::exception &failure) {
-    fmt::print(stderr, "check: {}\n", failure.what());
-    return 2;
-  }
+  return figures::command(argc, argv,
+                          "Computes every key number and compares it with its reference",
+                          {{"--reference", "Folder of the tables of references", &folder},
+                           {"--markdown", "Print the table of the README", &markdown}},
+                          [&] { return check_key_numbers(folder, markdown); });
 }

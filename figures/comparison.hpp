@@ -1,6 +1,6 @@
 // The library beside what one would otherwise write, on the scene of Figure 2: a stiff spring in
 // place of each stop (stiff_spring.hpp), and the plain event-driven scheme
-// (tests/plain_event_driven.hpp).
+// (plain_event_driven.hpp).
 //
 // The library stands for the rigid stops here. It is itself compared event for event with the
 // 50-digit table reference/figure2_events.csv, to 1e-10 by the tests and 3e-13 as measured, far
@@ -12,8 +12,8 @@
 #include <limits>
 #include <vector>
 
-#include "../tests/plain_event_driven.hpp"
 #include "paper_scenes.hpp"
+#include "plain_event_driven.hpp"
 #include "stiff_spring.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

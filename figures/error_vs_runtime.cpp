@@ -134,13 +134,7 @@ int main(int argc, char **argv) {
   int repeats = 7;
   return figures::drive(
       argc, argv, "Error against run time of this library and other methods",
-      [&](CLI::App &options) {
-        options.add_option("--reference", reference, "Folder of the 50-digit reference tables")
-            ->capture_default_str();
-        options
-            .add_option("--repeats", repeats, "Timed runs of every method, interleaved; at least 1")
-            ->check(CLI::Range(1, 1000))
-            ->capture_default_str();
-      },
-      [&](const std::filesystem::path &output) { compare(output, reference, repeats); });
+      [&](const std::filesystem::path &output) { compare(output, reference, repeats); },
+      {{"--reference", "Folder of the 50-digit reference tables", &reference},
+       {"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats}});
 }

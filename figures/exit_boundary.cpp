@@ -15,11 +15,10 @@ struct StickingOrbitRecorder {
   double from, to, every;
   Table table{"phase,kind,t,x,v"};
   int phase = 0;
-  long long asked = 0;
+  std::size_t asked = 0;
 
   double next_time() const {
-    const double next = from + every * static_cast<double>(asked);
-    return next <= to ? next : std::numeric_limits<double>::infinity();
+    return sample_time(from, to, every, asked);
   }
   void sample(const Moment &moment) {
     ++asked;

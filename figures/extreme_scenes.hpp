@@ -10,19 +10,11 @@
 #include <vector>
 
 #include "paper_scenes.hpp"
+#include "true_event.hpp"
 
 namespace vibro_impact::extremes {
 
-// An event as it truly happens, at cycle T + time with T the forcing period: a time that is known
-// better than a double could hold after 1e6 periods.
-struct TrueEvent {
-  long long cycle = 0;
-  double time = 0.0;
-  int mass = 1;
-  std::string event;  // impact, stick, release
-  double velocity_before = 0.0;
-  std::string contact_mode;  // after it: `-`, `1`, `1+2`
-};
+using figures::TrueEvent;
 
 // What a case is compared with.
 enum class Truth {

@@ -1,52 +1,28 @@
 // One extreme case run and judged: its errors, how sensitive it is, its work.
 #pragma once
 
-#include <cstdlib>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <stdexcept>
-#include <utility>
+#include <limits>
+#include <numbers>
 
+#include "event_comparison.hpp"
+#include "event_tables.hpp"
 #include "extreme_cases.hpp"
-#include "extreme_comparison.hpp"
 
 namespace vibro_impact::extremes {
 
-// The true events of every case that the generator computed.
-using EventTables = std::map<std::string, std::vector<TrueEvent>>;
-
-// Reads reference/extreme_events.csv. Throws std::runtime_error naming the file.
-inline EventTables read_event_tables(const std::string &path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  EventTables tables;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream stream(line);
-    std::vector<std::string> cells;
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 7) throw std::runtime_error(path + ": a row needs 7 columns: " + line);
-    // strtod takes the generator's smallest numbers as well, where stod throws.
-    tables[cells[0]].push_back({0, std::strtod(cells[1].c_str(), nullptr), std::stoi(cells[2]),
-                                cells[3], std::strtod(cells[4].c_str(), nullptr), cells[6]});
-  }
-  return tables;
-}
+using figures::Differences;
+using figures::EventTables;
 
 // Samples between the events: the deepest penetration of a stop, the size of the motion.
 struct Samples {
   const Scene *scene;
-  double from, until;
-  long long count, taken = 0;
+  double from, until, every;
+  std::size_t taken = 0;
   double penetration = 0.0, size = 0.0, speed = 0.0;
   bool finite = true;
 
   double next_time() const {
-    const double next =
-        from + (until - from) * static_cast<double>(taken) / static_cast<double>(count);
-    return taken < count ? next : std::numeric_limits<double>::infinity();
+    return sample_time(from, until, every, taken);
   }
   void sample(const Moment &moment) {
     ++taken;
@@ -94,7 +70,7 @@ inline std::vector<TrueEvent> events_of(const Scene &scene, const Case &extreme,
   EventRecorder recorder{extreme.from};
   const Outcome result = simulate(scene, extreme.until, {}, recorder);
   if (outcome != nullptr) *outcome = result;
-  return as_truth(recorder.events);
+  return figures::as_truth(recorder.events);
 }
 
 // The changes made to a start to see what becomes of them, relative to the motion. The smaller one
@@ -147,8 +123,8 @@ inline std::vector<Change> changes(const Scene &scene) {
 
 }  // namespace detail
 
-// Runs a case: once as it is, once sampled, and perturbed. `tables` holds the truth
-// of the generator's cases.
+// Runs a case: once as it is, once sampled, and perturbed. `tables` holds the truth of the
+// generator's cases.
 inline Measured measure(const Case &extreme, const EventTables &tables) {
   const Scene &scene = extreme.scene;
   Measured result;
@@ -159,7 +135,7 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
   const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events();
   result.differences = extreme.truth == Truth::grazing
                            ? compare_grazing(events, truth, scene)
-                           : compare(events, truth, scene, result.period);
+                           : compare(events, truth, scene, {.period = result.period});
 
   // A long run is sampled and perturbed over its first 1000 periods only.
   Case shorter = extreme;
@@ -167,7 +143,7 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
     shorter.from = 0.0;
     shorter.until = std::min(extreme.until, 1000.0 * result.period);
   }
-  Samples samples{&scene, 0.0, shorter.until, 1000};
+  Samples samples{&scene, 0.0, shorter.until, shorter.until / 1000};
   simulate(scene, shorter.until, {}, samples);
   result.finite = samples.finite && outcome.state.displacement.allFinite() &&
                   outcome.state.velocity.allFinite();
@@ -182,8 +158,8 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
   for (const detail::Change &change : detail::changes(scene)) {
     for (const double by : detail::perturbations) {
       const Scene changed = detail::perturbed(scene, change, by, samples.size, speed);
-      const Differences difference =
-          compare(detail::events_of(changed, shorter), unchanged, scene, result.period, true);
+      const Differences difference = compare(detail::events_of(changed, shorter), unchanged, scene,
+                                             {.period = result.period, .runs = true});
       result.conditioning = std::max(result.conditioning, difference.time / result.period / by);
       if (difference.first.empty()) break;
     }

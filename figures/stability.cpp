@@ -7,7 +7,7 @@ int main(int argc, char **argv) {
   return figures::drive(
       argc, argv, "Stability: extreme scenes against 50-digit and exact motions",
       [](const std::filesystem::path &output) {
-        const auto tables = extremes::read_event_tables(EXTREME_EVENTS);
+        const auto tables = figures::read_event_tables(EXTREME_EVENTS);
         const auto cases = extremes::all_cases();
         figures::Progress progress("stability", static_cast<long long>(cases.size()));
         Table table(

@@ -1,4 +1,4 @@
-// This file alone is C++17: uBLAS, on which Odeint's Rosenbrock method rests, calls members of
+// This file is C++17: uBLAS, on which Odeint's Rosenbrock method rests, calls members of
 // std::allocator (Boost 1.74) that C++20 no longer has.
 #include "stiff_spring.hpp"
 

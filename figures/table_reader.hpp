@@ -14,6 +14,13 @@
 
 namespace vibro_impact::figures {
 
+// A table opened for reading. Throws std::runtime_error naming it.
+inline std::ifstream opened(const std::string &path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  return file;
+}
+
 // The rows below the header line, each split at its commas. Throws std::runtime_error naming
 // `name` and the line of a row with fewer than `columns` cells.
 inline std::vector<std::vector<std::string>> read_rows(std::istream &file, const std::string &name,
@@ -65,8 +72,7 @@ inline References read_references(std::istream &file, const std::string &name) {
 }
 
 inline References read_references(const std::string &path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::ifstream file = opened(path);
   return read_references(file, path);
 }
 

@@ -82,7 +82,8 @@ inline Flow free_flow(const Real &frequency) {
   const Scene scene = scene_named("figure2");
   Chain chain = scene.chain;
   chain.frequency = frequency;
-  return flow_from(chain, Real(0), Vector(2), Vector(2), {false, false});
+  Eigensystems known;
+  return flow_from(chain, Real(0), Vector(2), Vector(2), {false, false}, known);
 }
 
 /// The scenes of Table I that are solved for: the same conditions and brackets as in

@@ -59,11 +59,11 @@ TEST(PressingForce, AgreesWithTheHoldForceARunReports) {
   for (const auto &row : recorder.rows) {
     const MotionState at = simulate(scene, row.time, {}).state;
     if (at.held[0] == 0) continue;  // the last time of a phase
-    const auto press = pressing_force(scene, scene.stops[0], at);
+    const auto press = pressing_force_and_rate(scene, scene.stops[0], at);
     EXPECT_NEAR(press.value, -row.force, 1e-12);
     const double h = 1e-5;
     const auto later =
-        pressing_force(scene, scene.stops[0], simulate(scene, row.time + h, {}).state);
+        pressing_force_and_rate(scene, scene.stops[0], simulate(scene, row.time + h, {}).state);
     EXPECT_NEAR(press.slope, (later.value - press.value) / h, 1e-4);
     ++compared;
   }

@@ -9,14 +9,13 @@
 namespace {
 
 using namespace vibro_impact;
-using namespace vibro_impact::testing;
 using stiff_spring::Stepper;
 
 const Scene scene = paper::figure2();
 const double period = Clock(scene.omega).period;
 
-std::vector<TableRow> fifty_digit_table() {
-  return read_event_table(REFERENCE_DIR "/figure2_events.csv");
+std::vector<figures::TrueEvent> fifty_digit_table() {
+  return figures::read_event_table(REFERENCE_DIR "/figure2_events.csv");
 }
 
 double median(std::vector<double> values) {
@@ -84,9 +83,9 @@ TEST(PlainScheme, StallsWhereTheLibraryFallsGeometricallyToRounding) {
 
 TEST(PlainScheme, WithoutAThresholdMakesSpuriousImpactsThatTheTableDoesNotHave) {
   const auto table = fifty_digit_table();
-  const auto of_first_period = std::count_if(table.begin(), table.end(), [](const TableRow &row) {
-    return row.time < period && row.event == "impact";
-  });
+  const auto of_first_period = std::count_if(
+      table.begin(), table.end(),
+      [](const figures::TrueEvent &row) { return row.time < period && row.event == "impact"; });
   EXPECT_LT(of_first_period, 100);
   EventRecorder library;
   RunOptions options;

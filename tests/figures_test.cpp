@@ -1,59 +1,18 @@
-// The numbers behind the paper's figures: what its text says of each, and what its axes show.
-//
-// Kinds of the numbers compared with: printed (in the paper), derived (a formula), computed (by the
-// 50-digit generator in reference/, see key_numbers.csv).
+// The numbers behind Figures 2 to 4: what the paper's text says of each, and what its axes show.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "figure3.hpp"
-#include "paper_scenes.hpp"
-#include "vibro_impact/vibro_impact.hpp"
+#include "paper_runs.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-
-// Event times are compared with computed ones to 1e-9. The library keeps them to about 1e-12 of a
-// unit of time per forcing period; what is guarded here is the motion, not the last digits.
-constexpr double same_time = 1e-9;
-
-// Samples lie 0.005 apart, an extreme at most half of that from one; with |x''| < 1 there it is
-// missed by at most 0.0025^2 / 2 = 3.2e-6.
-constexpr double sampling_step = 0.005, sampled_extreme = 4e-6;
-
-std::vector<Event> events_of(const Scene &scene, double from, double until,
-                             double resolve_chatter = std::numeric_limits<double>::infinity()) {
-  RunOptions options;
-  options.resolve_chatter = resolve_chatter;
-  EventRecorder recorder{from};
-  simulate(scene, until, options, recorder);
-  return recorder.events;
-}
-
-std::vector<Event> select(const std::vector<Event> &events, EventKind kind, int mass,
-                          double from = 0.0, double to = std::numeric_limits<double>::infinity()) {
-  std::vector<Event> selected;
-  for (const Event &event : events)
-    if (event.kind == kind && event.mass == mass && event.time >= from && event.time <= to)
-      selected.push_back(event);
-  return selected;
-}
-
-SampleRecorder sampled(const Scene &scene, const paper::AxisBox &box) {
-  SampleRecorder samples;
-  samples.from = box.from;
-  samples.to = box.to;
-  samples.every = sampling_step;
-  samples.masses = 2;
-  simulate(scene, box.to, {}, samples);
-  return samples;
-}
+using namespace vibro_impact::testing;
 
 TEST(Figure2, ExtremesAndAxisBox) {
   const auto samples = sampled(paper::figure2(), paper::figure2a_box);
@@ -116,73 +75,6 @@ TEST(Figure2, ChatterOfMassTwoIsCompleteInTheWindowOfTheCloseUp) {
     EXPECT_NEAR(sticks[0].time, 720.76971470136216171, same_time);  // computed
     EXPECT_TRUE(select(events, EventKind::release, 2).empty()) << "it sticks to the end";
     EXPECT_TRUE(select(events, EventKind::impact, 2, sticks[0].time).empty());
-  }
-}
-
-// Points (a, b) with b close to a straight line of a: slope and value at a = 0 by least squares.
-struct Line {
-  double slope, intercept;
-};
-Line fitted(const std::vector<std::array<double, 2>> &points) {
-  double a = 0.0, b = 0.0, aa = 0.0, ab = 0.0;
-  const auto n = static_cast<double>(points.size());
-  for (const auto &point : points) {
-    a += point[0] / n;
-    b += point[1] / n;
-  }
-  for (const auto &point : points) {
-    aa += (point[0] - a) * (point[0] - a);
-    ab += (point[0] - a) * (point[1] - b);
-  }
-  return {ab / aa, b - ab / aa * a};
-}
-
-// Where the other mass is when a mass is let go at a root of its hold force.
-struct ReleaseRecorder {
-  int mass = 1;
-  std::vector<std::array<double, 2>> others = {};  // displacement and velocity
-  std::vector<double> phases = {};                 // time within the forcing period
-  void event(const Event &event, const Moment &moment) {
-    if (event.kind != EventKind::release || event.mass != mass || event.by_a_jump) return;
-    others.push_back({moment.displacement(3 - mass), moment.velocity(3 - mass)});
-    phases.push_back(event.instant.phase);
-  }
-};
-
-// A release is the root of F, whose terms are of order 1 and carry rounding of some 1e-15; divided
-// by c = 0.1 that is 1e-14 in the velocity, with room for the summation 1e-13.
-constexpr double on_boundary = 1e-13;
-
-TEST(ExitBoundary, OfMassTwoIsTheLineOfEquation23) {
-  // The boundary does not depend on the forcing: transients at several frequencies and amplitudes
-  // spread the points along it. They span more than 0.05 in x1, so that 1e-13 in the velocity is
-  // less than 1e-11 in slope and intercept.
-  ReleaseRecorder releases{2};
-  for (double amplitude : {0.3, 0.5, 0.9, 1.5})
-    for (double omega : {0.25, 0.28, 0.31, 0.34, 0.36, 0.41, 0.45}) {
-      Scene scene = paper::figure3(omega);
-      scene.amplitude[0] = amplitude;
-      simulate(scene, 20.0 * Clock(omega).period, {}, releases);
-    }
-  ASSERT_GT(releases.others.size(), 100u);
-  const auto [left, right] = std::minmax_element(releases.others.begin(), releases.others.end());
-  EXPECT_GT((*right)[0] - (*left)[0], 0.05);
-  const Line line = fitted(releases.others);
-  EXPECT_NEAR(line.slope, -10.0, 1e-11);    // printed, and derived: -k / c
-  EXPECT_NEAR(line.intercept, 1.0, 1e-11);  // printed, and derived: k s2 / c
-  for (const auto &[x1, v1] : releases.others) EXPECT_NEAR(v1, -10.0 * x1 + 1.0, on_boundary);
-}
-
-TEST(ExitBoundary, OfMassOneMovesWithTheForcing) {
-  ReleaseRecorder releases{1};
-  const Scene scene = paper::figure2();
-  simulate(scene, 750.0, {}, releases);
-  ASSERT_GT(releases.others.size(), 30u);
-  for (std::size_t i = 0; i < releases.others.size(); ++i) {
-    const auto &[x2, v2] = releases.others[i];
-    // Equation 20 set to zero, s1 = -0.3.
-    EXPECT_NEAR(v2, -10.0 * (x2 + 0.6) - 5.0 * std::cos(scene.omega * releases.phases[i]),
-                on_boundary);
   }
 }
 
@@ -334,93 +226,6 @@ TEST(Figure4, JustAfterMultiSlidingThePhaseIsSplitByAChatter) {
   const auto release = select(before.events, EventKind::release, 1);
   EXPECT_NEAR(sticks[0].instant.phase, stick[0].instant.phase, 0.05);
   EXPECT_NEAR(releases[1].instant.phase, release[0].instant.phase, 0.05);
-}
-
-TEST(Figure5a, MassTwoHitsTwiceWhileMassOneSticks) {
-  const Scene scene = paper::figure5a();
-  // From period to period the distance from the periodic motion falls by 5.7: below 1e-11 after 15.
-  const double period = Clock(scene.omega).period, settled = 15 * period;
-  const double until = paper::figure5a_box.to;
-  const auto events = events_of(scene, settled, until + period);
-  const auto sticks = select(events, EventKind::stick, 1, settled, until);
-  const auto releases = select(events, EventKind::release, 1, sticks.at(0).time);
-  ASSERT_EQ(sticks.size(), 12u) << "one stick a period, in periods 15 to 26";
-  ASSERT_GE(releases.size(), sticks.size());
-  for (std::size_t i = 0; i < sticks.size(); ++i) {
-    if (i > 0) {
-      EXPECT_NEAR(sticks[i].time - sticks[i - 1].time, period, same_time);
-    }
-    EXPECT_EQ(select(events, EventKind::impact, 2, sticks[i].time, releases[i].time).size(), 2u)
-        << "from t = " << sticks[i].time << " to " << releases[i].time;
-  }
-  EXPECT_TRUE(select(events, EventKind::stick, 2).empty());
-  const auto shown = select(events, EventKind::stick, 1, paper::figure5a_box.from, until);
-  ASSERT_EQ(shown.size(), 1u);
-  EXPECT_NEAR(shown[0].time, 958.68221432487518902, same_time);  // computed
-}
-
-TEST(Figure5b, MassTwoJustReachesItsStopWhileMassOneSticks) {
-  const paper::AxisBox &box = paper::figure5b_box;
-  const Scene scene = paper::figure5b();
-  const auto events = events_of(scene, box.from, box.to);
-  const auto touches = select(events, EventKind::impact, 2);
-  ASSERT_EQ(touches.size(), 1u);
-  EXPECT_NEAR(touches[0].time, 920.0, 0.5);                        // printed: t of about 920
-  EXPECT_NEAR(touches[0].time, 919.59421797950667662, same_time);  // computed
-  EXPECT_NEAR(touches[0].velocity_before, 0.01104678322719986233, same_time);  // computed
-  EXPECT_EQ(contact_mode_name(touches[0].held), "1");
-  const auto sticks = select(events, EventKind::stick, 1);
-  ASSERT_EQ(sticks.size(), 1u);
-  EXPECT_NEAR(sticks[0].time, 919.21929889487452699, same_time);  // computed
-  // A very short chatter: with r = 0.001 each speed is a thousandth of the one before it.
-  EXPECT_LE(select(events, EventKind::impact, 1, 0.0, sticks[0].time).size(), 4u);
-  // s1 < s2: while mass 1 is held the static force on mass 2 points away from its stop, so that the
-  // two cannot stick together, neither here nor in the whole run.
-  for (const Event &event : events_of(scene, 0.0, box.to))
-    EXPECT_NE(contact_mode_name(event.held), "1+2") << event.time;
-}
-
-TEST(Figure5c, MassTwoGoesOnBouncingAtAConstantInterval) {
-  const paper::AxisBox &box = paper::figure5c_box;
-  const auto events = events_of(paper::figure5c(), 0.0, box.to);
-  EXPECT_TRUE(select(events, EventKind::stick, 2).empty()) << "no stick is invented";
-  const auto releases = select(events, EventKind::release, 1, box.from, box.to);
-  ASSERT_EQ(releases.size(), 1u);
-  EXPECT_NEAR(releases[0].time, 988.84255668919496048, same_time);  // computed; seen at about 989
-  const auto sticks = select(events, EventKind::stick, 1, 0.0, releases[0].time);
-  ASSERT_FALSE(sticks.empty());
-  const auto bounces = select(events, EventKind::impact, 2, sticks.back().time, releases[0].time);
-  ASSERT_GE(bounces.size(), 25u);
-  // Derived: half a period of the damped mass on its own spring, zeta = 0.05, and the decay over
-  // it. Times near 1000 are rounded to 1e-13; 1e-9 in the interval leaves no room for a drift.
-  const double zeta = 0.05, root = std::sqrt(1.0 - zeta * zeta);
-  const double interval = std::numbers::pi / root, ratio = 0.7 * std::exp(-zeta * interval);
-  for (std::size_t i = 1; i < bounces.size(); ++i) {
-    EXPECT_NEAR(bounces[i].time - bounces[i - 1].time, interval, 1e-9) << i;
-    EXPECT_NEAR(bounces[i].velocity_before / bounces[i - 1].velocity_before, ratio, 1e-9) << i;
-  }
-  // Computed: still moving at the end of the sticking phase.
-  EXPECT_NEAR(bounces.back().velocity_before / 3.8533250460927914888e-09, 1.0, 1e-9);
-}
-
-// Every panel of Figure 5 stays inside its printed axis box and fills it but for one tick at each
-// end.
-TEST(Figure5, CurvesFillTheAxisBoxes) {
-  struct Panel {
-    Scene scene;
-    paper::AxisBox box;
-    double tick;
-  };
-  for (const Panel &panel : {Panel{paper::figure5a(), paper::figure5a_box, 0.05},
-                             Panel{paper::figure5c(), paper::figure5c_box, 0.01}}) {
-    const auto samples = sampled(panel.scene, panel.box);
-    const auto [low, high] =
-        std::minmax_element(samples.displacements.begin(), samples.displacements.end());
-    EXPECT_GT(*low, panel.box.lowest);
-    EXPECT_LT(*low, panel.box.lowest + panel.tick);
-    EXPECT_LT(*high, panel.box.highest);
-    EXPECT_GT(*high, panel.box.highest - 1.1 * panel.tick);
-  }
 }
 
 }  // namespace

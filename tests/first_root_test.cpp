@@ -3,17 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <complex>
 #include <initializer_list>
+#include <limits>
 #include <optional>
+#include <random>
+#include <vector>
 
-#include "test_scenes.hpp"
 #include "vibro_impact/first_root.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-using namespace vibro_impact::testing;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 using Coefficients = std::vector<long double>;
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "energy_balance.hpp"
+#include "extreme_scenes.hpp"
 #include "scene_properties.hpp"
-#include "test_scenes.hpp"
 #include "vibro_impact/first_root.hpp"
 
 namespace {
@@ -34,7 +34,7 @@ Account account_of(const Scene &scene, double until) {
 // the damper between them changes the acceleration mass 2 leaves with, which had been fixed before.
 // Its gap then moved apart from the motion by a part in 1e3. 1e-14: rounding.
 TEST(FoundScenes, ANeighboursImpactAtTheInstantOfLeaving) {
-  Scene scene = equal_chain(2, 1.0);
+  Scene scene = extremes::chain(2, 1.0);
   scene.amplitude = {0.0, -1.0};
   scene.omega = 0.0;
   scene.restitution = 0.0;
@@ -53,7 +53,7 @@ TEST(FoundScenes, ANeighboursImpactAtTheInstantOfLeaving) {
 TEST(FoundScenes, AHoldForceThatLeavesZeroWithAHigherDerivative) {
   for (const double k : {0.3, 1.0, 2.0})
     for (const double omega : {0.0, 1.0}) {
-      Scene scene = equal_chain(2, 0.0);
+      Scene scene = extremes::chain(2, 0.0);
       scene.stiffness = {k, k};
       scene.amplitude = {0.0, -1.0};
       scene.omega = omega;
@@ -73,7 +73,7 @@ TEST(FoundScenes, AHoldForceThatLeavesZeroWithAHigherDerivative) {
 // for its next impact lost the whole step to cancellation, and the mass went through the stop.
 TEST(FoundScenes, ASlowDepartureBeforeAnImpact) {
   for (const double r : {1e-300, 1e-100, 1e-30, 1e-18}) {
-    Scene scene = equal_chain(2, 0.0);
+    Scene scene = extremes::chain(2, 0.0);
     scene.stiffness = {8000.0, 10.0};
     scene.amplitude = {-1.0, 1.0};
     scene.omega = 0.0;

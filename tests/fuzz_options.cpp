@@ -33,12 +33,8 @@ using namespace vibro_impact;
 void run_shortly(const runner::Request &request) {
   const Scene &scene = request.scene;
   if (scene.masses() > 12) return;  // the modes of a long chain take cubic work
-  double rate = scene.omega;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double next = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    const double squared = 2.0 * (scene.stiffness[i] + next) / scene.mass[i];
-    rate = std::max({rate, std::sqrt(squared), scene.beta * squared});
-  }
+  const double squared = largest_eigenvalue_bound(scene);
+  const double rate = std::max({scene.omega, std::sqrt(squared), scene.beta * squared});
   RunOptions options = request.options;
   options.max_impacts_per_period = std::min(options.max_impacts_per_period, 200LL);
   EventRecorder events;
@@ -78,7 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   std::istringstream table(text);
   try {
     if (data[0] == 'e')
-      testing::read_event_table(table, "events");
+      figures::read_event_table(table, "events");
     else if (data[0] == 'k')
       figures::read_references(table, "key numbers");
     else

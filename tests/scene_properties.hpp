@@ -19,13 +19,12 @@ namespace vibro_impact::testing {
 struct Watch {
   const Scene *scene;
   double until, every;
-  long long asked = 0;
+  std::size_t asked = 0;
   double penetration = 0.0, pull = 0.0, size = 0.0;
   bool finite = true;
 
   double next_time() const {
-    const double next = every * static_cast<double>(asked);
-    return next <= until ? next : std::numeric_limits<double>::infinity();
+    return sample_time(0.0, until, every, asked);
   }
   void sample(const Moment &moment) {
     ++asked;
@@ -82,9 +81,8 @@ struct EventRules {
 //   every contact mode) or the forcing;
 // - an impact may cost a span cut at the guessed flight, and two more to close a chatter;
 // - a mass comes to rest by an impact, or starts at rest; and once a span without one, where a
-// scene
-//   has died down to rounding on a stop that no static force presses it to. Two per stop of slack
-//   are for starts at rest where rounding holds and frees a mass once more.
+//   scene has died down to rounding on a stop that no static force presses it to. Two per stop of
+//   slack are for starts at rest where rounding holds and frees a mass once more.
 // Every stop is looked at once an expansion. A root search takes below 25 steps on average in any
 // scene seen; 64 would be a search that creeps. Empty, or what is exceeded.
 inline std::string excessive_work(const Scene &scene, double until, const Counters &work) {

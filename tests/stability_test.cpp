@@ -14,7 +14,7 @@ using namespace vibro_impact;
 using namespace vibro_impact::extremes;
 
 const EventTables &reference() {
-  static const EventTables tables = read_event_tables(REFERENCE_DIR "/extreme_events.csv");
+  static const EventTables tables = figures::read_event_tables(REFERENCE_DIR "/extreme_events.csv");
   return tables;
 }
 
@@ -147,14 +147,14 @@ TEST(Comparison, FindsAMissingASpuriousAndAMovedEvent) {
   const auto truth = reference().at(extreme.name);
   const double period = period_of(extreme.scene);
   ASSERT_GT(truth.size(), 10u);
-  EXPECT_EQ(compare(truth, truth, extreme.scene, period).first, "");
+  EXPECT_EQ(compare(truth, truth, extreme.scene, {.period = period}).first, "");
   auto missing = truth, spurious = truth, moved = truth;
   missing.erase(missing.begin() + 5);
   spurious.insert(spurious.begin() + 5, spurious[4]);
   moved[5].time += 1e-9;
-  EXPECT_NE(compare(missing, truth, extreme.scene, period).first, "");
-  EXPECT_NE(compare(spurious, truth, extreme.scene, period).first, "");
-  EXPECT_NEAR(compare(moved, truth, extreme.scene, period).time, 1e-9, 1e-14);
+  EXPECT_NE(compare(missing, truth, extreme.scene, {.period = period}).first, "");
+  EXPECT_NE(compare(spurious, truth, extreme.scene, {.period = period}).first, "");
+  EXPECT_NEAR(compare(moved, truth, extreme.scene, {.period = period}).time, 1e-9, 1e-14);
 }
 
 }  // namespace

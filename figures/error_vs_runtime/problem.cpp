@@ -3,36 +3,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
+#include "event_tables.hpp"
 #include "paper_scenes.hpp"
+#include "table_reader.hpp"
 
 namespace vibro_impact::comparison {
 
 namespace {
 
-std::vector<std::vector<std::string>> rows_of(const std::filesystem::path &path) {
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line)) throw std::runtime_error(path.string() + ": cannot be read");
-  std::vector<std::vector<std::string>> rows;
-  while (std::getline(file, line)) {
-    std::istringstream stream(line);
-    rows.emplace_back();
-    for (std::string cell; std::getline(stream, cell, ',');) rows.back().push_back(cell);
-  }
-  return rows;
-}
-
 Scene scene_named(const std::string &name) {
   if (name == "figure2") return paper::figure2();
   if (name == "figure4a") return paper::figure4a();
   throw std::runtime_error(name + ": not a scene of the work-precision figure");
+}
+
+EventKind kind_named(const std::string &name) {
+  return name == "stick"     ? EventKind::stick
+         : name == "release" ? EventKind::release
+                             : EventKind::impact;
 }
 
 // The events of one mass, split at its sticks and releases.
@@ -67,24 +62,24 @@ double Problem::periods() const {
 
 std::vector<Problem> problems(const std::filesystem::path &reference) {
   std::vector<Problem> all;
-  for (const auto &row : rows_of(reference / "work_precision_states.csv")) {
-    const auto number = [&row](std::size_t i) { return std::stod(row.at(i)); };
-    const std::array<bool, 2> held{row.at(8) == "1", row.at(9) == "1"};
+  const std::string states = reference / "work_precision_states.csv";
+  const auto events = figures::read_event_tables(reference / "work_precision_events.csv");
+  std::ifstream file = figures::opened(states);
+  for (const auto &row : figures::read_rows(file, states, 14)) {
+    const auto number = [&](std::size_t i) { return figures::number_in(states, row[i]); };
+    const std::array<bool, 2> held{row[8] == "1", row[9] == "1"};
     all.push_back({row[0],
                    scene_named(row[1]),
                    {number(2), {number(4), number(5)}, {number(6), number(7)}, held},
                    number(3),
                    {},
                    {number(3), {number(10), number(11)}, {number(12), number(13)}, {}}});
+    const auto happened = events.find(row[0]);
+    if (happened == events.end()) continue;
+    for (const figures::TrueEvent &event : happened->second)
+      all.back().reference_events.push_back(
+          {event.time, event.mass, kind_named(event.event), event.velocity_before});
   }
-  for (const auto &row : rows_of(reference / "work_precision_events.csv"))
-    for (Problem &problem : all)
-      if (problem.name == row.at(0))
-        problem.reference_events.push_back({std::stod(row.at(1)), std::stoi(row.at(2)),
-                                            row.at(3) == "stick"     ? EventKind::stick
-                                            : row.at(3) == "release" ? EventKind::release
-                                                                     : EventKind::impact,
-                                            std::stod(row.at(4))});
   return all;
 }
 

@@ -22,6 +22,7 @@
 #include <tuple>
 #include <vector>
 
+#include "pressing_force.hpp"
 #include "record.hpp"
 #include "scene.hpp"
 
@@ -56,15 +57,14 @@ struct PairTolerances {
   double force = 1e-9;  // ... if the mass is pulled off its stop by more than this
 };
 
-// An event and the force that presses its mass into the stop (sigma F_p of Eqs. 12-13, the mass at
-// rest at the stop) right after it: negative when the mass is pulled off.
+// An event and the force that presses its mass into the stop (pressing_force.hpp) right after it.
 struct PressedEvent {
   Event event;
   double press = 0.0;
 };
 
-// sigma F_p of Eqs. 12-13 for a mass (from 1) at its stop on `side`, read off the motion of its
-// neighbours. Throws std::invalid_argument when the mass has no stop on that side.
+// The pressing force on a mass (from 1) at its stop on `side`. Throws std::invalid_argument when
+// the mass has no stop on that side.
 inline double press_at_stop(const Scene &scene, int mass, Side side, const Moment &moment) {
   const auto stop =
       std::find_if(scene.stops.begin(), scene.stops.end(), [mass, side](const Stop &candidate) {
@@ -73,17 +73,7 @@ inline double press_at_stop(const Scene &scene, int mass, Side side, const Momen
   if (stop == scene.stops.end())
     throw std::invalid_argument(
         fmt::format("mass {}: it has no {} stop", mass, side == Side::upper ? "upper" : "lower"));
-  const auto p = static_cast<std::size_t>(mass - 1);
-  double force = 0.0;
-  if (scene.forced()) force += scene.amplitude[p] * std::cos(scene.omega * moment.instant.phase);
-  if (mass == 1) force -= scene.stiffness[0] * stop->position;
-  const auto add_neighbour = [&](int neighbour, double link) {
-    force += link * (moment.displacement(neighbour) - stop->position +
-                     scene.beta * moment.velocity(neighbour));
-  };
-  if (mass > 1) add_neighbour(mass - 1, scene.stiffness[p]);
-  if (mass < scene.masses()) add_neighbour(mass + 1, scene.stiffness[p + 1]);
-  return sign(side) * force;
+  return pressing_force(scene, *stop, moment.instant.phase, moment.displacement, moment.velocity);
 }
 
 // Every event from time `from` on, with the pressing force of each contact.

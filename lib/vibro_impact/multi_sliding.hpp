@@ -8,24 +8,27 @@
 
 #include "locate.hpp"
 #include "periodic_orbit.hpp"
+#include "pressing_force.hpp"
 
 namespace vibro_impact {
 
-// The force that presses mass `stop.mass`, at rest at its stop, into it (Eqs. 12-13 times the sign
-// of the side), and its time derivative.
-inline OscillatorState<double> pressing_force(const Scene &scene, const Stop &stop,
-                                              const MotionState &at) {
+// The pressing force on mass `stop.mass` and its time derivative: there the neighbours' velocities
+// and accelerations take the place of their displacements and velocities, and the stop stands.
+inline OscillatorState<double> pressing_force_and_rate(const Scene &scene, const Stop &stop,
+                                                       const MotionState &at) {
   const auto p = static_cast<Eigen::Index>(stop.mass - 1);
   Eigen::VectorXd x = at.displacement, v = at.velocity;
   x(p) = stop.position;
   v(p) = 0.0;
-  Eigen::VectorXd a = acceleration(scene, at.held, x, v, at.instant);
-  a(p) = 0.0;
-  const double sigma = sign(stop.side), angle = scene.omega * at.instant.phase;
+  const Eigen::VectorXd a = acceleration(scene, at.held, x, v, at.instant);
+  const auto of = [](const Eigen::VectorXd &values) {
+    return [&values](int mass) { return values(mass - 1); };
+  };
+  const double phase = at.instant.phase;
   const double amplitude = scene.forced() ? scene.amplitude[static_cast<std::size_t>(p)] : 0.0;
-  return {sigma * (link_forces(scene, x + scene.beta * v)(p) + amplitude * std::cos(angle)),
-          sigma * (link_forces(scene, v + scene.beta * a)(p) -
-                   amplitude * scene.omega * std::sin(angle))};
+  return {pressing_force(scene, stop, phase, of(x), of(v)),
+          sign(stop.side) * (force_of_links(scene, stop.mass, 0.0, of(v), of(a)) -
+                             amplitude * scene.omega * std::sin(scene.omega * phase))};
 }
 
 namespace detail {
@@ -38,8 +41,7 @@ struct WatchRecorder {
   std::vector<double> values = {};
 
   double next_time() const {
-    const double next = from + every * static_cast<double>(values.size());
-    return next < to ? next : std::numeric_limits<double>::infinity();
+    return sample_time(from, to, every, values.size());
   }
   void sample(const Moment &moment) {
     values.push_back(reading(moment));
@@ -81,7 +83,7 @@ inline std::optional<double> least_pressing_force(const Scene &scene, const Moti
   return detail::least_minimum(
       scene, start,
       [&](const Moment &moment) { return sign(stop.side) * moment.hold_force(stop.mass); },
-      [&](const MotionState &at) { return pressing_force(scene, stop, at); });
+      [&](const MotionState &at) { return pressing_force_and_rate(scene, stop, at); });
 }
 
 // Least local minimum of the gap of `mass` to a stop (which the scene need not contain) in the

@@ -91,6 +91,13 @@ struct ImpactSpeedRecorder {
   }
 };
 
+// The time of sample `taken` (from 0) at from, from + every, ... up to `to`, the end to within
+// rounding; infinite when there is none.
+inline double sample_time(double from, double to, double every, std::size_t taken) {
+  const double next = from + every * static_cast<double>(taken);
+  return next <= to * (1.0 + 4e-16) ? next : std::numeric_limits<double>::infinity();
+}
+
 // Displacements of all masses at from, from + every, ... up to `to`; row-major, one row per time.
 struct SampleRecorder {
   double from = 0.0, to = 0.0, every = 0.0;
@@ -98,8 +105,7 @@ struct SampleRecorder {
   std::vector<double> times = {}, displacements = {};
 
   double next_time() const {
-    const double next = from + every * static_cast<double>(times.size());
-    return next <= to * (1.0 + 4e-16) ? next : std::numeric_limits<double>::infinity();
+    return sample_time(from, to, every, times.size());
   }
   void sample(const Moment &moment) {
     times.push_back(moment.time);
@@ -118,11 +124,10 @@ struct HoldForceRecorder {
   double from = 0.0, to = 0.0, every = 0.0;
   std::vector<Row> rows = {};
   int phases = 0;
-  long long asked = 0;
+  std::size_t asked = 0;
 
   double next_time() const {
-    const double next = from + every * static_cast<double>(asked);
-    return next <= to ? next : std::numeric_limits<double>::infinity();
+    return sample_time(from, to, every, asked);
   }
   void sample(const Moment &moment) {
     ++asked;

@@ -1,7 +1,6 @@
 // The closed form of the motion between two events, written the obvious way: one mode after the
 // other, at the time since the last event (Wagg 2006, Eqs. 7, 21, 24). For the plain event-driven
-// scheme; it shares the scene with the library and nothing else. Every mode must be underdamped,
-// there are at most 8 masses.
+// scheme; it shares the scene with the library and nothing else. Every mode must be underdamped.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -9,11 +8,10 @@
 #include <cmath>
 #include <vector>
 
-#include "vibro_impact/scene.hpp"
+#include "plain_event_driven.hpp"
 
 namespace vibro_impact::plain {
 
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
 
 // The closed form of the masses that are not held, from (x, v) at time `start` on.

@@ -7,14 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "extreme_scenes.hpp"
-#include "vibro_impact/vibro_impact.hpp"
+#include "true_event.hpp"
+#include "vibro_impact/simulate.hpp"
 
-namespace vibro_impact::extremes {
+namespace vibro_impact::figures {
 
 struct Differences {
   std::string first;         // the first event without a counterpart; empty when all agree
@@ -24,20 +23,19 @@ struct Differences {
   double velocity = 0.0;     // largest error of an impact velocity
 };
 
-// A part of the mass's fastest impact below which impacts of a chatter that completes may be
-// missing in either table: the generator leaves them out.
-constexpr double slow_impact = 1e-6;
-
-// A difference in time by this part of the period means that two different events are compared.
-constexpr double another_event = 1e-3;
-
-inline std::vector<TrueEvent> as_truth(const std::vector<Event> &events) {
-  std::vector<TrueEvent> rows;
-  for (const Event &event : events)
-    rows.push_back({event.instant.cycle, event.instant.phase, event.mass, name(event.kind),
-                    event.velocity_before, contact_mode_name(event.held)});
-  return rows;
-}
+// What counts as the same event.
+struct Matching {
+  // A difference in time by a thousandth of this means that two different events are compared.
+  double period = 0.0;
+  // Impacts of a chatter that completes may be missing in either table when they are slower than
+  // this part of the mass's fastest impact: the generator leaves them out.
+  double slow_impact = 1e-6;
+  // Two runs are compared: they may differ, too, in the impact at which a chatter was handed over
+  // to its limit.
+  bool runs = false;
+  // The contact modes must agree as well: where no two masses have events at one instant.
+  bool contact_modes = false;
+};
 
 namespace detail {
 
@@ -56,14 +54,13 @@ inline bool ends_in_stick(const std::vector<TrueEvent> &rows, std::size_t at) {
 }
 
 // Steps through the events of one mass. In a chatter that completes, `truth` may have impacts after
-// the run handed it over to its limit, and the run may have slow ones. `runs` allows a difference
-// in the impact at which it was handed over as well: for comparing two runs.
+// the run handed it over to its limit, and the run may have slow ones.
 inline void compare_mass(const std::vector<TrueEvent> &events, const std::vector<TrueEvent> &truth,
-                         const Clock &clock, double period, bool runs, Differences &result) {
+                         const Clock &clock, const Matching &matching, Differences &result) {
   double fastest = 0.0;
   for (const TrueEvent &row : truth) fastest = std::max(fastest, std::abs(row.velocity_before));
   const auto slow = [&](const TrueEvent &row) {
-    return row.event == "impact" && std::abs(row.velocity_before) < slow_impact * fastest;
+    return row.event == "impact" && std::abs(row.velocity_before) < matching.slow_impact * fastest;
   };
   const auto differ = [&result](const char *what, const TrueEvent &row) {
     if (result.first.empty())
@@ -75,7 +72,7 @@ inline void compare_mass(const std::vector<TrueEvent> &events, const std::vector
     const TrueEvent &event = events[i];
     if (event.event == "stick" && ends_in_stick(truth, at))
       while (truth[at].event == "impact") ++at;
-    const bool may_be_missing = (runs || slow(event)) && ends_in_stick(events, i);
+    const bool may_be_missing = (matching.runs || slow(event)) && ends_in_stick(events, i);
     if (event.event == "impact" && may_be_missing &&
         (at == truth.size() || truth[at].event != "impact" || (slow(event) && !slow(truth[at]))))
       continue;
@@ -83,7 +80,9 @@ inline void compare_mass(const std::vector<TrueEvent> &events, const std::vector
     const TrueEvent &expected = truth[at++];
     const double error =
         std::abs(elapsed({expected.cycle, expected.time}, {event.cycle, event.time}, clock));
-    if (!(error <= another_event * period)) return differ("misplaced", event);
+    if (!(error <= 1e-3 * matching.period)) return differ("misplaced", event);
+    if (matching.contact_modes && event.contact_mode != expected.contact_mode)
+      return differ("in another contact mode:", event);
     result.time = std::max(result.time, error);
     const double time = time_of({expected.cycle, expected.time}, clock);
     if (time > 0.0)
@@ -94,19 +93,20 @@ inline void compare_mass(const std::vector<TrueEvent> &events, const std::vector
         std::max(result.velocity, std::abs(event.velocity_before - expected.velocity_before));
     ++result.matched;
   }
-  if (at < truth.size() && !(runs && ends_in_stick(truth, at))) differ("missing", truth[at]);
+  if (at < truth.size() && !(matching.runs && ends_in_stick(truth, at)))
+    differ("missing", truth[at]);
 }
 
 }  // namespace detail
 
-// Compares the events of a scene with N masses; `period` scales what counts as another event.
+// Compares the events of a run of `scene` with the true ones.
 inline Differences compare(const std::vector<TrueEvent> &events,
-                           const std::vector<TrueEvent> &truth, const Scene &scene, double period,
-                           bool runs = false) {
+                           const std::vector<TrueEvent> &truth, const Scene &scene,
+                           const Matching &matching) {
   Differences result;
   for (int mass = 1; mass <= scene.masses(); ++mass)
     detail::compare_mass(detail::of_mass(events, mass), detail::of_mass(truth, mass),
-                         Clock(scene.omega), period, runs, result);
+                         Clock(scene.omega), matching, result);
   return result;
 }
 
@@ -139,4 +139,4 @@ inline Differences compare_grazing(const std::vector<TrueEvent> &events,
   return result;
 }
 
-}  // namespace vibro_impact::extremes
+}  // namespace vibro_impact::figures

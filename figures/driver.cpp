@@ -1,0 +1,113 @@
+#include "driver.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace vibro_impact::figures {
+
+namespace {
+
+void add(CLI::App &app, const Option &option) {
+  if (const auto *flag = std::get_if<bool *>(&option.value))
+    app.add_flag(option.name, **flag, option.meaning);
+  else if (const auto *number = std::get_if<int *>(&option.value))
+    app.add_option(option.name, **number, option.meaning)
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+  else
+    app.add_option(option.name, *std::get<std::string *>(option.value), option.meaning)
+        ->capture_default_str();
+}
+
+// Throws std::runtime_error naming the folder.
+void open_folder(const std::filesystem::path &folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw std::runtime_error("--output " + folder.string() + ": cannot be created as a folder");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw std::runtime_error("--output " + folder.string() + ": cannot be written to");
+}
+
+}  // namespace
+
+int command(int argc, char **argv, const std::string &purpose, const std::vector<Option> &options,
+            const std::function<int()> &run) {
+  const std::string name = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "figure";
+  std::string error;
+  CLI::App app(purpose, name);
+  try {
+    for (const Option &option : options) add(app, option);
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::CallForHelp &) {
+    fmt::print("{}", app.help());
+    return 0;
+  } catch (const std::exception &failure) {
+    error = failure.what();
+  }
+  std::replace(error.begin(), error.end(), '\n', ' ');
+  fmt::print(stderr, "{}: {}\n", name, error);
+  return 2;
+}
+
+int drive(int argc, char **argv, const std::string &purpose,
+          const std::function<void(const std::filesystem::path &)> &draw,
+          std::vector<Option> options) {
+  std::string output = "build/figures";
+  options.insert(options.begin(),
+                 {"--output", "Folder for the tables (created if missing)", &output});
+  return command(argc, argv, purpose, options, [&] {
+    open_folder(output);
+    draw(output);
+    return 0;
+  });
+}
+
+Progress::Progress(std::string of_what, long long total)
+    : of_what_(std::move(of_what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0) {
+}
+
+void Progress::advance() {
+  const std::lock_guard lock(mutex_);
+  const long long percent = 100 * ++done_ / total_;
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const bool last = done_ == total_;
+  if (elapsed < 2.0 || (percent < shown_ + (terminal_ ? 1 : 25) && !last)) return;
+  shown_ = percent;
+  const char *end = terminal_ && !last ? "" : "\n";
+  fmt::print(stderr, "{}{}: {} %{}", terminal_ ? "\r" : "", of_what_, percent, end);
+  std::fflush(stderr);
+}
+
+RunOptions all_visible_chatter() {
+  RunOptions options;
+  options.resolve_chatter = paper::slowest_impact_shown;
+  return options;
+}
+
+SampleRecorder samples_across(const paper::AxisBox &box, double every) {
+  SampleRecorder samples;
+  samples.from = box.from;
+  samples.to = box.to;
+  samples.every = every;
+  samples.masses = 2;
+  return samples;
+}
+
+Table displacement_table(const SampleRecorder &samples) {
+  Table table("t,x1,x2");
+  for (std::size_t i = 0; i < samples.times.size(); ++i)
+    table.row(samples.times[i], samples.displacements[2 * i], samples.displacements[2 * i + 1]);
+  return table;
+}
+
+}  // namespace vibro_impact::figures

@@ -1,0 +1,138 @@
+// What the scene runner refuses, tested through the program itself: one line, an exit status, and
+// no file touched.
+#include <sys/stat.h>
+
+#include <string>
+#include <vector>
+
+#include "runner_program.hpp"
+
+namespace {
+
+using namespace vibro_impact::testing;
+
+struct BadCase {
+  const char *arguments, *names;  // what the one line must contain
+};
+
+TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
+  const std::vector<BadCase> cases = {
+      {"--mass nan", "mass = nan"},
+      {"--mass 0", "mass = 0"},
+      {"--mass 1,-2", "mass = -2"},
+      {"--stiffness inf", "stiffness = inf"},
+      {"--restitution 1.1", "1.1"},
+      {"--restitution -0.1", "-0.1"},
+      {"--restitution nan", "nan"},
+      {"--omega -1", "-1"},
+      {"--amplitude 0.5,nan", "nan"},
+      {"--initial-displacement 0,0.2", "0.2"},
+      {"--initial-displacement 0,0,0", "0,0,0"},
+      {"--initial-velocity x", "x"},
+      {"--stop 1:lower:0.0 --stop 1:upper:0.0", "lower must lie below"},
+      {"--stop 1:upper:0.1 --stop 1:upper:0.2", "same side"},
+      {"--stop 1:left:3", "1:left:3"},
+      {"--stop 3:upper:1", "stop on mass 3"},
+      {"--stop 1:upper:", "--stop 1:upper:"},
+      {"--stop 1:upper:x", "--stop 1:upper:x"},
+      {"--stop 1:upper:nan", "nan"},
+      {"--stop 1.5:upper:1", "1.5:upper:1"},
+      {"--stop 0:upper:1", "0:upper:1"},
+      {"--masses 1", "--masses 1: the default stops"},
+      {"--until 0", "--until 0"},
+      {"--until 1e", "--until 1e"},
+      {"--until nan", "--until nan"},
+      {"--until inf", "--until inf"},
+      {"--omega 1e400", "--omega 1e400"},
+      {"--omega 0.28x", "--omega 0.28x"},
+      {"--omega ''", "not a number"},
+      {"--mass 1,", "--mass 1,"},
+      {"--from 800", "--from 800"},
+      {"--from -1", "--from -1"},
+      {"--from nan", "--from nan"},
+      {"--every 0", "--every 0"},
+      {"--every 1e-12", "--every 1e-12"},
+      {"--masses 0", "--masses 0"},
+      {"--masses 2.5", "2.5"},
+      {"--stiffness 1,2", "proportional"},
+      {"--stiffness 1,2", "--beta"},
+      {"--damping 0.1,0.1000000000005", "proportional"},
+      {"--damping nan", "--damping nan: must be non-negative and finite"},
+      {"--damping -0.1", "--damping -0.1"},
+      {"--beta ''", "--beta"},
+      {"--beta 0.1 --damping 0.1", "--beta"},
+      {"--beta -1", "-1"},
+      {"--resolve-chatter -1", "-1"},
+      {"--resolve-chatter nan", "nan"},
+      {"--resolve-chatter ''", "--resolve-chatter"},
+      {"--max-impacts 0", "--max-impacts 0"},
+      {"--max-impacts 2.5", "--max-impacts 2.5"},
+      {"--bogus 3", "--bogus"},
+      {"--omega", "--omega"},
+      {"--omega 1 --omega 2", "--omega"},
+      {"stray", "stray"},
+      {"--events /nonexistent/e.csv", "/nonexistent/e.csv"},
+      {"--samples /nonexistent/s.csv", "/nonexistent/s.csv"},
+      {"--events . ", "--events ."},
+      {"--events ''", "--events"},
+      {"--events ./t.csv --samples t.csv", "--samples t.csv"},
+      {"--events - --samples -", "standard output"},
+  };
+  for (const BadCase &bad : cases) {
+    const std::string given = bad.arguments;
+    const auto unless_given = [&given](const std::string &option, const std::string &path) {
+      return given.find(option) == std::string::npos ? option + path : std::string();
+    };
+    const Result result = run("run " + unless_given("--events", " e.csv ") +
+                              unless_given("--samples", " s.csv ") + given);
+    EXPECT_EQ(result.status, 2) << bad.arguments;
+    EXPECT_EQ(result.out, "") << bad.arguments;
+    EXPECT_EQ(lines(result.err).size(), 1u) << bad.arguments << ": " << result.err;
+    EXPECT_EQ(result.err.rfind("vibro-impact: ", 0), 0u) << bad.arguments << ": " << result.err;
+    EXPECT_NE(result.err.find(bad.names), std::string::npos) << bad.arguments << ": " << result.err;
+    EXPECT_TRUE(fs::is_empty(folder)) << bad.arguments << " left a file";
+  }
+}
+
+TEST_F(Runner, ACommandIsNeeded) {
+  const Result result = run("");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(lines(result.err).size(), 1u) << result.err;
+}
+
+// A table is renamed into place: what stands at its path and is not a file must survive that.
+TEST_F(Runner, SparesPipesLinksAndTheFilesOfOthers) {
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const Result pipe = run("run --until 5 --events pipe");
+  EXPECT_EQ(pipe.status, 2);
+  EXPECT_NE(pipe.err.find("--events pipe"), std::string::npos) << pipe.err;
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+
+  fs::create_symlink("target.csv", folder / "link.csv");
+  EXPECT_EQ(run("run --until 5 --events link.csv").status, 2) << "the link leads nowhere";
+  std::ofstream(folder / "target.csv") << "old";
+  EXPECT_EQ(run("run --until 5 --events link.csv").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(contents(folder / "target.csv").substr(0, 5), "time,");
+
+  std::ofstream(folder / "e.csv") << "old";
+  std::ofstream(folder / "e.csv.part") << "theirs";
+  EXPECT_EQ(run("run --mass 0 --events e.csv").status, 2);
+  EXPECT_EQ(run("run --events e.csv --samples /nonexistent/s.csv").status, 2);
+  EXPECT_EQ(contents(folder / "e.csv"), "old") << "kept when the run does not take place";
+  EXPECT_EQ(contents(folder / "e.csv.part"), "theirs");
+}
+
+TEST_F(Runner, EndlessImpactsEndWithTheStateAndStatusOne) {
+  // r = 1 between two stops 2e-6 apart: some 1e6 impacts a period.
+  const Result result =
+      run("run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --initial-velocity 0.3,0 "
+          "--max-impacts 1000 --events e.csv");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(lines(result.err).size(), 1u);
+  EXPECT_NE(result.err.find("more than 1000 impacts"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("x1 = "), std::string::npos) << result.err;
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+}  // namespace
