@@ -1,5 +1,6 @@
 // The first root of a polynomial on (0, 1]: found, never passed, and relatively accurate after
 // deflation.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
