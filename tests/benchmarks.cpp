@@ -13,8 +13,9 @@ namespace {
 
 using namespace vibro_impact;
 
-// The paper's chain with n masses, stops on the first and the last.
-Scene chain_of(int n) {
+// The paper's chain with n masses, stops on the first and the last; or with other than two stops,
+// on the first masses.
+Scene chain_of(int n, int stops = 2) {
   const auto masses = static_cast<std::size_t>(n);
   Scene scene = paper::figure2();
   scene.mass.assign(masses, 1.0);
@@ -22,6 +23,9 @@ Scene chain_of(int n) {
   scene.amplitude.assign(masses, 0.0);
   scene.amplitude[0] = 0.5;
   scene.stops[1].mass = n;
+  if (stops == 2) return scene;
+  scene.stops.resize(1);
+  for (int mass = 2; mass <= stops; ++mass) scene.stops.push_back({mass, Side::upper, 0.1});
   return scene;
 }
 
@@ -34,8 +38,8 @@ struct InFlight {
   State<D> state;
   Counters counters;
 
-  explicit InFlight(int n)
-      : scene(chain_of(n)),
+  explicit InFlight(int n, int stops = 2)
+      : scene(chain_of(n, stops)),
         clock(scene.omega),
         mode(build_contact_mode<D>(scene, Held(static_cast<std::size_t>(n), 0))) {
     MotionState motion = start_of(scene);
@@ -44,21 +48,30 @@ struct InFlight {
     motion.displacement(0) = -0.2;
     set_lanes(state, scene, mode, motion);
     state.now = motion.instant;
-    state.stops = {{0.1, -0.1, 0, 0.0}, {0.1, 0.0, 0, 0.0}};
+    state.stops.assign(scene.stops.size(), {0.1, 0.0, 0, 0.0});
+    state.stops[0].speed = -0.1;
   }
 };
 
+// What a span of flight without an event costs: the gaps of all stops, and moving on. The stops
+// stand at the first masses of the chain, each within reach.
 template <int D>
-void expansion(benchmark::State &run) {
-  InFlight<D> at(static_cast<int>(run.range(0)));
-  Expansion expansion;
-  Polynomial gap;
+void span(benchmark::State &run) {
+  const int n = static_cast<int>(run.range(0)), stops = static_cast<int>(run.range(1));
+  InFlight<D> at(n, stops);
+  Flight flight;
+  Eigen::Array<double, D, 1> value = at.state.value, slope = at.state.slope;
   for (auto _ : run) {
-    expand(at.mode, at.state.value, at.state.slope, 1.0, expansion, at.counters);
-    read_gap(at.state, at.mode.open[0], expansion, gap, at.counters);
-    benchmark::DoNotOptimize(gap.coefficient.data());
+    expand(at.mode, at.state.value, at.state.slope, 1.0, flight.expansion, at.counters);
+    read_gaps(at.state, flight, at.counters);
+    value = at.state.value;
+    slope = at.state.slope;
+    advance(at.mode, flight.expansion, 1.0, value, slope);
+    benchmark::DoNotOptimize(value.data());
   }
-  run.counters["order"] = expansion.order;
+  run.counters["order"] = flight.expansion.order;
+  run.counters["products"] = benchmark::Counter(static_cast<double>(at.counters.products),
+                                                benchmark::Counter::kAvgIterations);
 }
 
 template <int D>
@@ -111,8 +124,8 @@ void forcing_period(benchmark::State &run) {
       periods, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-BENCHMARK(expansion<4>)->Arg(2);
-BENCHMARK(expansion<Eigen::Dynamic>)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK(span<4>)->Args({2, 1})->Args({2, 2});
+BENCHMARK(span<Eigen::Dynamic>)->ArgsProduct({{10, 50, 200}, {1, 2, 4, 8}});
 BENCHMARK(first_event<4>)->Arg(2);
 BENCHMARK(first_event<Eigen::Dynamic>)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 BENCHMARK(impact<4>)->Arg(2);

@@ -51,6 +51,31 @@ TEST(Economy, OnlyStopsThatExistAreTested) {
   }
 }
 
+// What is expanded is the gaps and forces that are looked at, one coefficient by one product per
+// lane and speed of a lane: in proportion to the stops, and to N, not to its square.
+TEST(Economy, AnExpansionCostsInProportionToTheStops) {
+  const auto products_per_stop = [](int masses, std::size_t stops) {
+    Scene scene = extremes::long_chain(masses, 0.7);
+    scene.stops.resize(stops);
+    const Counters counters = simulate(scene, 40.0, {}).counters;
+    const long long looked_at = counters.roots_dismissed + counters.roots_searched;
+    EXPECT_GT(looked_at, 50);
+    const long long per_coefficient = 2 * masses + 2;  // and the two lanes of the forcing
+    EXPECT_EQ(counters.products % per_coefficient, 0);
+    // A reading more is followed across each chatter limit, of every other stop.
+    EXPECT_LE(counters.products,
+              (looked_at + 3 * counters.chatter_limits) * (max_order + 1) * per_coefficient);
+    return static_cast<double>(counters.products) /
+           static_cast<double>(looked_at * per_coefficient);
+  };
+  for (const std::size_t stops : {1u, 2u, 3u}) {
+    const double few = products_per_stop(10, stops);
+    EXPECT_LE(few, max_order + 1) << stops;
+    for (const int masses : {50, 200})
+      EXPECT_NEAR(products_per_stop(masses, stops), few, 0.2 * few) << masses << " " << stops;
+  }
+}
+
 // r = 0 stops a mass at once; r = 1 bounces for ever at the same speed, however hard it is pressed.
 TEST(Economy, NoChatterTableWhereChatterCannotBe) {
   const auto counters_of = [](double r) {
