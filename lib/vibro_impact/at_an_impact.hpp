@@ -86,7 +86,7 @@ void handle_impact(Run<D> &run) {
     run.chatter.size = 0;
     return;
   }
-  const bool new_node = extend(run.chatter, run.state, stops, since_last, run.stride);
+  const bool new_node = extend(run.chatter, run.state, stops, run.scene, since_last, run.stride);
   if (new_node) ++run.counters.chatter_nodes;
   const double now = time_of(run.state.now, run.clock);
   const double room =

@@ -47,15 +47,14 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at
   if (tail * run.state.mode->fastest < 1e-9) {
     // What is left is below rounding: its leading order is its limit, with an error of order
     // tail^2.
-    limit.emplace(ChatterLimit<D>{tail, run.state, 0.0});
-    if (tail * run.state.mode->fastest > 0x1p-60) {  // else nothing moves, and tail^2 may underflow
-      expand(*run.state.mode, run.state.value, run.state.slope, tail, run.flight.expansion,
-             run.counters);
-      read_gaps(run.state, run.flight);
-      move_to(limit->state, run.flight, 1.0, run.scene, run.clock);
-    }
+    ChatterNode<D> &predicted = run.chatter.entered;
+    predict_limit(run.state, run.chatter.stops, run.scene, predicted);
+    limit.emplace(ChatterLimit<D>{predicted.tail, run.state, 0.0});
+    limit->state.value = predicted.value;
+    limit->state.slope = predicted.slope;
+    limit->state.stops = predicted.stops;
   } else if (new_node && speed < run.options.resolve_chatter) {
-    limit = extrapolate(run.chatter, run.options.chatter_tolerance);
+    limit = extrapolate(run.chatter, run.state, run.options.chatter_tolerance);
   }
   if (!limit || !(limit->tau < tau_at_most)) return false;
   if (!clear_until(run, limit->tau, (1.0 + r) / (1.0 - r) * speed)) return false;
