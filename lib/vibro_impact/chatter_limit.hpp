@@ -171,8 +171,8 @@ void extend_table(ChatterSequence<D> &sequence) {
     above = without_oldest;
     weight_above = weight;
     weight = next;
-    sequence.error[column] = std::max(std::abs(limit - without_oldest),
-                                      faster * std::abs(limit - without_newest));
+    sequence.error[column] =
+        std::max(std::abs(limit - without_oldest), faster * std::abs(limit - without_newest));
   }
   sequence.limit[last] = limit;
   sequence.weight[last] = weight;
