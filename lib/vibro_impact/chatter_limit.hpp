@@ -28,6 +28,9 @@
 namespace vibro_impact {
 
 constexpr std::size_t max_chatter_nodes = 14;
+// Times that differ by less than this, in units of the fastest mode, may differ by rounding: that
+// of a period or two of motion.
+constexpr double same_instant = 0x1p-46;
 
 // An impact of a chatter and what it predicts of the limit.
 template <int D>
@@ -46,11 +49,13 @@ template <int D>
 struct ChatterSequence {
   std::vector<std::size_t> stops;
   const ContactMode<D> *mode = nullptr;
+  // The stops of the impacts at the present instant, and the time since the last that was entered.
+  std::vector<std::size_t> gathered;
+  double waited = 0.0;
   long long impacts = 0;
   double time = 0.0;
   std::size_t size = 0;
-  std::array<ChatterNode<D>, max_chatter_nodes> nodes;  // oldest first
-  ChatterNode<D> entered;                               // storage of the next one
+  std::array<ChatterNode<D>, max_chatter_nodes + 1> nodes;  // oldest first; one more for the next
   // Last rows of Neville's tables: the limit extrapolated from the last 1, 2, ... predictions,
   // counted from the last of them; 1 / x^m extrapolated likewise; and the estimated error of the
   // limit.
@@ -178,31 +183,66 @@ void extend_table(ChatterSequence<D> &sequence) {
   sequence.weight[last] = weight;
 }
 
-// Enters the impact just applied to `state`; true when it became a node.
 template <int D>
-bool extend(ChatterSequence<D> &sequence, const State<D> &state,
-            const std::vector<std::size_t> &stops, const Scene &scene, double since_last,
+void forget(ChatterSequence<D> &sequence) {
+  sequence.size = 0;
+  sequence.gathered.clear();
+}
+
+// Masses that chatter in step lose it by rounding: impacts at one instant become several, in any
+// order. Adds those at `stops` to the ones of this instant; false when more are to come before the
+// state is one of the sequence's.
+template <int D>
+bool gather(ChatterSequence<D> &sequence, const State<D> &state,
+            const std::vector<std::size_t> &stops, double since_last) {
+  auto &gathered = sequence.gathered;
+  const auto together = [&] {
+    return sequence.size > 0 && gathered.size() < sequence.stops.size() &&
+           std::includes(sequence.stops.begin(), sequence.stops.end(), gathered.begin(),
+                         gathered.end());
+  };
+  if (since_last * state.mode->fastest > same_instant) {
+    if (together()) sequence.size = 0;  // the others did not come
+    gathered.clear();
+  }
+  const std::size_t before = gathered.size();
+  gathered.insert(gathered.end(), stops.begin(), stops.end());
+  std::inplace_merge(gathered.begin(), gathered.begin() + static_cast<std::ptrdiff_t>(before),
+                     gathered.end());
+  gathered.erase(std::unique(gathered.begin(), gathered.end()), gathered.end());
+  sequence.waited += since_last;
+  return !together();
+}
+
+// Enters the impacts gathered, which `state` follows; true when they became a node.
+template <int D>
+bool extend(ChatterSequence<D> &sequence, const State<D> &state, const Scene &scene,
             long long stride) {
-  const bool goes_on = sequence.size > 0 && sequence.mode == state.mode && sequence.stops == stops;
+  const bool goes_on =
+      sequence.size > 0 && sequence.mode == state.mode && sequence.stops == sequence.gathered;
   if (goes_on) {
-    sequence.time += since_last;
+    sequence.time += sequence.waited;
+    sequence.waited = 0.0;
     if (++sequence.impacts % stride != 0) return false;
   }
-  ChatterNode<D> &entered = sequence.entered;
-  predict_limit(state, stops, scene, entered);
-  if (!goes_on || !(entered.flight < sequence.nodes[sequence.size - 1].flight)) {
-    sequence.stops = stops;
-    sequence.mode = state.mode;
-    sequence.impacts = 0;
-    sequence.time = 0.0;
-    sequence.size = 0;
-  } else if (sequence.size == max_chatter_nodes) {
+  if (sequence.size == max_chatter_nodes) {
     for (std::size_t i = 1; i < max_chatter_nodes; ++i)
       std::swap(sequence.nodes[i - 1], sequence.nodes[i]);
     --sequence.size;
   }
-  entered.limit = sequence.time + entered.tail;
-  std::swap(sequence.nodes[sequence.size++], entered);
+  ChatterNode<D> &entered = sequence.nodes[sequence.size];
+  predict_limit(state, sequence.gathered, scene, entered);
+  if (!goes_on || !(entered.flight < sequence.nodes[sequence.size - 1].flight)) {
+    sequence.stops = sequence.gathered;
+    sequence.mode = state.mode;
+    sequence.impacts = 0;
+    sequence.time = 0.0;
+    sequence.waited = 0.0;
+    if (sequence.size > 0) std::swap(sequence.nodes[0], entered);
+    sequence.size = 0;
+  }
+  ChatterNode<D> &latest = sequence.nodes[sequence.size++];
+  latest.limit = sequence.time + latest.tail;
   extend_table(sequence);
   return true;
 }
@@ -240,6 +280,9 @@ std::optional<ChatterLimit<D>> extrapolate(const ChatterSequence<D> &sequence,
   // The table for the time alone decides how many nodes to use.
   const std::size_t last = sequence.size - 1;
   const ChatterNode<D> &latest = sequence.nodes[last];
+  // Near a border orbit, where the press falls to zero as the chatter ends, the corrections are as
+  // large as the tail until late, and the table may agree by chance.
+  if (!(16.0 * std::abs(latest.correction) < latest.tail)) return std::nullopt;
   std::size_t best = 0;
   double best_error = tolerance;
   for (std::size_t column = 1; column <= last; ++column) {
