@@ -104,10 +104,10 @@ void chatter_limit(benchmark::State &run) {
   double speed = 1e-2;
   for (int i = 0; i < 14; ++i) {
     apply_impact(at.state, at.scene, at.mode.open[0], -speed / 0.7);
-    extend(sequence, at.state, {0}, 2.0 * speed, 1);
+    extend(sequence, at.state, {0}, at.scene, 2.0 * speed, 1);
     speed *= 0.7;
   }
-  for (auto _ : run) benchmark::DoNotOptimize(extrapolate(sequence, 1e-13));
+  for (auto _ : run) benchmark::DoNotOptimize(extrapolate(sequence, at.state, 1e-13));
 }
 
 // Settled motion, per forcing period.

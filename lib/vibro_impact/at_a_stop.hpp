@@ -11,14 +11,14 @@ template <int D>
 void stick_at(Run<D> &run, std::size_t stop) {
   stick(run.state, run.scene, run.modes, stop, run.counters);
   run.falling[stop] = 0;
-  run.chatter.size = 0;
+  forget(run.chatter);
   emit(run, EventKind::stick, stop, 0.0, 0.0, false);
 }
 
 template <int D>
 void release_at(Run<D> &run, std::size_t stop, int zeros, double leading) {
   release(run.state, run.scene, run.modes, stop, zeros, leading, run.counters);
-  run.chatter.size = 0;
+  forget(run.chatter);
   run.last_speed[stop] = 0.0;
   emit(run, EventKind::release, stop, 0.0, 0.0, zeros == 2);
 }

@@ -69,7 +69,7 @@ void handle_impact(Run<D> &run) {
   run.since_impact = 0.0;
   run.flight_guess = std::numeric_limits<double>::infinity();
   if (run.state.mode != before || run.scene.restitution == 0.0 || run.scene.restitution == 1.0) {
-    run.chatter.size = 0;
+    forget(run.chatter);
     return;
   }
   double longest = 0.0;
@@ -82,11 +82,13 @@ void handle_impact(Run<D> &run) {
     longest = std::max(longest, guess);
   }
   run.flight_guess = 1.1 * longest;
-  if (!(longest * run.state.mode->fastest < 1.0)) {
-    run.chatter.size = 0;
+  // Longer flights tell the limit nothing yet.
+  if (!(longest * run.state.mode->fastest < 0.5)) {
+    forget(run.chatter);
     return;
   }
-  const bool new_node = extend(run.chatter, run.state, stops, since_last, run.stride);
+  if (!gather(run.chatter, run.state, stops, since_last)) return;
+  const bool new_node = extend(run.chatter, run.state, run.scene, run.stride);
   if (new_node) ++run.counters.chatter_nodes;
   const double now = time_of(run.state.now, run.clock);
   const double room =

@@ -1,4 +1,7 @@
 // Complete chatter within a run: when the limit of the sequence may be taken, and taking it.
+//
+// A chatter that is over within the rounding of the time is at rest, whatever else happens within
+// that rounding: so chatters of several masses that end together do not keep each other alive.
 #pragma once
 
 #include <optional>
@@ -44,22 +47,27 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at
   const double tail = flight / (1.0 - r);  // to leading order in the speed
   if (tail > 2.0 * tau_at_most) return false;
 
+  const double fastest = run.state.mode->fastest;
+  const bool over = tail * fastest < same_instant;
   std::optional<ChatterLimit<D>> limit;
-  if (tail * run.state.mode->fastest < 1e-9) {
-    // What is left is below rounding: its leading order is its limit, with an error of order
-    // tail^2.
-    limit.emplace(ChatterLimit<D>{tail, run.state, 0.0});
-    if (tail * run.state.mode->fastest > 0x1p-60) {  // else nothing moves, and tail^2 may underflow
-      expand(*run.state.mode, run.state.value, run.state.slope, tail, run.flight.expansion,
-             run.counters);
-      read_gaps(run.state, run.flight, run.counters);
-      move_to(limit->state, run.flight, 1.0, run.scene, run.clock);
-    }
+  if (tail * fastest < 1e-9) {
+    // What is left is below rounding: the prediction is the limit, with an error of order tail^3.
+    ChatterNode<D> &predicted = run.chatter.nodes[run.chatter.size];
+    predict_limit(run.state, run.chatter.stops, run.scene, predicted);
+    if (!over && !(std::abs(predicted.correction) * fastest < 1e-15)) return false;
+    limit.emplace(ChatterLimit<D>{predicted.tail, run.state, 0.0});
+    limit->state.value = predicted.value;
+    limit->state.slope = predicted.slope;
+    limit->state.stops = predicted.stops;
   } else if (new_node && speed < run.options.resolve_chatter) {
-    limit = extrapolate(run.chatter, run.options.chatter_tolerance);
+    limit = extrapolate(run.chatter, run.state, run.options.chatter_tolerance);
   }
   if (!limit || !(limit->tau < tau_at_most)) return false;
-  if (!clear_until(run, limit->tau, (1.0 + r) / (1.0 - r) * speed)) return false;
+  if (!over && !clear_until(run, limit->tau, (1.0 + r) / (1.0 - r) * speed)) return false;
+  for (const OpenStop<D> &open : run.state.mode->open) {
+    double &gap = limit->state.stops[open.stop].gap;
+    gap = std::max(0.0, gap);
+  }
   limit->state.now = later(run.state.now, limit->tau, run.clock);
   set_forcing(limit->state, run.scene);
   for (std::size_t stop : run.chatter.stops)

@@ -84,29 +84,33 @@ Eigen::VectorXd TangentRecorder::vector_field(const Held &mode, const Eigen::Vec
 }
 
 void TangentRecorder::flow_to(const Instant &instant) {
-  const double tau = elapsed(now, instant, clock);
+  flow_columns(tangent, elapsed(now, instant, clock), held);
   now = instant;
+}
+
+void TangentRecorder::flow_columns(Eigen::MatrixXd &columns, double tau, const Held &in) {
   if (!(tau > 0.0)) return;
-  const ContactMode<Eigen::Dynamic> &mode = modes.enter(unforced, held, counters);
+  const ContactMode<Eigen::Dynamic> &mode = modes.enter(unforced, in, counters);
   if (mode.fastest * tau < 0.5) {
-    flow_by_series(tau, order_for(mode.fastest * tau));
+    flow_by_series(columns, tau, order_for(mode.fastest * tau), in);
     return;
   }
-  const Eigen::MatrixXd x = tangent.topRows(masses()), v = tangent.bottomRows(masses());
+  const Eigen::MatrixXd x = columns.topRows(masses()), v = columns.bottomRows(masses());
   const Eigen::MatrixXd value = mode.to_modal * x + mode.velocity_to_modal * v,
                         slope = mode.to_modal * v;
   const Eigen::ArrayXd one = Eigen::ArrayXd::Ones(mode.lanes()), none = 0.0 * one;
   Eigen::ArrayXd value_by_value, slope_by_value, value_by_slope, slope_by_slope;
   flow(mode, unforced, one, none, tau, value_by_value, slope_by_value);
   flow(mode, unforced, none, one, tau, value_by_slope, slope_by_slope);
-  tangent << mode.shape * (value_by_value.matrix().asDiagonal() * value +
+  columns << mode.shape * (value_by_value.matrix().asDiagonal() * value +
                            value_by_slope.matrix().asDiagonal() * slope),
       mode.shape * (slope_by_value.matrix().asDiagonal() * value +
                     slope_by_slope.matrix().asDiagonal() * slope);
 }
 
-void TangentRecorder::flow_by_series(double tau, int order) {
-  Eigen::MatrixXd term = tangent.topRows(masses()), next = tau * tangent.bottomRows(masses());
+void TangentRecorder::flow_by_series(Eigen::MatrixXd &columns, double tau, int order,
+                                     const Held &in) const {
+  Eigen::MatrixXd term = columns.topRows(masses()), next = tau * columns.bottomRows(masses());
   Eigen::MatrixXd x = term + next, v = next;
   for (int n = 0; n + 2 <= order; ++n) {
     Eigen::MatrixXd last =
@@ -114,14 +118,14 @@ void TangentRecorder::flow_by_series(double tau, int order) {
         ((n + 1.0) * (n + 2.0));
     for (Eigen::Index i = 0; i < masses(); ++i) {
       const auto mass = static_cast<std::size_t>(i);
-      last.row(i) *= held[mass] != 0 ? 0.0 : 1.0 / scene.mass[mass];
+      last.row(i) *= in[mass] != 0 ? 0.0 : 1.0 / scene.mass[mass];
     }
     x += last;
     v += (n + 2) * last;
     term = std::move(next);
     next = std::move(last);
   }
-  tangent << x, v / tau;
+  columns << x, v / tau;
 }
 
 void TangentRecorder::close() {
@@ -181,9 +185,16 @@ void TangentRecorder::extend_sequence(const Event &impact, const Eigen::RowVecto
   sequence_speed = speed;
   if (sequence_impacts++ % stride != 0) return;
   if (sequence.size() == 16) sequence.erase(sequence.begin());
-  Eigen::MatrixXd derivative(tangent.rows() + 1, tangent.cols());
-  derivative << dt, tangent;
-  sequence.push_back({speed, impact.instant, std::move(derivative)});
+  // As if the mass stuck here and now.
+  const Eigen::Index row = impact.mass - 1;
+  Held resting = held;
+  resting[static_cast<std::size_t>(row)] = static_cast<signed char>(impact.side);
+  Eigen::VectorXd v = velocity;
+  v(row) = 0.0;
+  Eigen::MatrixXd derivative = tangent - vector_field(resting, v) * dt;
+  derivative.row(row).setZero();
+  derivative.row(masses() + row).setZero();
+  sequence.push_back({impact.instant, std::move(derivative)});
 }
 
 void TangentRecorder::chatter_limit(const Held &after) {
@@ -194,28 +205,37 @@ void TangentRecorder::chatter_limit(const Held &after) {
     sequence.clear();
     return;
   }
-  // Neville's table in the impact speed; the column that differs least from the one before.
+  std::vector<double> x;
+  for (Node &node : sequence) {
+    x.push_back(elapsed(node.instant, now, clock));
+    flow_columns(node.derivative, x.back(), after);
+  }
+  // The polynomial without x and x^2 through the last nodes, at x = 0; of all of them the one that
+  // differs least from that with one node less.
   const std::size_t last = sequence.size() - 1;
-  Eigen::MatrixXd limit = sequence[last].derivative;
-  const double size = limit.cwiseAbs().maxCoeff();
-  double error =
-      elapsed(sequence[last].instant, now, clock) * modes.enter(unforced, held, counters).fastest;
-  for (std::size_t column = 1; column <= last; ++column) {
-    const Eigen::MatrixXd previous = sequence[last].derivative;
-    for (std::size_t i = last; i >= column; --i) {
-      const double near = sequence[i].speed, far = sequence[i - column].speed;
-      sequence[i].derivative +=
-          (sequence[i].derivative - sequence[i - 1].derivative) * (near / (far - near));
+  tangent = sequence[last].derivative;
+  const double size = std::max(tangent.cwiseAbs().maxCoeff(), 1e-300);
+  double error = std::pow(x[last] * modes.enter(unforced, held, counters).fastest, 2);
+  Eigen::MatrixXd previous = tangent;
+  for (std::size_t first = last; first-- > 0;) {
+    Eigen::MatrixXd limit = Eigen::MatrixXd::Zero(tangent.rows(), tangent.cols());
+    double sum = 0.0;
+    for (std::size_t i = first; i <= last; ++i) {
+      double product = x[i] * x[i];
+      for (std::size_t j = first; j <= last; ++j)
+        if (j != i) product *= 1.0 - x[i] / x[j];
+      limit += (1.0 / product) * sequence[i].derivative;
+      sum += 1.0 / product;
     }
-    const double difference =
-        (sequence[last].derivative - previous).cwiseAbs().maxCoeff() / std::max(size, 1e-300);
+    limit /= sum;
+    const double difference = (limit - previous).cwiseAbs().maxCoeff() / size;
     if (difference < error) {
       error = difference;
-      limit = sequence[last].derivative;
+      tangent = limit;
     }
+    previous = limit;
   }
   chatter_error = std::max(chatter_error, error);
-  tangent = limit.bottomRows(tangent.rows()) - vector_field(after, velocity) * limit.row(0);
   sequence.clear();
 }
 

@@ -9,10 +9,11 @@
 // at a root of the hold force (Eqs. 12-13, 23) changes nothing: state and vector field are
 // continuous there.
 //
-// Complete chatter: on consecutive impacts R E and dt are smooth functions of the impact speed, as
-// the states and times themselves are (chatter_limit.hpp); their value at speed zero is the
-// derivative of the state and time at the accumulation point. The held mass has no freedom left:
-// each sticking mass costs the derivative two of its rank.
+// Complete chatter: the other masses move as if the chattering one stuck, but for order x^3 of the
+// time x that is left (chatter_limit.hpp). So do tangents: with the mass brought to rest at an
+// impact and held from then on, those of the accumulation point differ by order x^3, a smooth
+// function of x over consecutive impacts that is extrapolated to x = 0. The held mass has no
+// freedom left: each sticking mass costs the derivative two of its rank.
 //
 // A recorder, so that a run that does not ask for tangents pays nothing.
 #pragma once
@@ -55,10 +56,9 @@ struct TangentRecorder {
   void finish(const Instant &end);
 
  private:
-  // An impact of a chatter sequence: the derivatives of its instant (first row) and of the state
-  // just after it (2N rows).
+  // An impact of a chatter sequence, and the derivative of the state just after it with the mass
+  // held from then on.
   struct Node {
-    double speed;
     Instant instant;
     Eigen::MatrixXd derivative;
   };
@@ -89,9 +89,12 @@ struct TangentRecorder {
 
   void flow_to(const Instant &instant);
 
+  // Carries tangents (2N x any number) through a flight of tau in the contact mode `in`.
+  void flow_columns(Eigen::MatrixXd &columns, double tau, const Held &in);
+
   // Short flights in physical coordinates: late in a chatter the change of the chattering mass is
   // small, and modal coordinates would lose it beside the others.
-  void flow_by_series(double tau, int order);
+  void flow_by_series(Eigen::MatrixXd &columns, double tau, int order, const Held &in) const;
 
   void close();
 
