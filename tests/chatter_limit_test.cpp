@@ -134,8 +134,8 @@ TEST(ChatterLimit, ErrorAgainstTheFiftyDigitTables) {
          {Table{"figure2", paper::figure2()}, Table{"figure4a", paper::figure4a()},
           Table{"figure4b", paper::figure4b()}, Table{"figure5a", paper::figure5a()},
           Table{"figure5b", paper::figure5b()}, Table{"figure5c", paper::figure5c()}}) {
-      const auto table = vibro_impact::testing::read_event_table(std::string(REFERENCE_DIR "/") +
-                                                                 name + "_events.csv");
+      const auto table =
+          figures::read_event_table(std::string(REFERENCE_DIR "/") + name + "_events.csv");
       const double until = std::min(3.0 * Clock(scene.omega).period, 300.0);
       const auto sticks =
           select(events_from(scene, start_of(scene), until, options), EventKind::stick);

@@ -81,10 +81,15 @@ TEST(EventTables, AMissingASpuriousAndAnEventInAnotherModeAreFound) {
   EventRecorder recorder;
   simulate(run.scene, run.until, {}, recorder);
   auto missing = recorder.events, spurious = recorder.events, in_another_mode = recorder.events;
-  missing.erase(missing.begin() + 40);
-  spurious.insert(spurious.begin() + 40, spurious[39]);
-  in_another_mode[40].held = {1, 1};
-  ASSERT_NE(in_another_mode[40].held, recorder.events[40].held);
+  // A release: an impact late in a chatter may lie beyond a limit, and so be missing rightly.
+  const auto k = std::find_if(missing.begin() + 100, missing.end(),
+                              [](const Event &event) { return event.kind == EventKind::release; }) -
+                 missing.begin();
+  missing.erase(missing.begin() + k);
+  spurious.insert(spurious.begin() + k, *(spurious.begin() + k));
+  auto &held = (in_another_mode.begin() + k)->held;
+  held = {1, 1};
+  ASSERT_NE(held, (recorder.events.begin() + k)->held);
   EXPECT_EQ(differences(run, recorder.events).first, "");
   for (const auto &events : {missing, spurious, in_another_mode})
     EXPECT_NE(differences(run, events).first, "");

@@ -205,11 +205,9 @@ bool gather(ChatterSequence<D> &sequence, const State<D> &state,
     if (together()) sequence.size = 0;  // the others did not come
     gathered.clear();
   }
-  const std::size_t before = gathered.size();
-  gathered.insert(gathered.end(), stops.begin(), stops.end());
-  std::inplace_merge(gathered.begin(), gathered.begin() + static_cast<std::ptrdiff_t>(before),
-                     gathered.end());
-  gathered.erase(std::unique(gathered.begin(), gathered.end()), gathered.end());
+  for (const std::size_t stop : stops)
+    if (std::find(gathered.begin(), gathered.end(), stop) == gathered.end())
+      gathered.insert(std::upper_bound(gathered.begin(), gathered.end(), stop), stop);
   sequence.waited += since_last;
   return !together();
 }

@@ -62,13 +62,15 @@ struct SeriesStep {
   double error;  // of that slope, relative; that of the step, relative, is less
 };
 
-inline SeriesStep series_step(const Jet &at, double fifth) {
+// `bent` bounds |p''| newton / |p'|: the step is kept within the distance from Newton's at which
+// the root can lie.
+inline SeriesStep series_step(const Jet &at, double bent, double fifth) {
   const double inverse = -1.0 / at.slope, newton = at.value * inverse;
   const double a = at.second * inverse, b = at.third * inverse, c = at.fourth * inverse;
   const double aa = a * a, n2 = newton * newton;
   const double correction =
       newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
-  const double step = newton + newton * std::clamp(correction, -0.25, 0.25);
+  const double step = newton + newton * std::clamp(correction, -bent, bent);
   const double next = 14.0 * aa * aa + 21.0 * aa * std::abs(b) + 6.0 * std::abs(a * c) +
                       3.0 * b * b + fifth * std::abs(inverse);
   return {newton, step, 1.0 - step * (2.0 * a + step * (3.0 * b + step * (4.0 * c))),
@@ -107,9 +109,12 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   while (true) {
     // Kantorovich, with a margin of two: p' varies by less than half of itself over twice Newton's
     // step, so that the root ahead is the only one there.
-    if (at.slope < 0.0 && bounds.bend * std::abs(at.value) <= 0.25 * at.slope * at.slope) {
-      const detail::SeriesStep to = detail::series_step(at, bounds.fifth);
-      const bool stalled = !(std::abs(to.newton) <= 0.5 * last_newton);  // by rounding
+    const double bent = bounds.bend * std::abs(at.value), square = at.slope * at.slope;
+    if (at.slope < 0.0 && bent <= 0.25 * square) {
+      const detail::SeriesStep to = detail::series_step(at, bent / square, bounds.fifth);
+      const bool stalled =  // by rounding
+          !(std::abs(to.newton) <= 0.5 * last_newton) &&
+          std::abs(at.value) <= 32.0 * epsilon * size_at(p, first, u);
       if (to.error <= 0.25 * epsilon || stalled) {
         if (!(u + to.step <= limit)) return std::nullopt;
         return detail::root_at(u + to.step, at.slope * to.slope, first);

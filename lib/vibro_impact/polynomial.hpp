@@ -52,8 +52,8 @@ inline Two two(const double *at) {
 
 // 1, x: without a detour through memory.
 inline Two one_and(double x) {
-  static const Two unit(1.0, 0.0), other(0.0, 1.0);
-  return unit + x * other;
+  static constexpr std::array<double, 4> units{1.0, 0.0, 0.0, 1.0};
+  return two(units.data()) + x * two(units.data() + 2);
 }
 
 inline Two two_binomials(std::size_t k, int n) {
