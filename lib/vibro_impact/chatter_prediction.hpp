@@ -87,7 +87,11 @@ void predict_limit(const State<D> &state, const std::vector<std::size_t> &stops,
   }
   slope2 -= mode.kappa * slope1;
   Lanes value2 = slope1;
-  if (mode.any_decay) value2 = mode.decay.select(pushed - mode.kappa * value1, slope1);
+  if (mode.any_decay) {
+    value2 = mode.decay.select(pushed - mode.kappa * value1, slope1);
+    slope1 = mode.decay.select(-mode.kappa * value1, slope1);
+    slope2 = mode.decay.select(-mode.kappa * value2, slope2);
+  }
   if (stops.size() == 1) node.tail -= node.correction;
   const double tau = node.tail;
   node.value += tau * (value1 + (0.5 * tau) * value2);
