@@ -82,8 +82,7 @@ void handle_impact(Run<D> &run) {
     longest = std::max(longest, guess);
   }
   run.flight_guess = 1.1 * longest;
-  // Longer flights tell the limit nothing yet.
-  if (!(longest * run.state.mode->fastest < 0.5)) {
+  if (!(longest * run.state.mode->fastest < 1.0)) {
     forget(run.chatter);
     return;
   }
