@@ -65,7 +65,7 @@ void predict_limit(const State<D> &state, const std::vector<std::size_t> &stops,
     slope2 += mode.resonant * node.slope(mode.lanes() - 2);
   }
   const Lanes curvature = slope1;
-  Lanes pushed = Lanes::Zero(mode.any_decay ? mode.lanes() : 0);
+  Lanes pushed = Lanes::Zero(mode.lanes());
   for (const OpenStop<D> &open : mode.open) {
     if (!chatters(open)) continue;
     const double m = scene.mass[open.mass], a = open.press(node.value, node.slope) / m;

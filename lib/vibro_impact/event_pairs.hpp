@@ -164,7 +164,7 @@ inline std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &ev
                                              const PairTolerances &tolerances = {}) {
   for (double tolerance : {tolerances.time, tolerances.speed, tolerances.force})
     detail::require(std::isfinite(tolerance) && tolerance >= 0.0,
-                    fmt::format("tolerance = {}: must be non-negative and finite", tolerance));
+                    "tolerance = {}: must be non-negative and finite", tolerance);
   const auto phases = detail::held_phases(events);
   const auto contacts = detail::timed_contacts(events, tolerances);
   std::vector<PairedEvents> pairs;
@@ -235,11 +235,10 @@ inline std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &ev
 //
 // Throws std::invalid_argument unless the chain has two masses and the stops are on masses 1 and 2.
 inline double greatest_common_press(const Scene &scene, const Stop &first, const Stop &second) {
-  detail::require(scene.masses() == 2,
-                  fmt::format("masses = {}: the condition is for two masses", scene.masses()));
-  detail::require(
-      first.mass == 1 && second.mass == 2,
-      fmt::format("stops on masses {} and {}: must be on 1 and 2", first.mass, second.mass));
+  detail::require(scene.masses() == 2, "masses = {}: the condition is for two masses",
+                  scene.masses());
+  detail::require(first.mass == 1 && second.mass == 2,
+                  "stops on masses {} and {}: must be on 1 and 2", first.mass, second.mass);
   const double sigma1 = sign(first.side), sigma2 = sign(second.side);
   const double link = scene.stiffness[1] * (second.position - first.position);
   const double a1 = scene.forced() ? scene.amplitude[0] : 0.0;

@@ -53,35 +53,35 @@ struct Scene {
 
 namespace detail {
 
-inline void require(bool holds, const std::string &message) {
-  if (!holds) throw std::invalid_argument(message);
+// The message is made only where the rule is broken: scenes are checked before every run.
+template <class... Values>
+void require(bool holds, fmt::format_string<const Values &...> rule, const Values &...values) {
+  if (!holds) throw std::invalid_argument(fmt::format(rule, values...));
 }
 
 inline void require_length(const std::vector<double> &values, std::size_t masses,
                            const std::string &name) {
-  require(values.empty() || values.size() == masses,
-          fmt::format("{}: {} values given, the chain has {} masses", name, values.size(), masses));
-  for (double value : values)
-    require(std::isfinite(value), fmt::format("{} = {}: must be finite", name, value));
+  require(values.empty() || values.size() == masses, "{}: {} values given, the chain has {} masses",
+          name, values.size(), masses);
+  for (double value : values) require(std::isfinite(value), "{} = {}: must be finite", name, value);
 }
 
 inline void check_stop(const Stop &stop, const Scene &scene) {
   require(stop.mass >= 1 && stop.mass <= scene.masses(),
-          fmt::format("stop on mass {}: the chain has masses 1 to {}", stop.mass, scene.masses()));
-  require(std::isfinite(stop.position),
-          fmt::format("stop on mass {} at {}: must be finite", stop.mass, stop.position));
+          "stop on mass {}: the chain has masses 1 to {}", stop.mass, scene.masses());
+  require(std::isfinite(stop.position), "stop on mass {} at {}: must be finite", stop.mass,
+          stop.position);
   const auto i = static_cast<std::size_t>(stop.mass - 1);
   const double start = scene.displacement.empty() ? 0.0 : scene.displacement[i];
   require(sign(stop.side) * (stop.position - start) >= 0.0,
-          fmt::format("mass {} starts at {}, beyond its {} stop at {}", stop.mass, start,
-                      stop.side == Side::upper ? "upper" : "lower", stop.position));
+          "mass {} starts at {}, beyond its {} stop at {}", stop.mass, start,
+          stop.side == Side::upper ? "upper" : "lower", stop.position);
   for (const Stop &other : scene.stops) {
     if (&other == &stop || other.mass != stop.mass) continue;
-    require(other.side != stop.side,
-            fmt::format("stop on mass {}: two stops on the same side", stop.mass));
+    require(other.side != stop.side, "stop on mass {}: two stops on the same side", stop.mass);
     require(sign(stop.side) * (stop.position - other.position) > 0.0,
-            fmt::format("stops on mass {} at {} and {}: the lower must lie below the upper",
-                        stop.mass, other.position, stop.position));
+            "stops on mass {} at {} and {}: the lower must lie below the upper", stop.mass,
+            other.position, stop.position);
   }
 }
 
@@ -109,20 +109,18 @@ inline void check(const Scene &scene) {
   using detail::require;
   const std::size_t n = scene.mass.size();
   require(n > 0, "masses = 0: a chain has at least one mass");
-  require(scene.stiffness.size() == n,
-          fmt::format("stiffness: {} values given, the chain has {} masses", scene.stiffness.size(),
-                      n));
+  require(scene.stiffness.size() == n, "stiffness: {} values given, the chain has {} masses",
+          scene.stiffness.size(), n);
   for (double m : scene.mass)
-    require(std::isfinite(m) && m > 0.0, fmt::format("mass = {}: must be positive and finite", m));
+    require(std::isfinite(m) && m > 0.0, "mass = {}: must be positive and finite", m);
   for (double k : scene.stiffness)
-    require(std::isfinite(k) && k > 0.0,
-            fmt::format("stiffness = {}: must be positive and finite", k));
+    require(std::isfinite(k) && k > 0.0, "stiffness = {}: must be positive and finite", k);
   require(std::isfinite(scene.beta) && scene.beta >= 0.0,
-          fmt::format("beta = {}: must be non-negative and finite", scene.beta));
+          "beta = {}: must be non-negative and finite", scene.beta);
   require(std::isfinite(scene.omega) && scene.omega >= 0.0,
-          fmt::format("omega = {}: must be non-negative and finite", scene.omega));
+          "omega = {}: must be non-negative and finite", scene.omega);
   require(scene.restitution >= 0.0 && scene.restitution <= 1.0,
-          fmt::format("restitution = {}: must lie in [0, 1]", scene.restitution));
+          "restitution = {}: must lie in [0, 1]", scene.restitution);
   detail::require_length(scene.amplitude, n, "amplitude");
   detail::require_length(scene.displacement, n, "initial displacement");
   detail::require_length(scene.velocity, n, "initial velocity");

@@ -104,9 +104,9 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
 Outcome simulate_seen(const Scene &scene, const MotionState &start, double until,
                       const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
-  detail::require(
-      !(until * scene.omega > 0x1p53),  // the whole periods are counted, and the phase kept exact
-      fmt::format("until = {}: more forcing periods than double precision can count", until));
+  // The whole periods are counted, and the phase kept exact.
+  detail::require(!(until * scene.omega > 0x1p53),
+                  "until = {}: more forcing periods than double precision can count", until);
   // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. The
   // fixed lanes have no room for a strongly damped mode split in two.
   if (scene.masses() == 2 && scene.forced() &&
