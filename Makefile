@@ -29,7 +29,7 @@ $(figures): build
 	@echo "drawn: build/figures/$@.png"
 
 error-vs-runtime: build
-	@build/bin/error_vs_runtime --output build/figures
+	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 build/bin/error_vs_runtime --output build/figures
 	@gnuplot -e "data='build/figures'" figures/error_vs_runtime.gp
 	@echo "drawn: build/figures/error_vs_runtime.png"
 

@@ -28,17 +28,23 @@ struct Trial {
   std::vector<double> microseconds = {};  // per forcing period, one entry per repeat
 };
 
-// A sample lasts at least this long, in seconds, so that the step of the clock (1e-6) does not
-// count.
-constexpr double shortest_sample = 4e-4;
+// A sample lasts at least this long, in seconds: the methods take turns, and what the first run
+// after another method pays for cold caches (some 0.1 ms) should not count for any of them.
+constexpr double shortest_sample = 5e-3;
 
-// Processor time, which leaves out what others do on the machine meanwhile. All methods run in one
-// thread.
+// Processor time of this thread: it leaves out what others do on the machine meanwhile, among them
+// the idle threads of OpenBLAS (behind Siconos), which spin. All methods run in one thread.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 double seconds_of(const Trial &trial) {
-  const std::clock_t begin = std::clock();
+  const double begin = processor_seconds();
   for (long long i = 0; i < trial.runs_per_sample; ++i)
     trial.method->run(*trial.problem, trial.setting);
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return processor_seconds() - begin;
 }
 
 std::vector<Trial> trials_of(const std::vector<Problem> &problems,
@@ -97,7 +103,7 @@ Table conditions(const std::vector<Method> &methods, int repeats) {
   table.row("processor", quoted(processor));
   table.row("compiler", quoted(std::string("g++ ") + __VERSION__));
   table.row("repeats", repeats);
-  table.row("time", quoted("processor time of the process"));
+  table.row("time", quoted("processor time of the thread"));
   table.row("low; high", quoted("fastest and slowest of the repeats"));
   for (const Method &method : methods)
     table.row(quoted(method.name), quoted("setting: " + method.setting + "; work: " + method.work));
