@@ -254,6 +254,56 @@ TEST(FirstRoot, ZeroAndNegativePolynomials) {
   EXPECT_FALSE(first(rounded({0.0L, 1e-300L}), 1));
 }
 
+TEST(FirstRoot, PassesADipInFewSteps) {
+  // (u - 1/2)^2 + d: twenty guaranteed steps and more where each gains a bit, as many to leave.
+  for (double missed : {1e-14, 1e-12, 1e-9, 1e-6}) {
+    Counters counters;
+    EXPECT_FALSE(first_root(rounded({0.25L + missed, -1.0L, 1.0L}), 0, 1.0, counters)) << missed;
+    EXPECT_LE(counters.root_iterations, 6) << missed;
+  }
+}
+
+TEST(FirstRoot, ADipPassedDoesNotHideTheNext) {
+  for (double second : {0.35, 0.4, 0.6, 0.9}) {
+    const Coefficients clear = {0.09L + 1e-9L, -0.6L, 1.0L};  // (u - 0.3)^2 + 1e-9
+    const long double at = second;
+    const Coefficients crossed = {at * at - 1e-8L, -2.0L * at, 1.0L};  // roots at 1e-4 about it
+    const auto root = first(rounded(times(clear, crossed)));
+    ASSERT_TRUE(root) << second;
+    // Rounding of the coefficients over the slope there, 2e-4 (second - 0.3)^2.
+    const double slope = 2e-4 * (second - 0.3) * (second - 0.3);
+    EXPECT_NEAR(root->at, second - 1e-4, 4e-16 / slope) << second;
+  }
+}
+
+// The steps of order five start where the root ahead is certain to be the only one near, which the
+// moduli of the coefficients tell; here their signs hide a wiggle.
+TEST(FirstRoot, WigglyPolynomialsGiveTheFirstRoot) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> even(-1.0, 1.0);
+  int found = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    Coefficients p{0.02 + 0.1 * std::abs(even(generator)), -0.1 * std::abs(even(generator))};
+    double size = 1.0;
+    for (int n = 2; n <= 12; ++n) p.push_back(size *= 1.8 * even(generator) + 0.2);
+    const Polynomial polynomial = rounded(p);
+    // Of 20,000 samples the first that is not positive.
+    std::optional<double> sampled;
+    for (int i = 1; i <= 20000 && !sampled; ++i)
+      if (value_of(polynomial, i / 20000.0L) <= 0.0L) sampled = i / 20000.0;
+    const auto root = first(polynomial);
+    if (!sampled) continue;  // a root may still hide between two samples
+    ASSERT_TRUE(root) << "trial " << trial;
+    EXPECT_LE(root->at, *sampled) << "trial " << trial;
+    EXPECT_LE(std::abs(static_cast<double>(value_of(polynomial, root->at))),
+              8.0 * epsilon * size_of(polynomial, root->at))
+        << "trial " << trial;
+    EXPECT_NEAR(root->slope, static_cast<double>(slope_of(polynomial, root->at)), 1e-12) << trial;
+    ++found;
+  }
+  EXPECT_GT(found, 1000);
+}
+
 TEST(FirstRoot, DismissesAClearlyPositivePolynomialByOneBound) {
   Counters counters;
   EXPECT_FALSE(first_root(rounded({1.0L, -0.3L, 0.2L, -0.6L}), 0, 1.0, counters));
