@@ -126,6 +126,22 @@ TEST(FoundScenes, ARootSearchThatCreeps) {
   EXPECT_LT(work.root_iterations, 1000);
 }
 
+// Mass 1 hits at 0.2 as the chatter of mass 2 begins, which is over at once. Both were taken for
+// one chatter, at rest when that of mass 1 would have been.
+TEST(FoundScenes, AChatterOverAtTheInstantOfAFastImpact) {
+  Scene scene = extremes::chain(2, 0.1);
+  scene.amplitude = {1.0, 1.0};
+  scene.omega = 0.0;
+  scene.restitution = 0.7;
+  scene.displacement = {0.1, 0.2};
+  scene.velocity = {0.2, 1e-30};
+  scene.stops = {{1, Side::upper, 0.1}, {2, Side::upper, 0.2}};
+  const Account account = account_of(scene, 5.0);
+  EXPECT_LT(account.imbalance, 1e-13);
+  EXPECT_LT(account.misplaced, 1e-13);
+  EXPECT_GT(account.events, 50);
+}
+
 // A chain that has died down to rounding on a stop without static force is held and freed once a
 // span or so; that must not pile up at one instant.
 TEST(FoundScenes, RestOnAStopWithoutStaticForce) {

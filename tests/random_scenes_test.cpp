@@ -55,6 +55,13 @@ TEST(ExtremeScenes, KeepEveryProperty) {
   EXPECT_EQ(try_scenes(extreme, 1, 300), 0);
 }
 
+// Scenes of the long search that broke a property once: the time left of a chatter of 1e-20 came
+// out negative (10054); a chatter over at once took a fast impact of the same instant to rest with
+// it (11070).
+TEST(ExtremeScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
+  for (const unsigned seed : {10054u, 11070u}) EXPECT_EQ(try_scenes(extreme, seed, 1), 0);
+}
+
 // The balance is sharp: with r + 1e-6 in the losses it fails wherever the impacts that lose energy
 // carry enough of it, which is nearly everywhere.
 TEST(EnergyBalance, NoticesARestitutionOffByAMillionth) {

@@ -72,15 +72,7 @@ void handle_impact(Run<D> &run) {
     forget(run.chatter);
     return;
   }
-  double longest = 0.0;
-  for (std::size_t stop : stops) {
-    const OpenStop<D> &open = open_stop(run.state, stop);
-    const double press = open.press(run.state.value, run.state.slope);
-    const double guess = press > 0.0
-                             ? 2.0 * run.state.stops[stop].speed * run.scene.mass[open.mass] / press
-                             : std::numeric_limits<double>::infinity();
-    longest = std::max(longest, guess);
-  }
+  const double longest = longest_flight(run, stops);
   run.flight_guess = 1.1 * longest;
   if (!(longest * run.state.mode->fastest < 1.0)) {
     forget(run.chatter);
@@ -92,7 +84,7 @@ void handle_impact(Run<D> &run) {
   const double now = time_of(run.state.now, run.clock);
   const double room =
       std::min(elapsed(run.state.now, run.end, run.clock), next_sample(run.recorders) - now);
-  take_chatter_limit(run, new_node, longest, room);
+  take_chatter_limit(run, stops, longest, new_node, room);
 }
 
 }  // namespace vibro_impact::detail

@@ -92,7 +92,9 @@ void predict_limit(const State<D> &state, const std::vector<std::size_t> &stops,
     slope1 = mode.decay.select(-mode.kappa * value1, slope1);
     slope2 = mode.decay.select(-mode.kappa * value2, slope2);
   }
-  if (stops.size() == 1) node.tail -= node.correction;
+  // No more than half, far from the limit: the time left is not negative.
+  if (stops.size() == 1)
+    node.tail -= std::clamp(node.correction, -0.5 * node.tail, 0.5 * node.tail);
   const double tau = node.tail;
   node.value += tau * (value1 + (0.5 * tau) * value2);
   node.slope += tau * (slope1 + (0.5 * tau) * slope2);

@@ -38,22 +38,40 @@ bool clear_until(Run<D> &run, double tau, double impulse) {
   return true;
 }
 
-// Carries a complete chatter to its limit when that is certain; true when it did. `flight` is the
-// time to the next impact, to leading order.
+// Time to the next impact at the slowest of `stops`, to leading order; infinite where a mass is not
+// pressed.
 template <int D>
-bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at_most) {
-  const std::size_t first = run.chatter.stops.front();
-  const double r = run.scene.restitution, speed = run.state.stops[first].speed;
-  const double tail = flight / (1.0 - r);  // to leading order in the speed
+double longest_flight(const Run<D> &run, const std::vector<std::size_t> &stops) {
+  double longest = 0.0;
+  for (const std::size_t stop : stops) {
+    const OpenStop<D> &open = open_stop(run.state, stop);
+    const double press = open.press(run.state.value, run.state.slope);
+    longest = std::max(
+        longest, press > 0.0 ? 2.0 * run.state.stops[stop].speed * run.scene.mass[open.mass] / press
+                             : std::numeric_limits<double>::infinity());
+  }
+  return longest;
+}
+
+// Carries a complete chatter to its limit when that is certain; true when it did. `hit` are the
+// stops of the impacts just applied, `flight` the longest flight ahead of them.
+template <int D>
+bool take_chatter_limit(Run<D> &run, const std::vector<std::size_t> &hit, double flight,
+                        bool new_node, double tau_at_most) {
+  const double r = run.scene.restitution, fastest = run.state.mode->fastest;
+  const bool over = flight / (1.0 - r) * fastest < same_instant;
+  // Those that are over come to rest, whatever others hit at the same instant and go on.
+  const std::vector<std::size_t> stops = over ? hit : run.chatter.stops;
+  const double speed = run.state.stops[stops.front()].speed;
+  // To leading order in the speed.
+  const double tail = (stops == hit ? flight : longest_flight(run, stops)) / (1.0 - r);
   if (tail > 2.0 * tau_at_most) return false;
 
-  const double fastest = run.state.mode->fastest;
-  const bool over = tail * fastest < same_instant;
   std::optional<ChatterLimit<D>> limit;
   if (tail * fastest < 1e-9) {
     // What is left is below rounding: the prediction is the limit, with an error of order tail^3.
     ChatterNode<D> &predicted = run.chatter.nodes[run.chatter.size];
-    predict_limit(run.state, run.chatter.stops, run.scene, predicted);
+    predict_limit(run.state, stops, run.scene, predicted);
     if (!over && !(std::abs(predicted.correction) * fastest < 1e-15)) return false;
     limit.emplace(ChatterLimit<D>{predicted.tail, run.state, 0.0});
     limit->state.value = predicted.value;
@@ -70,13 +88,12 @@ bool take_chatter_limit(Run<D> &run, bool new_node, double flight, double tau_at
   }
   limit->state.now = later(run.state.now, limit->tau, run.clock);
   set_forcing(limit->state, run.scene);
-  for (std::size_t stop : run.chatter.stops)
+  for (std::size_t stop : stops)
     if (!(open_stop(run.state, stop).press(limit->state.value, limit->state.slope) > 0.0))
       return false;  // a border orbit or beyond: the chatter is not complete
 
   sample_flight(run, 0.0);
   run.state = std::move(limit->state);
-  const std::vector<std::size_t> stops = run.chatter.stops;
   for (std::size_t stop : stops) run.state.stops[stop] = {};
   for (std::size_t stop : stops) stick_at(run, stop);
   ++run.counters.chatter_limits;
