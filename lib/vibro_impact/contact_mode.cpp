@@ -186,6 +186,7 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
     if (mode.rate(j) > 0.0) slowest = std::min(slowest, mode.rate(j));
   }
   mode.stiff = scene.beta > 0.0 && mode.fastest > 16.0 * slowest;
+  mode.extent = mode.shape.cwiseAbs().colwise().maxCoeff().transpose().array();
 
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const Stop &stop = scene.stops[k];

@@ -72,6 +72,7 @@ struct ContactMode {
   Held held;
   Lanes kappa, lambda;   // y'' + kappa y' + lambda y = 0 per lane
   Lanes rate;            // largest modulus of a characteristic root of each lane
+  Lanes extent;          // largest modulus in each column of `shape`
   double fastest = 0.0;  // the largest of them
   bool stiff = false;    // some lanes are much faster than others
   // x = equilibrium + shape y, N x lanes; rows of held masses are zero. The last two columns are

@@ -64,14 +64,11 @@ template <int D>
 void drop_dead_lanes(State<D> &state) {
   const ContactMode<D> &mode = *state.mode;
   if (!mode.stiff) return;
-  const auto share = [&](Eigen::Index j) {
-    return mode.shape.col(j).template lpNorm<Eigen::Infinity>() * mode.rate(j) *
-           (mode.rate(j) * std::abs(state.value(j)) + std::abs(state.slope(j)));
-  };
-  double total = 0.0;
-  for (Eigen::Index j = 0; j < mode.lanes(); ++j) total += share(j);
+  const Eigen::Array<double, D, 1> share =
+      mode.extent * mode.rate * (mode.rate * state.value.abs() + state.slope.abs());
+  const double dead = 0x1p-62 * share.sum();
   for (Eigen::Index j = 0; j < mode.lanes(); ++j)
-    if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 && share(j) <= 0x1p-62 * total)
+    if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 && share(j) <= dead)
       state.value(j) = state.slope(j) = 0.0;
 }
 
