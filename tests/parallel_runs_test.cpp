@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -47,8 +48,8 @@ bool same_bits(double a, double b) {
 }
 
 bool same_bits(const Eigen::VectorXd &a, const Eigen::VectorXd &b) {
-  return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return same_bits(x, y); });
 }
 
 bool same(const Event &a, const Event &b) {
