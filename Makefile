@@ -1,6 +1,6 @@
 # make figures        install what is missing, build, compute and draw every figure (build/figures)
 # make figure2 ...    one figure
-# make error-vs-runtime  error against run time, beside other methods (half a minute)
+# make error-vs-runtime  error against run time, beside other methods (under a minute)
 # make test           the same packages and build, then every test
 # make check          the key numbers: paper, computed, error, verdict
 # make readme         the README's table of key numbers, from the same source as make check

@@ -54,7 +54,7 @@ struct InFlight {
 };
 
 // What a span of flight without an event costs: the gaps of all stops, and moving on. The stops
-// stand at the first masses of the chain, each within reach.
+// stand as in `chain_of`, each within reach.
 template <int D>
 void span(benchmark::State &run) {
   const int n = static_cast<int>(run.range(0)), stops = static_cast<int>(run.range(1));

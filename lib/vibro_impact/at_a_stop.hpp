@@ -31,12 +31,14 @@ void settle(Run<D> &run, std::size_t stop) {
   const OpenStop<D> &open = open_stop(run.state, stop);
   const double press = open.press(run.state.value, run.state.slope);
   const double mass = run.scene.mass[open.mass];
-  if (press > 0.0)
+  if (press > 0.0) {
     stick_at(run, stop);
-  else if (press < 0.0)
+  } else if (press < 0.0) {
     run.state.stops[stop] = {0.0, 0.0, 2, -press / mass};
-  else
-    run.state.stops[stop] = {0.0, 0.0, 3, -rate_of(open.press, run.state) / mass};
+  } else {
+    const auto curvature = curvature_of(*run.state.mode, run.state.value, run.state.slope);
+    run.state.stops[stop] = {0.0, 0.0, 3, -rate_of(open.press, run.state.slope, curvature) / mass};
+  }
 }
 
 // A neighbour's impact at the very instant at which a mass is about to leave its stop from rest:

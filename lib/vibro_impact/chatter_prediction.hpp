@@ -25,7 +25,7 @@ template <int D>
 struct ChatterNode {
   double flight = 0.0;                    // x, the time to the next impact to leading order
   double tail = 0.0;                      // time to the accumulation point
-  double correction = 0.0;                // |second-order term| of `tail`, or with none all of it
+  double correction = 0.0;                // second-order term, taken off `tail` for one mass
   double limit = 0.0;                     // time of the accumulation point, since the first node
   typename State<D>::Lanes value, slope;  // there, and the gaps and gap speeds of the other stops
   std::vector<StopState> stops;
@@ -58,19 +58,14 @@ void predict_limit(const State<D> &state, const std::vector<std::size_t> &stops,
     change(node.value, mode.velocity_to_modal, open, -speed);
     node.slope = mode.decay.select(-mode.kappa * node.value, node.slope);
   }
-  Lanes value1 = node.slope, slope1 = -mode.kappa * node.slope - mode.lambda * node.value,
-        slope2 = -mode.lambda * node.slope;
-  if (mode.any_resonant) {
-    slope1 += mode.resonant * node.value(mode.lanes() - 2);
-    slope2 += mode.resonant * node.slope(mode.lanes() - 2);
-  }
-  const Lanes curvature = slope1;
+  const Lanes curvature = curvature_of(mode, node.value, node.slope);
+  Lanes value1 = node.slope, slope1 = curvature, slope2 = -mode.lambda * node.slope;
+  if (mode.any_resonant) slope2 += mode.resonant * node.slope(mode.lanes() - 2);
   Lanes pushed = Lanes::Zero(mode.lanes());
   for (const OpenStop<D> &open : mode.open) {
     if (!chatters(open)) continue;
     const double m = scene.mass[open.mass], a = open.press(node.value, node.slope) / m;
-    const double rate =
-        ((open.press.on_value * node.slope).sum() + (open.press.on_slope * curvature).sum()) / m;
+    const double rate = rate_of(open.press, node.slope, curvature) / m;
     change(slope1, mode.to_modal, open, a);
     change(slope2, mode.to_modal, open, rate);
     if (mode.any_decay) {

@@ -106,7 +106,7 @@ void read_along(const ContactMode<D> &mode, const Reading<D> &reading,
 template <int D>
 void advance(const ContactMode<D> &mode, const Expansion &expansion, double u,
              Eigen::Array<double, D, 1> &value, Eigen::Array<double, D, 1> &slope) {
-  using Two = Eigen::Array<double, 2, 1>;
+  using detail::Two, detail::two;
   FlowSeries<D> &series = mode.series;
   if (series.rate != expansion.rate) build_flow_series(mode, expansion.rate);
   if (expansion.rate == 0.0) return;  // nothing moves
@@ -118,10 +118,10 @@ void advance(const ContactMode<D> &mode, const Expansion &expansion, double u,
     const double *ds = series.rate_of_response.data() + j + top * stride;
     Two even = Two::Zero(), odd = even, even_slope = even, odd_slope = even;
     for (int n = top; n > 0; n -= 2, s -= 2 * stride, ds -= 2 * stride) {
-      odd = odd * w + Eigen::Map<const Two>(s);
-      even = even * w + Eigen::Map<const Two>(s - stride);
-      odd_slope = odd_slope * w + Eigen::Map<const Two>(ds);
-      even_slope = even_slope * w + Eigen::Map<const Two>(ds - stride);
+      odd = odd * w + two(s);
+      even = even * w + two(s - stride);
+      odd_slope = odd_slope * w + two(ds);
+      even_slope = even_slope * w + two(ds - stride);
     }
     const Two response = (even + x * odd) / expansion.rate, rate = even_slope + x * odd_slope;
     for (Eigen::Index i = j; i < std::min(modal, j + 2); ++i) {

@@ -126,7 +126,6 @@ void find_first_event(const State<D> &state, Flight &flight, Counters &counters)
     Polynomial &force = flight.watched;
     read_along(mode, closed.press, state.value, state.slope, flight.expansion, force, counters);
     const int zeros = state.stops[closed.stop].zeros;
-    // One order less than the expansion: the force contains the velocity.
     const auto root = first_root(force, zeros, event.u, counters);
     if (!root || (event.kind != Happening::nothing && root->at >= event.u)) continue;
     double slope = evaluate(force, 0, root->at).slope;

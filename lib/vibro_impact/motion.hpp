@@ -139,13 +139,21 @@ MotionState physical(const State<D> &state, const Scene &scene) {
   return motion;
 }
 
-// Time derivative of a reading.
+// y'' of every lane.
 template <int D>
-double rate_of(const Reading<D> &reading, const State<D> &state) {
-  const ContactMode<D> &mode = *state.mode;
-  typename State<D>::Lanes curvature = -mode.kappa * state.slope - mode.lambda * state.value;
-  if (mode.any_resonant) curvature += mode.resonant * state.value(mode.lanes() - 2);
-  return (reading.on_value * state.slope).sum() + (reading.on_slope * curvature).sum();
+Eigen::Array<double, D, 1> curvature_of(const ContactMode<D> &mode,
+                                        const Eigen::Array<double, D, 1> &value,
+                                        const Eigen::Array<double, D, 1> &slope) {
+  Eigen::Array<double, D, 1> curvature = -mode.kappa * slope - mode.lambda * value;
+  if (mode.any_resonant) curvature += mode.resonant * value(mode.lanes() - 2);
+  return curvature;
+}
+
+// Time derivative of a reading where the lanes have this slope and curvature.
+template <int D>
+double rate_of(const Reading<D> &reading, const Eigen::Array<double, D, 1> &slope,
+               const Eigen::Array<double, D, 1> &curvature) {
+  return (reading.on_value * slope).sum() + (reading.on_slope * curvature).sum();
 }
 
 // Expresses a physical state in the lanes of `mode`; the stop states are left to the caller.

@@ -1,6 +1,6 @@
 // Polynomials in u on [0, 1]: the gap of a stop, or a hold force, along one expansion.
 //
-// Everything is summed in packets of four terms c_n u^n, with no chain of dependent operations as
+// Everything is summed in packets of two terms c_n u^n, with no chain of dependent operations as
 // long as the polynomial: a value and its first four derivatives cost little more than a value.
 #pragma once
 
@@ -15,7 +15,8 @@ namespace vibro_impact {
 
 constexpr int max_order = 32;
 
-// Coefficients are read in packets of four: three zeros follow the last one (see `end_at`).
+// Coefficients are read in packets, also beyond the order: three zeros follow the last one (see
+// `end_at`).
 struct Polynomial {
   std::array<double, max_order + 4> coefficient{};
   int order = 0;
