@@ -270,9 +270,12 @@ TEST(FirstRoot, ADipPassedDoesNotHideTheNext) {
     const Coefficients crossed = {at * at - 1e-8L, -2.0L * at, 1.0L};  // roots at 1e-4 about it
     const auto root = first(rounded(times(clear, crossed)));
     ASSERT_TRUE(root) << second;
-    // Rounding of the coefficients over the slope there, 2e-4 (second - 0.3)^2.
+    // The rounding of the coefficients and of their sum, of the size of the terms there, over the
+    // slope, 2e-4 (second - 0.3)^2.
+    const double size = (0.3 + second) * (0.3 + second) * (4.0 * second * second);
     const double slope = 2e-4 * (second - 0.3) * (second - 0.3);
-    EXPECT_NEAR(root->at, second - 1e-4, 4e-16 / slope) << second;
+    const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * size;
+    EXPECT_NEAR(root->at, second - 1e-4, rounding / slope) << second;
   }
 }
 

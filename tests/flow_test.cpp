@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/numeric/odeint.hpp>
 
+#include "paper_scenes.hpp"
 #include "vibro_impact/expansion.hpp"
 #include "vibro_impact/flow.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -110,6 +111,40 @@ TEST(Flow, TaylorExpansionsAgreeWithTheClosedForm) {
     EXPECT_EQ(closed.counters.expansions, 0);
     EXPECT_LT((closed.state.displacement - taylor.state.displacement).cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_LT((closed.state.velocity - taylor.state.velocity).cwiseAbs().maxCoeff(), 1e-13);
+  }
+}
+
+// The tolerance of the flights buys lower orders, and bounds what they cost: relative to the
+// second-order term of each expansion, of which the runs have some ten, and forty.
+TEST(Flow, AnErrorAllowedLowersTheOrders) {
+  Scene free = chain(0.1, 0.7), impacting = paper::figure2();
+  free.stops = {{2, Side::upper, 50.0}};
+  for (const auto &[scene, until] : {std::pair{free, 10.0}, {impacting, 24.0}}) {
+    const Outcome exact = simulate(scene, until, {});
+    long long coefficients = exact.counters.coefficients;
+    for (const double tolerance : {1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {
+      RunOptions options;
+      options.flight_tolerance = tolerance;
+      const Outcome outcome = simulate(scene, until, options);
+      EXPECT_LT((exact.state.displacement - outcome.state.displacement).cwiseAbs().maxCoeff(),
+                10.0 * tolerance);
+      EXPECT_LT((exact.state.velocity - outcome.state.velocity).cwiseAbs().maxCoeff(),
+                10.0 * tolerance);
+      EXPECT_LE(outcome.counters.coefficients, coefficients) << tolerance;
+      coefficients = outcome.counters.coefficients;
+    }
+    EXPECT_LT(2 * coefficients, exact.counters.coefficients);
+  }
+}
+
+TEST(Flow, TolerancesOutOfRangeAreRefused) {
+  for (const double tolerance : {0.0, -1e-9, 1.0, std::nan("")}) {
+    RunOptions options;
+    options.flight_tolerance = tolerance;
+    EXPECT_THROW(simulate(paper::figure2(), 1.0, options), std::invalid_argument);
+    options = {};
+    options.chatter_tolerance = tolerance;
+    EXPECT_THROW(simulate(paper::figure2(), 1.0, options), std::invalid_argument);
   }
 }
 

@@ -79,12 +79,13 @@ struct EventRules {
 // - an expansion ends at an event or spans max_reach radians of the fastest lane, which is no
 //   faster than the chain's fastest mode with all masses free (its eigenvalues interlace those of
 //   every contact mode) or the forcing;
-// - an impact may cost a span cut at the guessed flight, and two more to close a chatter;
+// - an impact may cost a span cut at the guessed flight, and one to follow its chatter, for which
+//   a flight or two are looked ahead;
 // - a mass comes to rest by an impact, or starts at rest; and once a span without one, where a
 //   scene has died down to rounding on a stop that no static force presses it to. Two per stop of
 //   slack are for starts at rest where rounding holds and frees a mass once more.
-// Every stop is looked at once an expansion. A root search takes below 25 steps on average in any
-// scene seen; 64 would be a search that creeps. Empty, or what is exceeded.
+// Every stop is looked at once an expansion or flight of a chatter. A root search takes below 25
+// steps on average in any scene seen; 64 would be a search that creeps. Empty, or what is exceeded.
 inline std::string excessive_work(const Scene &scene, double until, const Counters &work) {
   const double w = frequency_bound(scene), stops = static_cast<double>(scene.stops.size());
   const double rate = std::max(scene.omega, root_modulus(scene.beta * w * w, w * w));
@@ -99,7 +100,10 @@ inline std::string excessive_work(const Scene &scene, double until, const Counte
   const auto searched = static_cast<double>(work.roots_searched);
   const auto dismissed = static_cast<double>(work.roots_dismissed);
   std::string text = over("expansions", expanded, expansions);
-  if (text.empty()) text = over("roots looked for", searched + dismissed, stops * expanded);
+  const auto followed = static_cast<double>(work.flights_followed);
+  if (text.empty()) text = over("flights followed", followed, 3.0 * impacts);
+  if (text.empty())
+    text = over("roots looked for", searched + dismissed, stops * (expanded + followed));
   if (text.empty())
     text = over("root iterations", static_cast<double>(work.root_iterations), 64.0 * searched);
   if (text.empty())

@@ -11,14 +11,14 @@ template <int D>
 void stick_at(Run<D> &run, std::size_t stop) {
   stick(run.state, run.scene, run.modes, stop, run.counters);
   run.falling[stop] = 0;
-  forget(run.chatter);
+  run.chatter.together.clear();
   emit(run, EventKind::stick, stop, 0.0, 0.0, false);
 }
 
 template <int D>
 void release_at(Run<D> &run, std::size_t stop, int zeros, double leading) {
   release(run.state, run.scene, run.modes, stop, zeros, leading, run.counters);
-  forget(run.chatter);
+  run.chatter.together.clear();
   run.last_speed[stop] = 0.0;
   emit(run, EventKind::release, stop, 0.0, 0.0, zeros == 2);
 }
@@ -67,6 +67,18 @@ void release_by_jump(Run<D> &run, std::size_t mass) {
       ++k;
     }
   }
+}
+
+// What impacts at `stops` lead to at once, beside themselves.
+template <int D>
+void settle_after(Run<D> &run, const std::vector<std::size_t> &stops) {
+  for (std::size_t stop : stops)
+    if (run.state.stops[stop].speed == 0.0) settle(run, stop);
+  if (!(run.scene.beta > 0.0)) return;
+  for (std::size_t stop : stops)
+    settle_beside(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1));
+  for (std::size_t stop : stops)
+    release_by_jump(run, static_cast<std::size_t>(run.scene.stops[stop].mass - 1));
 }
 
 }  // namespace vibro_impact::detail

@@ -1,51 +1,49 @@
 // Complete chatter as a limit.
 //
-// Each impact predicts the limit up to order x^3 (chatter_prediction.hpp). The curve of the
-// predictions of consecutive impacts starts with x^3 at x = 0, where it has the limit's value; a
-// polynomial without x and x^2 through the last n impacts extrapolates it. For f = L + x^m g(x) the
-// extrapolation to zero of f / x^m by Neville's table, divided by that of 1 / x^m, is exact when g
-// is a polynomial of degree n - 1 that vanishes at x = 0.
+// Near the accumulation of a chatter sequence the impact map is smooth in the impact speed v, and
+// v = 0 is a curve of fixed points with multiplier r: whatever depends smoothly on the state at an
+// impact lies, over consecutive impacts, on a smooth curve of any x that is itself proportional to
+// v to leading order. Taken here are
+//   x = 2 v / a, the flight that follows to leading order (a: the pressing acceleration then), and
+//   what each impact predicts of the limit on its own. With w = x / (1 - r), a' the rate of a with
+//   the mass at rest, and kappa the damping of the mass itself, c / m of its links, its chatter
+//   ends after
+//     w - (a' / a + kappa / 2) w^2 / 3 + O(x^3),
+//   and the moment sum J (t - t_k)^n of its later impacts is J x^n r^n / (1 - r^(n+1)) of its own
+//   to leading order.
+// The curve of the predictions of consecutive impacts starts with x^3 at x = 0, where it has the
+// limit's value; a polynomial without x and x^2 through the last n impacts extrapolates it. For
+// f = L + x^2 g(x) the extrapolation to zero of f / x^2 by Neville's table, divided by that of
+// 1 / x^2, is exact when g is a polynomial of degree n - 1 that vanishes at x = 0.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <vector>
+#include <utility>
 
-#include "chatter_prediction.hpp"
+#include "after_bounces.hpp"
 
 namespace vibro_impact {
 
 constexpr std::size_t max_chatter_nodes = 14;
-// Times that differ by less than this, in units of the fastest mode, may differ by rounding: that
-// of a period or two of motion.
-constexpr double same_instant = 0x1p-46;
 
-// Consecutive impacts at the same stop (or at the same set of stops at the same instants) in one
-// contact mode, nothing else happening in between.
-template <int D>
-struct ChatterSequence {
-  std::vector<std::size_t> stops;
-  const ContactMode<D> *mode = nullptr;
-  // The stops of the impacts at the present instant, and the time since the last that was entered.
-  std::vector<std::size_t> gathered;
-  double waited = 0.0;
-  long long impacts = 0;
-  double time = 0.0;
-  std::size_t size = 0;
-  std::array<ChatterNode<D>, max_chatter_nodes + 1> nodes;  // oldest first; one more for the next
-  // Last rows of Neville's tables: the limit extrapolated from the last 1, 2, ... predictions,
-  // counted from the last of them; 1 / x^m extrapolated likewise; and the estimated error of the
-  // limit.
-  std::array<double, max_chatter_nodes> limit{}, weight{}, error{};
+// An impact of a chatter and what it predicts of the limit.
+struct ChatterNode {
+  double flight = 0.0;      // x, the time to the next impact to leading order
+  double tail = 0.0;        // time to the accumulation point
+  double correction = 0.0;  // second-order term, taken off `tail`
+  double limit = 0.0;       // time of the accumulation point on the path of the bounces
+  std::size_t impact = 0;   // its index in the bounces
 };
 
-template <int D>
-struct ChatterLimit {
-  double tau = 0.0;  // from the last impact to the accumulation point
-  State<D> state;    // there; `now` is not set
-  double error = 0.0;
+struct ChatterTable {
+  std::size_t size = 0;
+  std::array<ChatterNode, max_chatter_nodes> nodes;  // oldest first
+  // Last rows of Neville's tables: the limit extrapolated from the last 1, 2, ... predictions,
+  // counted from the last of them; 1 / x^2 extrapolated likewise; and the estimated error of the
+  // limit.
+  std::array<double, max_chatter_nodes> limit{}, weight{}, error{};
 };
 
 // Use every k-th impact so that the speeds fall by a factor of at least 0.81 from node to node:
@@ -55,27 +53,60 @@ inline long long chatter_stride(double restitution) {
   return static_cast<long long>(std::ceil(std::log(0.81) / std::log(restitution)));
 }
 
-// Order up to which an impact predicts the limit: one where several masses chatter together, each
-// of which presses on the others as it moves.
+// What the latest impact predicts. The masses hit are brought to rest in thought, and held; all
+// have the same flights ahead, so that the first may stand for them.
 template <int D>
-int prediction_order(const ChatterSequence<D> &sequence) {
-  return sequence.stops.size() == 1 ? 2 : 1;
+ChatterNode predict_limit(const Bounces<D> &bounces) {
+  // In units of the span, per which a unit jump is one of 1 / span.
+  const double inverse = 1.0 / bounces.span, v = bounces.reading[0].coefficient[1];
+  const auto speed = [&](std::size_t j) { return bounces.reading[j].coefficient[1]; };
+  const auto response = [&](std::size_t i, std::size_t j, std::size_t n) {
+    return inverse * bounces.response_term(i, j, n);
+  };
+  const auto at_rest = [&](std::size_t i, std::size_t n) {
+    double c = bounces.reading[i].coefficient[n];
+    for (std::size_t j = 0; j < bounces.hit(); ++j) c -= speed(j) * response(i, j, n);
+    return c;
+  };
+  const double per_press = -0.5 / at_rest(0, 2);  // 1 / a
+  double rate = -6.0 * at_rest(0, 3), damping = -response(0, 0, 2);
+  for (std::size_t j = 0; j < bounces.hit(); ++j) {
+    rate += 4.0 * response(0, j, 2) * at_rest(j, 2);
+    if (j > 0) damping -= response(0, j, 2) * (speed(j) / v);
+  }
+  ChatterNode node;
+  const double x = 2.0 * v * per_press, w = x * bounces.flights;
+  const double correction = (rate * per_press + damping) * w * w / 3.0;
+  node.flight = x * bounces.span;
+  node.correction = correction * bounces.span;
+  // No more than half, far from the limit: the time left is not negative.
+  node.tail = (w - std::clamp(correction, -0.5 * w, 0.5 * w)) * bounces.span;
+  node.limit = bounces.time + node.tail;
+  node.impact = bounces.times.size() - 1;
+  return node;
 }
 
-// The next rows of the tables, from the last ones: O(nodes).
-template <int D>
-void extend_table(ChatterSequence<D> &sequence) {
-  const std::size_t last = sequence.size - 1;
-  const ChatterNode<D> &latest = sequence.nodes[last];
-  const double near = latest.flight,
-               moved = last > 0 ? latest.limit - sequence.nodes[last - 1].limit : 0.0;
-  const double fall = last > 0 ? near / sequence.nodes[last - 1].flight : 0.0;
-  const double faster = prediction_order(sequence) == 2 ? fall * fall * fall : fall * fall;
-  double limit = 0.0, weight = 1.0 / (prediction_order(sequence) == 2 ? near * near : near);
-  double value = 0.0;  // limit / x^m, extrapolated
+// Enters a node and the next rows of the tables, from the last ones: O(nodes).
+inline void extend(ChatterTable &table, const ChatterNode &node) {
+  if (table.size > 0 && !(node.flight < table.nodes[table.size - 1].flight)) table.size = 0;
+  if (!(node.flight > 0.0)) {
+    table.size = 0;
+    return;
+  }
+  if (table.size == max_chatter_nodes) {
+    std::move(table.nodes.begin() + 1, table.nodes.end(), table.nodes.begin());
+    --table.size;
+  }
+  const std::size_t last = table.size++;
+  table.nodes[last] = node;
+  const double near = node.flight,
+               moved = last > 0 ? node.limit - table.nodes[last - 1].limit : 0.0;
+  const double fall = last > 0 ? near / table.nodes[last - 1].flight : 0.0;
+  double limit = 0.0, weight = 1.0 / (near * near);
+  double value = 0.0;  // limit / x^2, extrapolated
   for (std::size_t column = 1; column <= last; ++column) {
-    double &above = sequence.limit[column - 1], &weight_above = sequence.weight[column - 1];
-    const double ratio = near / (sequence.nodes[last - column].flight - near);
+    double &above = table.limit[column - 1], &weight_above = table.weight[column - 1];
+    const double ratio = near / (table.nodes[last - column].flight - near);
     const double without_newest = above - moved, without_oldest = limit;
     const double next = weight + (weight - weight_above) * ratio;
     value += (value - weight_above * without_newest) * ratio;
@@ -83,163 +114,146 @@ void extend_table(ChatterSequence<D> &sequence) {
     above = without_oldest;
     weight_above = weight;
     weight = next;
-    sequence.error[column] =
-        std::max(std::abs(limit - without_oldest), faster * std::abs(limit - without_newest));
+    table.error[column] = std::max(std::abs(limit - without_oldest),
+                                   fall * fall * fall * std::abs(limit - without_newest));
   }
-  sequence.limit[last] = limit;
-  sequence.weight[last] = weight;
+  table.limit[last] = limit;
+  table.weight[last] = weight;
 }
 
-template <int D>
-void forget(ChatterSequence<D> &sequence) {
-  sequence.size = 0;
-  sequence.gathered.clear();
-}
+// Time left to the limit, extrapolated from the last `nodes` impacts with these weights.
+struct ChatterLimit {
+  double left = 0.0;
+  std::size_t nodes = 0;
+  std::array<double, max_chatter_nodes> weights{};
+  double error = 0.0;  // relative to the fastest mode
+};
 
-// Masses that chatter in step lose it by rounding: impacts at one instant become several, in any
-// order. Adds those at `stops` to the ones of this instant; false when more are to come before the
-// state is one of the sequence's.
-template <int D>
-bool gather(ChatterSequence<D> &sequence, const State<D> &state,
-            const std::vector<std::size_t> &stops, double since_last) {
-  auto &gathered = sequence.gathered;
-  const auto together = [&] {
-    return sequence.size > 0 && gathered.size() < sequence.stops.size() &&
-           std::includes(sequence.stops.begin(), sequence.stops.end(), gathered.begin(),
-                         gathered.end());
-  };
-  if (since_last * state.mode->fastest > same_instant) {
-    if (together()) sequence.size = 0;  // the others did not come
-    gathered.clear();
+// The limit, when its estimated error relative to `rate`, that of the fastest mode, is at most
+// `tolerance`.
+inline std::optional<ChatterLimit> extrapolate(const ChatterTable &table, double rate,
+                                               double tolerance) {
+  if (table.size == 0) return std::nullopt;
+  const std::size_t last = table.size - 1;
+  const ChatterNode &latest = table.nodes[last];
+  // What is left is below rounding: the prediction is the limit, with an error of order tail^3.
+  if (latest.tail * rate < 1e-9 && std::abs(latest.correction) * rate < 1e-15) {
+    ChatterLimit limit{latest.tail, 1, {}, 0.0};
+    limit.weights[last] = 1.0;
+    return limit;
   }
-  for (const std::size_t stop : stops)
-    if (std::find(gathered.begin(), gathered.end(), stop) == gathered.end())
-      gathered.insert(std::upper_bound(gathered.begin(), gathered.end(), stop), stop);
-  sequence.waited += since_last;
-  return !together();
-}
-
-// Enters the impacts gathered, which `state` follows; true when they became a node.
-template <int D>
-bool extend(ChatterSequence<D> &sequence, const State<D> &state, const Scene &scene,
-            long long stride) {
-  const bool goes_on =
-      sequence.size > 0 && sequence.mode == state.mode && sequence.stops == sequence.gathered;
-  if (goes_on) {
-    sequence.time += sequence.waited;
-    sequence.waited = 0.0;
-    if (++sequence.impacts % stride != 0) return false;
-  }
-  if (sequence.size == max_chatter_nodes) {
-    for (std::size_t i = 1; i < max_chatter_nodes; ++i)
-      std::swap(sequence.nodes[i - 1], sequence.nodes[i]);
-    --sequence.size;
-  }
-  ChatterNode<D> &entered = sequence.nodes[sequence.size];
-  predict_limit(state, sequence.gathered, scene, entered);
-  if (!goes_on || !(entered.flight < sequence.nodes[sequence.size - 1].flight)) {
-    sequence.stops = sequence.gathered;
-    sequence.mode = state.mode;
-    sequence.impacts = 0;
-    sequence.time = 0.0;
-    sequence.waited = 0.0;
-    if (sequence.size > 0) std::swap(sequence.nodes[0], entered);
-    sequence.size = 0;
-  }
-  ChatterNode<D> &latest = sequence.nodes[sequence.size++];
-  latest.limit = sequence.time + latest.tail;
-  extend_table(sequence);
-  return true;
-}
-
-namespace detail {
-
-// Weights of the predictions of the last `count` nodes in the extrapolated limit.
-template <int D>
-std::array<double, max_chatter_nodes> weights_at_rest(const ChatterSequence<D> &sequence,
-                                                      std::size_t count) {
-  std::array<double, max_chatter_nodes> weights{}, inverse{};
-  const std::size_t first = sequence.size - count;
-  for (std::size_t i = first; i < sequence.size; ++i) inverse[i] = 1.0 / sequence.nodes[i].flight;
-  double sum = 0.0;
-  for (std::size_t i = first; i < sequence.size; ++i) {
-    const double x = sequence.nodes[i].flight;
-    double product = prediction_order(sequence) == 2 ? x * x : x;
-    for (std::size_t j = first; j < sequence.size; ++j)
-      if (j != i) product *= 1.0 - x * inverse[j];
-    weights[i] = 1.0 / product;
-    sum += weights[i];
-  }
-  for (double &weight : weights) weight /= sum;
-  return weights;
-}
-
-}  // namespace detail
-
-// The limit of the sequence, when its estimated error (relative to the state, in time relative to
-// the fastest mode) is at most `tolerance`.
-template <int D>
-std::optional<ChatterLimit<D>> extrapolate(const ChatterSequence<D> &sequence,
-                                           const State<D> &state, double tolerance) {
-  if (sequence.size < 2) return std::nullopt;
-  // The table for the time alone decides how many nodes to use.
-  const std::size_t last = sequence.size - 1;
-  const ChatterNode<D> &latest = sequence.nodes[last];
   // Near a border orbit, where the press falls to zero as the chatter ends, the corrections are as
   // large as the tail until late, and the table may agree by chance.
   if (!(16.0 * std::abs(latest.correction) < latest.tail)) return std::nullopt;
   std::size_t best = 0;
   double best_error = tolerance;
   for (std::size_t column = 1; column <= last; ++column) {
-    const double error = sequence.error[column] * sequence.mode->fastest;
-    if (error <= best_error) {
-      best_error = error;
-      best = column;
-    }
+    // Not much less than that of the column before, which it may agree with by chance.
+    const double error =
+        rate * std::max(table.error[column], column > 1 ? table.error[column - 1] / 64.0 : 0.0);
+    if (error > best_error) continue;
+    best_error = error;
+    best = column;
   }
   if (best == 0) return std::nullopt;
 
-  const auto weights = detail::weights_at_rest(sequence, best + 1);
-  const double oldest = sequence.nodes[last - best].flight;
-  ChatterLimit<D> limit;
-  limit.tau = latest.tail;
-  limit.state = state;
-  limit.state.value = latest.value;
-  limit.state.slope = latest.slope;
-  limit.state.stops = latest.stops;
-  auto value_error = latest.value, slope_error = latest.slope;
-  value_error.setZero();
-  slope_error.setZero();
-  double without_oldest = 0.0;
-  for (std::size_t i = last - best + 1; i <= last; ++i)
-    without_oldest += weights[i] * (1.0 - sequence.nodes[i].flight / oldest);
-  for (std::size_t i = last - best; i < last; ++i) {
-    // Differences from the latest node: what is extrapolated is small, and so is its rounding.
-    const ChatterNode<D> &node = sequence.nodes[i];
-    const double w = weights[i];
-    const double dw = w - w * (1.0 - node.flight / oldest) / without_oldest;
-    limit.tau += w * (node.limit - latest.limit);
-    limit.state.value += w * (node.value - latest.value);
-    limit.state.slope += w * (node.slope - latest.slope);
-    value_error += dw * (node.value - latest.value);
-    slope_error += dw * (node.slope - latest.slope);
-    for (std::size_t k = 0; k < limit.state.stops.size(); ++k) {
-      limit.state.stops[k].gap += w * (node.stops[k].gap - latest.stops[k].gap);
-      limit.state.stops[k].speed += w * (node.stops[k].speed - latest.stops[k].speed);
-    }
+  // Weights of the predictions in the extrapolated limit.
+  ChatterLimit limit{latest.tail, best + 1, {}, best_error};
+  const std::size_t first = last - best;
+  std::array<double, max_chatter_nodes> inverse{};
+  for (std::size_t i = first; i <= last; ++i) inverse[i] = 1.0 / table.nodes[i].flight;
+  double sum = 0.0;
+  for (std::size_t i = first; i <= last; ++i) {
+    const double x = table.nodes[i].flight;
+    double product = x * x;
+    for (std::size_t j = first; j <= last; ++j)
+      if (j != i) product *= 1.0 - x * inverse[j];
+    limit.weights[i] = 1.0 / product;
+    sum += limit.weights[i];
   }
-  // The forcing lanes are known from the time, and have other units than the modes.
-  const Eigen::Index modal = sequence.mode->lanes() - sequence.mode->forcing_lanes;
-  const auto largest = [modal](const auto &of) -> double {
-    return of.head(modal).abs().maxCoeff();
-  };
-  const double value = largest(limit.state.value), slope = largest(limit.state.slope);
-  // Where all masses come to rest together the slope is zero: then relative to what it was.
-  const double speed = std::max(slope, largest(state.slope));
-  limit.error = std::max({best_error, value > 0.0 ? largest(value_error) / value : 0.0,
-                          speed > 0.0 ? largest(slope_error) / speed : 0.0});
-  if (limit.error > tolerance || !(limit.tau > 0.0)) return std::nullopt;
+  for (std::size_t i = first; i <= last; ++i) limit.weights[i] /= sum;
+  for (std::size_t i = first; i < last; ++i)
+    limit.left += limit.weights[i] * (table.nodes[i].limit - latest.limit);
   return limit;
 }
+
+// Sets `tail` to the moments of the impacts between the latest and the limit. That the gaps and
+// their speeds are zero at the limit gives the first two; the others are extrapolated. Returns the
+// error of the second one, extrapolated as well, in terms of the time of the limit.
+template <int D>
+double find_tail(const Bounces<D> &bounces, const ChatterTable &table, const ChatterLimit &limit,
+                 double restitution, Tail &tail) {
+  const std::size_t hit = bounces.hit(), last = table.size - 1;
+  const double left = limit.left, r = restitution;
+  const auto top = static_cast<std::size_t>(bounces.order);
+  tail.left = left;
+  tail.order = bounces.order;
+  tail.moments.assign(hit * (top + 1), 0.0);
+  const detail::Powers fraction = detail::moments_after(r, tail.order);
+  // The impacts from the latest back, each with the sum of the weights of the nodes before it.
+  double before = 1.0;
+  std::size_t node = last;
+  const std::size_t oldest = table.nodes[last + 1 - limit.nodes].impact;
+  for (std::size_t k = bounces.times.size(); k-- > oldest;) {
+    const double x = (bounces.time - bounces.times[k] + left) / left;
+    double weight = 0.0;
+    if (table.nodes[node].impact == k) weight = limit.weights[node--];
+    before -= weight;
+    for (std::size_t j = 0; j < hit; ++j) {
+      double moment = bounces.jumps[k * hit + j] * x;
+      double *to = tail.moments.data() + j * (top + 1);
+      for (std::size_t n = 1; n <= top; ++n, moment *= x)
+        to[n] += moment * (weight * fraction[n] - before);
+    }
+  }
+  // The first two, the lower one last.
+  double off = 0.0;
+  for (std::size_t i = 0; i < hit; ++i) {
+    double &first = tail.moments[i * (top + 1) + 1];
+    const double extrapolated = std::exchange(first, 0.0);
+    first = -reading_after(bounces, i, tail).value / left;
+    off = std::max(off, std::abs(extrapolated - first) / bounces.speed(i));
+  }
+  for (std::size_t i = 0; i < hit; ++i)
+    tail.moments[i * (top + 1)] = -reading_after(bounces, i, tail).slope;
+  return 0.5 * off * table.nodes[last].flight;
+}
+
+// True when no other stop comes into play up to the limit, whatever the impacts to come.
+template <int D>
+bool undisturbed(const Bounces<D> &bounces, const Tail &tail) {
+  const std::size_t hit = bounces.hit();
+  double jumps = 0.0;
+  for (std::size_t j = 0; j < hit; ++j) jumps += tail(j, 0);
+  for (std::size_t k = 0; k < bounces.unwatched_size; ++k)
+    if (!(bounces.unwatched[k].slack >
+          jumps * detail::most_pushed(bounces.unwatched[k], bounces.path, tail.left)))
+      return false;
+  detail::Powers scale;
+  detail::set_powers(scale, tail.left / bounces.span, bounces.order);
+  for (std::size_t i = hit; i < hit + bounces.watched.size(); ++i) {
+    Polynomial ahead = bounces.reading[i];
+    ahead.order = bounces.order;
+    rescale(ahead, bounces.order, scale);
+    double pushed = 0.0;
+    for (std::size_t j = 0; j < hit; ++j) {
+      Polynomial response = bounces.response[i * hit + j];
+      response.order = bounces.order;
+      pushed += size_at(response, 0, tail.left / bounces.path.span) * tail(j, 0);
+    }
+    if (!(detail::lower_bound(ahead, 0, [](int) { return 1.0; }) > pushed)) return false;
+  }
+  return true;
+}
+
+// A chatter being followed.
+template <int D>
+struct Chatter {
+  std::vector<std::size_t> together;  // the stops of the impacts at the present instant
+  Bounces<D> bounces;
+  ChatterTable table;
+  Tail tail;
+  bool ahead = false;  // of the lanes of the run
+};
 
 }  // namespace vibro_impact

@@ -1,4 +1,4 @@
-// Complete chatter within a run: when the limit of the sequence may be taken, and taking it.
+// Chatter within a run: followed on the gaps alone, and carried to its limit when that is certain.
 //
 // A chatter that is over within the rounding of the time is at rest, whatever else happens within
 // that rounding: so chatters of several masses that end together do not keep each other alive.
@@ -7,36 +7,10 @@
 #include <optional>
 
 #include "at_a_stop.hpp"
+#include "chatter_limit.hpp"
+#include "next_bounce.hpp"
 
 namespace vibro_impact::detail {
-
-// True when nothing else can happen within tau: every other gap and hold force keeps clear of zero
-// by more than the impacts left in the chatter (total impulse per mass `impulse`) can move it.
-template <int D>
-bool clear_until(Run<D> &run, double tau, double impulse) {
-  const ContactMode<D> &mode = *run.state.mode;
-  expand(mode, run.state.value, run.state.slope, tau, run.flight.expansion, run.counters);
-  const double stiffest = mode.lambda.maxCoeff(), most_damped = mode.kappa.maxCoeff();
-  const double gap_margin = tau * tau * (most_damped + stiffest * tau) * impulse;
-  const double link = *std::max_element(run.scene.stiffness.begin(), run.scene.stiffness.end());
-  const double force_margin = link * (run.scene.beta + tau) * impulse;
-  const auto one = [](int) { return 1.0; };
-  for (const OpenStop<D> &open : mode.open) {
-    if (std::find(run.chatter.stops.begin(), run.chatter.stops.end(), open.stop) !=
-        run.chatter.stops.end())
-      continue;
-    const StopState &stop = run.state.stops[open.stop];
-    if (stop.zeros != 0) return false;
-    read_gap(run.state, open, run.flight.expansion, run.flight.watched, run.counters);
-    if (lower_bound(run.flight.watched, 0, one) <= gap_margin) return false;
-  }
-  for (const ClosedStop<D> &closed : mode.closed) {
-    read_along(mode, closed.press, run.state.value, run.state.slope, run.flight.expansion,
-               run.flight.watched, run.counters);
-    if (lower_bound(run.flight.watched, 0, one) <= force_margin) return false;
-  }
-  return true;
-}
 
 // Time to the next impact at the slowest of `stops`, to leading order; infinite where a mass is not
 // pressed.
@@ -53,51 +27,153 @@ double longest_flight(const Run<D> &run, const std::vector<std::size_t> &stops) 
   return longest;
 }
 
-// Carries a complete chatter to its limit when that is certain; true when it did. `hit` are the
-// stops of the impacts just applied, `flight` the longest flight ahead of them.
+// Masses that chatter in step lose it by rounding: impacts at one instant become several, in any
+// order. Adds those just applied to the ones of this instant.
 template <int D>
-bool take_chatter_limit(Run<D> &run, const std::vector<std::size_t> &hit, double flight,
-                        bool new_node, double tau_at_most) {
-  const double r = run.scene.restitution, fastest = run.state.mode->fastest;
-  const bool over = flight / (1.0 - r) * fastest < same_instant;
-  // Those that are over come to rest, whatever others hit at the same instant and go on.
-  const std::vector<std::size_t> stops = over ? hit : run.chatter.stops;
-  const double speed = run.state.stops[stops.front()].speed;
-  // To leading order in the speed.
-  const double tail = (stops == hit ? flight : longest_flight(run, stops)) / (1.0 - r);
-  if (tail > 2.0 * tau_at_most) return false;
+void gather(Run<D> &run, const std::vector<std::size_t> &hit, double since_last) {
+  auto &together = run.chatter.together;
+  if (since_last * run.state.mode->fastest > same_instant) together.clear();
+  for (const std::size_t stop : hit)
+    if (std::find(together.begin(), together.end(), stop) == together.end())
+      together.insert(std::upper_bound(together.begin(), together.end(), stop), stop);
+}
 
-  std::optional<ChatterLimit<D>> limit;
-  if (tail * fastest < 1e-9) {
-    // What is left is below rounding: the prediction is the limit, with an error of order tail^3.
-    ChatterNode<D> &predicted = run.chatter.nodes[run.chatter.size];
-    predict_limit(run.state, stops, run.scene, predicted);
-    if (!over && !(std::abs(predicted.correction) * fastest < 1e-15)) return false;
-    limit.emplace(ChatterLimit<D>{predicted.tail, run.state, 0.0});
-    limit->state.value = predicted.value;
-    limit->state.slope = predicted.slope;
-    limit->state.stops = predicted.stops;
-  } else if (new_node && speed < run.options.resolve_chatter) {
-    limit = extrapolate(run.chatter, run.state, run.options.chatter_tolerance);
+// A chatter that is over after `left`, within rounding: to rest at once.
+template <int D>
+void end_at_once(Run<D> &run, const std::vector<std::size_t> &hit, double left) {
+  State<D> &state = run.state;
+  const ContactMode<D> &mode = *state.mode;
+  for (const std::size_t stop : hit) {
+    const auto i = static_cast<Eigen::Index>(open_stop(state, stop).mass);
+    const double jump = sign(run.scene.stops[stop].side) * state.stops[stop].speed;
+    state.slope += mode.to_modal.col(i).array() * jump;
+    if (mode.any_decay) state.value += mode.velocity_to_modal.col(i).array() * jump;
   }
-  if (!limit || !(limit->tau < tau_at_most)) return false;
-  if (!over && !clear_until(run, limit->tau, (1.0 + r) / (1.0 - r) * speed)) return false;
-  for (const OpenStop<D> &open : run.state.mode->open) {
-    double &gap = limit->state.stops[open.stop].gap;
-    gap = std::max(0.0, gap);
+  tie_decays(state);
+  for (const OpenStop<D> &open : mode.open) {
+    StopState &stop = state.stops[open.stop];
+    stop.gap = std::max(0.0, stop.gap + left * stop.speed);
   }
-  limit->state.now = later(run.state.now, limit->tau, run.clock);
-  set_forcing(limit->state, run.scene);
+  state.value += left * state.slope;
+  state.now = later(state.now, left, run.clock);
+  set_forcing(state, run.scene);
+  for (const std::size_t stop : hit) state.stops[stop] = {};
+  for (const std::size_t stop : hit) stick_at(run, stop);
+  ++run.counters.chatter_limits;
+}
+
+// Largest reach of a path: the expansion has all its terms, and loses a digit or two.
+constexpr double longest_reach = 4.0;
+
+enum class Followed { to_rest, as_far_as_covered, to_something_else };
+
+// Carries the chatter that is followed to its limit when that is certain, or finds the limit to lie
+// beyond what is covered; nothing where the next impact has to be looked for.
+template <int D>
+std::optional<Followed> take_chatter_limit(Run<D> &run) {
+  Chatter<D> &chatter = run.chatter;
+  const Bounces<D> &bounces = chatter.bounces;
+  const double fastest = run.state.mode->fastest;
+  const bool resolved = bounces.speed(0) < run.options.resolve_chatter;
+  const auto limit =
+      extrapolate(chatter.table, fastest, resolved ? run.options.chatter_tolerance : -1.0);
+  if (!limit || !(limit->left > 0.0)) return std::nullopt;
+  if (bounces.time + limit->left > bounces.covered) {
+    if (limit->left * fastest < longest_reach) return Followed::as_far_as_covered;
+    return std::nullopt;
+  }
+  const Instant now = run.state.now, then = later(now, limit->left, run.clock);
+  if (elapsed(then, run.end, run.clock) <= 0.0 ||
+      time_of(then, run.clock) >= next_sample(run.recorders))
+    return std::nullopt;
+  const double error =
+      find_tail(bounces, chatter.table, *limit, run.scene.restitution, chatter.tail);
+  if (limit->nodes > 1 && limit->error + 0.1 * error * fastest > run.options.chatter_tolerance)
+    return std::nullopt;
+  if (!undisturbed(bounces, chatter.tail)) return std::nullopt;
+
+  run.state.now = then;
+  set_state_after(bounces, chatter.tail, run.scene, run.state);
+  const std::vector<std::size_t> &stops = bounces.stops;
   for (std::size_t stop : stops)
-    if (!(open_stop(run.state, stop).press(limit->state.value, limit->state.slope) > 0.0))
-      return false;  // a border orbit or beyond: the chatter is not complete
-
-  sample_flight(run, 0.0);
-  run.state = std::move(limit->state);
+    if (!(open_stop(run.state, stop).press(run.state.value, run.state.slope) > 0.0)) {
+      run.state.now = now;  // a border orbit or beyond: the chatter is not complete
+      chatter.ahead = true;
+      return std::nullopt;
+    }
+  chatter.ahead = false;
   for (std::size_t stop : stops) run.state.stops[stop] = {};
   for (std::size_t stop : stops) stick_at(run, stop);
   ++run.counters.chatter_limits;
-  return true;
+  return Followed::to_rest;
+}
+
+// Follows the bounces impact by impact, as long as nothing else happens.
+template <int D>
+Followed follow_bounces(Run<D> &run) {
+  Chatter<D> &chatter = run.chatter;
+  Bounces<D> &bounces = chatter.bounces;
+  while (true) {
+    const std::size_t impact = bounces.times.size() - 1;
+    if (static_cast<long long>(impact) % run.stride == 0) {
+      if (impact == 0 || impact > bounces.base) {  // not in the table already
+        extend(chatter.table, predict_limit(bounces));
+        ++run.counters.chatter_nodes;
+        if (chatter.table.size > 0)
+          expect_end(bounces, 1.25 * chatter.table.nodes[chatter.table.size - 1].tail);
+      }
+      if (const auto followed = take_chatter_limit(run)) return *followed;
+    }
+    if (!find_next(bounces, run.counters)) return Followed::as_far_as_covered;
+    const double flight = bounces.roots[0].at * bounces.span;
+    const Instant then = later(run.state.now, flight, run.clock);
+    if (elapsed(then, run.end, run.clock) <= 0.0) return Followed::to_something_else;
+    if (next_sample(run.recorders) <= time_of(then, run.clock)) {
+      state_of(run);
+      sample_flight(run, flight);
+    }
+    bounce(bounces, run.scene, run.closing);
+    run.state.now = then;
+    chatter.ahead = true;
+    record_impacts(run, bounces.stops);
+    if (!goes_on(bounces)) return Followed::to_something_else;
+  }
+}
+
+// After impacts at the stops `hit`.
+template <int D>
+void follow_chatter(Run<D> &run, const std::vector<std::size_t> &hit, double since_last) {
+  Chatter<D> &chatter = run.chatter;
+  const double r = run.scene.restitution, fastest = run.state.mode->fastest;
+  gather(run, hit, since_last);
+  double flight = longest_flight(run, hit);
+  run.flight_guess = 1.1 * flight;
+  if (!(flight * fastest < 1.0)) return;
+  if (flight / (1.0 - r) * fastest < same_instant) {
+    if (flight / (1.0 - r) < elapsed(run.state.now, run.end, run.clock))
+      end_at_once(run, hit, flight / (1.0 - r));
+    return;
+  }
+  flight = longest_flight(run, chatter.together);
+  if (!(flight * fastest < 1.0)) return;
+  chatter.table.size = 0;
+  for (bool on = false;; on = true) {
+    const double covered =
+        std::min(1.25 * flight / (1.0 - r), (on ? longest_reach : max_reach) / fastest);
+    if (!follow(chatter.bounces, run.state, run.scene, chatter.together, flight, covered, on,
+                run.counters))
+      return;
+    const Followed followed = follow_bounces(run);
+    if (followed == Followed::to_rest) return;
+    state_of(run);
+    flight = longest_flight(run, chatter.together);
+    run.flight_guess = 1.1 * flight;
+    if (followed == Followed::to_something_else) break;
+    if (chatter.bounces.times.size() - 1 == chatter.bounces.base || !(flight * fastest < 1.0))
+      break;
+    for (ChatterNode &node : chatter.table.nodes) node.limit -= chatter.bounces.time;
+  }
+  settle_after(run, chatter.bounces.stops);
 }
 
 }  // namespace vibro_impact::detail

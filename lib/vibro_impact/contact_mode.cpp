@@ -268,13 +268,19 @@ void build_flow_series(const ContactMode<D> &mode, double rate) {
   }
 }
 
+template ContactMode<3> build_contact_mode<3>(const Scene &, const Held &);
+template void build_series<3>(const ContactMode<3> &, const Reading<3> &, double);
+template void build_flow_series<3>(const ContactMode<3> &, double);
 template ContactMode<4> build_contact_mode<4>(const Scene &, const Held &);
+template void build_series<4>(const ContactMode<4> &, const Reading<4> &, double);
+template void build_flow_series<4>(const ContactMode<4> &, double);
+template ContactMode<5> build_contact_mode<5>(const Scene &, const Held &);
+template void build_series<5>(const ContactMode<5> &, const Reading<5> &, double);
+template void build_flow_series<5>(const ContactMode<5> &, double);
 template ContactMode<Eigen::Dynamic> build_contact_mode<Eigen::Dynamic>(const Scene &,
                                                                         const Held &);
-template void build_series<4>(const ContactMode<4> &, const Reading<4> &, double);
 template void build_series<Eigen::Dynamic>(const ContactMode<Eigen::Dynamic> &,
                                            const Reading<Eigen::Dynamic> &, double);
-template void build_flow_series<4>(const ContactMode<4> &, double);
 template void build_flow_series<Eigen::Dynamic>(const ContactMode<Eigen::Dynamic> &, double);
 
 }  // namespace vibro_impact

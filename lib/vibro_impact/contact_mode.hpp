@@ -61,13 +61,14 @@ struct ClosedStop {
 // of rate^-n: column n is of order n, with the rows filled up to an even number.
 template <int D>
 struct FlowSeries {
-  static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : D - 2;
+  static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : (D - 1) / 2 * 2;
   double rate = -1.0;
   Eigen::Array<double, rows, Eigen::Dynamic> response, rate_of_response;
 };
 
 template <int D>
 struct ContactMode {
+  static constexpr int masses = D == Eigen::Dynamic ? Eigen::Dynamic : D - 2;
   using Lanes = Eigen::Array<double, D, 1>;
   Held held;
   Lanes kappa, lambda;   // y'' + kappa y' + lambda y = 0 per lane
@@ -77,10 +78,10 @@ struct ContactMode {
   bool stiff = false;    // some lanes are much faster than others
   // x = equilibrium + shape y, N x lanes; rows of held masses are zero. The last two columns are
   // the steady response to cos(Omega t) and sin(Omega t) where there is forcing.
-  Eigen::VectorXd equilibrium;  // static position of every mass, N
-  Eigen::MatrixXd shape;
-  Eigen::MatrixXd to_modal;           // y per displacement (and y' per velocity), lanes x N
-  Eigen::MatrixXd velocity_to_modal;  // y per velocity: of the lanes of split modes only
+  Eigen::Matrix<double, masses, 1> equilibrium;  // static position of every mass, N
+  Eigen::Matrix<double, masses, D> shape;
+  Eigen::Matrix<double, D, masses> to_modal;           // y per displacement (and y' per velocity)
+  Eigen::Matrix<double, D, masses> velocity_to_modal;  // y per velocity: of split modes only
   // A strongly over-damped mode is split into its two decays, one lane each (lambda = 0, y' =
   // -kappa y), so that the fast one can be dropped once it has died out.
   Eigen::Array<bool, D, 1> decay;
@@ -112,8 +113,8 @@ inline bool strongly_damped(double beta, double lambda) {
   return beta * beta * lambda > 9.0;
 }
 
-// Decomposes the contact mode `held`. D is the number of lanes, or Eigen::Dynamic; compiled for
-// D = 4 and Eigen::Dynamic.
+// Decomposes the contact mode `held`. D is the number of lanes, N + 2 for N masses under forcing,
+// or Eigen::Dynamic; compiled for N = 1, 2, 3 and Eigen::Dynamic.
 template <int D>
 ContactMode<D> build_contact_mode(const Scene &scene, const Held &held);
 

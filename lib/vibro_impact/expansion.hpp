@@ -4,8 +4,9 @@
 // are linear in the lanes as well, with weights that the adjoint recurrence gives once per contact
 // mode. Along a flight a coefficient costs one product with the lanes, and stops that are not
 // looked at cost nothing. The variable is scaled, u = tau / span in [0, 1]. `order_for` picks the
-// order from the rate of the fastest lane so that the remainder lies below rounding even relative
-// to the second-order term, which is what keeps the tiny gaps of a late chatter accurate.
+// order from the rate of the fastest lane, for a remainder that is small (by default below
+// rounding) even relative to the second-order term, which is what keeps the tiny gaps of a late
+// chatter accurate.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,28 +22,30 @@ namespace vibro_impact {
 // Largest fastest * span of one expansion. Rounding grows like exp(reach), cost like 1 / reach.
 constexpr double max_reach = 2.5;
 
-namespace detail {
+// What the remainder of an expansion may be, relative to the second-order term, x^2 / 2 with
+// x = rate * span; and by order p the largest x at which the first term dropped is no more than
+// that: 2 x^(p-1) / (p+1)! <= relative.
+struct Remainder {
+  double relative;
+  std::array<double, max_order + 1> reaches{};
 
-// reach_of_order[p]: the largest x with 2 x^(p-1) / (p+1)! <= 2^-56, the first term dropped
-// relative to the second-order one, x^2 / 2.
-inline const std::array<double, max_order + 1> reach_of_order = [] {
-  std::array<double, max_order + 1> reach{};
-  double factorial = 6.0;  // (p + 1)!
-  for (int p = 2; p <= max_order; ++p) {
-    reach[static_cast<std::size_t>(p)] = std::pow(0x1p-57 * factorial, 1.0 / (p - 1));
-    factorial *= p + 2;
+  explicit Remainder(double allowed) : relative(allowed) {
+    double factorial = 6.0;  // (p + 1)!
+    for (int p = 2; p <= max_order; ++p) {
+      reaches[static_cast<std::size_t>(p)] = std::pow(0.5 * relative * factorial, 1.0 / (p - 1));
+      factorial *= p + 2;
+    }
   }
-  return reach;
-}();
+};
 
-}  // namespace detail
+inline const Remainder below_rounding(0x1p-56);
 
-// Smallest order of the form 4 k + 3, one that fills whole packets, whose remainder lies below
-// rounding over fastest * span = reach.
-inline int order_for(double reach) {
+// Smallest order of the form 4 k + 3, one that fills whole packets, whose remainder is tolerable
+// over fastest * span = reach.
+inline int order_for(double reach, const Remainder &remainder) {
   int order = 3;
   for (int p = 3; p < max_order - 1; p += 4)
-    order += reach > detail::reach_of_order[static_cast<std::size_t>(p)] ? 4 : 0;
+    order += reach > remainder.reaches[static_cast<std::size_t>(p)] ? 4 : 0;
   return order;
 }
 
@@ -50,8 +53,14 @@ inline int order_for(double reach) {
 struct Expansion {
   double span = 0.0, rate = 0.0;
   int order = 0;
-  std::array<double, max_order + 4> power{};
+  detail::Powers power{};
+  const Remainder *remainder = &below_rounding;
 };
+
+// The order that does over `time`, of a flight at the rate of this expansion.
+inline int order_over(const Expansion &expansion, double time) {
+  return order_for(expansion.rate * time, *expansion.remainder);
+}
 
 // Opens an expansion of the lanes of `mode` over [0, span].
 template <int D>
@@ -61,26 +70,23 @@ void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
   const double rate = fastest_in_motion(mode, value, slope), x = rate * span;
   expansion.span = span;
   expansion.rate = rate;
-  expansion.order = order_for(x);
-  detail::Two power = detail::one_and(x);
-  for (int n = 0; n <= expansion.order; n += 2) {
-    Eigen::Map<detail::Two>(expansion.power.data() + n) = power;
-    power *= x * x;
-  }
+  expansion.order = order_over(expansion, span);
+  detail::set_powers(expansion.power, x, expansion.order);
   ++counters.expansions;
   counters.coefficients += expansion.order + 1;
 }
 
-// Sets `p` to the polynomial of a reading along the expansion of (value, slope).
+// Sets `p` to the polynomial of a reading, without its offset, along the expansion of (value,
+// slope).
 template <int D>
-void read_along(const ContactMode<D> &mode, const Reading<D> &reading,
-                const Eigen::Array<double, D, 1> &value, const Eigen::Array<double, D, 1> &slope,
-                const Expansion &expansion, Polynomial &p, Counters &counters) {
+void read_linear_along(const ContactMode<D> &mode, const Reading<D> &reading,
+                       const Eigen::Array<double, D, 1> &value,
+                       const Eigen::Array<double, D, 1> &slope, const Expansion &expansion,
+                       Polynomial &p, Counters &counters) {
   if (reading.series.rate != expansion.rate) build_series(mode, reading, expansion.rate);
   const Eigen::Index lanes = mode.lanes(), modal = mode.modal_lanes();
   const double *weight = reading.series.weight.data();
-  using Four = Eigen::Array<double, 4, 1>;
-  const auto four = [](const double *at) { return Eigen::Map<const Four>(at); };
+  using detail::Four, detail::four;
   for (int n = 0; n <= expansion.order; n += 4) {
     Four even = Four::Zero(), odd = even;  // two chains of sums
     Eigen::Index k = 0;
@@ -97,8 +103,15 @@ void read_along(const ContactMode<D> &mode, const Reading<D> &reading,
     Eigen::Map<Four>(p.coefficient.data() + n) = (even + odd) * four(expansion.power.data() + n);
   }
   end_at(p, expansion.order);
-  p.coefficient[0] += reading.offset;
   counters.products += (expansion.order + 1) * (lanes + modal);
+}
+
+template <int D>
+void read_along(const ContactMode<D> &mode, const Reading<D> &reading,
+                const Eigen::Array<double, D, 1> &value, const Eigen::Array<double, D, 1> &slope,
+                const Expansion &expansion, Polynomial &p, Counters &counters) {
+  read_linear_along(mode, reading, value, slope, expansion, p, counters);
+  p.coefficient[0] += reading.offset;
 }
 
 // The lanes u of the expansion later, those of the forcing excepted. One solution of each lane, S

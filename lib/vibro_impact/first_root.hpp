@@ -68,9 +68,10 @@ inline SeriesStep series_step(const Jet &at, double bent, double fifth) {
   const double inverse = -1.0 / at.slope, newton = at.value * inverse;
   const double a = at.second * inverse, b = at.third * inverse, c = at.fourth * inverse;
   const double aa = a * a, n2 = newton * newton;
-  const double correction =
-      newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
-  const double step = newton + newton * std::clamp(correction, -bent, bent);
+  double correction = newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
+  if (std::abs(correction) > bent) [[unlikely]]
+    correction = std::copysign(bent, correction);
+  const double step = newton + newton * correction;
   const double next = 14.0 * aa * aa + 21.0 * aa * std::abs(b) + 6.0 * std::abs(a * c) +
                       3.0 * b * b + fifth * std::abs(inverse);
   return {newton, step, 1.0 - step * (2.0 * a + step * (3.0 * b + step * (4.0 * c))),

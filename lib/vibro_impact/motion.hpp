@@ -121,22 +121,33 @@ bool opposite_is_nearer(const State<D> &state, const ContactMode<D> &mode,
   return false;
 }
 
-// Displacements and velocities of all masses. A mass with a stop is placed by its carried gap, one
-// with two stops by the narrower.
+// Displacements and velocities of all masses.
 template <int D>
-MotionState physical(const State<D> &state, const Scene &scene) {
+struct Masses {
+  Eigen::Matrix<double, ContactMode<D>::masses, 1> displacement, velocity;
+};
+
+// A mass with a stop is placed by its carried gap, one with two stops by the narrower.
+template <int D>
+Masses<D> masses_of(const State<D> &state, const Scene &scene) {
   const ContactMode<D> &mode = *state.mode;
-  MotionState motion{state.now, mode.equilibrium + mode.shape * state.value.matrix(),
-                     mode.shape * state.slope.matrix(), mode.held};
+  Masses<D> masses{mode.equilibrium + mode.shape * state.value.matrix(),
+                   mode.shape * state.slope.matrix()};
   for (const OpenStop<D> &open : mode.open) {
     const StopState &stop = state.stops[open.stop];
     const double sigma = sign(scene.stops[open.stop].side);
     const auto i = static_cast<Eigen::Index>(open.mass);
     if (opposite_is_nearer(state, mode, open)) continue;
-    motion.displacement(i) = scene.stops[open.stop].position - sigma * stop.gap;
-    motion.velocity(i) = -sigma * stop.speed;
+    masses.displacement(i) = scene.stops[open.stop].position - sigma * stop.gap;
+    masses.velocity(i) = -sigma * stop.speed;
   }
-  return motion;
+  return masses;
+}
+
+template <int D>
+MotionState physical(const State<D> &state, const Scene &scene) {
+  const Masses<D> masses = masses_of(state, scene);
+  return {state.now, masses.displacement, masses.velocity, state.mode->held};
 }
 
 // y'' of every lane.
@@ -156,18 +167,21 @@ double rate_of(const Reading<D> &reading, const Eigen::Array<double, D, 1> &slop
   return (reading.on_value * slope).sum() + (reading.on_slope * curvature).sum();
 }
 
-// Expresses a physical state in the lanes of `mode`; the stop states are left to the caller.
-template <int D>
+// Expresses displacements and velocities in the lanes of `mode`; the stop states are left to the
+// caller.
+template <int D, class Masses>
 void set_lanes(State<D> &state, const Scene &scene, const ContactMode<D> &mode,
-               const MotionState &motion) {
+               const Masses &masses) {
   state.mode = &mode;
   state.value.setZero(mode.lanes());
   state.slope.setZero(mode.lanes());
   set_forcing(state, scene);
   // The forcing lanes are set, the others zero: shape y is the steady response.
-  const Eigen::VectorXd x =
-      motion.displacement - mode.equilibrium - mode.shape * state.value.matrix();
-  const Eigen::VectorXd v = motion.velocity - mode.shape * state.slope.matrix();
+  const Eigen::Matrix<double, ContactMode<D>::masses, 1> x = masses.displacement -
+                                                             mode.equilibrium -
+                                                             mode.shape * state.value.matrix(),
+                                                         v = masses.velocity -
+                                                             mode.shape * state.slope.matrix();
   state.value += (mode.to_modal * x + mode.velocity_to_modal * v).array();
   state.slope += (mode.to_modal * v).array();
   tie_decays(state);

@@ -1,6 +1,6 @@
 // Polynomials in u on [0, 1]: the gap of a stop, or a hold force, along one expansion.
 //
-// Everything is summed in packets of two terms c_n u^n, with no chain of dependent operations as
+// Everything is summed in packets of four terms c_n u^n, with no chain of dependent operations as
 // long as the polynomial: a value and its first four derivatives cost little more than a value.
 #pragma once
 
@@ -15,16 +15,16 @@ namespace vibro_impact {
 
 constexpr int max_order = 32;
 
-// Coefficients are read in packets, also beyond the order: three zeros follow the last one (see
+// Coefficients are read in packets, also beyond the order: four zeros follow the last one (see
 // `end_at`).
 struct Polynomial {
-  std::array<double, max_order + 4> coefficient{};
+  std::array<double, max_order + 8> coefficient{};
   int order = 0;
 };
 
 inline void end_at(Polynomial &p, int order) {
   p.order = order;
-  std::fill_n(p.coefficient.begin() + order + 1, 3, 0.0);
+  std::fill_n(p.coefficient.begin() + order + 1, 4, 0.0);
 }
 
 // Taylor coefficients of a polynomial about one point: p, p', p''/2, p'''/6, p''''/24.
@@ -35,14 +35,26 @@ struct Jet {
 namespace detail {
 
 using Two = Eigen::Array<double, 2, 1>;
+using Four = Eigen::Array<double, 4, 1>;
 
 // binomial[k][n] = n over k: the derivatives of u^n are binomial[k][n] u^(n - k) k!.
 inline const auto binomial = [] {
-  std::array<std::array<double, max_order + 4>, 6> table{};
+  std::array<std::array<double, max_order + 8>, 6> table{};
   for (std::size_t n = 0; n < table[0].size(); ++n) {
     table[0][n] = 1.0;
     for (std::size_t k = 1; k < table.size() && n > 0; ++k)
       table[k][n] = table[k][n - 1] + table[k - 1][n - 1];
+  }
+  return table;
+}();
+
+// pascal[m][n] = m over n, zero for n > m.
+inline const auto pascal = [] {
+  std::array<std::array<double, max_order + 8>, max_order + 8> table{};
+  for (std::size_t m = 0; m < table.size(); ++m) {
+    table[m][0] = 1.0;
+    for (std::size_t n = 1; n <= m; ++n)
+      table[m][n] = table[m - 1][n - 1] + (n < m ? table[m - 1][n] : 0.0);
   }
   return table;
 }();
@@ -57,8 +69,32 @@ inline Two one_and(double x) {
   return two(units.data()) + x * two(units.data() + 2);
 }
 
-inline Two two_binomials(std::size_t k, int n) {
-  return two(binomial[k].data() + n);
+inline Four four(const double *at) {
+  return Eigen::Map<const Four>(at);
+}
+
+// 1, x, x^2, x^3.
+inline Four four_powers(double x) {
+  Four powers;
+  powers.head<2>() = one_and(x);
+  powers.tail<2>() = one_and(x) * (x * x);
+  return powers;
+}
+
+inline Four four_binomials(std::size_t k, int n) {
+  return four(binomial[k].data() + n);
+}
+
+using Powers = std::array<double, max_order + 8>;
+
+// 1, x, x^2, ... in whole packets of four.
+inline void set_powers(Powers &powers, double x, int order) {
+  const double quartic = x * x * x * x;
+  Four power = four_powers(x);
+  for (int n = 0; n <= order; n += 4) {
+    Eigen::Map<Four>(powers.data() + n) = power;
+    power *= quartic;
+  }
 }
 
 // Sums over the coefficients: bounds on [0, 1].
@@ -72,14 +108,14 @@ struct Bounds {
 
 inline Bounds bounds_of(const Polynomial &p, int first) {
   const double *c = p.coefficient.data() + first;
-  Two sum = Two::Zero(), modulus = sum, bend = sum, bent = sum, fifth = sum;
-  for (int n = 0; n <= p.order - first; n += 2) {
-    const Two at = two(c + n), curved = two_binomials(2, n) * at;
+  Four sum = Four::Zero(), modulus = sum, bend = sum, bent = sum, fifth = sum;
+  for (int n = 0; n <= p.order - first; n += 4) {
+    const Four at = four(c + n), curved = four_binomials(2, n) * at;
     sum += at;
     modulus += at.abs();
     bend += curved.abs();
     bent += curved;
-    fifth += two_binomials(5, n) * at.abs();
+    fifth += four_binomials(5, n) * at.abs();
   }
   // The negative part of a number is half of what it and its modulus differ by.
   const double end = sum.sum();
@@ -90,8 +126,8 @@ inline Bounds bounds_of(const Polynomial &p, int first) {
 // An upper bound on [0, 1] of |p'''|.
 inline double twist_bound(const Polynomial &p, int first) {
   const double *c = p.coefficient.data() + first;
-  Two sum = Two::Zero();
-  for (int n = 0; n <= p.order - first; n += 2) sum += two_binomials(3, n) * two(c + n).abs();
+  Four sum = Four::Zero();
+  for (int n = 0; n <= p.order - first; n += 4) sum += four_binomials(3, n) * four(c + n).abs();
   return 6.0 * sum.sum();
 }
 
@@ -108,19 +144,19 @@ double lower_bound(const Polynomial &p, int first, Weight weight) {
 
 // The polynomial with its `first` leading coefficients divided out, about u >= 0.
 inline Jet jet_at(const Polynomial &p, int first, double u) {
-  using detail::Two;
+  using detail::Four;
   const double *c = p.coefficient.data() + first;
-  const double w = u * u, inverse = 1.0 / std::max(u, 1e-300);
-  Two power = detail::one_and(u);
-  Two value = Two::Zero(), slope = value, second = value, third = value, fourth = value;
-  for (int n = 0; n <= p.order - first; n += 2) {
-    const Two term = detail::two(c + n) * power;
+  const double quartic = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
+  Four power = detail::four_powers(u);
+  Four value = Four::Zero(), slope = value, second = value, third = value, fourth = value;
+  for (int n = 0; n <= p.order - first; n += 4) {
+    const Four term = detail::four(c + n) * power;
     value += term;
-    slope += detail::two_binomials(1, n) * term;
-    second += detail::two_binomials(2, n) * term;
-    third += detail::two_binomials(3, n) * term;
-    fourth += detail::two_binomials(4, n) * term;
-    power *= w;
+    slope += detail::four_binomials(1, n) * term;
+    second += detail::four_binomials(2, n) * term;
+    third += detail::four_binomials(3, n) * term;
+    fourth += detail::four_binomials(4, n) * term;
+    power *= quartic;
   }
   // From left to right, so that what has underflown stays zero.
   return {value.sum(), slope.sum() * inverse, second.sum() * inverse * inverse,
@@ -130,25 +166,49 @@ inline Jet jet_at(const Polynomial &p, int first, double u) {
 
 // Sum of the moduli of the terms at u: the scale of the rounding of the value there.
 inline double size_at(const Polynomial &p, int first, double u) {
-  using detail::Two;
-  const double *c = p.coefficient.data() + first;
-  Two size = Two::Zero(), power = detail::one_and(u);
-  for (int n = 0; n <= p.order - first; n += 2) {
-    size += detail::two(c + n).abs() * power;
-    power *= u * u;
+  using detail::Four;
+  const double *c = p.coefficient.data() + first, quartic = u * u * u * u;
+  Four size = Four::Zero(), power = detail::four_powers(u);
+  for (int n = 0; n <= p.order - first; n += 4) {
+    size += detail::four(c + n).abs() * power;
+    power *= quartic;
   }
   return size.sum();
 }
 
+// p(scale u), given the powers of the scale.
+inline void rescale(Polynomial &p, int order, const detail::Powers &scale) {
+  for (int n = 0; n <= order; n += 4) {
+    Eigen::Map<detail::Four> c(p.coefficient.data() + n);
+    c *= detail::four(scale.data() + n);
+  }
+}
+
+// p(at + at scale u), given the powers of both; `order` is of the form 4 k + 3.
+inline void recentre(Polynomial &p, int order, const detail::Powers &at,
+                     const detail::Powers &scale) {
+  using detail::Four, detail::four;
+  rescale(p, order, at);
+  double *c = p.coefficient.data();
+  for (int n = 0; n <= order; n += 4) {
+    Four even = Four::Zero(), odd = even;  // two chains of sums
+    for (int m = n; m <= order; m += 2) {
+      even += c[m] * four(detail::pascal[static_cast<std::size_t>(m)].data() + n);
+      odd += c[m + 1] * four(detail::pascal[static_cast<std::size_t>(m) + 1].data() + n);
+    }
+    Eigen::Map<Four>(c + n) = (even + odd) * four(scale.data() + n);
+  }
+}
+
 // Value and slope at u, with the exact zeros divided out so that small values keep their accuracy.
 inline OscillatorState<double> evaluate(const Polynomial &p, int zeros, double u) {
-  using detail::Two;
-  const double *c = p.coefficient.data() + zeros;
-  Two power = detail::one_and(u), value_terms = Two::Zero(), slope_terms = value_terms;
-  for (int n = 0; n <= p.order - zeros; n += 2) {
-    value_terms += detail::two(c + n) * power;
-    slope_terms += detail::two(c + n + 1) * detail::two_binomials(1, n + 1) * power;
-    power *= u * u;
+  using detail::Four;
+  const double *c = p.coefficient.data() + zeros, quartic = u * u * u * u;
+  Four power = detail::four_powers(u), value_terms = Four::Zero(), slope_terms = value_terms;
+  for (int n = 0; n <= p.order - zeros; n += 4) {
+    value_terms += detail::four(c + n) * power;
+    slope_terms += detail::four(c + n + 1) * detail::four_binomials(1, n + 1) * power;
+    power *= quartic;
   }
   double value = value_terms.sum(), slope = slope_terms.sum();
   for (int k = 0; k < zeros; ++k) {

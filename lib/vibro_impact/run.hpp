@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct Run {
   State<D> state;
   Modes<D> modes = {};
   Flight flight = {};
-  ChatterSequence<D> chatter = {};
+  Chatter<D> chatter = {};
   Counters counters = {};
+  std::optional<Remainder> remainder = {};  // of flights, where it is not below rounding
   long long stride = 1;
   double since_impact = 0.0;
   double flight_guess = std::numeric_limits<double>::infinity();
@@ -38,22 +40,36 @@ struct Run {
   std::vector<double> closing = {};     // gap speeds before the impacts of one event
 };
 
+// The state of a run, brought up to date where the impacts of a chatter are followed ahead of it.
 template <int D>
-Moment moment_of(const State<D> &state, const Scene &scene, const Clock &clock) {
-  const auto of_mass = [&](double (*at)(const void *, const void *, int)) {
-    return OfMass{&state, &scene, at};
+const State<D> &state_of(Run<D> &run) {
+  if (run.chatter.ahead) set_state_after(run.chatter.bounces, Tail{}, run.scene, run.state);
+  run.chatter.ahead = false;
+  return run.state;
+}
+
+template <int D>
+const State<D> &state_of(State<D> &state) {
+  return state;
+}
+
+// `source` is a state, or a run, asked for its state when a recorder asks for the motion.
+template <class Source>
+Moment moment_of(Source &source, const Instant &now, const Scene &scene, const Clock &clock) {
+  const auto of_mass = [&](double (*at)(void *, const void *, int)) {
+    return OfMass{&source, &scene, at};
   };
-  return {state.now, time_of(state.now, clock), of_mass([](const void *of, const void *, int mass) {
-            const auto &[now, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
+  return {now, time_of(now, clock), of_mass([](void *of, const void *, int mass) {
+            const auto &[at, mode, value, slope, stops] = state_of(*static_cast<Source *>(of));
             return mode->equilibrium(mass - 1) + mode->shape.row(mass - 1).dot(value.matrix());
           }),
-          of_mass([](const void *of, const void *, int mass) {
-            const auto &[now, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
+          of_mass([](void *of, const void *, int mass) {
+            const auto &[at, mode, value, slope, stops] = state_of(*static_cast<Source *>(of));
             return mode->shape.row(mass - 1).dot(slope.matrix());
           }),
-          of_mass([](const void *of, const void *in, int mass) {
-            const auto &[now, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
-            for (const ClosedStop<D> &closed : mode->closed)
+          of_mass([](void *of, const void *in, int mass) {
+            const auto &[at, mode, value, slope, stops] = state_of(*static_cast<Source *>(of));
+            for (const auto &closed : mode->closed)
               if (closed.mass + 1 == static_cast<std::size_t>(mass))
                 return sign(static_cast<const Scene *>(in)->stops[closed.stop].side) *
                        closed.press(value, slope);
@@ -62,7 +78,7 @@ Moment moment_of(const State<D> &state, const Scene &scene, const Clock &clock) 
 }
 
 template <int D>
-void emit(const Run<D> &run, EventKind kind, std::size_t stop, double before, double after,
+void emit(Run<D> &run, EventKind kind, std::size_t stop, double before, double after,
           bool by_a_jump) {
   const auto takes_events = [](const RecorderRef &ref) { return ref.event != nullptr; };
   if (std::none_of(run.recorders.begin(), run.recorders.end(), takes_events)) return;
@@ -76,7 +92,7 @@ void emit(const Run<D> &run, EventKind kind, std::size_t stop, double before, do
                     after,
                     run.state.mode->held,
                     by_a_jump};
-  const Moment moment = moment_of(run.state, run.scene, run.clock);
+  const Moment moment = moment_of(run, run.state.now, run.scene, run.clock);
   for (const RecorderRef &ref : run.recorders)
     if (ref.event != nullptr) ref.event(ref.recorder, event, moment);
 }
@@ -102,7 +118,7 @@ void sample_flight(Run<D> &run, double tau) {
     flow(*run.state.mode, run.scene, run.state.value, run.state.slope, after, between.value,
          between.slope);
     ++run.counters.modal_evaluations;
-    const Moment moment = moment_of(between, run.scene, run.clock);
+    const Moment moment = moment_of(between, between.now, run.scene, run.clock);
     for (const RecorderRef &ref : run.recorders)
       if (ref.sample != nullptr && ref.next_time(ref.recorder) <= next)
         ref.sample(ref.recorder, moment);
@@ -114,6 +130,43 @@ template <int D>
 const OpenStop<D> &open_stop(const State<D> &state, std::size_t stop) {
   return *std::find_if(state.mode->open.begin(), state.mode->open.end(),
                        [stop](const OpenStop<D> &open) { return open.stop == stop; });
+}
+
+template <int D>
+void count_impact(Run<D> &run, std::size_t stop, double speed) {
+  ++run.counters.impacts;
+  ++run.impacts_this_period;
+  if (speed < run.last_speed[stop]) {
+    ++run.falling[stop];
+  } else {
+    if (run.falling[stop] >= 5) ++run.counters.chatter_incomplete;
+    run.falling[stop] = 0;
+  }
+  run.last_speed[stop] = speed;
+  if (elapsed(run.period_start, run.state.now, run.clock) > run.guard_period) {
+    run.period_start = run.state.now;
+    run.impacts_this_period = 1;
+  }
+  if (run.impacts_this_period > run.options.max_impacts_per_period) {
+    const MotionState motion = physical(state_of(run), run.scene);
+    std::string text =
+        fmt::format("more than {} impacts in one period, given up at t = {} with",
+                    run.options.max_impacts_per_period, time_of(run.state.now, run.clock));
+    for (Eigen::Index i = 0; i < motion.displacement.size(); ++i)
+      fmt::format_to(std::back_inserter(text), " x{} = {}, x{}' = {}", i + 1,
+                     motion.displacement(i), i + 1, motion.velocity(i));
+    throw std::runtime_error(text);
+  }
+}
+
+// Tells of the impacts at `stops`, of closing speeds `run.closing`.
+template <int D>
+void record_impacts(Run<D> &run, const std::vector<std::size_t> &stops) {
+  for (std::size_t k = 0; k < stops.size(); ++k) count_impact(run, stops[k], -run.closing[k]);
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const double velocity = -sign(run.scene.stops[stops[k]].side) * run.closing[k];
+    emit(run, EventKind::impact, stops[k], velocity, -run.scene.restitution * velocity, false);
+  }
 }
 
 }  // namespace detail

@@ -31,6 +31,10 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
   Run<D> run{scene, options, recorders, clock, instant_at(until, clock), {}};
   run.stride =
       scene.restitution > 0.0 && scene.restitution < 1.0 ? chatter_stride(scene.restitution) : 1;
+  if (options.flight_tolerance != below_rounding.relative) {
+    run.remainder.emplace(options.flight_tolerance);
+    run.flight.expansion.remainder = run.chatter.bounces.path.remainder = &*run.remainder;
+  }
   run.last_speed.assign(scene.stops.size(), 0.0);
   run.falling.assign(scene.stops.size(), 0);
   run.period_start = run.state.now = start.instant;
@@ -104,14 +108,23 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
 Outcome simulate_seen(const Scene &scene, const MotionState &start, double until,
                       const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
+  for (const auto &[name, tolerance] :
+       {std::pair{"chatter", options.chatter_tolerance}, {"flight", options.flight_tolerance}})
+    detail::require(tolerance > 0.0 && tolerance < 1.0,
+                    "{}_tolerance = {}: must lie between 0 and 1", name, tolerance);
   // The whole periods are counted, and the phase kept exact.
   detail::require(!(until * scene.omega > 0x1p53),
                   "until = {}: more forcing periods than double precision can count", until);
-  // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. The
-  // fixed lanes have no room for a strongly damped mode split in two.
-  if (scene.masses() == 2 && scene.forced() &&
-      !strongly_damped(scene.beta, largest_eigenvalue_bound(scene)))
-    return detail::simulate_lanes<4>(scene, start, until, options, recorders);
+  // Up to three masses under forcing, the paper's case among them, get lanes of fixed size; the
+  // code is the same. They have no room for a strongly damped mode split in two.
+  if (scene.forced() && !strongly_damped(scene.beta, largest_eigenvalue_bound(scene))) {
+    if (scene.masses() == 1)
+      return detail::simulate_lanes<3>(scene, start, until, options, recorders);
+    if (scene.masses() == 2)
+      return detail::simulate_lanes<4>(scene, start, until, options, recorders);
+    if (scene.masses() == 3)
+      return detail::simulate_lanes<5>(scene, start, until, options, recorders);
+  }
   return detail::simulate_lanes<Eigen::Dynamic>(scene, start, until, options, recorders);
 }
 

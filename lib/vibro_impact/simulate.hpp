@@ -19,6 +19,9 @@ struct RunOptions {
   double resolve_chatter = std::numeric_limits<double>::infinity();
   // Largest estimated relative error at which a chatter limit is accepted.
   double chatter_tolerance = 1e-13;
+  // Largest remainder of the expansion of a flight, relative to its second-order term; the order
+  // follows from it. By default below rounding.
+  double flight_tolerance = 0x1p-56;
   // More impacts than this in one forcing period end the run with an error carrying the state.
   long long max_impacts_per_period = 1'000'000;
 };

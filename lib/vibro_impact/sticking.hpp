@@ -11,9 +11,9 @@ namespace vibro_impact {
 template <int D>
 void change_mode(State<D> &state, const Scene &scene, Modes<D> &modes, std::size_t mass,
                  signed char how, Counters &counters) {
-  MotionState motion = physical(state, scene);
-  motion.held[mass] = how;
-  set_lanes(state, scene, modes.enter(scene, motion.held, counters), motion);
+  Held held = state.mode->held;
+  held[mass] = how;
+  set_lanes(state, scene, modes.enter(scene, held, counters), masses_of(state, scene));
 }
 
 // The mass at stop `k` sticks: its gap and speed are zero.

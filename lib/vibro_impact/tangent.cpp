@@ -92,7 +92,7 @@ void TangentRecorder::flow_columns(Eigen::MatrixXd &columns, double tau, const H
   if (!(tau > 0.0)) return;
   const ContactMode<Eigen::Dynamic> &mode = modes.enter(unforced, in, counters);
   if (mode.fastest * tau < 0.5) {
-    flow_by_series(columns, tau, order_for(mode.fastest * tau), in);
+    flow_by_series(columns, tau, order_for(mode.fastest * tau, below_rounding), in);
     return;
   }
   const Eigen::MatrixXd x = columns.topRows(masses()), v = columns.bottomRows(masses());
