@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -41,9 +42,11 @@ struct ChatterTable {
   std::size_t size = 0;
   std::array<ChatterNode, max_chatter_nodes> nodes;  // oldest first
   // Last rows of Neville's tables: the limit extrapolated from the last 1, 2, ... predictions,
-  // counted from the last of them; 1 / x^2 extrapolated likewise; and the estimated error of the
-  // limit.
-  std::array<double, max_chatter_nodes> limit{}, weight{}, error{};
+  // counted from the last of them, and 1 / x^2 likewise.
+  std::array<double, max_chatter_nodes> limit{}, weight{};
+  // How many are best to take, less one, and the estimated error of the limit then.
+  std::size_t best = 0;
+  double error = std::numeric_limits<double>::infinity();
 };
 
 // Use every k-th impact so that the speeds fall by a factor of at least 0.81 from node to node:
@@ -104,6 +107,8 @@ inline void extend(ChatterTable &table, const ChatterNode &node) {
   const double fall = last > 0 ? near / table.nodes[last - 1].flight : 0.0;
   double limit = 0.0, weight = 1.0 / (near * near);
   double value = 0.0;  // limit / x^2, extrapolated
+  double error_before = 0.0;
+  table.error = std::numeric_limits<double>::infinity();
   for (std::size_t column = 1; column <= last; ++column) {
     double &above = table.limit[column - 1], &weight_above = table.weight[column - 1];
     const double ratio = near / (table.nodes[last - column].flight - near);
@@ -114,8 +119,15 @@ inline void extend(ChatterTable &table, const ChatterNode &node) {
     above = without_oldest;
     weight_above = weight;
     weight = next;
-    table.error[column] = std::max(std::abs(limit - without_oldest),
-                                   fall * fall * fall * std::abs(limit - without_newest));
+    const double error = std::max(std::abs(limit - without_oldest),
+                                  fall * fall * fall * std::abs(limit - without_newest));
+    // Not much less than that of one impact less, which it may agree with by chance.
+    const double believed = std::max(error, error_before / 64.0);
+    if (believed <= table.error) {
+      table.error = believed;
+      table.best = column;
+    }
+    error_before = error;
   }
   table.limit[last] = limit;
   table.weight[last] = weight;
@@ -145,21 +157,11 @@ inline std::optional<ChatterLimit> extrapolate(const ChatterTable &table, double
   // Near a border orbit, where the press falls to zero as the chatter ends, the corrections are as
   // large as the tail until late, and the table may agree by chance.
   if (!(16.0 * std::abs(latest.correction) < latest.tail)) return std::nullopt;
-  std::size_t best = 0;
-  double best_error = tolerance;
-  for (std::size_t column = 1; column <= last; ++column) {
-    // Not much less than that of the column before, which it may agree with by chance.
-    const double error =
-        rate * std::max(table.error[column], column > 1 ? table.error[column - 1] / 64.0 : 0.0);
-    if (error > best_error) continue;
-    best_error = error;
-    best = column;
-  }
-  if (best == 0) return std::nullopt;
+  if (!(rate * table.error <= tolerance)) return std::nullopt;
 
   // Weights of the predictions in the extrapolated limit.
-  ChatterLimit limit{latest.tail, best + 1, {}, best_error};
-  const std::size_t first = last - best;
+  ChatterLimit limit{latest.tail, table.best + 1, {}, rate * table.error};
+  const std::size_t first = last - table.best;
   std::array<double, max_chatter_nodes> inverse{};
   for (std::size_t i = first; i <= last; ++i) inverse[i] = 1.0 / table.nodes[i].flight;
   double sum = 0.0;
