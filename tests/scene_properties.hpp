@@ -79,8 +79,8 @@ struct EventRules {
 // - an expansion ends at an event or spans max_reach radians of the fastest lane, which is no
 //   faster than the chain's fastest mode with all masses free (its eigenvalues interlace those of
 //   every contact mode) or the forcing;
-// - an impact may cost a span cut at the guessed flight, and one to follow its chatter, for which
-//   a flight or two are looked ahead;
+// - an impact may cost a span cut at the guessed flight, and one to follow its chatter, in which
+//   two flights may be looked ahead, each at most twice;
 // - a mass comes to rest by an impact, or starts at rest; and once a span without one, where a
 //   scene has died down to rounding on a stop that no static force presses it to. Two per stop of
 //   slack are for starts at rest where rounding holds and frees a mass once more.
@@ -101,7 +101,7 @@ inline std::string excessive_work(const Scene &scene, double until, const Counte
   const auto dismissed = static_cast<double>(work.roots_dismissed);
   std::string text = over("expansions", expanded, expansions);
   const auto followed = static_cast<double>(work.flights_followed);
-  if (text.empty()) text = over("flights followed", followed, 3.0 * impacts);
+  if (text.empty()) text = over("flights followed", followed, 4.0 * impacts);
   if (text.empty())
     text = over("roots looked for", searched + dismissed, stops * (expanded + followed));
   if (text.empty())

@@ -45,7 +45,7 @@ Result run_with(const Problem &problem, const RunOptions &options) {
 Result with_chatter_limit(const Problem &problem, double tolerance) {
   RunOptions options;
   options.chatter_tolerance = tolerance;
-  options.flight_tolerance = std::max(0.01 * tolerance, options.flight_tolerance);
+  options.flight_tolerance = std::max(0.1 * tolerance, options.flight_tolerance);
   return run_with(problem, options);
 }
 
@@ -61,7 +61,7 @@ Result without_chatter_limit(const Problem &problem, double) {
 
 std::vector<Method> this_library() {
   return {{"this library",
-           "tolerance of the chatter limit, 100 times that of a flight",
+           "tolerance of the chatter limit, ten times that of a flight",
            "expansions",
            {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
            with_chatter_limit},

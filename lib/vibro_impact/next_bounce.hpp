@@ -10,18 +10,20 @@ namespace vibro_impact {
 template <int D>
 bool find_next(Bounces<D> &bounces, Counters &counters) {
   const std::size_t hit = bounces.hit();
-  while (true) {
+  const auto look_ahead = [&] {
     detail::trim(bounces);
     ++counters.flights_followed;
-    bool found = true;
-    for (std::size_t j = 0; j < hit && found; ++j) {
+    for (std::size_t j = 0; j < hit; ++j) {
       const auto root = first_root(bounces.reading[j], 1, 1.0, counters);
-      found = root.has_value();
-      if (found) bounces.roots[j] = *root;
+      if (!root) return false;
+      bounces.roots[j] = *root;
     }
-    if (found) break;
+    return true;
+  };
+  if (!look_ahead()) {
     if (bounces.time + 2.0 * bounces.span > bounces.covered) return false;
     detail::rescale(bounces, 2.0);
+    if (!look_ahead()) return false;  // a flight so much longer than expected is not a chatter's
   }
   const double u = bounces.roots[0].at, together = same_instant / bounces.path.rate;
   if (!(u > 0.0) || bounces.time + u * bounces.span > bounces.covered) return false;
