@@ -9,8 +9,8 @@
 //   the mass at rest, and kappa the damping of the mass itself, c / m of its links, its chatter
 //   ends after
 //     w - (a' / a + kappa / 2) w^2 / 3 + O(x^3),
-//   and the moment sum J (t - t_k)^n of its later impacts is J x^n r^n / (1 - r^(n+1)) of its own
-//   to leading order.
+//   and the moments of its later impacts, sum J_k (T - t_k)^n up to the limit T, are to leading
+//   order J w^n r^(n+1) / (1 - r^(n+1)), of its own jump J.
 // The curve of the predictions of consecutive impacts starts with x^3 at x = 0, where it has the
 // limit's value; a polynomial without x and x^2 through the last n impacts extrapolates it. For
 // f = L + x^2 g(x) the extrapolation to zero of f / x^2 by Neville's table, divided by that of

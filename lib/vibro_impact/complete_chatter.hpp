@@ -43,13 +43,7 @@ template <int D>
 void end_at_once(Run<D> &run, const std::vector<std::size_t> &hit, double left) {
   State<D> &state = run.state;
   const ContactMode<D> &mode = *state.mode;
-  for (const std::size_t stop : hit) {
-    const auto i = static_cast<Eigen::Index>(open_stop(state, stop).mass);
-    const double jump = sign(run.scene.stops[stop].side) * state.stops[stop].speed;
-    state.slope += mode.to_modal.col(i).array() * jump;
-    if (mode.any_decay) state.value += mode.velocity_to_modal.col(i).array() * jump;
-  }
-  tie_decays(state);
+  for (const std::size_t stop : hit) place_at_stop(state, run.scene, open_stop(state, stop), 0.0);
   for (const OpenStop<D> &open : mode.open) {
     StopState &stop = state.stops[open.stop];
     stop.gap = std::max(0.0, stop.gap + left * stop.speed);
