@@ -47,7 +47,7 @@ do for [kind in 'png pdf'] {
   # Work.
   set lmargin at screen 0.675
   set rmargin at screen 0.845
-  set xrange [0.5:2e3]
+  set xrange [0.1:2e3]
   set xtics 10
   set xlabel 'per impact'
   set key at screen 0.93, screen 0.985
