@@ -47,7 +47,7 @@ do for [kind in 'png pdf'] {
   # Work.
   set lmargin at screen 0.675
   set rmargin at screen 0.845
-  set xrange [0.1:2e3]
+  set xrange [0.07:2e3]
   set xtics 10
   set xlabel 'per impact'
   set key at screen 0.93, screen 0.985
@@ -56,7 +56,7 @@ do for [kind in 'png pdf'] {
     '' using (shown(per_impact('root_iterations'))):(row($0)) \
       with points pointtype 4 pointsize 0.9 linetype 2 title 'root iterations'
   unset xlabel
-  eval rules(0.5, 2e3)
+  eval rules(0.07, 2e3)
 
   # The names of the groups.
   set lmargin at screen 0.85
