@@ -101,18 +101,16 @@ void set_state_after(const Bounces<D> &bounces, const Tail &tail, const Scene &s
   const std::size_t hit = bounces.hit();
   const bool at_limit = tail.order >= 0;  // where the masses hit are at rest
   for (const OpenStop<D> &open : state.mode->open) {
-    const auto j = std::find(bounces.stops.begin(), bounces.stops.end(), open.stop);
-    if (j == bounces.stops.end()) continue;
-    const double speed =
-        at_limit ? 0.0 : bounces.speed(static_cast<std::size_t>(j - bounces.stops.begin()));
+    const std::size_t j = bounces.place(open.stop);
+    if (j == hit) continue;
+    const double speed = at_limit ? 0.0 : bounces.speed(j);
     place_at_stop(state, scene, open, speed);
     state.stops[open.stop] = {0.0, speed, 1, speed};
   }
   for (const OpenStop<D> &open : state.mode->open) {
+    if (bounces.place(open.stop) < hit) continue;
     StopState &stop = state.stops[open.stop];
     const auto watched = std::find(bounces.watched.begin(), bounces.watched.end(), open.stop);
-    if (std::find(bounces.stops.begin(), bounces.stops.end(), open.stop) != bounces.stops.end())
-      continue;
     if (watched != bounces.watched.end()) {
       const auto place = hit + static_cast<std::size_t>(watched - bounces.watched.begin());
       const auto after = reading_after(bounces, place, tail);

@@ -61,6 +61,10 @@ struct Bounces {
   std::size_t hit() const {
     return stops.size();
   }
+  // The place of a stop among those hit, hit() for others.
+  std::size_t place(std::size_t stop) const {
+    return static_cast<std::size_t>(std::find(stops.begin(), stops.end(), stop) - stops.begin());
+  }
   double speed(std::size_t i) const {
     return reading[i].coefficient[1] / span;
   }
@@ -173,16 +177,13 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
             Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   const std::size_t hit = stops.size();
-  const auto place_of = [&](std::size_t stop) {
-    return static_cast<std::size_t>(std::find(stops.begin(), stops.end(), stop) - stops.begin());
-  };
+  bounces.stops = stops;
   for (const OpenStop<D> &open : mode.open)
-    if (place_of(open.stop) == hit && state.stops[open.stop].zeros != 0) return false;
+    if (bounces.place(open.stop) == hit && state.stops[open.stop].zeros != 0) return false;
   for (const ClosedStop<D> &closed : mode.closed)
     if (state.stops[closed.stop].zeros != 0) return false;
 
   bounces.mode = &mode;
-  bounces.stops = stops;
   bounces.watched.clear();
   bounces.unwatched_size = 0;
   if (on) {
@@ -206,7 +207,7 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
   bounces.jump_slope.resize(hit);
   double jumps = 0.0;
   for (const OpenStop<D> &open : mode.open) {
-    const std::size_t j = place_of(open.stop);
+    const std::size_t j = bounces.place(open.stop);
     if (j == hit) continue;
     const double sigma = sign(scene.stops[open.stop].side);
     const auto i = static_cast<Eigen::Index>(open.mass);
@@ -225,7 +226,7 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
   for (std::size_t n = 0; n < moments.size(); ++n) moments[n] *= jumps * power[n];
   for (const OpenStop<D> &open : mode.open) {
     const auto read = [&](Polynomial &p) { read_gap(state, open, bounces.path, p, counters); };
-    const std::size_t j = place_of(open.stop);
+    const std::size_t j = bounces.place(open.stop);
     const std::size_t place = j < hit ? j : hit + bounces.watched.size();
     detail::carry(bounces, place, open.gap, counters, read);
     for (std::size_t k = 0; k < hit; ++k) bounces.response[place * hit + k].coefficient[0] = 0.0;

@@ -238,11 +238,9 @@ bool undisturbed(const Bounces<D> &bounces, const Tail &tail) {
     ahead.order = bounces.order;
     rescale(ahead, bounces.order, scale);
     double pushed = 0.0;
-    for (std::size_t j = 0; j < hit; ++j) {
-      Polynomial response = bounces.response[i * hit + j];
-      response.order = bounces.order;
-      pushed += size_at(response, 0, tail.left / bounces.path.span) * tail(j, 0);
-    }
+    for (std::size_t j = 0; j < hit; ++j)
+      pushed +=
+          size_at(bounces.response[i * hit + j], 0, tail.left / bounces.path.span) * tail(j, 0);
     if (!(detail::lower_bound(ahead, 0, [](int) { return 1.0; }) > pushed)) return false;
   }
   return true;

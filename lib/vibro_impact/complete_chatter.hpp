@@ -143,9 +143,9 @@ void follow_chatter(Run<D> &run, const std::vector<std::size_t> &hit, double sin
   double flight = longest_flight(run, hit);
   run.flight_guess = 1.1 * flight;
   if (!(flight * fastest < 1.0)) return;
-  if (flight / (1.0 - r) * fastest < same_instant) {
-    if (flight / (1.0 - r) < elapsed(run.state.now, run.end, run.clock))
-      end_at_once(run, hit, flight / (1.0 - r));
+  const double left = flight / (1.0 - r);
+  if (left * fastest < same_instant) {
+    if (left < elapsed(run.state.now, run.end, run.clock)) end_at_once(run, hit, left);
     return;
   }
   flight = longest_flight(run, chatter.together);

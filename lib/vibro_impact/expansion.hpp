@@ -38,7 +38,8 @@ struct Remainder {
   }
 };
 
-inline const Remainder below_rounding(0x1p-56);
+constexpr double flight_rounding = 0x1p-56;
+inline const Remainder below_rounding(flight_rounding);
 
 // Smallest order of the form 4 k + 3, one that fills whole packets, whose remainder is tolerable
 // over fastest * span = reach.

@@ -51,14 +51,13 @@ void bounce(Bounces<D> &bounces, const Scene &scene, std::vector<double> &closin
   for (std::size_t j = 0; j < hit; ++j)
     closing[j] = std::min(0.0, bounces.roots[j].slope / bounces.span);
   bounces.time += flight;
-  // The flights still to come fall by about r, and so do those of the sum of what is left.
-  bounces.covered = std::min(bounces.covered, bounces.time + 1.5 * r * flight * bounces.flights);
   detail::Powers at;
   detail::set_powers(at, u, bounces.order);
   const std::size_t readings = hit + bounces.watched.size();
   for (std::size_t i = 0; i < readings; ++i)
     recentre(bounces.reading[i], bounces.order, at, bounces.ratio);
-  detail::drop_terms(bounces);
+  // Half as much again as is left when all flights fall by r.
+  expect_end(bounces, 1.5 * r * flight * bounces.flights);
   detail::set_span(bounces, flight * bounces.ratio[1]);
   const int order = bounces.order;
   bounces.times.push_back(bounces.time);

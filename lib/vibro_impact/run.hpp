@@ -1,10 +1,15 @@
 // What one run carries from event to event, and how it tells the recorders.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "chatter_limit.hpp"

@@ -31,7 +31,7 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
   Run<D> run{scene, options, recorders, clock, instant_at(until, clock), {}};
   run.stride =
       scene.restitution > 0.0 && scene.restitution < 1.0 ? chatter_stride(scene.restitution) : 1;
-  if (options.flight_tolerance != below_rounding.relative) {
+  if (options.flight_tolerance != flight_rounding) {
     run.remainder.emplace(options.flight_tolerance);
     run.flight.expansion.remainder = run.chatter.bounces.path.remainder = &*run.remainder;
   }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "counters.hpp"
+#include "expansion.hpp"
 #include "recorder_ref.hpp"
 #include "scene.hpp"
 
@@ -21,7 +22,7 @@ struct RunOptions {
   double chatter_tolerance = 1e-13;
   // Largest remainder of the expansion of a flight, relative to its second-order term; the order
   // follows from it. By default below rounding.
-  double flight_tolerance = 0x1p-56;
+  double flight_tolerance = flight_rounding;
   // More impacts than this in one forcing period end the run with an error carrying the state.
   long long max_impacts_per_period = 1'000'000;
 };
