@@ -60,13 +60,13 @@ template <int D>
 void span(benchmark::State &run) {
   const int n = static_cast<int>(run.range(0)), stops = static_cast<int>(run.range(1));
   InFlight<D> at(n, stops);
-  Flight flight;
+  Flight<D> flight;
   const State<D> start = at.state;
   for (auto _ : run) {
     at.state = start;
     expand(at.mode, at.state.value, at.state.slope, 1.0, flight.expansion, at.counters);
-    read_gaps(at.state, flight, at.counters);
-    move_to(at.state, flight, 1.0, at.scene, at.clock);
+    look_ahead(at.state, flight, at.counters);
+    move_to(at.state, flight, 1.0, at.scene, at.clock, at.counters);
     benchmark::DoNotOptimize(at.state.value.data());
   }
   run.counters["order"] = flight.expansion.order;
@@ -77,10 +77,10 @@ void span(benchmark::State &run) {
 template <int D>
 void first_event(benchmark::State &run) {
   InFlight<D> at(static_cast<int>(run.range(0)));
-  Flight flight;
+  Flight<D> flight;
   expand(at.mode, at.state.value, at.state.slope, 1.0, flight.expansion, at.counters);
   for (auto _ : run) {
-    find_first_event(at.state, flight, at.counters);
+    find_first_event(at.state, at.scene, at.clock, flight, at.counters);
     benchmark::DoNotOptimize(flight.event.u);
   }
   run.counters["root steps"] = benchmark::Counter(static_cast<double>(at.counters.root_iterations),
@@ -141,7 +141,7 @@ void chatter_limit(benchmark::State &run) {
   State<4> there = at.state;
   for (auto _ : run) {
     const auto limit = extrapolate(at.table, at.mode.fastest, 1.0);
-    find_tail(at.bounces, at.table, *limit, at.scene.restitution, tail);
+    find_tail(at.bounces, at.table, *limit, tail);
     set_state_after(at.bounces, tail, at.scene, there);
     benchmark::DoNotOptimize(there.value.data());
   }

@@ -59,7 +59,8 @@ TEST(Economy, AnExpansionCostsInProportionToTheStops) {
     Scene scene = extremes::long_chain(masses, 0.7);
     scene.stops.resize(stops);
     const Counters counters = simulate(scene, 40.0, {}).counters;
-    const long long looked_at = counters.roots_dismissed + counters.roots_searched;
+    const long long looked_at =
+        counters.roots_dismissed + counters.roots_searched + counters.crossings_sought;
     EXPECT_GE(looked_at, 40);
     // And the two lanes of the forcing; less where masses stick.
     const long long per_coefficient = 2 * masses + 2;
@@ -72,8 +73,9 @@ TEST(Economy, AnExpansionCostsInProportionToTheStops) {
   for (const std::size_t stops : {1u, 2u, 3u}) {
     const double few = products_per_stop(10, stops);
     EXPECT_LE(few, max_order + 1) << stops;
+    // Surveyed only, or expanded as well: which, and how often, depends on the motion.
     for (const int masses : {50, 200})
-      EXPECT_NEAR(products_per_stop(masses, stops), few, 0.2 * few) << masses << " " << stops;
+      EXPECT_NEAR(products_per_stop(masses, stops), few, 0.45 * few) << masses << " " << stops;
   }
 }
 
@@ -145,9 +147,11 @@ TEST(Economy, TheWorkDoesNotGrowWithMassesThatDoNothing) {
     EXPECT_EQ(many.impacts, few.impacts) << masses;
     EXPECT_LE(many.expansions, few.expansions + 1) << masses;
     EXPECT_LE(many.coefficients, few.coefficients * 102 / 100 + max_order) << masses;
-    EXPECT_LE(many.stops_out_of_reach + many.roots_dismissed + many.roots_searched,
-              few.stops_out_of_reach + few.roots_dismissed + few.roots_searched + 2)
-        << masses;
+    const auto looked_at = [](const Counters &counters) {
+      return counters.stops_out_of_reach + counters.roots_dismissed + counters.roots_searched +
+             counters.crossings_sought;
+    };
+    EXPECT_LE(looked_at(many), looked_at(few) + 2) << masses;
   }
 }
 

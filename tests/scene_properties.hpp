@@ -85,7 +85,8 @@ struct EventRules {
 //   scene has died down to rounding on a stop that no static force presses it to. Two per stop of
 //   slack are for starts at rest where rounding holds and frees a mass once more.
 // Every stop is looked at once an expansion or flight of a chatter. A root search takes below 25
-// steps on average in any scene seen; 64 would be a search that creeps. Empty, or what is exceeded.
+// steps on average in any scene seen; 64 would be a search that creeps. A crossing sought on the
+// lanes takes 4 at most. Empty, or what is exceeded.
 inline std::string excessive_work(const Scene &scene, double until, const Counters &work) {
   const double w = frequency_bound(scene), stops = static_cast<double>(scene.stops.size());
   const double rate = std::max(scene.omega, root_modulus(scene.beta * w * w, w * w));
@@ -98,6 +99,7 @@ inline std::string excessive_work(const Scene &scene, double until, const Counte
   };
   const auto expanded = static_cast<double>(work.expansions);
   const auto searched = static_cast<double>(work.roots_searched);
+  const auto sought = static_cast<double>(work.crossings_sought);
   const auto dismissed = static_cast<double>(work.roots_dismissed);
   std::string text = over("expansions", expanded, expansions);
   const auto followed = static_cast<double>(work.flights_followed);
@@ -105,7 +107,8 @@ inline std::string excessive_work(const Scene &scene, double until, const Counte
   if (text.empty())
     text = over("roots looked for", searched + dismissed, stops * (expanded + followed));
   if (text.empty())
-    text = over("root iterations", static_cast<double>(work.root_iterations), 64.0 * searched);
+    text = over("root iterations", static_cast<double>(work.root_iterations),
+                64.0 * searched + 4.0 * sought);
   if (text.empty())
     text = over("sticks", static_cast<double>(work.sticks), impacts + 2.0 * stops + spans);
   if (text.empty())

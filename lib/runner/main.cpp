@@ -48,7 +48,7 @@ void summarise(const Outcome &outcome) {
              "work: {} contact modes, {} expansions, {} root searches ({} stops dismissed), "
              "{} root iterations, {} modal evaluations\n",
              outcome.time, c.impacts, c.sticks, c.releases, c.chatter_limits, c.chatter_incomplete,
-             c.modes_built, c.expansions, c.roots_searched,
+             c.modes_built, c.expansions, c.roots_searched + c.crossings_sought,
              c.roots_dismissed + c.stops_out_of_reach, c.root_iterations, c.modal_evaluations);
 }
 

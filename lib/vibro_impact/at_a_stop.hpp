@@ -12,6 +12,7 @@ void stick_at(Run<D> &run, std::size_t stop) {
   stick(run.state, run.scene, run.modes, stop, run.counters);
   run.falling[stop] = 0;
   run.chatter.together.clear();
+  run.flight_guess = std::numeric_limits<double>::infinity();  // the bounces expected are over
   emit(run, EventKind::stick, stop, 0.0, 0.0, false);
 }
 

@@ -29,6 +29,34 @@ struct Unwatched {
   Polynomial push;
 };
 
+// What follows from the coefficient of restitution alone: all flights to come in terms of the next,
+// to leading order; the third-order terms of the time left (see chatter_limit.hpp); powers of the
+// next span in terms of the flight before it; moments of the impacts after one of unit jump, in
+// units of powers of the time left, to leading order.
+struct ChatterRatio {
+  double restitution = -1.0, flights = 0.0;
+  double ee = 0.0, f = 0.0, ss = 0.0, se = 0.0, s3 = 0.0;
+  detail::Powers span{}, moments{};
+
+  void set(double r) {
+    if (r == restitution) return;
+    restitution = r;
+    flights = 1.0 / (1.0 - r);
+    const double common = flights * flights / (1.0 - r * r * r);
+    ee = common * (2.0 + 3.0 * r + 2.0 * r * r);
+    f = -common * (1.0 + r) * (1.0 + r);
+    ss = common * r * (1.0 + r) * (1.0 + r * r);
+    se = -common * r * (4.0 + 3.0 * r + 3.0 * r * r);
+    s3 = common * r * r * (1.0 + r);
+    detail::set_powers(span, 1.2 * std::max(r, 0x1p-30), max_order);
+    double power = r;
+    for (double &moment : moments) {
+      moment = power / (1.0 - power);
+      power *= r;
+    }
+  }
+};
+
 template <int D>
 struct Bounces {
   using Lanes = typename State<D>::Lanes;
@@ -38,19 +66,21 @@ struct Bounces {
   // u = (time since the latest impact) / span; and the response of reading i to a unit jump of the
   // gap speed at stop j, response[i * hit() + j], in (time since the jump) / path.span.
   std::vector<Polynomial> reading, response;
-  detail::Powers scale{}, ratio{};  // of span / path.span; of the next span to the flight before it
+  std::vector<Polynomial> ahead;     // the readings about a point near the next impact
+  detail::Powers scale{};            // of span / path.span
   std::vector<std::size_t> watched;  // the stops of the readings from hit() on
   std::vector<Unwatched> unwatched;
   std::size_t unwatched_size = 0;
   int order = 0;
   double span = 0.0;
-  std::vector<Root> roots;  // next impact, per stop hit
+  // The flight to the next impact, and where that is on the readings ahead: at off * span_ahead.
+  double flight = 0.0, off = 0.0, span_ahead = 0.0;
   // The flight on which all this rests: `path` expands it, `time` is that of the latest impact on
   // it, the polynomials hold up to `covered`.
   Lanes value, slope;
   Expansion path;
   double time = 0.0, covered = 0.0;
-  double flights = 0.0;  // 1 / (1 - r), the sum of all flights to come in terms of the next
+  ChatterRatio ratio;
   // What a unit jump of the gap speed at each stop hit does to the lanes.
   std::vector<Lanes> jump_value, jump_slope;
   // Times on the path and jumps of the impacts, hit() per impact; the path starts just after that
@@ -114,7 +144,10 @@ template <int D, class Read>
 void carry(Bounces<D> &bounces, std::size_t i, const Reading<D> &reading, Counters &counters,
            Read read) {
   const std::size_t hit = bounces.hit();
-  if (bounces.reading.size() <= i) bounces.reading.resize(i + 1);
+  if (bounces.reading.size() <= i) {
+    bounces.reading.resize(i + 1);
+    bounces.ahead.resize(i + 1);
+  }
   if (bounces.response.size() < (i + 1) * hit) bounces.response.resize((i + 1) * hit);
   read(bounces.reading[i]);
   for (std::size_t j = 0; j < hit; ++j)
@@ -125,16 +158,6 @@ void carry(Bounces<D> &bounces, std::size_t i, const Reading<D> &reading, Counte
 // The most a unit jump can change an unwatched reading within `time`.
 inline double most_pushed(const Unwatched &reading, const Expansion &path, double time) {
   return size_at(reading.push, 0, time / path.span);
-}
-
-// Moments of the impacts after one of unit jump, of order n in units of its nth power of the time
-// left, to leading order.
-inline Powers moments_after(double restitution, int order) {
-  Powers moments{};
-  double power = restitution;
-  for (std::size_t n = 0; n <= static_cast<std::size_t>(order); ++n, power *= restitution)
-    moments[n] = power / (1.0 - power);
-  return moments;
 }
 
 // Decides whether the reading carried at the next place is watched. It is not when it would have to
@@ -202,7 +225,6 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
   bounces.covered = bounces.span = covered;
   expand(mode, state.value, state.slope, covered, bounces.path, counters);
   bounces.order = bounces.path.order;
-  bounces.roots.resize(hit);
   bounces.jump_value.resize(hit);
   bounces.jump_slope.resize(hit);
   double jumps = 0.0;
@@ -218,12 +240,12 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
           mode.decay.select(-mode.kappa * bounces.jump_value[j], bounces.jump_slope[j]);
     jumps += bounces.jumps[bounces.base * hit + j];
   }
-  const double r = scene.restitution;
-  bounces.flights = 1.0 / (1.0 - r);
-  detail::set_powers(bounces.ratio, 1.2 * std::max(r, 0x1p-30), bounces.order);
-  detail::Powers moments = detail::moments_after(r, bounces.order), power{};
-  detail::set_powers(power, std::min(1.0, flight * bounces.flights / covered), bounces.order);
-  for (std::size_t n = 0; n < moments.size(); ++n) moments[n] *= jumps * power[n];
+  bounces.ratio.set(scene.restitution);
+  detail::Powers moments;  // of the impacts to come
+  detail::set_powers(moments, std::min(1.0, flight * bounces.ratio.flights / covered),
+                     bounces.order);
+  for (std::size_t n = 0; n <= static_cast<std::size_t>(bounces.order); ++n)
+    moments[n] *= jumps * bounces.ratio.moments[n];
   for (const OpenStop<D> &open : mode.open) {
     const auto read = [&](Polynomial &p) { read_gap(state, open, bounces.path, p, counters); };
     const std::size_t j = bounces.place(open.stop);

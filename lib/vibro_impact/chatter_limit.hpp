@@ -4,17 +4,22 @@
 // v = 0 is a curve of fixed points with multiplier r: whatever depends smoothly on the state at an
 // impact lies, over consecutive impacts, on a smooth curve of any x that is itself proportional to
 // v to leading order. Taken here are
-//   x = 2 v / a, the flight that follows to leading order (a: the pressing acceleration then), and
-//   what each impact predicts of the limit on its own. With w = x / (1 - r), a' the rate of a with
-//   the mass at rest, and kappa the damping of the mass itself, c / m of its links, its chatter
-//   ends after
-//     w - (a' / a + kappa / 2) w^2 / 3 + O(x^3),
-//   and the moments of its later impacts, sum J_k (T - t_k)^n up to the limit T, are to leading
-//   order J w^n r^(n+1) / (1 - r^(n+1)), of its own jump J.
-// The curve of the predictions of consecutive impacts starts with x^3 at x = 0, where it has the
-// limit's value; a polynomial without x and x^2 through the last n impacts extrapolates it. For
-// f = L + x^2 g(x) the extrapolation to zero of f / x^2 by Neville's table, divided by that of
-// 1 / x^2, is exact when g is a polynomial of degree n - 1 that vanishes at x = 0.
+//   x, the flight that follows to leading order, and
+//   what each impact predicts of the limit on its own. With the gap v t + c2 t^2 + c3 t^3 + c4 t^4
+//   after it, x = -v / c2, e = c3 / c2, f = c4 / c2, and with the response t + s2 t^2 + s3 t^3 to a
+//   unit jump of the gap speed, its chatter ends after
+//     x / (1 - r) - (e - r s2) x^2 / (1 - r)^2
+//       + [(2 + 3 r + 2 r^2) e^2 - (1 + r)^2 f + r (1 + r) (1 + r^2) s2^2
+//          - r (4 + 3 r + 3 r^2) s2 e + r^2 (1 + r) s3] x^3 / ((1 - r)^2 (1 - r^3)) + O(x^4)
+//   (what is left after the next impact, by the same formula, and the flight to it must add up to
+//   it); the moments of its later impacts, sum J_k (T - t_k)^n up to the limit T, are to leading
+//   order J w^n r^(n+1) / (1 - r^(n+1)), of its own jump J and w = x / (1 - r); that of order one
+//   is needed to the next order, 1 + s2 w / (1 + r + r^2) times as much.
+// The curve of the predictions of consecutive impacts starts with x^4 at x = 0, where it has the
+// limit's value; a polynomial without x, x^2 and x^3 through the last n impacts extrapolates it.
+// (For masses hit together the third-order term is left out, and the curve starts with x^3.) For
+// f = L + x^3 g(x) the extrapolation to zero of f / x^3 by Neville's table, divided by that of
+// 1 / x^3, is exact when g is a polynomial of degree n - 1 that vanishes at x = 0.
 #pragma once
 
 #include <array>
@@ -40,6 +45,7 @@ struct ChatterNode {
 
 struct ChatterTable {
   std::size_t size = 0;
+  int power = 4;  // of x with which the curve of the predictions starts
   std::array<ChatterNode, max_chatter_nodes> nodes;  // oldest first
   // Last rows of Neville's tables: the limit extrapolated from the last 1, 2, ... predictions,
   // counted from the last of them, and 1 / x^2 likewise.
@@ -56,30 +62,26 @@ inline long long chatter_stride(double restitution) {
   return static_cast<long long>(std::ceil(std::log(0.81) / std::log(restitution)));
 }
 
-// What the latest impact predicts. The masses hit are brought to rest in thought, and held; all
-// have the same flights ahead, so that the first may stand for them.
+// What the latest impact predicts. All masses hit have the same flights ahead, so that the first
+// may stand for them.
 template <int D>
 ChatterNode predict_limit(const Bounces<D> &bounces) {
-  // In units of the span, per which a unit jump is one of 1 / span.
-  const double inverse = 1.0 / bounces.span, v = bounces.reading[0].coefficient[1];
-  const auto speed = [&](std::size_t j) { return bounces.reading[j].coefficient[1]; };
-  const auto response = [&](std::size_t i, std::size_t j, std::size_t n) {
-    return inverse * bounces.response_term(i, j, n);
-  };
-  const auto at_rest = [&](std::size_t i, std::size_t n) {
-    double c = bounces.reading[i].coefficient[n];
-    for (std::size_t j = 0; j < bounces.hit(); ++j) c -= speed(j) * response(i, j, n);
-    return c;
-  };
-  const double per_press = -0.5 / at_rest(0, 2);  // 1 / a
-  double rate = -6.0 * at_rest(0, 3), damping = -response(0, 0, 2);
+  const double *c = bounces.reading[0].coefficient.data();  // in units of the span
+  const double per_c = 1.0 / c[2], x = -c[1] * per_c, e = c[3] * per_c;
+  double s2 = 0.0, s3 = 0.0;
   for (std::size_t j = 0; j < bounces.hit(); ++j) {
-    rate += 4.0 * response(0, j, 2) * at_rest(j, 2);
-    if (j > 0) damping -= response(0, j, 2) * (speed(j) / v);
+    const double jump = bounces.reading[j].coefficient[1] / (c[1] * bounces.span);
+    s2 += jump * bounces.response_term(0, j, 2);
+    s3 += jump * bounces.response_term(0, j, 3);
   }
+  const ChatterRatio &ratio = bounces.ratio;
+  const double w = x * ratio.flights;
+  double correction = (e - ratio.restitution * s2) * w * w;
+  if (bounces.hit() == 1)
+    correction -= x * x * x *
+                  (e * (ratio.ee * e + ratio.se * s2) + ratio.f * c[4] * per_c +
+                   ratio.ss * s2 * s2 + ratio.s3 * s3);
   ChatterNode node;
-  const double x = 2.0 * v * per_press, w = x * bounces.flights;
-  const double correction = (rate * per_press + damping) * w * w / 3.0;
   node.flight = x * bounces.span;
   node.correction = correction * bounces.span;
   // No more than half, far from the limit: the time left is not negative.
@@ -87,6 +89,11 @@ ChatterNode predict_limit(const Bounces<D> &bounces) {
   node.limit = bounces.time + node.tail;
   node.impact = bounces.times.size() - 1;
   return node;
+}
+
+// x^(power - 1)
+inline double start_of_curve(const ChatterTable &table, double x) {
+  return table.power == 4 ? x * x * x : x * x;
 }
 
 // Enters a node and the next rows of the tables, from the last ones: O(nodes).
@@ -105,8 +112,9 @@ inline void extend(ChatterTable &table, const ChatterNode &node) {
   const double near = node.flight,
                moved = last > 0 ? node.limit - table.nodes[last - 1].limit : 0.0;
   const double fall = last > 0 ? near / table.nodes[last - 1].flight : 0.0;
-  double limit = 0.0, weight = 1.0 / (near * near);
-  double value = 0.0;  // limit / x^2, extrapolated
+  const double smaller = fall * start_of_curve(table, fall);
+  double limit = 0.0, weight = 1.0 / start_of_curve(table, near);
+  double value = 0.0;  // limit / x^(power - 1), extrapolated
   double error_before = 0.0;
   table.error = std::numeric_limits<double>::infinity();
   for (std::size_t column = 1; column <= last; ++column) {
@@ -119,8 +127,8 @@ inline void extend(ChatterTable &table, const ChatterNode &node) {
     above = without_oldest;
     weight_above = weight;
     weight = next;
-    const double error = std::max(std::abs(limit - without_oldest),
-                                  fall * fall * fall * std::abs(limit - without_newest));
+    const double error =
+        std::max(std::abs(limit - without_oldest), smaller * std::abs(limit - without_newest));
     // Not much less than that of one impact less, which it may agree with by chance.
     const double believed = std::max(error, error_before / 64.0);
     if (believed <= table.error) {
@@ -167,7 +175,7 @@ inline std::optional<ChatterLimit> extrapolate(const ChatterTable &table, double
   double sum = 0.0;
   for (std::size_t i = first; i <= last; ++i) {
     const double x = table.nodes[i].flight;
-    double product = x * x;
+    double product = start_of_curve(table, x);
     for (std::size_t j = first; j <= last; ++j)
       if (j != i) product *= 1.0 - x * inverse[j];
     limit.weights[i] = 1.0 / product;
@@ -184,14 +192,19 @@ inline std::optional<ChatterLimit> extrapolate(const ChatterTable &table, double
 // error of the second one, extrapolated as well, in terms of the time of the limit.
 template <int D>
 double find_tail(const Bounces<D> &bounces, const ChatterTable &table, const ChatterLimit &limit,
-                 double restitution, Tail &tail) {
+                 Tail &tail) {
+  using detail::Four;
   const std::size_t hit = bounces.hit(), last = table.size - 1;
-  const double left = limit.left, r = restitution;
+  const double left = limit.left;
   const auto top = static_cast<std::size_t>(bounces.order);
   tail.left = left;
   tail.order = bounces.order;
   tail.moments.assign(hit * (top + 1), 0.0);
-  const detail::Powers fraction = detail::moments_after(r, tail.order);
+  // The second-order term of the moment of order one: like the time left it has to be known up to
+  // where the curve starts.
+  const double r = bounces.ratio.restitution, s2 = bounces.response[0].coefficient[2] * left /
+                                                   (bounces.path.span * bounces.path.span);
+  const double second = hit == 1 ? s2 * bounces.ratio.moments[1] / (1.0 + r + r * r) : 0.0;
   // The impacts from the latest back, each with the sum of the weights of the nodes before it.
   double before = 1.0;
   std::size_t node = last;
@@ -201,15 +214,19 @@ double find_tail(const Bounces<D> &bounces, const ChatterTable &table, const Cha
     double weight = 0.0;
     if (table.nodes[node].impact == k) weight = limit.weights[node--];
     before -= weight;
+    const double quartic = x * x * x * x;
     for (std::size_t j = 0; j < hit; ++j) {
-      double moment = bounces.jumps[k * hit + j] * x;
+      Four moment = bounces.jumps[k * hit + j] * detail::four_powers(x);
       double *to = tail.moments.data() + j * (top + 1);
-      for (std::size_t n = 1; n <= top; ++n, moment *= x)
-        to[n] += moment * (weight * fraction[n] - before);
+      for (std::size_t n = 0; n <= top; n += 4, moment *= quartic)
+        Eigen::Map<Four>(to + n) +=
+            moment * (weight * detail::four(bounces.ratio.moments.data() + n) - before);
+      to[1] += weight * second * bounces.jumps[k * hit + j] * x * x;
     }
   }
   // The first two, the lower one last.
   double off = 0.0;
+  for (std::size_t i = 0; i < hit; ++i) tail.moments[i * (top + 1)] = 0.0;
   for (std::size_t i = 0; i < hit; ++i) {
     double &first = tail.moments[i * (top + 1) + 1];
     const double extrapolated = std::exchange(first, 0.0);

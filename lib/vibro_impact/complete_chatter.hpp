@@ -77,11 +77,8 @@ std::optional<Followed> take_chatter_limit(Run<D> &run) {
     return std::nullopt;
   }
   const Instant now = run.state.now, then = later(now, limit->left, run.clock);
-  if (elapsed(then, run.end, run.clock) <= 0.0 ||
-      time_of(then, run.clock) >= next_sample(run.recorders))
-    return std::nullopt;
-  const double error =
-      find_tail(bounces, chatter.table, *limit, run.scene.restitution, chatter.tail);
+  if (!(then < run.end) || samples_by(run, then)) return std::nullopt;
+  const double error = find_tail(bounces, chatter.table, *limit, chatter.tail);
   if (limit->nodes > 1 && limit->error + 0.1 * error * fastest > run.options.chatter_tolerance)
     return std::nullopt;
   if (!undisturbed(bounces, chatter.tail)) return std::nullopt;
@@ -119,10 +116,10 @@ Followed follow_bounces(Run<D> &run) {
       if (const auto followed = take_chatter_limit(run)) return *followed;
     }
     if (!find_next(bounces, run.counters)) return Followed::as_far_as_covered;
-    const double flight = bounces.roots[0].at * bounces.span;
+    const double flight = bounces.flight;
     const Instant then = later(run.state.now, flight, run.clock);
-    if (elapsed(then, run.end, run.clock) <= 0.0) return Followed::to_something_else;
-    if (next_sample(run.recorders) <= time_of(then, run.clock)) {
+    if (!(then < run.end)) return Followed::to_something_else;
+    if (samples_by(run, then)) {
       state_of(run);
       sample_flight(run, flight);
     }
@@ -151,6 +148,7 @@ void follow_chatter(Run<D> &run, const std::vector<std::size_t> &hit, double sin
   flight = longest_flight(run, chatter.together);
   if (!(flight * fastest < 1.0)) return;
   chatter.table.size = 0;
+  chatter.table.power = chatter.together.size() == 1 ? 4 : 3;
   for (bool on = false;; on = true) {
     const double covered =
         std::min(1.25 * flight / (1.0 - r), (on ? longest_reach : max_reach) / fastest);

@@ -207,6 +207,45 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
   return mode;
 }
 
+// Bernstein coefficients of (rate tau)^n over the longest span, n by n: b_i = (i over n) / (d over
+// n) max_reach^n; and max_reach^n alone.
+struct BernsteinTable {
+  std::array<std::array<double, bernstein_degree + 1>, bernstein_degree + 1> coefficient{};
+  detail::Powers power{};
+
+  BernsteinTable() {
+    detail::set_powers(power, max_reach, max_order);
+    for (std::size_t n = 0; n <= bernstein_degree; ++n)
+      for (std::size_t i = n; i <= bernstein_degree; ++i)
+        coefficient[n][i] = power[n] * detail::pascal[i][n] / detail::pascal[bernstein_degree][n];
+  }
+};
+const BernsteinTable bernstein_table;
+
+void build_bernstein(ReadingSeries &series, Eigen::Index columns) {
+  using detail::Four, detail::four;
+  constexpr Eigen::Index groups = (bernstein_degree + 1) / 4;
+  series.bernstein.setZero(4, groups * columns);
+  series.cut_off.setZero(columns);
+  for (Eigen::Index column = 0; column < columns; ++column) {
+    Four size = Four::Zero(), cut_off = size;
+    for (Eigen::Index group = 0; 4 * group <= max_order; ++group) {
+      const Four terms = series.weight.col(group * columns + column).abs() *
+                         four(bernstein_table.power.data() + 4 * group);
+      size += terms;
+      if (group >= groups) cut_off += terms;
+    }
+    series.cut_off(column) = cut_off.sum() + 0x1p-44 * size.sum();  // and rounding
+    for (std::size_t n = 0; n <= bernstein_degree; ++n) {
+      const auto k = static_cast<Eigen::Index>(n);
+      const double weight = series.weight(k % 4, k / 4 * columns + column);
+      for (Eigen::Index group = k / 4; group < groups; ++group)
+        series.bernstein.col(group * columns + column) +=
+            weight * four(bernstein_table.coefficient[n].data() + 4 * group);
+    }
+  }
+}
+
 // d/dt (P . y + Q . y') = P . y' + Q . (-kappa y' - lambda y + resonant c): the coefficients of the
 // next derivative. For the forcing c' = -Omega s, s' = Omega c.
 template <int D>
@@ -217,7 +256,7 @@ void build_series(const ContactMode<D> &mode, const Reading<D> &reading, double 
   ReadingSeries &series = reading.series;
   series.rate = rate;
   series.weight.setZero(4, (max_order / 4 + 1) * columns);
-  if (rate == 0.0) return;
+  if (rate == 0.0) return build_bernstein(series, columns);  // nothing moves
   const auto takes_part = [&](Index j) { return mode.rate(j) <= rate; };
   Column p = reading.on_value, q = reading.on_slope.head(modal);
   const double omega = lanes > modal ? std::sqrt(mode.lambda(lanes - 1)) : 0.0;
@@ -244,6 +283,7 @@ void build_series(const ContactMode<D> &mode, const Reading<D> &reading, double 
     }
     if (lanes > modal) p.tail(2) << on_cosine * scale, on_sine * scale;
   }
+  build_bernstein(series, columns);
 }
 
 template <int D>

@@ -16,6 +16,11 @@
 
 namespace vibro_impact {
 
+// Largest fastest * span of one expansion. Rounding grows like exp(reach), cost like 1 / reach.
+constexpr double max_reach = 2.5;
+
+constexpr std::size_t bernstein_degree = 11;
+
 // Per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop. Short ones need no heap:
 // every event carries one.
 using Held = boost::container::small_vector<signed char, 16>;
@@ -26,6 +31,10 @@ using Held = boost::container::small_vector<signed char, 16>;
 struct ReadingSeries {
   double rate = -1.0;  // of the fastest lane that may be in motion; -1 before it is built
   Eigen::Array<double, 4, Eigen::Dynamic> weight;
+  // Bernstein coefficients of the terms up to `bernstein_degree` over the longest span, likewise,
+  // and per column what the other terms come to at most.
+  Eigen::Array<double, 4, Eigen::Dynamic> bernstein;
+  Eigen::Array<double, Eigen::Dynamic, 1> cut_off;
 };
 
 // A scalar that depends linearly on the lanes: offset + on_value . y + on_slope . y'.

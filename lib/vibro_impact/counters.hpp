@@ -11,6 +11,7 @@ struct Counters {
   long long stops_out_of_reach = 0;  // stops that no lane is fast enough to reach: not looked at
   long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
   long long roots_searched = 0;      // polynomials iterated on
+  long long crossings_sought = 0;    // roots sought on the lanes themselves
   long long root_iterations = 0;     // guaranteed steps taken by those iterations
   long long impacts = 0;             // impacts resolved one by one
   long long sticks = 0;              // masses that came to stick

@@ -19,9 +19,6 @@
 
 namespace vibro_impact {
 
-// Largest fastest * span of one expansion. Rounding grows like exp(reach), cost like 1 / reach.
-constexpr double max_reach = 2.5;
-
 // What the remainder of an expansion may be, relative to the second-order term, x^2 / 2 with
 // x = rate * span; and by order p the largest x at which the first term dropped is no more than
 // that: 2 x^(p-1) / (p+1)! <= relative.
@@ -50,10 +47,11 @@ inline int order_for(double reach, const Remainder &remainder) {
   return order;
 }
 
-// One stretch of flight: how far, at which rate, to which order; powers of rate * span.
+// One stretch of flight: how far, at which rate, to which order; powers of rate * span, known up to
+// `powers`.
 struct Expansion {
   double span = 0.0, rate = 0.0;
-  int order = 0;
+  int order = 0, powers = -1;
   detail::Powers power{};
   const Remainder *remainder = &below_rounding;
 };
@@ -72,9 +70,20 @@ void expand(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
   expansion.span = span;
   expansion.rate = rate;
   expansion.order = order_over(expansion, span);
-  detail::set_powers(expansion.power, x, expansion.order);
+  if (expansion.power[1] != x || expansion.powers < expansion.order) {  // most are the longest
+    detail::set_powers(expansion.power, x, expansion.order);
+    expansion.powers = expansion.order;
+  }
   ++counters.expansions;
   counters.coefficients += expansion.order + 1;
+}
+
+// The series of a reading for motion of the rate of this expansion.
+template <int D>
+const ReadingSeries &series_of(const ContactMode<D> &mode, const Reading<D> &reading,
+                               const Expansion &expansion) {
+  if (reading.series.rate != expansion.rate) build_series(mode, reading, expansion.rate);
+  return reading.series;
 }
 
 // Sets `p` to the polynomial of a reading, without its offset, along the expansion of (value,
@@ -84,9 +93,8 @@ void read_linear_along(const ContactMode<D> &mode, const Reading<D> &reading,
                        const Eigen::Array<double, D, 1> &value,
                        const Eigen::Array<double, D, 1> &slope, const Expansion &expansion,
                        Polynomial &p, Counters &counters) {
-  if (reading.series.rate != expansion.rate) build_series(mode, reading, expansion.rate);
   const Eigen::Index lanes = mode.lanes(), modal = mode.modal_lanes();
-  const double *weight = reading.series.weight.data();
+  const double *weight = series_of(mode, reading, expansion).weight.data();
   using detail::Four, detail::four;
   for (int n = 0; n <= expansion.order; n += 4) {
     Four even = Four::Zero(), odd = even;  // two chains of sums

@@ -52,6 +52,10 @@ inline Instant instant_at(double time, const Clock &clock) {
   return later(Instant{}, time, clock);
 }
 
+inline bool operator<(const Instant &a, const Instant &b) {
+  return a.cycle != b.cycle ? a.cycle < b.cycle : a.phase < b.phase;
+}
+
 // b - a, exact in the cycle count.
 inline double elapsed(const Instant &a, const Instant &b, const Clock &clock) {
   if (a.cycle == b.cycle) return b.phase - a.phase;

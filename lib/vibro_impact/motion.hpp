@@ -40,14 +40,20 @@ struct State {
 
 // Sets the forcing lanes cos(Omega t), sin(Omega t) from the phase.
 template <int D>
+void set_forcing(const ContactMode<D> &mode, const Scene &scene, double phase,
+                 Eigen::Array<double, D, 1> &value, Eigen::Array<double, D, 1> &slope) {
+  if (mode.forcing_lanes == 0) return;
+  const Eigen::Index c = mode.lanes() - 2, s = c + 1;
+  const double angle = scene.omega * phase;
+  value(c) = std::cos(angle);
+  value(s) = std::sin(angle);
+  slope(c) = -scene.omega * value(s);
+  slope(s) = scene.omega * value(c);
+}
+
+template <int D>
 void set_forcing(State<D> &state, const Scene &scene) {
-  if (!scene.forced()) return;
-  const Eigen::Index c = state.mode->lanes() - 2, s = c + 1;
-  const double angle = scene.omega * state.now.phase;
-  state.value(c) = std::cos(angle);
-  state.value(s) = std::sin(angle);
-  state.slope(c) = -scene.omega * state.value(s);
-  state.slope(s) = scene.omega * state.value(c);
+  set_forcing(*state.mode, scene, state.now.phase, state.value, state.slope);
 }
 
 // Lanes that are pure decays have y' = -kappa y.

@@ -76,7 +76,9 @@ struct EventRecorder {
   std::vector<Event> events = {};
 
   void event(const Event &event, const Moment &) {
-    if (event.time >= from) events.push_back(event);
+    if (event.time < from) return;
+    if (events.empty()) events.reserve(256);
+    events.push_back(event);
   }
 };
 

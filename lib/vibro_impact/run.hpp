@@ -30,7 +30,7 @@ struct Run {
   Instant end;
   State<D> state;
   Modes<D> modes = {};
-  Flight flight = {};
+  Flight<D> flight = {};
   Chatter<D> chatter = {};
   Counters counters = {};
   std::optional<Remainder> remainder = {};  // of flights, where it is not below rounding
@@ -39,7 +39,6 @@ struct Run {
   double flight_guess = std::numeric_limits<double>::infinity();
   long long impacts_this_period = 0;
   Instant period_start = {};
-  double guard_period = 0.0;
   std::vector<double> last_speed = {};  // per stop, of its last impact
   std::vector<int> falling = {};        // per stop, impacts in a row slower than the one before
   std::vector<double> closing = {};     // gap speeds before the impacts of one event
@@ -60,11 +59,11 @@ const State<D> &state_of(State<D> &state) {
 
 // `source` is a state, or a run, asked for its state when a recorder asks for the motion.
 template <class Source>
-Moment moment_of(Source &source, const Instant &now, const Scene &scene, const Clock &clock) {
+Moment moment_of(Source &source, const Instant &now, double time, const Scene &scene) {
   const auto of_mass = [&](double (*at)(void *, const void *, int)) {
     return OfMass{&source, &scene, at};
   };
-  return {now, time_of(now, clock), of_mass([](void *of, const void *, int mass) {
+  return {now, time, of_mass([](void *of, const void *, int mass) {
             const auto &[at, mode, value, slope, stops] = state_of(*static_cast<Source *>(of));
             return mode->equilibrium(mass - 1) + mode->shape.row(mass - 1).dot(value.matrix());
           }),
@@ -88,16 +87,10 @@ void emit(Run<D> &run, EventKind kind, std::size_t stop, double before, double a
   const auto takes_events = [](const RecorderRef &ref) { return ref.event != nullptr; };
   if (std::none_of(run.recorders.begin(), run.recorders.end(), takes_events)) return;
   const Stop &at = run.scene.stops[stop];
-  const Event event{kind,
-                    at.mass,
-                    at.side,
-                    run.state.now,
-                    time_of(run.state.now, run.clock),
-                    before,
-                    after,
-                    run.state.mode->held,
-                    by_a_jump};
-  const Moment moment = moment_of(run, run.state.now, run.scene, run.clock);
+  const double time = time_of(run.state.now, run.clock);
+  const Event event{
+      kind, at.mass, at.side, run.state.now, time, before, after, run.state.mode->held, by_a_jump};
+  const Moment moment = moment_of(run, run.state.now, time, run.scene);
   for (const RecorderRef &ref : run.recorders)
     if (ref.event != nullptr) ref.event(ref.recorder, event, moment);
 }
@@ -107,6 +100,13 @@ inline double next_sample(std::span<const RecorderRef> recorders) {
   for (const RecorderRef &ref : recorders)
     if (ref.sample != nullptr) next = std::min(next, ref.next_time(ref.recorder));
   return next;
+}
+
+// True when a recorder asks for a sample no later than `then`.
+template <int D>
+bool samples_by(const Run<D> &run, const Instant &then) {
+  const double next = next_sample(run.recorders);
+  return next < std::numeric_limits<double>::infinity() && next <= time_of(then, run.clock);
 }
 
 // Serves the sample times up to tau after the state, each by one closed-form modal evaluation.
@@ -123,7 +123,8 @@ void sample_flight(Run<D> &run, double tau) {
     flow(*run.state.mode, run.scene, run.state.value, run.state.slope, after, between.value,
          between.slope);
     ++run.counters.modal_evaluations;
-    const Moment moment = moment_of(between, between.now, run.scene, run.clock);
+    const Moment moment =
+        moment_of(between, between.now, time_of(between.now, run.clock), run.scene);
     for (const RecorderRef &ref : run.recorders)
       if (ref.sample != nullptr && ref.next_time(ref.recorder) <= next)
         ref.sample(ref.recorder, moment);
@@ -148,7 +149,8 @@ void count_impact(Run<D> &run, std::size_t stop, double speed) {
     run.falling[stop] = 0;
   }
   run.last_speed[stop] = speed;
-  if (elapsed(run.period_start, run.state.now, run.clock) > run.guard_period) {
+  const Instant &from = run.period_start;
+  if (Instant{from.cycle + 1, from.phase} < run.state.now) {
     run.period_start = run.state.now;
     run.impacts_this_period = 1;
   }

@@ -39,7 +39,6 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
   run.falling.assign(scene.stops.size(), 0);
   run.period_start = run.state.now = start.instant;
   set_lanes(run.state, scene, run.modes.enter(scene, start.held, run.counters), start);
-  run.guard_period = scene.omega > 0.0 ? clock.period : until;
   run.state.stops.resize(scene.stops.size());
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const Stop &stop = scene.stops[k];
@@ -71,10 +70,10 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
     const double span = choose_span(run, remaining);
     run.flight_guess = std::numeric_limits<double>::infinity();
     expand(mode, run.state.value, run.state.slope, span, run.flight.expansion, run.counters);
-    find_first_event(run.state, run.flight, run.counters);
+    find_first_event(run.state, scene, clock, run.flight, run.counters);
     const FirstEvent &event = run.flight.event;
     sample_flight(run, event.u * span);
-    move_to(run.state, run.flight, event.u, scene, clock);
+    move_to(run.state, run.flight, event.u, scene, clock, run.counters);
     run.since_impact += event.u * span;
     if (event.kind == Happening::nothing && span == remaining) run.state.now = run.end;
 

@@ -1,0 +1,167 @@
+// One flight: along an expansion up to its first event, or to its end.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "crossing.hpp"
+
+namespace vibro_impact {
+
+enum class Happening { nothing, impact, press, release, force_graze };
+
+// `stops` lists the indices of the stops concerned; several only for simultaneous impacts.
+// `press` is a mass at rest at its stop whose first non-zero derivative points into it.
+struct FirstEvent {
+  Happening kind = Happening::nothing;
+  double u = 1.0;
+  // For a release: the first derivative of the hold force that is not zero, with respect to u, and
+  // its order: 1 at a root, more where a mass at rest waits for motion to reach it along the chain.
+  double force_slope = 0.0;
+  int force_order = 1;
+  std::vector<std::size_t> stops;
+};
+
+// Storage of one flight, reused: no allocation between events.
+template <int D>
+struct Flight {
+  Expansion expansion;
+  std::vector<Survey> seen;             // of the open stops of the mode, then of the closed ones
+  std::size_t undecided = 0;            // how many of them are not certain to stay as they are
+  std::vector<Polynomial> gaps;         // one per open stop
+  Polynomial watched;                   // of the one closed stop looked at
+  std::vector<Root> roots;              // the first root of each open stop, `at` > 1 for none
+  std::optional<Crossing<D>> crossing;  // the lanes at the event, where it was found on them
+  FirstEvent event;
+};
+
+// Sets `p` to the gap polynomial, with what is known exactly in place of what rounding left.
+template <int D>
+void read_gap(const ContactMode<D> &mode, const OpenStop<D> &open, const StopState &stop,
+              const Eigen::Array<double, D, 1> &value, const Eigen::Array<double, D, 1> &slope,
+              const Expansion &expansion, Polynomial &p, Counters &counters) {
+  read_along(mode, open.gap, value, slope, expansion, p, counters);
+  if (stop.zeros == 0) {
+    p.coefficient[0] = stop.gap;
+    p.coefficient[1] = stop.speed * expansion.span;
+    return;
+  }
+  double scaled = stop.leading;
+  for (int n = 0; n < stop.zeros; ++n) {
+    p.coefficient[static_cast<std::size_t>(n)] = 0.0;
+    scaled *= expansion.span / (n + 1);
+  }
+  p.coefficient[static_cast<std::size_t>(stop.zeros)] = scaled;
+}
+
+template <int D>
+void read_gap(const State<D> &state, const OpenStop<D> &open, const Expansion &expansion,
+              Polynomial &p, Counters &counters) {
+  read_gap(*state.mode, open, state.stops[open.stop], state.value, state.slope, expansion, p,
+           counters);
+}
+
+// A wide gap is known from the lanes with less than ten bits lost to cancellation.
+template <int D>
+double wide_gap(const OpenStop<D> &open, const Eigen::Array<double, D, 1> &value) {
+  return 0x1p-10 * (std::abs(open.gap.offset) + (open.gap.on_value * value).abs().sum());
+}
+
+// Looks at the stops along `flight.expansion`, which expands `state`: which of them are certain to
+// stay as they are. A stop that is out of reach does, at the price of one comparison: no lane moves
+// faster than |y'| + rate |y|, for y'^2 + lambda y^2 never grows and lambda <= rate^2. The others
+// are surveyed, except where a mass that has just left its stop is expected back soon.
+template <int D>
+void look_ahead(const State<D> &state, Flight<D> &flight, Counters &counters) {
+  const ContactMode<D> &mode = *state.mode;
+  const Expansion &expansion = flight.expansion;
+  const bool whole = expansion.power[1] > 0.999 * max_reach;
+  flight.seen.assign(mode.open.size() + mode.closed.size(), Survey{});
+  flight.undecided = flight.seen.size();
+  auto seen = flight.seen.begin();
+  const auto look = [&](const Reading<D> &reading, std::size_t known) {
+    *seen = survey(mode, reading, state.value, state.slope, expansion, known, counters);
+    if (!whole && seen->outlook == Outlook::crosses_once) seen->outlook = Outlook::undecided;
+  };
+  const Eigen::Array<double, D, 1> reach =
+      expansion.span * (state.slope.abs() + mode.rate * state.value.abs());
+  for (const OpenStop<D> &open : mode.open) {
+    const StopState &stop = state.stops[open.stop];
+    const auto zeros = static_cast<std::size_t>(stop.zeros);
+    if (zeros == 0 && !mode.any_resonant &&
+        stop.gap > 2.0 * wide_gap(open, state.value) +
+                       (1.0 + 0x1p-9) * (open.gap.on_value.abs() * reach).sum()) {
+      seen->outlook = Outlook::stays_positive;
+      ++counters.stops_out_of_reach;
+      --counters.roots_dismissed;  // counted below
+    } else if (zeros == 0 ? stop.gap > 0.0 : stop.leading > 0.0 && whole) {
+      look(open.gap, zeros + 1);
+    }
+    ++seen;
+  }
+  for (const ClosedStop<D> &closed : mode.closed) {
+    if (state.stops[closed.stop].zeros == 0) look(closed.press, 0);
+    ++seen;
+  }
+  for (const Survey &one : flight.seen)
+    if (one.outlook == Outlook::stays_positive) {
+      --flight.undecided;
+      ++counters.roots_dismissed;
+    }
+}
+
+// Moves `state` to u of the expansion: lanes, time, and the carried gaps.
+template <int D>
+void move_to(State<D> &state, Flight<D> &flight, double u, const Scene &scene, const Clock &clock,
+             Counters &counters) {
+  const ContactMode<D> &mode = *state.mode;
+  if (u == 0.0) return;
+  const Expansion &expansion = flight.expansion;
+  const bool long_flight = u * expansion.power[1] > 1.0;
+  const typename State<D>::Lanes value = state.value, slope = state.slope;
+  if (flight.crossing) {
+    state.value = flight.crossing->value;
+    state.slope = flight.crossing->slope;
+  } else if (mode.any_resonant) {  // the forcing works on these lanes: in closed form
+    flow(mode, scene, value, slope, u * expansion.span, state.value, state.slope);
+  } else {
+    advance(mode, expansion, u, state.value, state.slope);
+  }
+  tie_decays(state);
+  drop_dead_lanes(state);
+  state.now = later(state.now, u * expansion.span, clock);
+  set_forcing(state, scene);
+  for (std::size_t k = 0; k < mode.open.size(); ++k) {
+    const OpenStop<D> &open = mode.open[k];
+    StopState &stop = state.stops[open.stop];
+    const bool stayed_open = flight.seen[k].outlook == Outlook::stays_positive;
+    if (!stayed_open && flight.crossing) {
+      stop = {0.0, flight.crossing->rate, 0, 0.0};
+      continue;
+    }
+    if (!stayed_open && flight.roots[k].at == u) {
+      stop = {0.0, flight.roots[k].slope / expansion.span, 0, 0.0};
+      continue;
+    }
+    // Within the rounding of the time a mass leaving from rest is still leaving from rest; the
+    // acceleration read off the lanes is rounding, and would bring it back.
+    if (stop.zeros >= 2 && u * expansion.power[1] < 0x1p-50) continue;
+    // A wide gap is read off the lanes, so that the carried one cannot drift away from them; after
+    // a long flight the carried one has no more digits than the lanes, which are read wherever
+    // that cannot close the gap.
+    const double gap = open.gap(state.value, state.slope);
+    if (gap > (long_flight ? 0x1p-30 : 1.0) * wide_gap(open, state.value)) {
+      stop = {gap, (open.gap.on_value * state.slope).sum(), 0, 0.0};
+    } else {
+      if (stayed_open) {
+        flight.gaps.resize(mode.open.size());
+        read_gap(mode, open, stop, value, slope, expansion, flight.gaps[k], counters);
+      }
+      const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
+      stop = {std::max(0.0, carried.value), carried.slope / expansion.span, 0, 0.0};
+    }
+  }
+  for (const ClosedStop<D> &closed : mode.closed) state.stops[closed.stop].zeros = 0;
+}
+
+}  // namespace vibro_impact
