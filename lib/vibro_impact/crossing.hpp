@@ -76,7 +76,7 @@ bool find_crossing(const State<D> &state, const Reading<D> &reading, const Surve
     const double fifth = detail::bound_of_derivative(mode, reading, y, 5) / 120.0;
     const detail::SeriesStep to = detail::series_step(at, bend * off / square, fifth);
     const double moved = expansion.rate * std::abs(to.step);
-    if (moved <= 1e-3 && to.error * moved <= 0x1p-53) {
+    if (moved <= 1e-3 && to.error * moved <= 0x1p-56) {
       const double d = to.step;
       crossing.u = (time + d) / expansion.span;
       if (!(crossing.u > 0.0 && crossing.u <= 1.0)) return false;

@@ -86,6 +86,32 @@ const ReadingSeries &series_of(const ContactMode<D> &mode, const Reading<D> &rea
   return reading.series;
 }
 
+namespace detail {
+
+// The next four coefficients that are linear in the lanes, of these weights: one column per lane,
+// then one per slope of a mode. In line: what it returns is to stay in registers.
+template <int D>
+[[gnu::always_inline]] inline Four weigh(const ContactMode<D> &mode, const double *weight,
+                                         const Eigen::Array<double, D, 1> &value,
+                                         const Eigen::Array<double, D, 1> &slope) {
+  const Eigen::Index lanes = mode.lanes(), modal = mode.modal_lanes();
+  Four even = Four::Zero(), odd = even;  // two chains of sums
+  Eigen::Index k = 0;
+  for (; k + 1 < lanes; k += 2, weight += 8) {
+    even += four(weight) * value(k);
+    odd += four(weight + 4) * value(k + 1);
+  }
+  if (k < lanes) even += four(weight) * value(k), weight += 4;
+  for (k = 0; k + 1 < modal; k += 2, weight += 8) {
+    even += four(weight) * slope(k);
+    odd += four(weight + 4) * slope(k + 1);
+  }
+  if (k < modal) even += four(weight) * slope(k);
+  return even + odd;
+}
+
+}  // namespace detail
+
 // Sets `p` to the polynomial of a reading, without its offset, along the expansion of (value,
 // slope).
 template <int D>
@@ -97,19 +123,9 @@ void read_linear_along(const ContactMode<D> &mode, const Reading<D> &reading,
   const double *weight = series_of(mode, reading, expansion).weight.data();
   using detail::Four, detail::four;
   for (int n = 0; n <= expansion.order; n += 4) {
-    Four even = Four::Zero(), odd = even;  // two chains of sums
-    Eigen::Index k = 0;
-    for (; k + 1 < lanes; k += 2, weight += 8) {
-      even += four(weight) * value(k);
-      odd += four(weight + 4) * value(k + 1);
-    }
-    if (k < lanes) even += four(weight) * value(k), weight += 4;
-    for (k = 0; k + 1 < modal; k += 2, weight += 8) {
-      even += four(weight) * slope(k);
-      odd += four(weight + 4) * slope(k + 1);
-    }
-    if (k < modal) even += four(weight) * slope(k), weight += 4;
-    Eigen::Map<Four>(p.coefficient.data() + n) = (even + odd) * four(expansion.power.data() + n);
+    const Four sum = detail::weigh(mode, weight, value, slope);
+    Eigen::Map<Four>(p.coefficient.data() + n) = sum * four(expansion.power.data() + n);
+    weight += 4 * (lanes + modal);
   }
   end_at(p, expansion.order);
   counters.products += (expansion.order + 1) * (lanes + modal);

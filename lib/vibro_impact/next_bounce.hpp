@@ -78,7 +78,7 @@ bool find_next(Bounces<D> &bounces, Counters &counters) {
     const detail::SeriesStep to = detail::step_ahead(bounces.ahead[0]);
     bounces.off = to.step;
     const double moved = u * bounces.ratio.span[1] * to.step;
-    if (std::abs(to.step) <= close && to.error <= 0x1p-42) {
+    if (std::abs(to.step) <= close && to.error <= 0x1p-47) {
       if (u + moved > 1.0) return false;  // not looked at, as far as other stops go
       bounces.flight = (u + moved) * bounces.span;
       bounces.span_ahead = u * bounces.ratio.span[1] * bounces.span;

@@ -55,25 +55,14 @@ template <int D>
 Survey survey(const ContactMode<D> &mode, const Reading<D> &reading,
               const Eigen::Array<double, D, 1> &value, const Eigen::Array<double, D, 1> &slope,
               const Expansion &expansion, std::size_t known, Counters &counters) {
-  using detail::Four, detail::four;
+  using detail::Four;
   const Eigen::Index lanes = mode.lanes(), modal = mode.modal_lanes();
   const ReadingSeries &series = series_of(mode, reading, expansion);
   detail::Bernstein b;
   const double *weight = series.bernstein.data();
   for (std::size_t i = 0; i <= bernstein_degree; i += 4) {
-    Four even = Four::Constant(reading.offset), odd = Four::Zero();  // two chains of sums
-    Eigen::Index k = 0;
-    for (; k + 1 < lanes; k += 2, weight += 8) {
-      even += four(weight) * value(k);
-      odd += four(weight + 4) * value(k + 1);
-    }
-    if (k < lanes) even += four(weight) * value(k), weight += 4;
-    for (k = 0; k + 1 < modal; k += 2, weight += 8) {
-      even += four(weight) * slope(k);
-      odd += four(weight + 4) * slope(k + 1);
-    }
-    if (k < modal) even += four(weight) * slope(k), weight += 4;
-    Eigen::Map<Four>(b.data() + i) = even + odd;
+    Eigen::Map<Four>(b.data() + i) = reading.offset + detail::weigh(mode, weight, value, slope);
+    weight += 4 * (lanes + modal);
   }
   Survey seen;
   seen.cut_off = 0x1p-44 * std::abs(reading.offset);
