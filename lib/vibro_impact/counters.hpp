@@ -7,7 +7,7 @@ struct Counters {
   long long expansions = 0;          // Taylor expansions of the flow
   long long coefficients = 0;        // Taylor orders, summed over the expansions
   long long products = 0;            // of a weight and a lane, for the coefficients of readings
-  long long flights_followed = 0;    // flights of a chatter on re-centred polynomials
+  long long flights_followed = 0;    // flights from impact to impact of a chatter
   long long stops_out_of_reach = 0;  // stops that no lane is fast enough to reach: not looked at
   long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
   long long roots_searched = 0;      // polynomials iterated on

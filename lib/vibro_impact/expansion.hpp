@@ -161,7 +161,7 @@ void advance(const ContactMode<D> &mode, const Expansion &expansion, double u,
       odd_slope = odd_slope * w + two(ds);
       even_slope = even_slope * w + two(ds - stride);
     }
-    const Two response = (even + x * odd) / expansion.rate, rate = even_slope + x * odd_slope;
+    const Two response = even + x * odd, rate = even_slope + x * odd_slope;
     for (Eigen::Index i = j; i < std::min(modal, j + 2); ++i) {
       const double before = value(i);
       value(i) =

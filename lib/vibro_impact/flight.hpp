@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "crossing.hpp"
+#include "reach.hpp"
 
 namespace vibro_impact {
 
@@ -61,53 +62,60 @@ void read_gap(const State<D> &state, const OpenStop<D> &open, const Expansion &e
            counters);
 }
 
-// A wide gap is known from the lanes with less than ten bits lost to cancellation.
-template <int D>
-double wide_gap(const OpenStop<D> &open, const Eigen::Array<double, D, 1> &value) {
-  return 0x1p-10 * (std::abs(open.gap.offset) + (open.gap.on_value * value).abs().sum());
-}
-
 // Looks at the stops along `flight.expansion`, which expands `state`: which of them are certain to
-// stay as they are. A stop that is out of reach does, at the price of one comparison: no lane moves
-// faster than |y'| + rate |y|, for y'^2 + lambda y^2 never grows and lambda <= rate^2. The others
+// stay as they are. A stop that is out of reach does, at the price of one comparison. The others
 // are surveyed, except where a mass that has just left its stop is expected back soon.
 template <int D>
 void look_ahead(const State<D> &state, Flight<D> &flight, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   const Expansion &expansion = flight.expansion;
   const bool whole = expansion.power[1] > 0.999 * max_reach;
-  flight.seen.assign(mode.open.size() + mode.closed.size(), Survey{});
-  flight.undecided = flight.seen.size();
+  flight.seen.resize(mode.open.size() + mode.closed.size());
+  flight.undecided = 0;
   auto seen = flight.seen.begin();
-  const auto look = [&](const Reading<D> &reading, std::size_t known) {
-    *seen = survey(mode, reading, state.value, state.slope, expansion, known, counters);
-    if (!whole && seen->outlook == Outlook::crosses_once) seen->outlook = Outlook::undecided;
+  const auto enter = [&](const Survey &found) {
+    *seen++ = found;
+    if (found.outlook == Outlook::stays_positive)
+      ++counters.roots_dismissed;
+    else
+      ++flight.undecided;
   };
-  const Eigen::Array<double, D, 1> reach =
-      expansion.span * (state.slope.abs() + mode.rate * state.value.abs());
+  const auto look = [&](const Reading<D> &reading, std::size_t known) {
+    Survey found = survey(mode, reading, state.value, state.slope, expansion, known, counters);
+    if (!whole && found.outlook == Outlook::crosses_once) found.outlook = Outlook::undecided;
+    enter(found);
+  };
+  const Eigen::Array<double, D, 1> speeds =
+      speed_bounds(mode, state.value, state.slope, expansion.span);
   for (const OpenStop<D> &open : mode.open) {
     const StopState &stop = state.stops[open.stop];
     const auto zeros = static_cast<std::size_t>(stop.zeros);
-    if (zeros == 0 && !mode.any_resonant &&
-        stop.gap > 2.0 * wide_gap(open, state.value) +
-                       (1.0 + 0x1p-9) * (open.gap.on_value.abs() * reach).sum()) {
-      seen->outlook = Outlook::stays_positive;
+    if (zeros == 0 && stop.gap > 2.0 * wide_gap(open, state.value) +
+                                     reach_of_gap(open.gap, speeds, expansion.span)) {
+      *seen++ = {Outlook::stays_positive};
       ++counters.stops_out_of_reach;
-      --counters.roots_dismissed;  // counted below
     } else if (zeros == 0 ? stop.gap > 0.0 : stop.leading > 0.0 && whole) {
       look(open.gap, zeros + 1);
+    } else {
+      enter({});
     }
-    ++seen;
   }
-  for (const ClosedStop<D> &closed : mode.closed) {
-    if (state.stops[closed.stop].zeros == 0) look(closed.press, 0);
-    ++seen;
+  for (const ClosedStop<D> &closed : mode.closed)
+    if (state.stops[closed.stop].zeros == 0)
+      look(closed.press, 0);
+    else
+      enter({});
+}
+
+// Moves the lanes to u of the expansion, those of the forcing excepted.
+template <int D>
+void move_lanes(State<D> &state, const Expansion &expansion, double u, const Scene &scene) {
+  if (state.mode->any_resonant) {  // the forcing works on these lanes: in closed form
+    const typename State<D>::Lanes value = state.value, slope = state.slope;
+    flow(*state.mode, scene, value, slope, u * expansion.span, state.value, state.slope);
+  } else {
+    advance(*state.mode, expansion, u, state.value, state.slope);
   }
-  for (const Survey &one : flight.seen)
-    if (one.outlook == Outlook::stays_positive) {
-      --flight.undecided;
-      ++counters.roots_dismissed;
-    }
 }
 
 // Moves `state` to u of the expansion: lanes, time, and the carried gaps.
@@ -122,15 +130,13 @@ void move_to(State<D> &state, Flight<D> &flight, double u, const Scene &scene, c
   if (flight.crossing) {
     state.value = flight.crossing->value;
     state.slope = flight.crossing->slope;
-  } else if (mode.any_resonant) {  // the forcing works on these lanes: in closed form
-    flow(mode, scene, value, slope, u * expansion.span, state.value, state.slope);
   } else {
-    advance(mode, expansion, u, state.value, state.slope);
+    move_lanes(state, expansion, u, scene);
   }
+  state.now = later(state.now, u * expansion.span, clock);
+  if (!flight.crossing) set_forcing(state, scene);
   tie_decays(state);
   drop_dead_lanes(state);
-  state.now = later(state.now, u * expansion.span, clock);
-  set_forcing(state, scene);
   for (std::size_t k = 0; k < mode.open.size(); ++k) {
     const OpenStop<D> &open = mode.open[k];
     StopState &stop = state.stops[open.stop];

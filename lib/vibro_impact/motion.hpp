@@ -56,6 +56,30 @@ void set_forcing(State<D> &state, const Scene &scene) {
   set_forcing(*state.mode, scene, state.now.phase, state.value, state.slope);
 }
 
+// The forcing lanes a short time later, by the addition theorem: rounding adds up over the flights
+// of one chatter only.
+template <int D>
+void turn_forcing(State<D> &state, const Scene &scene, double tau) {
+  const ContactMode<D> &mode = *state.mode;
+  if (mode.forcing_lanes == 0) return;
+  const double angle = scene.omega * tau, w = angle * angle;
+  if (w > 0x1p-4) return set_forcing(state, scene);
+  // Taylor, to below rounding.
+  constexpr double s3 = 1 / 6.0, s5 = 1 / 120.0, s7 = 1 / 5040.0, s9 = 1 / 362880.0,
+                   s11 = 1 / 39916800.0;
+  constexpr double c2 = 1 / 2.0, c4 = 1 / 24.0, c6 = 1 / 720.0, c8 = 1 / 40320.0,
+                   c10 = 1 / 3628800.0, c12 = 1 / 479001600.0;
+  const double ww = w * w;
+  const double sine = angle - angle * w * ((s3 - w * s5) + ww * ((s7 - w * s9) + ww * s11));
+  const double versine = w * ((c2 - w * c4) + ww * ((c6 - w * c8) + ww * (c10 - w * c12)));
+  const Eigen::Index c = mode.lanes() - 2, s = c + 1;
+  const double cosine_now = state.value(c), sine_now = state.value(s);
+  state.value(c) -= versine * cosine_now + sine * sine_now;
+  state.value(s) -= versine * sine_now - sine * cosine_now;
+  state.slope(c) = -scene.omega * state.value(s);
+  state.slope(s) = scene.omega * state.value(c);
+}
+
 // Lanes that are pure decays have y' = -kappa y.
 template <int D>
 void tie_decays(State<D> &state) {

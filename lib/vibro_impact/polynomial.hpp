@@ -48,17 +48,6 @@ inline const auto binomial = [] {
   return table;
 }();
 
-// pascal[m][n] = m over n, zero for n > m.
-inline const auto pascal = [] {
-  std::array<std::array<double, max_order + 8>, max_order + 8> table{};
-  for (std::size_t m = 0; m < table.size(); ++m) {
-    table[m][0] = 1.0;
-    for (std::size_t n = 1; n <= m; ++n)
-      table[m][n] = table[m - 1][n - 1] + (n < m ? table[m - 1][n] : 0.0);
-  }
-  return table;
-}();
-
 inline Two two(const double *at) {
   return Eigen::Map<const Two>(at);
 }
@@ -174,45 +163,6 @@ inline double size_at(const Polynomial &p, int first, double u) {
     power *= quartic;
   }
   return size.sum();
-}
-
-// p(scale u), given the powers of the scale.
-inline void rescale(Polynomial &p, int order, const detail::Powers &scale) {
-  for (int n = 0; n <= order; n += 4) {
-    Eigen::Map<detail::Four> c(p.coefficient.data() + n);
-    c *= detail::four(scale.data() + n);
-  }
-}
-
-// Sets `moved` to p(at + at scale u), given the powers of both; `order` is of the form 4 k + 3.
-inline void recentre(const Polynomial &p, int order, const detail::Powers &at,
-                     const detail::Powers &scale, Polynomial &moved) {
-  using detail::Four, detail::four;
-  std::array<double, max_order> term;
-  for (int n = 0; n <= order; n += 4)
-    Eigen::Map<Four>(term.data() + n) = four(p.coefficient.data() + n) * four(at.data() + n);
-  for (int n = 0; n <= order; n += 4) {
-    Four even = Four::Zero(), odd = even;  // two chains of sums
-    for (int m = n; m <= order; m += 2) {
-      const double *row = detail::pascal[static_cast<std::size_t>(m)].data() + n;
-      even += term[static_cast<std::size_t>(m)] * four(row);
-      odd += term[static_cast<std::size_t>(m) + 1] * four(row + detail::pascal[0].size());
-    }
-    Eigen::Map<Four>(moved.coefficient.data() + n) = (even + odd) * four(scale.data() + n);
-  }
-  end_at(moved, order);
-}
-
-// p(u + d) for a small d, with an error of the order of d^5.
-inline void shift(Polynomial &p, double d) {
-  using detail::Four, detail::four, detail::four_binomials;
-  double *c = p.coefficient.data();
-  for (int n = 0; n <= p.order; n += 4) {
-    Four sum = four_binomials(4, n + 4) * four(c + n + 4);
-    for (int k = 3; k >= 0; --k)
-      sum = d * sum + four_binomials(static_cast<std::size_t>(k), n + k) * four(c + n + k);
-    Eigen::Map<Four>(c + n) = sum;
-  }
 }
 
 // Value and slope at u, with the exact zeros divided out so that small values keep their accuracy.

@@ -51,9 +51,9 @@ inline std::string contact_mode_name(const Held &held) {
 
 // A quantity of one mass (from 1), evaluated when it is asked for. Refers to the state of the run.
 struct OfMass {
-  void *state;
+  const void *state;
   const void *scene;
-  double (*at)(void *state, const void *scene, int mass);
+  double (*at)(const void *state, const void *scene, int mass);
 
   double operator()(int mass) const {
     return at(state, scene, mass);

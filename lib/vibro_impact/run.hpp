@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "chatter_limit.hpp"
+#include "chatter_tail.hpp"
 #include "first_event.hpp"
 #include "simulate.hpp"
 
@@ -42,37 +42,25 @@ struct Run {
   std::vector<double> last_speed = {};  // per stop, of its last impact
   std::vector<int> falling = {};        // per stop, impacts in a row slower than the one before
   std::vector<double> closing = {};     // gap speeds before the impacts of one event
+  bool takes_events = false;            // some recorder does
+  bool takes_samples = false;
 };
 
-// The state of a run, brought up to date where the impacts of a chatter are followed ahead of it.
 template <int D>
-const State<D> &state_of(Run<D> &run) {
-  if (run.chatter.ahead) set_state_after(run.chatter.bounces, Tail{}, run.scene, run.state);
-  run.chatter.ahead = false;
-  return run.state;
-}
-
-template <int D>
-const State<D> &state_of(State<D> &state) {
-  return state;
-}
-
-// `source` is a state, or a run, asked for its state when a recorder asks for the motion.
-template <class Source>
-Moment moment_of(Source &source, const Instant &now, double time, const Scene &scene) {
-  const auto of_mass = [&](double (*at)(void *, const void *, int)) {
-    return OfMass{&source, &scene, at};
+Moment moment_of(const State<D> &state, double time, const Scene &scene) {
+  const auto of_mass = [&](double (*at)(const void *, const void *, int)) {
+    return OfMass{&state, &scene, at};
   };
-  return {now, time, of_mass([](void *of, const void *, int mass) {
-            const auto &[at, mode, value, slope, stops] = state_of(*static_cast<Source *>(of));
+  return {state.now, time, of_mass([](const void *of, const void *, int mass) {
+            const auto &[at, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
             return mode->equilibrium(mass - 1) + mode->shape.row(mass - 1).dot(value.matrix());
           }),
-          of_mass([](void *of, const void *, int mass) {
-            const auto &[at, mode, value, slope, stops] = state_of(*static_cast<Source *>(of));
+          of_mass([](const void *of, const void *, int mass) {
+            const auto &[at, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
             return mode->shape.row(mass - 1).dot(slope.matrix());
           }),
-          of_mass([](void *of, const void *in, int mass) {
-            const auto &[at, mode, value, slope, stops] = state_of(*static_cast<Source *>(of));
+          of_mass([](const void *of, const void *in, int mass) {
+            const auto &[at, mode, value, slope, stops] = *static_cast<const State<D> *>(of);
             for (const auto &closed : mode->closed)
               if (closed.mass + 1 == static_cast<std::size_t>(mass))
                 return sign(static_cast<const Scene *>(in)->stops[closed.stop].side) *
@@ -84,13 +72,12 @@ Moment moment_of(Source &source, const Instant &now, double time, const Scene &s
 template <int D>
 void emit(Run<D> &run, EventKind kind, std::size_t stop, double before, double after,
           bool by_a_jump) {
-  const auto takes_events = [](const RecorderRef &ref) { return ref.event != nullptr; };
-  if (std::none_of(run.recorders.begin(), run.recorders.end(), takes_events)) return;
+  if (!run.takes_events) return;
   const Stop &at = run.scene.stops[stop];
   const double time = time_of(run.state.now, run.clock);
   const Event event{
       kind, at.mass, at.side, run.state.now, time, before, after, run.state.mode->held, by_a_jump};
-  const Moment moment = moment_of(run, run.state.now, time, run.scene);
+  const Moment moment = moment_of(run.state, time, run.scene);
   for (const RecorderRef &ref : run.recorders)
     if (ref.event != nullptr) ref.event(ref.recorder, event, moment);
 }
@@ -105,6 +92,7 @@ inline double next_sample(std::span<const RecorderRef> recorders) {
 // True when a recorder asks for a sample no later than `then`.
 template <int D>
 bool samples_by(const Run<D> &run, const Instant &then) {
+  if (!run.takes_samples) return false;
   const double next = next_sample(run.recorders);
   return next < std::numeric_limits<double>::infinity() && next <= time_of(then, run.clock);
 }
@@ -112,6 +100,7 @@ bool samples_by(const Run<D> &run, const Instant &then) {
 // Serves the sample times up to tau after the state, each by one closed-form modal evaluation.
 template <int D>
 void sample_flight(Run<D> &run, double tau) {
+  if (!run.takes_samples) return;
   double next = next_sample(run.recorders);
   if (!(next < std::numeric_limits<double>::infinity())) return;
   State<D> between{run.state.now, run.state.mode, {}, {}, {}};
@@ -123,8 +112,7 @@ void sample_flight(Run<D> &run, double tau) {
     flow(*run.state.mode, run.scene, run.state.value, run.state.slope, after, between.value,
          between.slope);
     ++run.counters.modal_evaluations;
-    const Moment moment =
-        moment_of(between, between.now, time_of(between.now, run.clock), run.scene);
+    const Moment moment = moment_of(between, time_of(between.now, run.clock), run.scene);
     for (const RecorderRef &ref : run.recorders)
       if (ref.sample != nullptr && ref.next_time(ref.recorder) <= next)
         ref.sample(ref.recorder, moment);
@@ -155,13 +143,14 @@ void count_impact(Run<D> &run, std::size_t stop, double speed) {
     run.impacts_this_period = 1;
   }
   if (run.impacts_this_period > run.options.max_impacts_per_period) {
-    const MotionState motion = physical(state_of(run), run.scene);
-    std::string text =
-        fmt::format("more than {} impacts in one period, given up at t = {} with",
-                    run.options.max_impacts_per_period, time_of(run.state.now, run.clock));
-    for (Eigen::Index i = 0; i < motion.displacement.size(); ++i)
-      fmt::format_to(std::back_inserter(text), " x{} = {}, x{}' = {}", i + 1,
-                     motion.displacement(i), i + 1, motion.velocity(i));
+    const auto &[now, mode, value, slope, stops] = run.state;
+    const Eigen::VectorXd displacement = mode->equilibrium + mode->shape * value.matrix(),
+                          velocity = mode->shape * slope.matrix();
+    std::string text = fmt::format("more than {} impacts in one period, given up at t = {} with",
+                                   run.options.max_impacts_per_period, time_of(now, run.clock));
+    for (Eigen::Index i = 0; i < displacement.size(); ++i)
+      fmt::format_to(std::back_inserter(text), " x{} = {}, x{}' = {}", i + 1, displacement(i),
+                     i + 1, velocity(i));
     throw std::runtime_error(text);
   }
 }

@@ -33,7 +33,12 @@ Outcome simulate_lanes(const Scene &scene, const MotionState &start, double unti
       scene.restitution > 0.0 && scene.restitution < 1.0 ? chatter_stride(scene.restitution) : 1;
   if (options.flight_tolerance != flight_rounding) {
     run.remainder.emplace(options.flight_tolerance);
-    run.flight.expansion.remainder = run.chatter.bounces.path.remainder = &*run.remainder;
+    run.flight.expansion.remainder = run.chatter.bounces.path.remainder =
+        run.chatter.tail.path.remainder = &*run.remainder;
+  }
+  for (const RecorderRef &recorder : recorders) {
+    run.takes_events |= recorder.event != nullptr;
+    run.takes_samples |= recorder.sample != nullptr;
   }
   run.last_speed.assign(scene.stops.size(), 0.0);
   run.falling.assign(scene.stops.size(), 0);

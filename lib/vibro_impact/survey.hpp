@@ -23,28 +23,31 @@ struct Survey {
 
 namespace detail {
 
-using Bernstein = std::array<double, bernstein_degree + 1>;
+// In whole packets, also from the second on.
+using Bernstein = std::array<double, bernstein_degree + 5>;
 
-// Where a polynomial that falls through zero once does so, nearly. Its value at i / d is its i-th
-// coefficient and d / 2 u (1 - u) times the second difference there, up to O(d^-2); in between it
-// is taken for a parabola. `after` is the first negative coefficient.
+// Where a polynomial that falls through zero once does so, nearly: a step of third order from where
+// its control polygon does, which is between the coefficients before and `after`, the first
+// negative one.
 inline double crossing_of(const Bernstein &b, std::size_t after) {
-  constexpr std::size_t last = bernstein_degree;
-  constexpr auto d = static_cast<double>(last);
-  const auto bend_at = [&](std::size_t i) {
-    const std::size_t k = std::clamp<std::size_t>(i, 1, last - 1);
-    return b[k + 1] - 2.0 * b[k] + b[k - 1];
+  static_assert(bernstein_degree == 11);
+  constexpr double d = 11.0;
+  const double u = (static_cast<double>(after - 1) + b[after - 1] / (b[after - 1] - b[after])) / d;
+  // Its last three de Casteljau coefficients there, of which those of degree d - 2 are the weights.
+  const double v = 1.0 - u, u4 = u * u * u * u, v2 = v * v;
+  const Four up = four_powers(u), down = four_powers(v).reverse();
+  const std::array<Four, 3> basis{
+      Four(1.0, 9.0, 36.0, 84.0) * up * down * (v2 * v2 * v2),
+      Four(126.0, 126.0, 84.0, 36.0) * up * down * (u4 * v2),
+      Four(9.0, 1.0, 0.0, 0.0) * up * Four(v, 1.0, 0.0, 0.0) * (u4 * u4)};
+  const auto last = [&](const double *c) {
+    return (basis[0] * four(c) + basis[1] * four(c + 4) + basis[2] * four(c + 8)).sum();
   };
-  const auto value_at = [&](std::size_t i) {
-    const double u = static_cast<double>(i) / d;
-    return b[i] + 0.5 * d * u * (1.0 - u) * bend_at(i);
-  };
-  double below = value_at(after), above = value_at(after - 1);
-  while (below > 0.0 && after < last) above = below, below = value_at(++after);
-  while (above < 0.0 && after > 1) below = above, above = value_at(--after - 1);
-  const double f = above / (above - below);
-  const double bent = 0.25 * f * (f - 1.0) * (bend_at(after) + bend_at(after - 1));
-  return (static_cast<double>(after - 1) + f + bent / (above - below)) / d;
+  const double first = last(b.data()), second = last(b.data() + 1), third = last(b.data() + 2);
+  const double left = second - first, bend = third - second - left;
+  const double slope = d * (left + u * bend), value = first + u * (2.0 * left + u * bend);
+  const double newton = -value / slope, a = -0.5 * d * (d - 1.0) * bend / slope * newton;
+  return u + newton * (1.0 + a * (1.0 + 2.0 * a));
 }
 
 }  // namespace detail
@@ -58,7 +61,7 @@ Survey survey(const ContactMode<D> &mode, const Reading<D> &reading,
   using detail::Four;
   const Eigen::Index lanes = mode.lanes(), modal = mode.modal_lanes();
   const ReadingSeries &series = series_of(mode, reading, expansion);
-  detail::Bernstein b;
+  detail::Bernstein b{};
   const double *weight = series.bernstein.data();
   for (std::size_t i = 0; i <= bernstein_degree; i += 4) {
     Eigen::Map<Four>(b.data() + i) = reading.offset + detail::weigh(mode, weight, value, slope);
@@ -81,7 +84,7 @@ Survey survey(const ContactMode<D> &mode, const Reading<D> &reading,
   while (i <= bernstein_degree && b[i] < -seen.cut_off) ++i;
   if (i <= bernstein_degree || after == 0) return seen;
   seen.outlook = Outlook::crosses_once;
-  seen.crossing = detail::crossing_of(b, after);
+  seen.crossing = std::clamp(detail::crossing_of(b, after), 0.0, 1.0);
   return seen;
 }
 
