@@ -39,6 +39,8 @@ TEST(Reach, IsNeverExceeded) {
       }
     State<dynamic> state;
     set_lanes(state, scene, mode, motion);
+    if (seed % 9 == 0)
+      state.value.head(mode.modal_lanes()) = state.slope.head(mode.modal_lanes()) = 0.0;
     for (const double reach : {0.01, 0.3, 2.0, 30.0}) {
       const double time = reach / mode.fastest;
       const auto speeds = speed_bounds(mode, state.value, state.slope, time);

@@ -47,9 +47,10 @@ struct Bounces {
   double time = 0.0;    // of the latest one, since the first
   ChatterSeries series;
   std::vector<double> times, jumps;  // of the impacts, hit() jumps each
-  Lanes most_value, most_slope;      // the largest moduli of the jumps of the lanes
-  // The other stops are out of reach up to this time, as long as the jumps stay within this sum.
-  double clear_until = 0.0, clear_jumps = 0.0;
+  // The other stops are out of reach up to this time, as long as the jumps stay within the sum of
+  // the pushes.
+  double clear_until = 0.0;
+  Pushes<D> pushes;
 
   std::size_t hit() const {
     return stops.size();
@@ -66,47 +67,20 @@ struct Bounces {
 
 namespace detail {
 
-// True when a gap or a hold force is certain to stay positive for `time`, while the jumps of the
-// gap speeds hit come to no more than `jumps`.
+// True when all other stops are certain to stay as they are for `time`, while the jumps of the gap
+// speeds hit come to no more than `jumps`.
 template <int D>
-bool stays_clear(const Bounces<D> &bounces, const State<D> &state, const OpenStop<D> &open,
-                 const typename State<D>::Lanes &speeds, double time, double jumps) {
+bool others_stay_clear(const Bounces<D> &bounces, const State<D> &state, double time,
+                       double jumps) {
   const ContactMode<D> &mode = *state.mode;
-  double reach = reach_of_gap(open.gap, speeds, time);
-  if (mode.any_decay) reach += jumps * (open.gap.on_value.abs() * bounces.most_value).sum();
-  return open.gap(state.value, state.slope) > 2.0 * wide_gap(open, state.value) + reach;
-}
-
-template <int D>
-bool stays_clear(const Bounces<D> &bounces, const State<D> &state, const ClosedStop<D> &closed,
-                 const typename State<D>::Lanes &speeds, double time, double jumps) {
-  const Reading<D> &press = closed.press;
-  const double jumped = (press.on_value.abs() * bounces.most_value).sum() +
-                        (press.on_slope.abs() * bounces.most_slope).sum();
-  const double size = std::abs(press.offset) + (press.on_value * state.value).abs().sum() +
-                      (press.on_slope * state.slope).abs().sum();
-  return press(state.value, state.slope) >
-         0x1p-30 * size + jumps * jumped + reach_of(*state.mode, press, speeds, time);
-}
-
-template <int D>
-typename State<D>::Lanes speeds_over(const Bounces<D> &bounces, const State<D> &state, double time,
-                                     double jumps) {
-  const ContactMode<D> &mode = *state.mode;
-  return speed_bounds(mode, state.value, state.slope, time) +
-         jumps * (bounces.most_slope + mode.rate * bounces.most_value);
-}
-
-// The same of all other stops.
-template <int D>
-bool stay_clear(const Bounces<D> &bounces, const State<D> &state, double time, double jumps) {
-  const ContactMode<D> &mode = *state.mode;
-  const typename State<D>::Lanes speeds = speeds_over(bounces, state, time, jumps);
+  Pushes<D> pushes = bounces.pushes;
+  pushes.jumps = jumps;
+  const typename State<D>::Lanes speeds = speed_bounds(state, pushes, time);
   for (const OpenStop<D> &open : mode.open)
-    if (!bounces.hits_stop(open.stop) && !stays_clear(bounces, state, open, speeds, time, jumps))
+    if (!bounces.hits_stop(open.stop) && !stays_clear(state, open, pushes, speeds, time))
       return false;
   for (const ClosedStop<D> &closed : mode.closed)
-    if (!stays_clear(bounces, state, closed, speeds, time, jumps)) return false;
+    if (!stays_clear(state, closed, pushes, speeds, time)) return false;
   return true;
 }
 
@@ -117,27 +91,19 @@ void read_gaps(Bounces<D> &bounces, const State<D> &state, double span, Counters
   for (auto &hit : bounces.hits) read_gap(state, *hit.open, bounces.path, hit.gap, counters);
 }
 
-// Sets a gap that is wide from the lanes: where the stop was out of reach it has not been carried.
-template <int D>
-bool refresh(State<D> &state, const OpenStop<D> &open) {
-  const double gap = open.gap(state.value, state.slope);
-  if (!(gap > wide_gap(open, state.value))) return false;
-  state.stops[open.stop] = {gap, (open.gap.on_value * state.slope).sum(), 0, 0.0};
-  return true;
-}
-
 // True when no other stop changes before the next impact.
 template <int D>
 bool comes_next(Bounces<D> &bounces, State<D> &state, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   bounces.near.clear();
   if (bounces.time + bounces.flight <= bounces.clear_until) return true;
-  const typename State<D>::Lanes speeds =
-      speed_bounds(mode, state.value, state.slope, bounces.flight);
+  Pushes<D> none = bounces.pushes;
+  none.jumps = 0.0;
+  const typename State<D>::Lanes speeds = speed_bounds(state, none, bounces.flight);
   const double u = bounces.hits[0].next.at;
   for (const OpenStop<D> &open : mode.open) {
     if (bounces.hits_stop(open.stop)) continue;
-    if (stays_clear(bounces, state, open, speeds, bounces.flight, 0.0)) continue;
+    if (stays_clear(state, open, none, speeds, bounces.flight)) continue;
     refresh(state, open);
     auto &near = bounces.near.emplace_back();
     near.open = &open;
@@ -145,7 +111,7 @@ bool comes_next(Bounces<D> &bounces, State<D> &state, Counters &counters) {
     if (first_root(near.gap, 0, u, counters)) return false;
   }
   for (const ClosedStop<D> &closed : mode.closed) {
-    if (stays_clear(bounces, state, closed, speeds, bounces.flight, 0.0)) continue;
+    if (stays_clear(state, closed, none, speeds, bounces.flight)) continue;
     Polynomial force;
     read_along(mode, closed.press, state.value, state.slope, bounces.path, force, counters);
     if (first_root(force, 0, u, counters)) return false;
@@ -184,15 +150,15 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
   bounces.time = 0.0;
   bounces.times.assign(1, 0.0);
   bounces.jumps.clear();
-  bounces.most_value = Bounces<D>::Lanes::Zero(mode.lanes());
-  bounces.most_slope = bounces.most_value;
+  bounces.pushes.value = Bounces<D>::Lanes::Zero(mode.lanes());
+  bounces.pushes.slope = bounces.pushes.value;
   for (const auto &at : bounces.hits) {
     bounces.jumps.push_back((1.0 + scene.restitution) *
                             (state.stops[at.open->stop].speed / scene.restitution));
-    bounces.most_value = bounces.most_value.max(at.jump_value.abs());
-    bounces.most_slope = bounces.most_slope.max(at.jump_slope.abs());
+    bounces.pushes.value = bounces.pushes.value.max(at.jump_value.abs());
+    bounces.pushes.slope = bounces.pushes.slope.max(at.jump_slope.abs());
   }
-  bounces.clear_until = bounces.clear_jumps = 0.0;
+  bounces.clear_until = bounces.pushes.jumps = 0.0;
   bounces.flight = flight;
   detail::read_gaps(bounces, state, 1.2 * flight, counters);
   Expansion start = bounces.path;
@@ -248,7 +214,7 @@ void fly(Bounces<D> &bounces, State<D> &state, const Scene &scene, const Instant
     turn_forcing(state, scene, bounces.flight);
   tie_decays(state);
   for (const auto &near : bounces.near)
-    if (!detail::refresh(state, *near.open)) {
+    if (!refresh(state, *near.open)) {
       const auto carried = evaluate(near.gap, 0, u);
       state.stops[near.open->stop] = {std::max(0.0, carried.value),
                                       carried.slope / bounces.path.span, 0, 0.0};
@@ -270,10 +236,10 @@ bool bounce(Bounces<D> &bounces, State<D> &state, const Scene &scene,
     apply_impact(state, scene, *hit.open, closing.back());
     const double jump = -(1.0 + r) * closing.back();
     bounces.jumps.push_back(jump);
-    bounces.clear_jumps -= jump;
+    bounces.pushes.jumps -= jump;
     on = on && state.stops[hit.open->stop].speed > 0.0;
   }
-  if (bounces.clear_jumps < 0.0) bounces.clear_until = 0.0;
+  if (bounces.pushes.jumps < 0.0) bounces.clear_until = 0.0;
   if (bounces.clear_until < bounces.time)
     for (const ClosedStop<D> &closed : state.mode->closed)
       on = on && closed.press(state.value, state.slope) > 0.0;
@@ -289,16 +255,16 @@ void look_on(Bounces<D> &bounces, const State<D> &state, Counters &counters) {
   const RestitutionSeries &series = bounces.series.of;
   const double left = 1.5 * bounces.flight * series.flights;
   const double jumps = 1.5 * bounces.latest_jump() * series.restitution * series.flights;
-  if (!detail::stay_clear(bounces, state, left, jumps)) return;
+  if (!detail::others_stay_clear(bounces, state, left, jumps)) return;
   bounces.clear_until = bounces.time + left;
-  bounces.clear_jumps = jumps;
+  bounces.pushes.jumps = jumps;
 }
 
 // Brings the stops that have been out of reach up to date.
 template <int D>
 void refresh_stops(const Bounces<D> &bounces, State<D> &state) {
   for (const OpenStop<D> &open : state.mode->open)
-    if (!bounces.hits_stop(open.stop)) detail::refresh(state, open);
+    if (!bounces.hits_stop(open.stop)) refresh(state, open);
 }
 
 }  // namespace vibro_impact

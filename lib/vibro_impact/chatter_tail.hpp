@@ -157,7 +157,7 @@ void move_to_limit(const Bounces<D> &bounces, Tail<D> &tail, const Scene &scene,
   for (const OpenStop<D> &open : mode.open) {
     if (bounces.hits_stop(open.stop)) {
       place_at_stop(state, scene, open, 0.0);
-    } else if (!detail::refresh(state, open)) {
+    } else if (!refresh(state, open)) {
       read_gap(before, open, tail.path, tail.other.free, counters);
       detail::read_responses(bounces, mode, open.gap, tail.path, tail.other, counters);
       const auto there = detail::at_limit(tail.other, tail);
@@ -175,8 +175,8 @@ bool undisturbed(const Bounces<D> &bounces, const State<D> &state, Tail<D> &tail
   const double left = tail.path.span;
   double jumps = 0.0;
   for (std::size_t j = 0; j < bounces.hit(); ++j) jumps += tail(j, 0);
-  if (bounces.time + left <= bounces.clear_until && jumps <= bounces.clear_jumps) return true;
-  if (detail::stay_clear(bounces, state, left, jumps)) return true;
+  if (bounces.time + left <= bounces.clear_until && jumps <= bounces.pushes.jumps) return true;
+  if (detail::others_stay_clear(bounces, state, left, jumps)) return true;
   const auto stays_positive = [&](const Reading<D> &reading) {
     detail::read_responses(bounces, mode, reading, tail.path, tail.other, counters);
     double pushed = 0.0;

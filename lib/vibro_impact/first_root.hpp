@@ -49,6 +49,20 @@ inline double convex_step(const Jet &at, double twist) {
   return square < 0.0 ? d : std::min(d, 2.0 * at.value / (std::sqrt(square) - at.slope));
 }
 
+constexpr double squares_underflow = 0x1p-430;
+
+// Sets `larger` to a polynomial of which all coefficients are so small that their squares underflow
+// (r = 1e-300 leaves such motion), in units in which they do not; returns that scale, else 1.
+inline double enlarge(const Polynomial &p, Polynomial &larger) {
+  double largest = 0.0;
+  for (const double term : p.coefficient) largest = std::max(largest, std::abs(term));
+  if (!(largest < squares_underflow)) return 1.0;
+  const double scale = std::ldexp(1.0, std::min(900, -std::ilogb(largest)));
+  larger = p;
+  for (double &term : larger.coefficient) term *= scale;
+  return scale;
+}
+
 // A root at u of the polynomial with its first coefficients divided out, where it has this slope.
 inline Root root_at(double u, double slope, int first) {
   for (int k = 0; k < first; ++k) slope *= u;
@@ -90,6 +104,14 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   if (first > p.order) return std::nullopt;  // identically zero: it never leaves, never returns
   const double *c = p.coefficient.data() + first;
   if (c[0] < 0.0) return Root{};
+  if (c[0] < detail::squares_underflow) {
+    Polynomial larger;
+    if (const double scale = detail::enlarge(p, larger); scale > 1.0) {
+      auto root = first_root(larger, zeros, limit, counters);
+      if (root) root->slope /= scale;
+      return root;
+    }
+  }
   // Most are dismissed by the sum of the negative coefficients, others by nested minima, which are
   // tighter; a polynomial that ends below zero needs neither.
   const detail::Bounds bounds = detail::bounds_of(p, first);
