@@ -245,6 +245,18 @@ TEST(ChatterSeries, PredictsTheMoments) {
   }
 }
 
+// A flight that no expansion reaches to the end of is none of a chatter's.
+TEST(Bounces, AreNotFollowedOverLongFlights) {
+  Pressed at(0.1, 0.3, 0.9);
+  at.state.mode = &at.mode;
+  for (const double reach : {0.5, 1.0, 1.1, 2.0, 20.0}) {
+    Bounces<dynamic> bounces;
+    ASSERT_TRUE(follow(bounces, at.state, at.scene, {0}, reach / at.mode.fastest, at.counters));
+    EXPECT_EQ(find_next(bounces, at.state, at.counters), reach <= 1.0) << reach;
+    EXPECT_LE(bounces.path.span * bounces.path.rate, std::max(max_reach, 1.2 * reach));
+  }
+}
+
 // Another mass on its way to a stop: followed up to the last impact before it gets there, whether
 // it is near or out of reach at first.
 TEST(Bounces, EndWhereAnotherMassArrives) {

@@ -182,6 +182,8 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
 // event.
 template <int D>
 bool find_next(Bounces<D> &bounces, State<D> &state, Counters &counters) {
+  // Flights may grow again, where the press falls and r is near one: such are not a chatter's.
+  if (!(bounces.path.power[1] <= 0.5 * max_reach)) return false;
   ++counters.flights_followed;
   const auto all_found = [&] {
     for (auto &hit : bounces.hits) {
