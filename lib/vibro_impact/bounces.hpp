@@ -47,10 +47,9 @@ struct Bounces {
   double time = 0.0;    // of the latest one, since the first
   ChatterSeries series;
   std::vector<double> times, jumps;  // of the impacts, hit() jumps each
-  // The other stops are out of reach up to this time, as long as the jumps stay within the sum of
-  // the pushes.
-  double clear_until = 0.0;
   Pushes<D> pushes;
+  // The other stops are out of reach up to this time, as long as the jumps stay within this sum.
+  double clear_until = 0.0, clear_jumps = 0.0;
 
   std::size_t hit() const {
     return stops.size();
@@ -73,14 +72,13 @@ template <int D>
 bool others_stay_clear(const Bounces<D> &bounces, const State<D> &state, double time,
                        double jumps) {
   const ContactMode<D> &mode = *state.mode;
-  Pushes<D> pushes = bounces.pushes;
-  pushes.jumps = jumps;
-  const typename State<D>::Lanes speeds = speed_bounds(state, pushes, time);
+  const Pushes<D> &pushes = bounces.pushes;
+  const typename State<D>::Lanes speeds = speed_bounds(state, pushes, jumps, time);
   for (const OpenStop<D> &open : mode.open)
-    if (!bounces.hits_stop(open.stop) && !stays_clear(state, open, pushes, speeds, time))
+    if (!bounces.hits_stop(open.stop) && !stays_clear(state, open, pushes, jumps, speeds, time))
       return false;
   for (const ClosedStop<D> &closed : mode.closed)
-    if (!stays_clear(state, closed, pushes, speeds, time)) return false;
+    if (!stays_clear(state, closed, pushes, jumps, speeds, time)) return false;
   return true;
 }
 
@@ -97,13 +95,12 @@ bool comes_next(Bounces<D> &bounces, State<D> &state, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   bounces.near.clear();
   if (bounces.time + bounces.flight <= bounces.clear_until) return true;
-  Pushes<D> none = bounces.pushes;
-  none.jumps = 0.0;
-  const typename State<D>::Lanes speeds = speed_bounds(state, none, bounces.flight);
+  const Pushes<D> &pushes = bounces.pushes;
+  const typename State<D>::Lanes speeds = speed_bounds(state, pushes, 0.0, bounces.flight);
   const double u = bounces.hits[0].next.at;
   for (const OpenStop<D> &open : mode.open) {
     if (bounces.hits_stop(open.stop)) continue;
-    if (stays_clear(state, open, none, speeds, bounces.flight)) continue;
+    if (stays_clear(state, open, pushes, 0.0, speeds, bounces.flight)) continue;
     refresh(state, open);
     auto &near = bounces.near.emplace_back();
     near.open = &open;
@@ -111,7 +108,7 @@ bool comes_next(Bounces<D> &bounces, State<D> &state, Counters &counters) {
     if (first_root(near.gap, 0, u, counters)) return false;
   }
   for (const ClosedStop<D> &closed : mode.closed) {
-    if (stays_clear(state, closed, none, speeds, bounces.flight)) continue;
+    if (stays_clear(state, closed, pushes, 0.0, speeds, bounces.flight)) continue;
     Polynomial force;
     read_along(mode, closed.press, state.value, state.slope, bounces.path, force, counters);
     if (first_root(force, 0, u, counters)) return false;
@@ -158,7 +155,7 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
     bounces.pushes.value = bounces.pushes.value.max(at.jump_value.abs());
     bounces.pushes.slope = bounces.pushes.slope.max(at.jump_slope.abs());
   }
-  bounces.clear_until = bounces.pushes.jumps = 0.0;
+  bounces.clear_until = bounces.clear_jumps = 0.0;
   bounces.flight = flight;
   detail::read_gaps(bounces, state, 1.2 * flight, counters);
   Expansion start = bounces.path;
@@ -216,11 +213,8 @@ void fly(Bounces<D> &bounces, State<D> &state, const Scene &scene, const Instant
     turn_forcing(state, scene, bounces.flight);
   tie_decays(state);
   for (const auto &near : bounces.near)
-    if (!refresh(state, *near.open)) {
-      const auto carried = evaluate(near.gap, 0, u);
-      state.stops[near.open->stop] = {std::max(0.0, carried.value),
-                                      carried.slope / bounces.path.span, 0, 0.0};
-    }
+    if (!refresh(state, *near.open))
+      state.stops[near.open->stop] = carried(evaluate(near.gap, 0, u), bounces.path.span);
 }
 
 // Applies the impacts there (Eqs. 8-11). `closing` is set to the gap speeds before them. False when
@@ -238,10 +232,10 @@ bool bounce(Bounces<D> &bounces, State<D> &state, const Scene &scene,
     apply_impact(state, scene, *hit.open, closing.back());
     const double jump = -(1.0 + r) * closing.back();
     bounces.jumps.push_back(jump);
-    bounces.pushes.jumps -= jump;
+    bounces.clear_jumps -= jump;
     on = on && state.stops[hit.open->stop].speed > 0.0;
   }
-  if (bounces.pushes.jumps < 0.0) bounces.clear_until = 0.0;
+  if (bounces.clear_jumps < 0.0) bounces.clear_until = 0.0;
   if (bounces.clear_until < bounces.time)
     for (const ClosedStop<D> &closed : state.mode->closed)
       on = on && closed.press(state.value, state.slope) > 0.0;
@@ -259,7 +253,7 @@ void look_on(Bounces<D> &bounces, const State<D> &state, Counters &counters) {
   const double jumps = 1.5 * bounces.latest_jump() * series.restitution * series.flights;
   if (!detail::others_stay_clear(bounces, state, left, jumps)) return;
   bounces.clear_until = bounces.time + left;
-  bounces.pushes.jumps = jumps;
+  bounces.clear_jumps = jumps;
 }
 
 // Brings the stops that have been out of reach up to date.

@@ -145,10 +145,10 @@ void move_to_limit(const Bounces<D> &bounces, Tail<D> &tail, const Scene &scene,
         rate_of += moment * two(ds);
       }
       for (Eigen::Index l = i; l < std::min(modal, i + 2); ++l) {
-        const double dv = hit.jump_value(l), ds_l = hit.jump_slope(l);
-        state.value(l) +=
-            dv * (rate_of(l - i) + mode.kappa(l) * response(l - i)) + ds_l * response(l - i);
-        state.slope(l) += ds_l * rate_of(l - i) - mode.lambda(l) * dv * response(l - i);
+        const auto added = lane_after(mode, l, hit.jump_value(l), hit.jump_slope(l),
+                                      {response(l - i), rate_of(l - i)});
+        state.value(l) += added.value;
+        state.slope(l) += added.slope;
       }
     }
   }
@@ -160,8 +160,7 @@ void move_to_limit(const Bounces<D> &bounces, Tail<D> &tail, const Scene &scene,
     } else if (!refresh(state, open)) {
       read_gap(before, open, tail.path, tail.other.free, counters);
       detail::read_responses(bounces, mode, open.gap, tail.path, tail.other, counters);
-      const auto there = detail::at_limit(tail.other, tail);
-      state.stops[open.stop] = {std::max(0.0, there.value), there.slope / tail.path.span, 0, 0.0};
+      state.stops[open.stop] = carried(detail::at_limit(tail.other, tail), tail.path.span);
     }
   }
   for (const std::size_t stop : bounces.stops) state.stops[stop] = {};
@@ -175,7 +174,7 @@ bool undisturbed(const Bounces<D> &bounces, const State<D> &state, Tail<D> &tail
   const double left = tail.path.span;
   double jumps = 0.0;
   for (std::size_t j = 0; j < bounces.hit(); ++j) jumps += tail(j, 0);
-  if (bounces.time + left <= bounces.clear_until && jumps <= bounces.pushes.jumps) return true;
+  if (bounces.time + left <= bounces.clear_until && jumps <= bounces.clear_jumps) return true;
   if (detail::others_stay_clear(bounces, state, left, jumps)) return true;
   const auto stays_positive = [&](const Reading<D> &reading) {
     detail::read_responses(bounces, mode, reading, tail.path, tail.other, counters);

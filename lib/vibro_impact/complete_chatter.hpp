@@ -4,8 +4,6 @@
 // that rounding: so chatters of several masses that end together do not keep each other alive.
 #pragma once
 
-#include <optional>
-
 #include "at_a_stop.hpp"
 
 namespace vibro_impact::detail {

@@ -139,8 +139,16 @@ void read_along(const ContactMode<D> &mode, const Reading<D> &reading,
   p.coefficient[0] += reading.offset;
 }
 
-// The lanes u of the expansion later, those of the forcing excepted. One solution of each lane, S
-// with S(0) = 0 and S'(0) = 1, gives all others: C = S' + kappa S, C' = -lambda S.
+// Lane j where S and S' have these values. One solution, S with S(0) = 0 and S'(0) = 1, gives all
+// others: C = S' + kappa S, C' = -lambda S.
+template <int D>
+OscillatorState<double> lane_after(const ContactMode<D> &mode, Eigen::Index j, double value,
+                                   double slope, const OscillatorState<double> &s) {
+  return {value * (s.slope + mode.kappa(j) * s.value) + slope * s.value,
+          slope * s.slope - mode.lambda(j) * value * s.value};
+}
+
+// The lanes u of the expansion later, those of the forcing excepted.
 template <int D>
 void advance(const ContactMode<D> &mode, const Expansion &expansion, double u,
              Eigen::Array<double, D, 1> &value, Eigen::Array<double, D, 1> &slope) {
@@ -163,10 +171,9 @@ void advance(const ContactMode<D> &mode, const Expansion &expansion, double u,
     }
     const Two response = even + x * odd, rate = even_slope + x * odd_slope;
     for (Eigen::Index i = j; i < std::min(modal, j + 2); ++i) {
-      const double before = value(i);
-      value(i) =
-          before * (rate(i - j) + mode.kappa(i) * response(i - j)) + slope(i) * response(i - j);
-      slope(i) = slope(i) * rate(i - j) - mode.lambda(i) * before * response(i - j);
+      const auto after = lane_after(mode, i, value(i), slope(i), {response(i - j), rate(i - j)});
+      value(i) = after.value;
+      slope(i) = after.slope;
     }
   }
 }

@@ -90,8 +90,7 @@ void look_ahead(const State<D> &state, Flight<D> &flight, Counters &counters) {
   for (const OpenStop<D> &open : mode.open) {
     const StopState &stop = state.stops[open.stop];
     const auto zeros = static_cast<std::size_t>(stop.zeros);
-    if (zeros == 0 && stop.gap > 2.0 * wide_gap(open, state.value) +
-                                     reach_of_gap(open.gap, speeds, expansion.span)) {
+    if (zeros == 0 && out_of_reach(stop.gap, open, state.value, speeds, expansion.span)) {
       *seen++ = {Outlook::stays_positive};
       ++counters.stops_out_of_reach;
     } else if (zeros == 0 ? stop.gap > 0.0 : stop.leading > 0.0 && whole) {
@@ -155,17 +154,12 @@ void move_to(State<D> &state, Flight<D> &flight, double u, const Scene &scene, c
     // A wide gap is read off the lanes, so that the carried one cannot drift away from them; after
     // a long flight the carried one has no more digits than the lanes, which are read wherever
     // that cannot close the gap.
-    const double gap = open.gap(state.value, state.slope);
-    if (gap > (long_flight ? 0x1p-30 : 1.0) * wide_gap(open, state.value)) {
-      stop = {gap, (open.gap.on_value * state.slope).sum(), 0, 0.0};
-    } else {
-      if (stayed_open) {
-        flight.gaps.resize(mode.open.size());
-        read_gap(mode, open, stop, value, slope, expansion, flight.gaps[k], counters);
-      }
-      const auto carried = evaluate(flight.gaps[k], stop.zeros, u);
-      stop = {std::max(0.0, carried.value), carried.slope / expansion.span, 0, 0.0};
+    if (refresh(state, open, long_flight ? 0x1p-30 : 1.0)) continue;
+    if (stayed_open) {
+      flight.gaps.resize(mode.open.size());
+      read_gap(mode, open, stop, value, slope, expansion, flight.gaps[k], counters);
     }
+    stop = carried(evaluate(flight.gaps[k], stop.zeros, u), expansion.span);
   }
   for (const ClosedStop<D> &closed : mode.closed) state.stops[closed.stop].zeros = 0;
 }

@@ -42,50 +42,62 @@ double wide_gap(const OpenStop<D> &open, const Eigen::Array<double, D, 1> &value
   return 0x1p-10 * (std::abs(open.gap.offset) + (open.gap.on_value * value).abs().sum());
 }
 
-// Sets a gap that is wide from the lanes. False for others, which are carried from event to event.
+// A gap farther from zero than it moves within `time` at speeds within these bounds.
 template <int D>
-bool refresh(State<D> &state, const OpenStop<D> &open) {
+bool out_of_reach(double gap, const OpenStop<D> &open, const Eigen::Array<double, D, 1> &value,
+                  const Eigen::Array<double, D, 1> &speeds, double time) {
+  return gap > 2.0 * wide_gap(open, value) + reach_of_gap(open.gap, speeds, time);
+}
+
+// Sets a gap wider than `margin` wide ones from the lanes. False for others, which are carried from
+// event to event.
+template <int D>
+bool refresh(State<D> &state, const OpenStop<D> &open, double margin = 1.0) {
   const double gap = open.gap(state.value, state.slope);
-  if (!(gap > wide_gap(open, state.value))) return false;
+  if (!(gap > margin * wide_gap(open, state.value))) return false;
   state.stops[open.stop] = {gap, (open.gap.on_value * state.slope).sum(), 0, 0.0};
   return true;
 }
 
-// Impacts to come: the largest moduli of what one of unit jump does to the lanes, and a bound of
-// the sum of their jumps.
+// A gap and its speed as they are carried where it is not.
+inline StopState carried(const OscillatorState<double> &gap, double span) {
+  return {std::max(0.0, gap.value), gap.slope / span, 0, 0.0};
+}
+
+// The largest moduli of what an impact of unit jump of the gap speed does to the lanes.
 template <int D>
 struct Pushes {
   Eigen::Array<double, D, 1> value, slope;
-  double jumps = 0.0;
 };
 
+// With impacts to come of which the jumps add up to no more than `jumps`.
 template <int D>
 Eigen::Array<double, D, 1> speed_bounds(const State<D> &state, const Pushes<D> &pushes,
-                                        double time) {
+                                        double jumps, double time) {
   return speed_bounds(*state.mode, state.value, state.slope, time) +
-         pushes.jumps * (pushes.slope + state.mode->rate * pushes.value);
+         jumps * (pushes.slope + state.mode->rate * pushes.value);
 }
 
 // True when a gap is certain to stay positive for `time`, of speeds within these bounds.
 template <int D>
 bool stays_clear(const State<D> &state, const OpenStop<D> &open, const Pushes<D> &pushes,
-                 const Eigen::Array<double, D, 1> &speeds, double time) {
-  double reach = reach_of_gap(open.gap, speeds, time);
-  if (state.mode->any_decay) reach += pushes.jumps * (open.gap.on_value.abs() * pushes.value).sum();
-  return open.gap(state.value, state.slope) > 2.0 * wide_gap(open, state.value) + reach;
+                 double jumps, const Eigen::Array<double, D, 1> &speeds, double time) {
+  double gap = open.gap(state.value, state.slope);
+  if (state.mode->any_decay) gap -= jumps * (open.gap.on_value.abs() * pushes.value).sum();
+  return out_of_reach(gap, open, state.value, speeds, time);
 }
 
 // The same of a hold force.
 template <int D>
 bool stays_clear(const State<D> &state, const ClosedStop<D> &closed, const Pushes<D> &pushes,
-                 const Eigen::Array<double, D, 1> &speeds, double time) {
+                 double jumps, const Eigen::Array<double, D, 1> &speeds, double time) {
   const Reading<D> &press = closed.press;
   const double pushed =
       (press.on_value.abs() * pushes.value).sum() + (press.on_slope.abs() * pushes.slope).sum();
   const double size = std::abs(press.offset) + (press.on_value * state.value).abs().sum() +
                       (press.on_slope * state.slope).abs().sum();
   return press(state.value, state.slope) >
-         0x1p-30 * size + pushes.jumps * pushed + reach_of(*state.mode, press, speeds, time);
+         0x1p-30 * size + jumps * pushed + reach_of(*state.mode, press, speeds, time);
 }
 
 }  // namespace vibro_impact
