@@ -2,51 +2,13 @@
 // what they predict of the limit.
 #include <gtest/gtest.h>
 
-#include "vibro_impact/chatter_tail.hpp"
-#include "vibro_impact/vibro_impact.hpp"
+#include "followed_chatter.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-constexpr int dynamic = Eigen::Dynamic;
-
-// Three masses of which the second has just left its stop and is pressed back by its neighbours.
-struct Pressed {
-  Scene scene;
-  ContactMode<dynamic> mode;
-  State<dynamic> state;
-  Counters counters;
-
-  double speed;
-
-  Pressed(double beta, double omega, double restitution) : speed(beta > 10.0 ? 1e-3 : 0.06) {
-    scene.mass = {1.0, 0.8, 1.3};
-    scene.stiffness = {1.0, 1.2, 0.9};
-    scene.beta = beta;
-    scene.amplitude = {0.3, 0.0, 0.2};
-    scene.omega = omega;
-    scene.restitution = restitution;
-    scene.stops = {{2, Side::upper, 0.1}, {3, Side::upper, 5.0}};
-    mode = build_contact_mode<dynamic>(scene, Held(3, 0));
-    MotionState motion = start_of(scene);
-    motion.displacement << 0.7, 0.1, 0.6;
-    motion.velocity << 0.05, -speed, -0.04;
-    motion.instant.phase = 0.3;
-    state.now = motion.instant;
-    set_lanes(state, scene, mode, motion);
-    state.stops = {{0.0, speed, 1, speed}, {4.4, 0.04, 0, 0.0}};
-  }
-  double flight() const {
-    return 2.0 * speed * scene.mass[1] / mode.open[0].press(state.value, state.slope);
-  }
-  // In closed form and in the lanes.
-  void fly(double tau) {
-    const State<dynamic> from = state;
-    flow(mode, scene, from.value, from.slope, tau, state.value, state.slope);
-    state.now.phase += tau;
-    set_forcing(state, scene);
-  }
-};
+using vibro_impact::testing::dynamic, vibro_impact::testing::Followed,
+    vibro_impact::testing::Pressed;
 
 // Damped and not, with modes split in two decays, with a mode in resonance.
 const std::vector<std::pair<double, double>> kinds{
@@ -60,35 +22,6 @@ double resonant_frequency() {
 double largest_difference(const State<dynamic> &a, const State<dynamic> &b) {
   return std::max((a.value - b.value).abs().maxCoeff(), (a.slope - b.slope).abs().maxCoeff());
 }
-
-struct Followed {
-  Pressed &at;
-  Bounces<dynamic> bounces = {};
-  ChatterTable table = {};
-  std::vector<double> closing = {};
-  bool started, goes_on = true;
-
-  explicit Followed(Pressed &pressed) : at(pressed) {
-    at.state.mode = &at.mode;
-    started = follow(bounces, at.state, at.scene, {0}, at.flight(), at.counters);
-    extend(table, predict_limit(bounces));
-  }
-  bool find() {
-    return goes_on && find_next(bounces, at.state, at.counters);
-  }
-  void apply() {
-    fly(bounces, at.state, at.scene, later(at.state.now, bounces.flight, Clock(at.scene.omega)));
-    goes_on = bounce(bounces, at.state, at.scene, closing);
-    look_on(bounces, at.state, at.counters);
-    extend(table, predict_limit(bounces));
-  }
-  // Up to so many impacts; returns how many.
-  int go_on(int most) {
-    int impacts = 0;
-    for (; impacts < most && find(); ++impacts) apply();
-    return impacts;
-  }
-};
 
 // 2e-14: the rounding of a dozen closed forms of numbers of order one.
 TEST(Bounces, AgreeWithImpactByImpactInClosedForm) {
@@ -255,47 +188,6 @@ TEST(Bounces, AreNotFollowedOverLongFlights) {
     EXPECT_EQ(find_next(bounces, at.state, at.counters), reach <= 1.0) << reach;
     EXPECT_LE(bounces.path.span * bounces.path.rate, std::max(max_reach, 1.2 * reach));
   }
-}
-
-// Another mass on its way to a stop: followed up to the last impact before it gets there, whether
-// it is near or out of reach at first.
-TEST(Bounces, EndWhereAnotherMassArrives) {
-  int limits = 0, looked_at = 0;
-  for (const double position : {0.6001, 0.605, 0.61, 0.62, 0.625, 0.63, 0.635}) {
-    Pressed at(0.1, 0.3, 0.7);
-    at.scene.stops[1].position = position;
-    at.mode = build_contact_mode<dynamic>(at.scene, Held(3, 0));
-    MotionState motion = start_of(at.scene);
-    motion.displacement << 0.7, 0.1, 0.6;
-    motion.velocity << 0.05, -0.06, 0.2;
-    motion.instant.phase = 0.3;
-    set_lanes(at.state, at.scene, at.mode, motion);
-    at.state.stops = {{0.0, 0.06, 1, 0.06}, {position - 0.6, -0.2, 0, 0.0}};
-    Followed followed(at);
-    for (int k = 0; followed.find(); ++k) {
-      ASSERT_LT(k, 100);
-      looked_at += !followed.bounces.near.empty();
-      followed.apply();
-    }
-    // The limit lies beyond, and is not taken however well it is known.
-    refresh_stops(followed.bounces, at.state);
-    if (const auto limit = extrapolate(followed.table, at.mode.fastest, 1e9)) {
-      Tail<dynamic> tail;
-      find_tail(followed.bounces, at.state, followed.table, *limit, tail, at.counters);
-      EXPECT_FALSE(undisturbed(followed.bounces, at.state, tail, at.counters)) << position;
-      ++limits;
-    }
-    // The next event is that arrival, and it lies before the next impact.
-    EXPECT_NEAR(at.state.stops[1].gap, at.mode.open[1].gap(at.state.value, at.state.slope), 2e-14);
-    Flight<dynamic> flight;
-    expand(at.mode, at.state.value, at.state.slope, 1.0 / at.mode.fastest, flight.expansion,
-           at.counters);
-    find_first_event(at.state, at.scene, Clock(at.scene.omega), flight, at.counters);
-    EXPECT_EQ(flight.event.kind, Happening::impact) << position;
-    EXPECT_EQ(flight.event.stops, std::vector<std::size_t>{1}) << position;
-  }
-  EXPECT_GE(limits, 2);
-  EXPECT_GE(looked_at, 5);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ struct Bounces {
   double time = 0.0;    // of the latest one, since the first
   ChatterSeries series;
   std::vector<double> times, jumps;  // of the impacts, hit() jumps each
-  Pushes<D> pushes;
+  Lanes push;  // largest modulus of the jump of every slope, per unit jump of a gap speed
   // The other stops are out of reach up to this time, as long as the jumps stay within this sum.
   double clear_until = 0.0, clear_jumps = 0.0;
 
@@ -72,13 +72,11 @@ template <int D>
 bool others_stay_clear(const Bounces<D> &bounces, const State<D> &state, double time,
                        double jumps) {
   const ContactMode<D> &mode = *state.mode;
-  const Pushes<D> &pushes = bounces.pushes;
-  const typename State<D>::Lanes speeds = speed_bounds(state, pushes, jumps, time);
+  const typename State<D>::Lanes speeds = speed_bounds(state, bounces.push, jumps, time);
   for (const OpenStop<D> &open : mode.open)
-    if (!bounces.hits_stop(open.stop) && !stays_clear(state, open, pushes, jumps, speeds, time))
-      return false;
+    if (!bounces.hits_stop(open.stop) && !stays_clear(state, open, speeds, time)) return false;
   for (const ClosedStop<D> &closed : mode.closed)
-    if (!stays_clear(state, closed, pushes, jumps, speeds, time)) return false;
+    if (!stays_clear(state, closed, bounces.push, jumps, speeds, time)) return false;
   return true;
 }
 
@@ -95,12 +93,11 @@ bool comes_next(Bounces<D> &bounces, State<D> &state, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   bounces.near.clear();
   if (bounces.time + bounces.flight <= bounces.clear_until) return true;
-  const Pushes<D> &pushes = bounces.pushes;
-  const typename State<D>::Lanes speeds = speed_bounds(state, pushes, 0.0, bounces.flight);
+  const typename State<D>::Lanes speeds = speed_bounds(state, bounces.push, 0.0, bounces.flight);
   const double u = bounces.hits[0].next.at;
   for (const OpenStop<D> &open : mode.open) {
     if (bounces.hits_stop(open.stop)) continue;
-    if (stays_clear(state, open, pushes, 0.0, speeds, bounces.flight)) continue;
+    if (stays_clear(state, open, speeds, bounces.flight)) continue;
     refresh(state, open);
     auto &near = bounces.near.emplace_back();
     near.open = &open;
@@ -108,7 +105,7 @@ bool comes_next(Bounces<D> &bounces, State<D> &state, Counters &counters) {
     if (first_root(near.gap, 0, u, counters)) return false;
   }
   for (const ClosedStop<D> &closed : mode.closed) {
-    if (stays_clear(state, closed, pushes, 0.0, speeds, bounces.flight)) continue;
+    if (stays_clear(state, closed, bounces.push, 0.0, speeds, bounces.flight)) continue;
     Polynomial force;
     read_along(mode, closed.press, state.value, state.slope, bounces.path, force, counters);
     if (first_root(force, 0, u, counters)) return false;
@@ -147,13 +144,11 @@ bool follow(Bounces<D> &bounces, const State<D> &state, const Scene &scene,
   bounces.time = 0.0;
   bounces.times.assign(1, 0.0);
   bounces.jumps.clear();
-  bounces.pushes.value = Bounces<D>::Lanes::Zero(mode.lanes());
-  bounces.pushes.slope = bounces.pushes.value;
+  bounces.push.setZero(mode.lanes());
   for (const auto &at : bounces.hits) {
     bounces.jumps.push_back((1.0 + scene.restitution) *
                             (state.stops[at.open->stop].speed / scene.restitution));
-    bounces.pushes.value = bounces.pushes.value.max(at.jump_value.abs());
-    bounces.pushes.slope = bounces.pushes.slope.max(at.jump_slope.abs());
+    bounces.push = bounces.push.max(at.jump_slope.abs());
   }
   bounces.clear_until = bounces.clear_jumps = 0.0;
   bounces.flight = flight;

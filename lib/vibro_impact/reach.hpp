@@ -64,36 +64,30 @@ inline StopState carried(const OscillatorState<double> &gap, double span) {
   return {std::max(0.0, gap.value), gap.slope / span, 0, 0.0};
 }
 
-// The largest moduli of what an impact of unit jump of the gap speed does to the lanes.
+// With impacts to come of which the jumps add up to no more than `jumps`; `push` is the largest
+// modulus of what a unit jump of the gap speed adds to the slope of every lane. (Decays jump in
+// value too, but displacements do not, and no decay is ever faster than at first.)
 template <int D>
-struct Pushes {
-  Eigen::Array<double, D, 1> value, slope;
-};
-
-// With impacts to come of which the jumps add up to no more than `jumps`.
-template <int D>
-Eigen::Array<double, D, 1> speed_bounds(const State<D> &state, const Pushes<D> &pushes,
-                                        double jumps, double time) {
-  return speed_bounds(*state.mode, state.value, state.slope, time) +
-         jumps * (pushes.slope + state.mode->rate * pushes.value);
+Eigen::Array<double, D, 1> speed_bounds(const State<D> &state,
+                                        const Eigen::Array<double, D, 1> &push, double jumps,
+                                        double time) {
+  return speed_bounds(*state.mode, state.value, state.slope, time) + jumps * push;
 }
 
 // True when a gap is certain to stay positive for `time`, of speeds within these bounds.
 template <int D>
-bool stays_clear(const State<D> &state, const OpenStop<D> &open, const Pushes<D> &pushes,
-                 double jumps, const Eigen::Array<double, D, 1> &speeds, double time) {
-  double gap = open.gap(state.value, state.slope);
-  if (state.mode->any_decay) gap -= jumps * (open.gap.on_value.abs() * pushes.value).sum();
-  return out_of_reach(gap, open, state.value, speeds, time);
+bool stays_clear(const State<D> &state, const OpenStop<D> &open,
+                 const Eigen::Array<double, D, 1> &speeds, double time) {
+  return out_of_reach(open.gap(state.value, state.slope), open, state.value, speeds, time);
 }
 
-// The same of a hold force.
+// The same of a hold force, which every impact makes jump.
 template <int D>
-bool stays_clear(const State<D> &state, const ClosedStop<D> &closed, const Pushes<D> &pushes,
-                 double jumps, const Eigen::Array<double, D, 1> &speeds, double time) {
+bool stays_clear(const State<D> &state, const ClosedStop<D> &closed,
+                 const Eigen::Array<double, D, 1> &push, double jumps,
+                 const Eigen::Array<double, D, 1> &speeds, double time) {
   const Reading<D> &press = closed.press;
-  const double pushed =
-      (press.on_value.abs() * pushes.value).sum() + (press.on_slope.abs() * pushes.slope).sum();
+  const double pushed = (press.on_slope.abs() * push).sum();
   const double size = std::abs(press.offset) + (press.on_value * state.value).abs().sum() +
                       (press.on_slope * state.slope).abs().sum();
   return press(state.value, state.slope) >
