@@ -224,12 +224,13 @@ struct EnergyAudit {
 
   void move_to(const Instant &instant) {
     const Real t = elapsed(since, instant, clock);
+    // Also of a mode that lasts no time: its rounding outlasts it.
+    auto found = modes.find(held);
+    if (found == modes.end()) {
+      found = modes.emplace(held, free_modes(scene, held)).first;
+      steady = std::max(steady, steady_energy(scene, found->second));
+    }
     if (t > 0) {
-      auto found = modes.find(held);
-      if (found == modes.end()) {
-        found = modes.emplace(held, free_modes(scene, held)).first;
-        steady = std::max(steady, steady_energy(scene, found->second));
-      }
       const FreeModes &basis = found->second;
       RealVector q = basis.inverse * account.x, v = basis.inverse * account.v;
       for (Eigen::Index j = 0; j < q.size(); ++j)
