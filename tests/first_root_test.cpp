@@ -322,25 +322,4 @@ TEST(FirstRoot, ConvergesQuadraticallyAtATransversalRoot) {
   EXPECT_LE(counters.root_iterations, 8);
 }
 
-// Polynomials of which the squares underflow have the roots of larger ones.
-TEST(FirstRoot, DoesNotDependOnTheUnits) {
-  for (const int power : {0, -300, -500, -900, -1000})
-    for (unsigned seed = 1; seed <= 50; ++seed) {
-      Polynomial p, small;
-      for (std::size_t n = 0; n <= 7; ++n) {
-        p.coefficient[n] = n == 0 ? 0.3 : std::cos(static_cast<double>(seed * (n + 1)));
-        small.coefficient[n] = std::ldexp(p.coefficient[n], power);
-      }
-      end_at(p, 7);
-      end_at(small, 7);
-      Counters counters;
-      const auto root = first_root(p, 0, 1.0, counters),
-                 other = first_root(small, 0, 1.0, counters);
-      ASSERT_EQ(root.has_value(), other.has_value()) << seed;
-      if (!root) continue;
-      EXPECT_NEAR(other->at, root->at, power < -950 ? 1e-13 : 1e-15) << power << " " << seed;
-      EXPECT_NEAR(std::ldexp(other->slope, -power), root->slope, power < -950 ? 1e-12 : 1e-14);
-    }
-}
-
 }  // namespace

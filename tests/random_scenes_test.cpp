@@ -59,9 +59,12 @@ TEST(ExtremeScenes, KeepEveryProperty) {
 // out negative (10054); a chatter over at once took a fast impact of the same instant to rest with
 // it (11070), r = 1e-300 leaving motion of which the squares underflow (1525, 6518), flights of a
 // chatter that grow until no expansion reaches the next impact (17140). In 200209 nothing moves but
-// the rounding of a contact mode that lasts no time, which the account of energy had left out.
+// the rounding of a contact mode that lasts no time, which the account of energy had left out. With
+// r = 0 speeds fell to 1e-157, below what other units keep bit for bit (400270); with r = 1e-300 a
+// search of a root took a step for every factor of four on the way up from 1e-150 (401654, 405738).
 TEST(ExtremeScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
-  for (const unsigned seed : {1525u, 6518u, 10054u, 11070u, 17140u, 200209u})
+  for (const unsigned seed :
+       {1525u, 6518u, 10054u, 11070u, 17140u, 200209u, 400270u, 401654u, 405738u})
     EXPECT_EQ(try_scenes(extreme, seed, 1), 0);
 }
 

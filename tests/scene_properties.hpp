@@ -215,14 +215,15 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   verdict.broken =
       rules.broken.empty() ? excessive_work(scene, until, outcome.counters) : rules.broken;
   // A squared speed underflows below 1e-154, and other units then round otherwise.
-  const auto tiny = std::find_if(rules.events.begin(), rules.events.end(), [](const Event &event) {
-    const double slower = std::min(std::abs(event.velocity_before), std::abs(event.velocity_after));
-    return slower != 0.0 && slower < 1e-140;
-  });
-  const auto compared = static_cast<std::size_t>(tiny - rules.events.begin());
+  const auto first_tiny =
+      std::find_if(rules.events.begin(), rules.events.end(), [](const Event &event) {
+        const auto tiny = [](double speed) { return speed != 0.0 && std::abs(speed) < 1e-140; };
+        return tiny(event.velocity_before) || tiny(event.velocity_after);
+      });
+  const auto compared = static_cast<std::size_t>(first_tiny - rules.events.begin());
   if (mirror.events.size() != rules.events.size()) verdict.broken = "mirror image: other events";
   if (scaled.events.size() < compared ||
-      (tiny == rules.events.end() && scaled.events.size() != compared))
+      (first_tiny == rules.events.end() && scaled.events.size() != compared))
     verdict.broken = "rescaled units: other events";
   for (std::size_t i = 0; verdict.broken.empty() && i < compared; ++i) {
     const Event &e = rules.events[i], &m = mirror.events[i], &s = scaled.events[i];

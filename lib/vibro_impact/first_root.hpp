@@ -49,17 +49,20 @@ inline double convex_step(const Jet &at, double twist) {
   return square < 0.0 ? d : std::min(d, 2.0 * at.value / (std::sqrt(square) - at.slope));
 }
 
-constexpr double squares_underflow = 0x1p-430;
+constexpr double squares_underflow = 0x1p-430, squares_overflow = 0x1p430;
 
-// Sets `larger` to a polynomial of which all coefficients are so small that their squares underflow
-// (r = 1e-300 leaves such motion), in units in which they do not; returns that scale, else 1.
-inline double enlarge(const Polynomial &p, Polynomial &larger) {
+// Sets `other` to a polynomial of which all coefficients are so small that their squares underflow
+// (r = 1e-300 leaves such motion), or one so large that its square overflows, in units in which
+// they do not; returns that scale, else 1.
+inline double rescale(const Polynomial &p, Polynomial &other) {
   double largest = 0.0;
-  for (const double term : p.coefficient) largest = std::max(largest, std::abs(term));
-  if (!(largest < squares_underflow)) return 1.0;
+  for (int n = 0; n <= p.order; ++n)
+    largest = std::max(largest, std::abs(p.coefficient[static_cast<std::size_t>(n)]));
+  if (largest >= squares_underflow && largest < squares_overflow) return 1.0;
+  if (!std::isfinite(largest)) return 1.0;
   const double scale = std::ldexp(1.0, std::min(900, -std::ilogb(largest)));
-  larger = p;
-  for (double &term : larger.coefficient) term *= scale;
+  other = p;
+  for (double &term : other.coefficient) term *= scale;
   return scale;
 }
 
@@ -104,17 +107,19 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   if (first > p.order) return std::nullopt;  // identically zero: it never leaves, never returns
   const double *c = p.coefficient.data() + first;
   if (c[0] < 0.0) return Root{};
-  if (c[0] < detail::squares_underflow) {
-    Polynomial larger;
-    if (const double scale = detail::enlarge(p, larger); scale > 1.0) {
-      auto root = first_root(larger, zeros, limit, counters);
+  const detail::Bounds bounds = detail::bounds_of(p, first);
+  const bool large = !(c[0] + std::abs(c[1]) + bounds.bend < detail::squares_overflow);
+  if (c[0] < detail::squares_underflow || large) {
+    Polynomial other;
+    if (const double scale = detail::rescale(p, other); scale != 1.0) {
+      auto root = first_root(other, zeros, limit, counters);
       if (root) root->slope /= scale;
       return root;
     }
+    if (!std::isfinite(bounds.bend)) return std::nullopt;  // the run is given up for such motion
   }
   // Most are dismissed by the sum of the negative coefficients, others by nested minima, which are
   // tighter; a polynomial that ends below zero needs neither.
-  const detail::Bounds bounds = detail::bounds_of(p, first);
   if (bounds.lowest > 0.0 ||
       (bounds.end > 0.0 && detail::lower_bound(p, first, [](int) { return 1.0; }) > 0.0)) {
     ++counters.roots_dismissed;
@@ -122,7 +127,7 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
   }
   ++counters.roots_searched;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  double reach = 1.0, curvature = bounds.curvature, twist = -1.0;  // not known yet
+  double reach = 1.0, growth = 4.0, curvature = bounds.curvature, twist = -1.0;  // not known yet
   double u = 0.0, last_newton = std::numeric_limits<double>::infinity();
   const auto known = [&](int n) { return n <= p.order - first ? c[n] : 0.0; };
   Jet at{c[0], known(1), known(2), known(3), known(4)};
@@ -136,7 +141,7 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
     if (at.slope < 0.0 && bent <= 0.25 * square) {
       const detail::SeriesStep to = detail::series_step(at, bent / square, bounds.fifth);
       const bool stalled =  // by rounding
-          !(std::abs(to.newton) <= 0.5 * last_newton) &&
+          !(std::abs(to.newton) < 0.5 * last_newton) &&
           std::abs(at.value) <= 32.0 * epsilon * size_at(p, first, u);
       if (to.error <= 0.25 * epsilon || stalled) {
         if (!(u + to.step <= limit)) return std::nullopt;
@@ -155,6 +160,17 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
       if (twist < 0.0) twist = detail::twist_bound(p, first);
       step = std::max(step, detail::convex_step(at, twist));
     }
+    // The bound over [0, 1] says nothing of a small polynomial near 0: where steps are small or
+    // many, one nearer by is set up, which then grows again, the faster the longer it holds.
+    const auto bound_within = [&](double distance) {
+      reach = std::min(1.0, distance);
+      curvature = detail::curvature_bound(p, first, reach);
+    };
+    if (step <= 1e-6 * u && u < 0.25 * reach) {
+      growth = 4.0;
+      bound_within(growth * u);
+      continue;
+    }
     if (step <= 1e-6 * u && (u + step == u || at.value <= 0.5 * epsilon * size_at(p, first, u))) {
       if (!(u <= limit)) return std::nullopt;
       return detail::root_at(u, at.slope, first);
@@ -162,12 +178,13 @@ inline std::optional<Root> first_root(const Polynomial &p, int zeros, double lim
     ++counters.root_iterations;
     if (reach < 1.0 && u + step > reach) {  // not beyond where the bound holds
       step = reach - u;
-      reach = std::min(1.0, 4.0 * reach);
-      curvature = detail::curvature_bound(p, first, reach);
-    } else if (++steps % 32 == 0 && u < 0.25 * reach) {
-      // Creeping: the bound over [0, 1] says nothing of a small polynomial near 0.
-      reach = std::min(1.0, 4.0 * (u + step));
-      curvature = detail::curvature_bound(p, first, reach);
+      bound_within(growth * reach);
+      growth *= growth;
+    } else {
+      const bool grown_too_far = growth > 4.0 && step < u;
+      growth = 4.0;
+      if ((++steps % 32 == 0 || grown_too_far) && u < 0.25 * reach)
+        bound_within(growth * (u + step));
     }
     if (!(u + step <= limit)) return std::nullopt;  // also when the step is infinite
     u += step;

@@ -95,21 +95,21 @@ struct Bounds {
   double fifth;      // |p^(5)| / 5!
 };
 
+// Negative terms are summed by themselves: as a difference of all terms and their moduli they would
+// be lost in the rounding of larger ones.
 inline Bounds bounds_of(const Polynomial &p, int first) {
   const double *c = p.coefficient.data() + first;
-  Four sum = Four::Zero(), modulus = sum, bend = sum, bent = sum, fifth = sum;
+  Four sum = Four::Zero(), negative = sum, bend = sum, down = sum, fifth = sum;
   for (int n = 0; n <= p.order - first; n += 4) {
     const Four at = four(c + n), curved = four_binomials(2, n) * at;
     sum += at;
-    modulus += at.abs();
+    negative += at.min(0.0);
     bend += curved.abs();
-    bent += curved;
+    down += curved.min(0.0);
     fifth += four_binomials(5, n) * at.abs();
   }
-  // The negative part of a number is half of what it and its modulus differ by.
-  const double end = sum.sum();
-  return {end, c[0] + 0.5 * (end - modulus.sum()), 2.0 * bend.sum(),
-          std::max(0.0, (bend - bent).sum()), fifth.sum()};
+  return {sum.sum(), c[0] + negative.sum(), 2.0 * bend.sum(), std::max(0.0, -2.0 * down.sum()),
+          fifth.sum()};
 }
 
 // An upper bound on [0, 1] of |p'''|.
