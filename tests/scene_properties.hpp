@@ -214,16 +214,18 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   }
   verdict.broken =
       rules.broken.empty() ? excessive_work(scene, until, outcome.counters) : rules.broken;
-  // A squared speed underflows below 1e-154, and other units then round otherwise.
-  const auto first_tiny =
-      std::find_if(rules.events.begin(), rules.events.end(), [](const Event &event) {
-        const auto tiny = [](double speed) { return speed != 0.0 && std::abs(speed) < 1e-140; };
-        return tiny(event.velocity_before) || tiny(event.velocity_after);
-      });
-  const auto compared = static_cast<std::size_t>(first_tiny - rules.events.begin());
+  // A squared speed underflows below 1e-154, and other units then round otherwise: events are
+  // compared up to the first that slow.
+  const auto before_tiny = [](const std::vector<Event> &events, double unit) {
+    const auto tiny = [unit](double v) { return v != 0.0 && std::abs(v) < 1e-140 * unit; };
+    const auto first = std::find_if(events.begin(), events.end(), [&](const Event &event) {
+      return tiny(event.velocity_before) || tiny(event.velocity_after);
+    });
+    return static_cast<std::size_t>(first - events.begin());
+  };
+  const std::size_t compared = before_tiny(rules.events, 1.0);
   if (mirror.events.size() != rules.events.size()) verdict.broken = "mirror image: other events";
-  if (scaled.events.size() < compared ||
-      (first_tiny == rules.events.end() && scaled.events.size() != compared))
+  if (before_tiny(scaled.events, 0x1p-7) != compared)
     verdict.broken = "rescaled units: other events";
   for (std::size_t i = 0; verdict.broken.empty() && i < compared; ++i) {
     const Event &e = rules.events[i], &m = mirror.events[i], &s = scaled.events[i];
