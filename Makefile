@@ -1,7 +1,8 @@
 # make figures        install what is missing, build, compute and draw every figure (build/figures)
 # make figure2 ...    one figure
 # make error-vs-runtime  error against run time, beside other methods (under a minute)
-# make test           the same packages and build, then every test
+# make build          the library and the scene runner, nothing else
+# make test           build and run every test
 # make check          the key numbers: paper, computed, error, verdict
 # make readme         the README's table of key numbers, from the same source as make check
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
@@ -16,55 +17,79 @@
 figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
-.PHONY: benchmarks figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format clean help packages build
+.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format clean help packages build
+.NOTPARALLEL:  # the targets share build/; each of them uses all processors
+MAKEFLAGS += --no-print-directory
 
 help:
-	@sed -n 's/^# //p' Makefile
+	@sed -n 's/^# make /make /p' Makefile
 
-figures: $(figures) error-vs-runtime
+# Every target installs the packages of its part (.ci/packages), configures build/, the same for
+# all parts, and builds in it what it needs and no more.
+configured-%:
+	@mkdir -p build
+	@.ci/packages $*
+	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >build/configure.log 2>&1 || { cat build/configure.log; exit 2; }
 
-$(figures): build
+make_target = @cmake --build build -j $(jobs) --target
+
+build: configured-runner
+	@cmake --build build -j $(jobs)
+
+figures: programs-of-figures $(figures) error-vs-runtime
+
+programs-of-figures: configured-figures
+	$(make_target) figure_programs
+
+$(figures): configured-figures
+	$(make_target) $@
 	@build/bin/$@ --output build/figures
 	@gnuplot -e "data='build/figures'" figures/$@.gp
 	@echo "drawn: build/figures/$@.png"
 
-error-vs-runtime: build
+error-vs-runtime: configured-figures
+	$(make_target) error_vs_runtime
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 build/bin/error_vs_runtime --output build/figures
 	@gnuplot -e "data='build/figures'" figures/error_vs_runtime.gp
 	@echo "drawn: build/figures/error_vs_runtime.png"
 
-test: build
+test: configured-tests
+	$(make_target) test_programs
 	@ctest --test-dir build --output-on-failure -j $(jobs)
 
-check: build
+check: configured-runner
+	$(make_target) check
 	@build/bin/check
 
 # The rows go between the two markers; nothing else of the file changes.
-readme: build
+readme: configured-runner
+	$(make_target) check
 	@build/bin/check --markdown >build/key_numbers.md
 	@sed -e '/<!-- make readme: begin -->/,/<!-- make readme: end -->/{//!d}' \
 	  -e '/<!-- make readme: begin -->/r build/key_numbers.md' README.md >build/README.md
 	@cp build/README.md README.md
 
-test-sanitize: packages
+test-sanitize:
+	@mkdir -p build
+	@.ci/packages tests
 	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }
 	@cmake --build build/sanitize --target test_programs -j $(jobs)
 	@ctest --test-dir build/sanitize --output-on-failure -j $(jobs)
 
-benchmarks: packages
-	@mkdir -p build
-	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >build/configure.log || { cat build/configure.log; exit 2; }
-	@cmake --build build --target benchmarks -j $(jobs) >build/benchmarks.log 2>&1 || { \
+benchmarks: configured-tests
+	$(make_target) benchmarks >build/benchmarks.log 2>&1 || { \
 	  grep -q "No rule to make target" build/benchmarks.log && echo "make benchmarks needs Google Benchmark (Debian package libbenchmark-dev)" >&2 || cat build/benchmarks.log; exit 2; }
 	@build/bin/benchmarks
 
-random-scenes: build
+random-scenes: configured-tests
+	$(make_target) random_scenes_test
 	@build/bin/random_scenes_test 20000
 
 seconds := 60
-fuzz: packages
+fuzz:
 	@command -v clang++ >/dev/null || { echo "make fuzz needs clang++ (Debian package clang)" >&2; exit 2; }
 	@mkdir -p build/fuzz/corpus build/fuzz/found
+	@.ci/packages runner
 	@cmake -S . -B build/fuzz -DCMAKE_CXX_COMPILER=clang++ -DVIBRO_IMPACT_FUZZ=ON >build/fuzz.log 2>&1 || { cat build/fuzz.log; exit 2; }
 	@cmake --build build/fuzz -j $(jobs)
 	@build/fuzz/bin/fuzz_options -max_total_time=$(seconds) -timeout=10 -max_len=600 -print_final_stats=1 \
@@ -74,8 +99,8 @@ pictures: figures
 	@mkdir -p figures/pictures
 	@cp $(figures:%=build/figures/%.png) build/figures/error_vs_runtime.png figures/pictures/
 
-reference: build
-	@cmake --build build --target reference-generate
+reference: configured-library
+	$(make_target) reference-generate
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
 	  build/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
 	@for table in key_numbers located; do \
@@ -84,13 +109,7 @@ reference: build
 	@for part in states events; do \
 	  build/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
 
-build: packages
-	@mkdir -p build
-	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >build/configure.log || { cat build/configure.log; exit 2; }
-	@cmake --build build -j $(jobs)
-
 packages:
-	@mkdir -p build
 	@.ci/packages
 
 format:

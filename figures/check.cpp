@@ -1,6 +1,11 @@
 // `make check`: every key number of the paper, computed and held against its reference; one row
 // each, and a verdict. With --markdown the same rows as the table of the README.
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstdio>
+#include <string>
+#include <utility>
 
 #include "driver.hpp"
 #include "key_bifurcations.hpp"

@@ -40,7 +40,7 @@ Table springs(const Scene &scene, Advance &&advance) {
 // (b) the same forcing period by the library and by the plain scheme; two rows, to draw a line.
 Table cost(const Scene &scene) {
   const double period = Clock(scene.omega).period;
-  const Counters counters = simulate(scene, period, {}).counters;
+  const Counters counters = require_complete(simulate(scene, period)).counters;
   const plain::Result plain = plain::run(scene, period, {.threshold = 1e-6});
   Table table("kappa,expansions,coefficients,plain_evaluations");
   for (double kappa : {softest, stiffest})
@@ -70,10 +70,10 @@ Table thresholds(const Scene &scene, Advance &&advance) {
   constexpr double until = 750.0;
   const double periods = until / Clock(scene.omega).period;
   EventRecorder limits, resolved;
-  const Outcome outcome = simulate(scene, until, {}, limits);
+  const Outcome outcome = require_complete(simulate(scene, until, {}, limits));
   RunOptions options;
   options.resolve_chatter = 0.0;
-  simulate(scene, until, options, resolved);
+  require_complete(simulate(scene, until, options, resolved));
   Table table(
       "threshold,impacts_per_period,needed,library,stick_error,release_error,impacts,"
       "sticks,releases,evaluations,reached,capped");

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "paper_scenes.hpp"
@@ -33,7 +34,7 @@ struct Rigid {
 
 inline Rigid rigid_motion(const Scene &scene) {
   EventRecorder recorder;
-  const Outcome outcome = simulate(scene, before_chatter, {}, recorder);
+  const Outcome outcome = require_complete(simulate(scene, before_chatter, {}, recorder));
   Rigid rigid;
   for (std::size_t i = 0; i < first_impacts; ++i)
     rigid.impacts.push_back(recorder.events.at(i).time);
@@ -67,15 +68,16 @@ inline SpringError spring_error(const Scene &scene, const Rigid &rigid,
 // run ends at the accumulation time itself, so that the limit lies beyond its end.
 inline std::vector<Event> resolved_chatter(const Scene &scene) {
   EventRecorder stick;
-  simulate(scene, Clock(scene.omega).period, {}, stick);
+  require_complete(simulate(scene, Clock(scene.omega).period, {}, stick));
   const auto end = std::find_if(stick.events.begin(), stick.events.end(),
                                 [](const Event &e) { return e.kind == EventKind::stick; });
-  detail::require(end != stick.events.end(), "no complete chatter in the first forcing period");
+  if (end == stick.events.end())
+    throw std::runtime_error("no complete chatter in the first forcing period");
   RunOptions options;
   options.resolve_chatter = 0.0;
   EventRecorder recorder;
   // Until just before the mass comes to rest: room for every impact but not for their limit.
-  simulate(scene, end->time * (1.0 - 0x1p-47), options, recorder);
+  require_complete(simulate(scene, end->time * (1.0 - 0x1p-47), options, recorder));
   std::erase_if(recorder.events,
                 [&](const Event &e) { return e.kind != EventKind::impact || e.mass != end->mass; });
   return recorder.events;

@@ -1,5 +1,6 @@
 #include "driver.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -99,7 +100,6 @@ SampleRecorder samples_across(const paper::AxisBox &box, double every) {
   samples.from = box.from;
   samples.to = box.to;
   samples.every = every;
-  samples.masses = 2;
   return samples;
 }
 

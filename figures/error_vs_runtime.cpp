@@ -2,12 +2,15 @@
 // own tolerance or step. See README and error_vs_runtime/ for how each is used.
 #include "error_vs_runtime/method.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <fstream>
 #include <limits>
-#include <sstream>
+#include <string>
+#include <vector>
 
 #include "driver.hpp"
 #include "error_vs_runtime/problem.hpp"

@@ -3,6 +3,10 @@
 //
 // Mass 2 (x2 = s2): x1' = -(k/c) x1 + (k/c) s2, fixed. Mass 1 (x1 = s1): x2' = -(k/c) (x2 - 2 s1)
 // - (A1/c) cos(Omega t), moving with the forcing.
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "driver.hpp"
 
 namespace {
@@ -49,7 +53,7 @@ int main(int argc, char **argv) {
                           const double until = 12 * Clock(scene.omega).period;
                           StickingOrbitRecorder second{2, 1, 0.0, until, 0.005};
                           StickingOrbitRecorder first{1, 2, 0.0, until, 0.005};
-                          simulate(scene, until, {}, first, second);
+                          require_complete(simulate(scene, until, {}, first, second));
                           write(second.table, output / "exit_boundary2.csv");
                           write(first.table, output / "exit_boundary1.csv");
                           // Mass 2's boundary does not depend on the forcing: at other frequencies,
@@ -58,7 +62,7 @@ int main(int argc, char **argv) {
                             const Scene other = paper::figure3(other_omega[n - 1]);
                             const double period = Clock(other.omega).period;
                             StickingOrbitRecorder orbit{2, 1, 40 * period, 41.5 * period, 0.005};
-                            simulate(other, orbit.to, {}, orbit);
+                            require_complete(simulate(other, orbit.to, {}, orbit));
                             write(orbit.table, output / fmt::format("exit_boundary2_{}.csv", n));
                           }
                         });

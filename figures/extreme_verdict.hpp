@@ -1,12 +1,17 @@
 // One extreme case run and judged: its errors, how sensitive it is, its work.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "event_comparison.hpp"
 #include "event_tables.hpp"
 #include "extreme_cases.hpp"
+#include "vibro_impact/hold_force.hpp"
+#include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::extremes {
 
@@ -53,12 +58,9 @@ struct Measured {
 // The forcing period; without forcing, the longest natural period of the chain.
 inline double period_of(const Scene &scene) {
   if (scene.forced() && scene.omega > 0.0) return 2.0 * std::numbers::pi / scene.omega;
-  Scene bare = scene;
-  bare.stops.clear();
-  const auto mode = build_contact_mode<Eigen::Dynamic>(bare, Held(bare.mass.size(), 0));
   double slowest = std::numeric_limits<double>::infinity();
-  for (Eigen::Index j = 0; j < mode.lanes(); ++j)
-    if (mode.lambda(j) > 0.0) slowest = std::min(slowest, mode.lambda(j));
+  for (const double lambda : natural_modes(scene, Held(scene.mass.size(), 0)).lambda)
+    if (lambda > 0.0) slowest = std::min(slowest, lambda);
   return 2.0 * std::numbers::pi / std::sqrt(slowest);
 }
 
@@ -68,7 +70,7 @@ namespace detail {
 inline std::vector<TrueEvent> events_of(const Scene &scene, const Case &extreme,
                                         Outcome *outcome = nullptr) {
   EventRecorder recorder{extreme.from};
-  const Outcome result = simulate(scene, extreme.until, {}, recorder);
+  const Outcome result = require_complete(simulate(scene, extreme.until, {}, recorder));
   if (outcome != nullptr) *outcome = result;
   return figures::as_truth(recorder.events);
 }
@@ -144,9 +146,13 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
     shorter.until = std::min(extreme.until, 1000.0 * result.period);
   }
   Samples samples{&scene, 0.0, shorter.until, shorter.until / 1000};
-  simulate(scene, shorter.until, {}, samples);
-  result.finite = samples.finite && outcome.state.displacement.allFinite() &&
-                  outcome.state.velocity.allFinite();
+  require_complete(simulate(scene, shorter.until, {}, samples));
+  const auto finite = [](const std::vector<double> &values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return std::isfinite(value); });
+  };
+  result.finite =
+      samples.finite && finite(outcome.state.displacement) && finite(outcome.state.velocity);
   double speed = samples.speed;
   for (const TrueEvent &event : truth) speed = std::max(speed, std::abs(event.velocity_before));
   const auto relative = [](double value, double scale) {

@@ -38,7 +38,7 @@ inline std::array<std::vector<double>, 2> impact_velocities(double omega, int pe
   RunOptions options;
   options.resolve_chatter = paper::slowest_impact_shown;
   ImpactSpeedRecorder first{1, from}, second{2, from};
-  simulate(scene, from + periods * period, options, first, second);
+  require_complete(simulate(scene, from + periods * period, options, first, second));
   return {distinct(first.velocities), distinct(second.velocities)};
 }
 

@@ -7,7 +7,7 @@ vibro_impact::Table displacements(const vibro_impact::Scene &scene,
                                   const vibro_impact::paper::AxisBox &box, double every) {
   using namespace vibro_impact;
   SampleRecorder samples = figures::samples_across(box, every);
-  simulate(scene, samples.to, figures::all_visible_chatter(), samples);
+  require_complete(simulate(scene, samples.to, figures::all_visible_chatter(), samples));
   return figures::displacement_table(samples);
 }
 

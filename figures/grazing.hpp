@@ -2,7 +2,12 @@
 // beside the one without.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bifurcation_point.hpp"
 #include "paper_scenes.hpp"
@@ -101,7 +106,7 @@ inline BifurcationPoint end_of_impacts() {
     if (!orbit.converged)
       throw std::runtime_error(
           fmt::format("omega = {}: the motion with impacts of mass 2 was not found", omega));
-    return std::pow(1.0 - orbit.multipliers(0).real(), 2);
+    return std::pow(1.0 - orbit.multipliers.at(0).real(), 2);
   };
   return {"impacts_of_mass_2_end_figure5b",
           zero_from_one_side(distance, followed + 4e-8, followed + 2e-8),

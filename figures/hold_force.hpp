@@ -14,7 +14,7 @@ inline Table hold_force(const Scene &scene) {
   force.from = paper::figure4_settling_periods * clock.period;
   force.to = force.from + clock.period;
   force.every = 0.001;
-  simulate(scene, force.to, {}, force);
+  require_complete(simulate(scene, force.to, {}, force));
   Table table("phase,t,F2");
   for (const HoldForceRecorder::Row &row : force.rows)
     table.row(row.phase, instant_at(row.time, clock).phase, row.force);

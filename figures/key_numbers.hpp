@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ struct ReleasePoints {
 inline Line exit_boundary_of_mass_2() {
   ReleasePoints points;
   for (double omega : {0.25, 0.26, 0.27, 0.28, 0.29, 0.3, 0.32, 0.34, 0.36, 0.4})
-    simulate(paper::stops_of_different_sign(omega), 200.0, {}, points);
+    require_complete(simulate(paper::stops_of_different_sign(omega), 200.0, {}, points));
   double mean_x = 0.0, mean_v = 0.0, xx = 0.0, xv = 0.0;
   const auto n = static_cast<double>(points.x.size());
   for (std::size_t i = 0; i < points.x.size(); ++i) {
@@ -62,7 +63,7 @@ inline Line exit_boundary_of_mass_2() {
 inline std::vector<Event> events_of(const Scene &scene, double until, double from = 0.0) {
   EventRecorder recorder;
   recorder.from = from;
-  simulate(scene, until, {}, recorder);
+  require_complete(simulate(scene, until, {}, recorder));
   return recorder.events;
 }
 
@@ -87,8 +88,7 @@ inline double extreme(const Scene &scene, int mass, double sense, double from, d
   samples.from = from;
   samples.to = to;
   samples.every = every;
-  samples.masses = 2;
-  simulate(scene, to, {}, samples);
+  require_complete(simulate(scene, to, {}, samples));
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < samples.times.size(); ++i)
     most =
@@ -103,7 +103,7 @@ inline double hold_force_peak(const Scene &scene, double until) {
   hold.from = until - 10.0 * period;
   hold.to = until;
   hold.every = 1e-4;
-  simulate(scene, until, {}, hold);
+  require_complete(simulate(scene, until, {}, hold));
   // The ends of a phase are at zero by definition: only points well inside count.
   double peak = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 200; i + 200 < hold.rows.size(); ++i)
@@ -116,10 +116,11 @@ inline double hold_force_peak(const Scene &scene, double until) {
 
 inline std::vector<KeyNumber> key_numbers() {
   using paper::figure2, paper::figure4a, paper::figure4b, paper::figure5a, paper::figure5c;
-  const auto modes = [](int i, int j) {
-    return [i, j] {
-      const auto mode = build_contact_mode<Eigen::Dynamic>(figure2(), Held{0, 0});
-      return i == 0 ? mode.lambda(j - 1) : mode.shape(i - 1, j - 1);
+  // The eigenvalue of a mode (mass 0), or its shape at mass 1 or 2; modes are counted from 1.
+  const auto modes = [](std::size_t mass, std::size_t mode) {
+    return [mass, mode] {
+      const NaturalModes free = natural_modes(figure2(), Held{0, 0});
+      return mass == 0 ? free.lambda.at(mode - 1) : free.shape(mass - 1, mode - 1);
     };
   };
   const auto sticks_of_mass_1 = [](const Scene &scene) {

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "plain_event_driven.hpp"
@@ -71,7 +72,8 @@ inline Motion motion_from(const Scene &scene, const std::vector<int> &held, doub
     motion.shape.row(free[static_cast<std::size_t>(i)]) = shape.row(i);
   for (Eigen::Index j = 0; j < modes; ++j) {
     const double lambda = solver.eigenvalues()(j), alpha = scene.beta * lambda / 2;
-    detail::require(alpha * alpha < lambda, "plain scheme: a mode is not underdamped");
+    if (!(alpha * alpha < lambda))
+      throw std::invalid_argument("plain scheme: a mode is not underdamped");
     const double f = shape.col(j).dot(force), omega = scene.omega;
     const double detuning = lambda - omega * omega, loss = 2 * alpha * omega;
     const double modulus = detuning * detuning + loss * loss;

@@ -1,4 +1,6 @@
 // Stability: every extreme scene against its true events. One row per case.
+#include <fmt/format.h>
+
 #include "driver.hpp"
 #include "extreme_verdict.hpp"
 

@@ -6,6 +6,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "rodas.hpp"
@@ -134,8 +135,8 @@ double damping_ratio(double r) {
 
 Result integrate(const Scene &scene, double until, const Options &options) {
   check(scene);
-  vibro_impact::detail::require(scene.restitution > 0.0,
-                                "restitution = 0: no damper gives it to a stop");
+  if (!(scene.restitution > 0.0))
+    throw std::invalid_argument("restitution = 0: no damper gives it to a stop");
   Result result;
   const std::size_t n = scene.mass.size();
   result.state.assign(2 * n, 0.0);

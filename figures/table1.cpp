@@ -1,6 +1,10 @@
 // Table I: one motion for each pair of events on the two masses.
 #include "table1_scenes.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "driver.hpp"
 
 namespace {
@@ -23,18 +27,18 @@ void draw(const std::filesystem::path &output) {
     const Scene &scene = panel.scene;
     const MotionState start = start_of(scene);
     scenes.row(name, sign(scene.stops[0].side), scene.stops[0].position, sign(scene.stops[1].side),
-               scene.stops[1].position, scene.restitution, scene.omega, start.displacement(0),
-               start.displacement(1), start.velocity(0), start.velocity(1));
+               scene.stops[1].position, scene.restitution, scene.omega, start.displacement[0],
+               start.displacement[1], start.velocity[0], start.velocity[1]);
 
     SampleRecorder samples =
         figures::samples_across({panel.from, panel.to, 0.0, 0.0}, (panel.to - panel.from) / 4000);
     PressedEventRecorder events{scene, panel.from};
-    simulate(scene, panel.to, figures::all_visible_chatter(), samples, events);
+    require_complete(simulate(scene, panel.to, figures::all_visible_chatter(), samples, events));
     write(figures::displacement_table(samples), output / fmt::format("table1_{}.csv", name));
     for (const PairedEvents &pair : event_pairs(events.events)) {
       const MotionState at = figures::state_at(scene, pair.from);
-      pairs.row(abbreviation(pair.kind), name, pair.from, pair.to, at.displacement(0),
-                at.displacement(1), contact_speed(events.events, pair.mass, pair.from),
+      pairs.row(abbreviation(pair.kind), name, pair.from, pair.to, at.displacement[0],
+                at.displacement[1], contact_speed(events.events, pair.mass, pair.from),
                 contact_speed(events.events, pair.other, pair.to));
     }
   }

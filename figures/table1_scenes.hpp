@@ -15,8 +15,6 @@
 #include <vector>
 
 #include "paper_scenes.hpp"
-#include "vibro_impact/event_pairs.hpp"
-#include "vibro_impact/locate.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -36,17 +34,20 @@ inline Scene without_stop(Scene scene, int mass) {
 }
 
 inline MotionState state_at(const Scene &scene, double time) {
-  return simulate(scene, time, {}).state;
+  return require_complete(simulate(scene, time)).state;
 }
 
-// The time in [from, to] at which `mass` (from 1) turns round.
-inline double turning_time(const Scene &scene, int mass, double from, double to) {
-  return zero([&](double t) { return state_at(scene, t).velocity(mass - 1); }, from, to).value;
-}
-
-// The place of `mass` (from 1) at `time`.
+// The place and the velocity of `mass` (from 1) at `time`.
 inline double place_at(const Scene &scene, int mass, double time) {
-  return state_at(scene, time).displacement(mass - 1);
+  return state_at(scene, time).displacement[static_cast<std::size_t>(mass - 1)];
+}
+inline double velocity_at(const Scene &scene, int mass, double time) {
+  return state_at(scene, time).velocity[static_cast<std::size_t>(mass - 1)];
+}
+
+// The time in [from, to] at which `mass` turns round.
+inline double turning_time(const Scene &scene, int mass, double from, double to) {
+  return zero([&](double t) { return velocity_at(scene, mass, t); }, from, to).value;
 }
 
 // The mass at its turning point `place` grazes a stop on `side` put a few roundings before it, at a
@@ -65,14 +66,13 @@ inline PairScene dual_grazing() {
   };
   const auto minimum = [&](double omega) { return turning_time(free(omega), 1, 6.0, 12.0); };
   const double omega =
-      zero([&](double trial) { return state_at(free(trial), minimum(trial)).velocity(1); }, 0.3,
-           0.5)
+      zero([&](double trial) { return velocity_at(free(trial), 2, minimum(trial)); }, 0.3, 0.5)
           .value;
   const double time = minimum(omega);
   const MotionState both = state_at(free(omega), time);
   Scene scene =
-      paper::two_masses({1, Side::lower, grazed_at(both.displacement(0), Side::lower)},
-                        {2, Side::lower, grazed_at(both.displacement(1), Side::lower)}, 0.7, omega);
+      paper::two_masses({1, Side::lower, grazed_at(both.displacement[0], Side::lower)},
+                        {2, Side::lower, grazed_at(both.displacement[1], Side::lower)}, 0.7, omega);
   return {EventPair::dual_grazing, scene, time, 0.0, 14.0};
 }
 
@@ -80,7 +80,7 @@ inline PairScene dual_grazing() {
 inline PairScene dual_sticking() {
   const Scene scene = paper::two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.25}, 0.7, 0.1769);
   PressedEventRecorder recorder{scene};
-  simulate(scene, 40.0, {}, recorder);
+  require_complete(simulate(scene, 40.0, {}, recorder));
   for (const PairedEvents &pair : event_pairs(recorder.events))
     if (pair.kind == EventPair::dual_sticking) return {pair.kind, scene, pair.from, 30.0, 44.0};
   throw std::runtime_error("dual sticking: none before t = 40");
@@ -115,8 +115,8 @@ inline PairScene grazing_impact() {
   const Scene free = without_stop(without_stop(scene, 1), 2);
   const double time = turning_time(free, 1, 1.0, 3.0);
   const MotionState both = state_at(free, time);
-  scene.stops[0].position = grazed_at(both.displacement(0), Side::upper);
-  scene.stops[1].position = both.displacement(1);
+  scene.stops[0].position = grazed_at(both.displacement[0], Side::upper);
+  scene.stops[1].position = both.displacement[1];
   return {EventPair::grazing_impact, scene, time, 0.0, 5.0};
 }
 

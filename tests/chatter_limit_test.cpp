@@ -1,5 +1,9 @@
 // How exact the limit of a complete chatter is, and how many impacts it takes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
 
 #include "event_tables.hpp"
 #include "extreme_scenes.hpp"
@@ -13,7 +17,7 @@ std::vector<Event> events_from(const Scene &scene, const MotionState &start, dou
                                const RunOptions &options) {
   EventRecorder recorder;
   recorder.from = -1.0;
-  simulate_from(scene, start, until, options, recorder);
+  require_complete(simulate_from(scene, start, until, options, recorder));
   return recorder.events;
 }
 
@@ -27,23 +31,23 @@ std::vector<Event> select(const std::vector<Event> &events, EventKind kind) {
 double impacts_per_period(const Scene &scene, int from, int to) {
   const double period = Clock(scene.omega).period;
   const auto impacts = [&](int periods) {
-    return simulate(scene, periods * period, {}).counters.impacts;
+    return simulate(scene, periods * period).counters.impacts;
   };
   return static_cast<double>(impacts(to) - impacts(from)) / (to - from);
 }
 
-// The limits extrapolated from the impacts themselves, in the speed, took 37, 37, 51, 20 and 5.
+// Resolved to rounding, the 36 impacts of the first scene would be 193.
 TEST(ChatterLimit, NeedsFewImpacts) {
-  EXPECT_LE(impacts_per_period(paper::figure2(), 50, 150), 30.0);
-  EXPECT_LE(impacts_per_period(paper::figure4a(), 50, 150), 31.0);
-  EXPECT_LE(impacts_per_period(paper::figure4b(), 50, 150), 41.0);
-  EXPECT_LE(impacts_per_period(paper::figure5a(), 20, 60), 18.0);
-  EXPECT_LE(impacts_per_period(paper::figure5b(), 20, 60), 4.0);
+  EXPECT_LE(impacts_per_period(paper::figure2(), 50, 150), 36.0);
+  EXPECT_LE(impacts_per_period(paper::figure4a(), 50, 150), 36.0);
+  EXPECT_LE(impacts_per_period(paper::figure4b(), 50, 150), 47.0);
+  EXPECT_LE(impacts_per_period(paper::figure5a(), 20, 60), 20.0);
+  EXPECT_LE(impacts_per_period(paper::figure5b(), 20, 60), 5.0);
 }
 
-// Likewise one mass pressed onto its stop: 8, 15, 53 and 534.
+// Likewise one mass pressed onto its stop.
 TEST(ChatterLimit, NeedsFewImpactsWhereRestitutionIsHigh) {
-  for (const auto &[r, impacts] : {std::pair{0.3, 7.0}, {0.7, 12.0}, {0.9, 35.0}, {0.99, 450.0}}) {
+  for (const auto &[r, impacts] : {std::pair{0.3, 8.0}, {0.7, 15.0}, {0.9, 55.0}, {0.99, 600.0}}) {
     Scene scene = paper::figure5c();
     scene.stops.resize(1);
     scene.restitution = r;
@@ -51,13 +55,13 @@ TEST(ChatterLimit, NeedsFewImpactsWhereRestitutionIsHigh) {
   }
 }
 
-// Strongly damped modes are carried as two decays, whose slopes are not free: 700, 725 and 652
-// impacts when the limits were extrapolated from the impacts themselves.
+// Strongly damped modes are carried as two decays, whose slopes are not free. 33, 50 and 43
+// chatters.
 TEST(ChatterLimit, NeedsFewImpactsWhereModesAreStronglyDamped) {
-  for (const auto &[seed, impacts] : {std::pair{30u, 660}, {202u, 685}, {257u, 605}}) {
+  for (const auto &[seed, impacts] : {std::pair{30u, 710}, {202u, 770}, {257u, 690}}) {
     const Scene scene = vibro_impact::testing::random_scene(seed);
     const double until = vibro_impact::testing::run_length(scene, 1e9);
-    EXPECT_LE(simulate(scene, until, {}).counters.impacts, impacts) << seed;
+    EXPECT_LE(simulate(scene, until).counters.impacts, impacts) << seed;
   }
 }
 
@@ -67,16 +71,29 @@ double rounding(double restitution) {
 }
 
 struct Worst {
-  double over_tolerance = 0.0;  // error beyond rounding, in tolerances
+  double over_tolerance = 0.0;  // error of the time beyond rounding, in tolerances
+  double of_state = 0.0;        // likewise of the state after it
   int limits = 0;
 };
 
-// The first stick of runs from states all over the motion, against resolving every impact.
+// Largest difference of displacements and velocities, relative to the motion.
+double difference(const MotionState &a, const MotionState &b, double fastest) {
+  double largest = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < a.velocity.size(); ++i) {
+    largest = std::max({largest, fastest * std::abs(a.displacement[i] - b.displacement[i]),
+                        std::abs(a.velocity[i] - b.velocity[i])});
+    size = std::max({size, fastest * std::abs(b.displacement[i]), std::abs(b.velocity[i])});
+  }
+  return largest / size;
+}
+
+// The first stick of runs from states all over the motion, against resolving every impact down to a
+// speed of 1e-9: those after it only add their rounding.
 Worst worst_first_limit(const Scene &scene, double tolerance) {
   const double period = Clock(scene.omega).period;
   const double fastest = std::sqrt(largest_eigenvalue_bound(scene));
   RunOptions resolved, options;
-  resolved.resolve_chatter = 0.0;
+  resolved.resolve_chatter = 1e-9;
   options.chatter_tolerance = tolerance;
   Worst worst;
   MotionState start = start_of(scene);
@@ -85,9 +102,17 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
     const auto b = select(events_from(scene, start, period, resolved), EventKind::stick);
     EXPECT_EQ(a.empty(), b.empty());
     if (!a.empty() && !b.empty()) {
-      const double error = std::abs(a[0].time - b[0].time) * fastest;
-      worst.over_tolerance =
-          std::max(worst.over_tolerance, (error - rounding(scene.restitution)) / tolerance);
+      const auto beyond_rounding = [&](double error) {
+        return (error - rounding(scene.restitution)) / tolerance;
+      };
+      worst.over_tolerance = std::max(worst.over_tolerance,
+                                      beyond_rounding(fastest * std::abs(a[0].time - b[0].time)));
+      const double after = std::max(a[0].time, b[0].time) + 1e-6 * period;
+      const MotionState limit = simulate_from(scene, start, after, options).state,
+                        impacts = simulate_from(scene, start, after, resolved).state;
+      EXPECT_EQ(limit.held, impacts.held);
+      worst.of_state =
+          std::max(worst.of_state, beyond_rounding(difference(limit, impacts, fastest)));
       ++worst.limits;
     }
     start = simulate_from(scene, start, 0.37 * period, resolved).state;
@@ -95,14 +120,14 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
     for (std::size_t i = 0; i < start.held.size(); ++i)
       if (start.held[i] != 0) {  // let go inside the stop, and moving
         start.held[i] = 0;
-        start.displacement *= 0.9;
-        start.velocity.setConstant(0.05 * k);
+        for (double &x : start.displacement) x *= 0.9;
+        start.velocity.assign(start.velocity.size(), 0.05 * k);
       }
   }
   return worst;
 }
 
-// 4: the estimate is an estimate. Measured: 2.0 at worst.
+// 4: the estimate is an estimate. Measured: 3.2 at worst, 1.5 of the state.
 TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
   std::vector<Scene> scenes{paper::figure2(), paper::figure4a(), paper::figure4b(),
                             paper::figure5a(), paper::figure5b()};
@@ -116,22 +141,43 @@ TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
     scenes.back().restitution = r;
   }
   for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
-    double worst = 0.0;
+    double worst = 0.0, worst_state = 0.0;
     int limits = 0;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       const Worst of_scene = worst_first_limit(scenes[k], tolerance);
       EXPECT_LT(of_scene.over_tolerance, 4.0) << "scene " << k << ", tolerance " << tolerance;
+      EXPECT_LT(of_scene.of_state, 4.0) << "scene " << k << ", tolerance " << tolerance;
       worst = std::max(worst, of_scene.over_tolerance);
+      worst_state = std::max(worst_state, of_scene.of_state);
       limits += of_scene.limits;
     }
     EXPECT_GT(limits, 130);
-    fmt::print("tolerance {:g}: {} limits, worst error {:.2g} tolerances\n", tolerance, limits,
-               worst);
+    fmt::print("tolerance {:g}: {} limits, worst error {:.2g} tolerances, of the state {:.2g}\n",
+               tolerance, limits, worst, worst_state);
   }
 }
 
-// The same against the 50-digit tables: the sticks of the first three periods of the six reference
-// scenes, so that what an early error grows to later stays within the factor of 40.
+// A mass pushed off its stop at v and pulled back by the constant acceleration a is gone for 2 v /
+// a, then for 2 v r / a, and so on: the time of the stick is 2 v / (a (1 - r)).
+TEST(ChatterLimit, InFreeFallIsThatOfTheGeometricSeries) {
+  constexpr double mass = 2.0, force = 1.0, v = 1.5;
+  Scene scene;
+  scene.mass = {mass};
+  scene.stiffness = {0.0};
+  scene.amplitude = {force};
+  scene.omega = 0.0;
+  scene.stops = {{1, Side::upper, 0.0}};
+  scene.velocity = {-v};
+  for (const double r : {1e-6, 1e-3, 0.3, 0.7, 0.9, 0.99}) {
+    scene.restitution = r;
+    const auto sticks = select(events_from(scene, start_of(scene), 1e6, {}), EventKind::stick);
+    ASSERT_EQ(sticks.size(), 1u) << r;
+    EXPECT_NEAR(sticks[0].time / (2.0 * v * mass / force / (1.0 - r)), 1.0, 1e-13) << r;
+  }
+}
+
+// The time of the limit against the 50-digit tables: the sticks of the first three periods of the
+// six reference scenes, so that what an early error grows to later stays within the factor of 40.
 TEST(ChatterLimit, ErrorAgainstTheFiftyDigitTables) {
   struct Table {
     const char *name;
@@ -202,12 +248,12 @@ TEST(ChatterLimit, IsNotTakenBeyondABorderOrbit) {
   }
 }
 
-// Two masses that hit at the same instants until rounding parts them: 186 and 434 impacts when
-// their impacts then counted as alternating.
+// Two masses that hit at the same instants until rounding parts them: 186 and 434 impacts if their
+// impacts then counted as alternating.
 TEST(ChatterLimit, OfTwoMassesInStepSurvivesRounding) {
-  for (const auto &[r, impacts] : {std::pair{0.3, 48}, {0.7, 70}}) {
+  for (const auto &[r, impacts] : {std::pair{0.3, 54}, {0.7, 74}}) {
     const Scene scene = extremes::in_step(0.1, 0.5, 0.28, r, 0.25, 0.0);
-    const Outcome outcome = simulate(scene, 60.0, {});
+    const Outcome outcome = simulate(scene, 60.0);
     EXPECT_LE(outcome.counters.impacts, impacts) << r;
     RunOptions resolved;
     resolved.resolve_chatter = 0.0;
@@ -224,7 +270,7 @@ TEST(ChatterLimit, OfTwoMassesInStepSurvivesRounding) {
 TEST(ChatterLimit, EndsWithinRoundingWhateverElseIsAboutToHappen) {
   const Scene scene = vibro_impact::testing::extreme_scene(266);
   EventRecorder recorder;
-  simulate(scene, vibro_impact::testing::run_length(scene, 3000.0), {}, recorder);
+  require_complete(simulate(scene, vibro_impact::testing::run_length(scene, 3000.0), {}, recorder));
   EXPECT_LT(recorder.events.size(), 60u);
   for (const Event &event : recorder.events)
     if (event.kind == EventKind::impact && event.mass == 1) {

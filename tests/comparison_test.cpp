@@ -2,7 +2,10 @@
 // the plain event-driven scheme are right, and where they fail.
 #include "comparison.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "event_tables.hpp"
 
@@ -31,7 +34,7 @@ TEST(PlainScheme, AgreesWithTheLibraryAndTheTableBeforeTheFirstChatterIsSlow) {
   // impacts down to a speed of 0.025 leave 1e-12; 1e-9 is what a user of the scheme may expect.
   constexpr std::size_t impacts = 10;
   EventRecorder library;
-  simulate(scene, period, {}, library);
+  require_complete(simulate(scene, period, {}, library));
   const auto table = fifty_digit_table();
   const auto plain = plain::run(scene, 12.3, {}).events;
   ASSERT_EQ(plain.size(), impacts);
@@ -87,10 +90,10 @@ TEST(PlainScheme, WithoutAThresholdMakesSpuriousImpactsThatTheTableDoesNotHave) 
       table.begin(), table.end(),
       [](const figures::TrueEvent &row) { return row.time < period && row.event == "impact"; });
   EXPECT_LT(of_first_period, 100);
-  EventRecorder library;
+  // Seven impacts of mass 2, and those of mass 1 from 0.3 down to 1e-16, by a factor of 0.7 each.
   RunOptions options;
   options.resolve_chatter = 0.0;
-  EXPECT_LT(simulate(scene, period, options, library).counters.impacts, 100);
+  EXPECT_LT(simulate(scene, period, options).counters.impacts, 110);
   const double release = 13.7832653224407;  // computed: the first release of mass 1
   constexpr long long cap = 20'000;
   const plain::Result plain = plain::run(scene, period, {.max_impacts = cap});
@@ -122,7 +125,7 @@ TEST(PlainScheme, ALargeThresholdInventsDualStickingInFigure5c) {
   // Both masses cannot stick there: the force on mass 2 is zero exactly when mass 1 sticks.
   const Scene close = paper::figure5c();
   EventRecorder library;
-  simulate(close, 1000.0, {}, library);
+  require_complete(simulate(close, 1000.0, {}, library));
   for (const Event &event : library.events) EXPECT_NE(contact_mode_name(event.held), "1+2");
   const auto stuck_together = [&close](double threshold) {
     bool held[2] = {false, false}, together = false;
@@ -200,7 +203,7 @@ TEST(StiffSpring, ALooseToleranceLimitsTheError) {
 }
 
 TEST(StiffSpring, CostsMoreTheMoreAccurateItIsAndTheLibraryDoesNot) {
-  const Counters library = simulate(scene, period, {}).counters;
+  const Counters library = simulate(scene, period).counters;
   EXPECT_LT(library.expansions, 100);
   EXPECT_LT(library.coefficients, 1500);
   const auto cost = [](double kappa, Stepper stepper, double tolerance) {

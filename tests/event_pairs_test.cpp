@@ -1,12 +1,12 @@
 // Table I: the classifier of pairs of events, the six scenes, the condition for dual sticking.
-#include "vibro_impact/event_pairs.hpp"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "table1_scenes.hpp"
 #include "table_reader.hpp"
+#include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
@@ -16,7 +16,7 @@ using namespace vibro_impact::figures;
 std::vector<PairedEvents> pairs_of(const Scene &scene, double until, double from = 0.0,
                                    const PairTolerances &tolerances = {}) {
   PressedEventRecorder recorder{scene, from};
-  simulate(scene, until, {}, recorder);
+  require_complete(simulate(scene, until, {}, recorder));
   return event_pairs(recorder.events, tolerances);
 }
 
@@ -174,7 +174,7 @@ TEST(DualSticking, ConditionTellsWhetherMassesAtRestStay) {
       found = std::max(found, std::min(press1, press2));
       EventRecorder events;
       const double t = time_of(start.instant, Clock(scene.omega));
-      simulate_from(scene, start, t + 1e-9, {}, events);
+      require_complete(simulate_from(scene, start, t + 1e-9, {}, events));
       const bool both =
           std::count_if(events.events.begin(), events.events.end(),
                         [](const Event &event) { return event.kind == EventKind::stick; }) == 2 &&

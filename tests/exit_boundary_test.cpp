@@ -56,7 +56,7 @@ TEST(ExitBoundary, OfMassTwoIsTheLineOfEquation23) {
     for (double omega : {0.25, 0.28, 0.31, 0.34, 0.36, 0.41, 0.45}) {
       Scene scene = paper::figure3(omega);
       scene.amplitude[0] = amplitude;
-      simulate(scene, 20.0 * Clock(omega).period, {}, releases);
+      require_complete(simulate(scene, 20.0 * Clock(omega).period, {}, releases));
     }
   ASSERT_GT(releases.others.size(), 100u);
   const auto [left, right] = std::minmax_element(releases.others.begin(), releases.others.end());
@@ -70,7 +70,7 @@ TEST(ExitBoundary, OfMassTwoIsTheLineOfEquation23) {
 TEST(ExitBoundary, OfMassOneMovesWithTheForcing) {
   ReleaseRecorder releases{1};
   const Scene scene = paper::figure2();
-  simulate(scene, 750.0, {}, releases);
+  require_complete(simulate(scene, 750.0, {}, releases));
   ASSERT_GT(releases.others.size(), 30u);
   for (std::size_t i = 0; i < releases.others.size(); ++i) {
     const auto &[x2, v2] = releases.others[i];

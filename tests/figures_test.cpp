@@ -176,7 +176,7 @@ HeldPeriod held_period(const Scene &scene) {
   held.force.to = held.start + period;
   held.force.every = 0.001;
   EventRecorder events{held.start};
-  simulate(scene, held.force.to, {}, held.force, events);
+  require_complete(simulate(scene, held.force.to, {}, held.force, events));
   held.events = events.events;
   return held;
 }

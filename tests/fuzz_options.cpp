@@ -1,16 +1,19 @@
 // One entry point for whatever a user or a file may hand to the project: the command line of the
-// runner and the readers of the CSV tables. libFuzzer drives it (`make fuzz`); fuzz_inputs_test.cpp
-// replays fixed inputs through it.
+// runner, its state files and the readers of the CSV tables. libFuzzer drives it (`make fuzz`);
+// fuzz_inputs_test.cpp replays fixed inputs through it.
 //
-// The first byte chooses what the rest is: 'e' an event table, 'k' a table of key numbers, else a
-// command line, one argument per line. What is wrong with an input may only be said by a
-// std::runtime_error or a std::invalid_argument with a message; a command line that is accepted
-// must pass `check` and run to its end or to the limit of impacts.
+// The first byte chooses what the rest is: 'e' an event table, 'k' a table of key numbers, 's' a
+// state file but for its last line, the checksum, which no fuzzer would guess; else a command line,
+// one argument per line. What is wrong with an input may only be said by a std::runtime_error or a
+// std::invalid_argument with a message; a command line that is accepted must pass `check`, and it
+// and a state must run to their end or to the limit of impacts.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -18,6 +21,7 @@
 
 #include "event_tables.hpp"
 #include "options.hpp"
+#include "state_file.hpp"
 #include "table_reader.hpp"
 
 namespace {
@@ -29,22 +33,22 @@ using namespace vibro_impact;
   std::abort();
 }
 
-// A run of bounded work: short against the fastest rate of the scene, few impacts.
-void run_shortly(const runner::Request &request) {
-  const Scene &scene = request.scene;
-  if (scene.masses() > 12) return;  // the modes of a long chain take cubic work
+// Time of a run of bounded work, short against the fastest rate of the scene; 0 for none.
+double short_time(const Scene &scene) {
+  if (scene.masses() > 12) return 0.0;  // the modes of a long chain take cubic work
   const double squared = largest_eigenvalue_bound(scene);
-  const double rate = std::max({scene.omega, std::sqrt(squared), scene.beta * squared});
-  RunOptions options = request.options;
+  return 200.0 / std::max({scene.omega, std::sqrt(squared), scene.beta * squared});
+}
+
+RunOptions with_few_impacts(RunOptions options) {
   options.max_impacts_per_period = std::min(options.max_impacts_per_period, 200LL);
-  EventRecorder events;
-  const double until = scene.stops.empty() ? request.until : std::min(request.until, 200.0 / rate);
-  if (!(until > 0.0)) return;  // rates beyond the range of double precision
-  try {
-    const Outcome outcome = simulate(scene, until, options, events);
-    if (outcome.time < 0.0) fail("time runs backwards");
-  } catch (const std::runtime_error &) {  // the limit of impacts
-  }
+  return options;
+}
+
+void require_order(const Outcome &outcome, const EventRecorder &events) {
+  if (outcome.time < 0.0) fail("time runs backwards");
+  if (outcome.ending == Ending::given_up && outcome.reason.empty())
+    fail("given up without a reason");
   for (std::size_t i = 1; i < events.events.size(); ++i)
     if (events.events[i].time < events.events[i - 1].time) fail("events out of order");
 }
@@ -58,12 +62,35 @@ void take_command_line(const std::string &text) {
   arguments.push_back(nullptr);
   runner::Request request;
   if (runner::parse(static_cast<int>(words.size()), arguments.data(), request)) return;
+  if (!request.resume.empty()) return;  // the scene would come from a file
+  const Scene &scene = request.scene;
   try {
-    check(request.scene);
+    check(scene);
   } catch (const std::invalid_argument &error) {
     fail(std::string("accepted, then refused: ") + error.what());
   }
-  run_shortly(request);
+  const double brief = short_time(scene);
+  if (!(brief > 0.0)) return;  // rates beyond the range of double precision
+  const double until = scene.stops.empty() ? request.until : std::min(request.until, brief);
+  EventRecorder events;
+  require_order(simulate(scene, until, with_few_impacts(request.options), events), events);
+}
+
+// A state that is read must be written as it stood, and gone on with or refused.
+void take_state(const std::string &text) {
+  const std::string whole = text + runner::checksum_line(text);
+  std::istringstream file(whole);
+  const runner::SavedRun saved = runner::read_saved_run(file, "state");
+  const auto written = runner::text_of(saved);
+  if (!written) fail("a state that was read cannot be written");
+  std::istringstream again(*written);
+  if (runner::text_of(runner::read_saved_run(again, "state")) != written)
+    fail("a state changes on its way through a file");
+  const double brief = short_time(saved.scene);
+  if (!(brief > 0.0 && brief < 1e300)) return;
+  const double until = time_of(saved.state.instant, Clock(saved.scene.omega)) + brief;
+  EventRecorder events;
+  require_order(resume(saved.scene, saved.state, until, with_few_impacts({}), events), events);
 }
 
 }  // namespace
@@ -77,6 +104,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
       figures::read_event_table(table, "events");
     else if (data[0] == 'k')
       figures::read_references(table, "key numbers");
+    else if (data[0] == 's')
+      take_state(text);
     else
       take_command_line(text);
   } catch (const std::runtime_error &error) {

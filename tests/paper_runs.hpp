@@ -26,7 +26,7 @@ inline std::vector<Event> events_of(
   RunOptions options;
   options.resolve_chatter = resolve_chatter;
   EventRecorder recorder{from};
-  simulate(scene, until, options, recorder);
+  require_complete(simulate(scene, until, options, recorder));
   return recorder.events;
 }
 
@@ -45,8 +45,7 @@ inline SampleRecorder sampled(const Scene &scene, const paper::AxisBox &box) {
   samples.from = box.from;
   samples.to = box.to;
   samples.every = sampling_step;
-  samples.masses = 2;
-  simulate(scene, box.to, {}, samples);
+  require_complete(simulate(scene, box.to, {}, samples));
   return samples;
 }
 

@@ -90,17 +90,62 @@ inline Scene extreme_scene(unsigned seed) {
   return scene;
 }
 
+// Equal masses on equal links where as much as can be is equal or zero, so that events tie and
+// forces vanish: stops at one position, which may be where the masses start, the same forcing on
+// all or some of them, starts at rest; sometimes a free chain, a constant force, stops of their own
+// restitution.
+inline Scene degenerate_scene(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = 1 + static_cast<int>(draw.below(10));
+  const double restitutions[] = {0.0, 0.3, 0.7, 1.0}, links[] = {0.25, 1.0, 3.0};
+  const double omegas[] = {0.0, 0.3, 0.7, 1.0};
+  const double link = links[draw.below(3)], at = draw.one_in(2) ? 0.0 : 0.1;
+  const double amplitude = draw.one_in(2) ? 0.5 : -0.5;
+  const unsigned forced = draw.below(4), sides = draw.below(4), stopped = draw.below(3),
+                 start = draw.below(4);
+  const bool own = draw.one_in(4);
+  scene.beta = draw.one_in(2) ? 0.0 : 0.5;
+  scene.omega = omegas[draw.below(4)];
+  scene.restitution = restitutions[draw.below(4)];
+  const auto add_stop = [&](int mass, Side side, double position) {
+    Stop stop{mass, side, position};
+    if (own && draw.one_in(2)) stop.restitution = restitutions[draw.below(4)];
+    scene.stops.push_back(stop);
+  };
+  for (int i = 1; i <= masses; ++i) {
+    scene.mass.push_back(1.0);
+    scene.stiffness.push_back(link);
+    const bool takes_force =
+        forced == 0 || (forced == 1 && draw.one_in(2)) || (forced == 2 && i == 1);  // 3: none
+    scene.amplitude.push_back(takes_force ? amplitude : 0.0);
+    const double upper = at, lower = sides == 3 ? at - 0.2 : at;
+    if (stopped == 0 || draw.one_in(2)) {  // on all masses, or some
+      if (sides != 1) add_stop(i, Side::upper, upper);
+      if (sides == 1 || sides == 3) add_stop(i, Side::lower, lower);
+    }
+    // Off the stops, at rest; on them at rest, or all with one velocity, or some with it.
+    scene.displacement.push_back(start != 0 ? at : sides == 1 ? at + 0.1 : at - 0.1);
+    scene.velocity.push_back(start == 2 || (start == 3 && draw.one_in(2)) ? 0.2 : 0.0);
+  }
+  if (draw.one_in(5)) scene.stiffness[0] = 0.0;
+  return scene;
+}
+
 // The rate of the fastest mode is at most this (Gershgorin).
 inline double frequency_bound(const Scene &scene) {
   return std::sqrt(largest_eigenvalue_bound(scene));
 }
 
-// Eight forcing periods, or as long as the fastest mode takes for `radians`.
+// Eight forcing periods, or as long as the fastest mode takes for `radians`; one free mass under a
+// constant force knows no time, and gets that many of ours.
 inline double run_length(const Scene &scene, double radians) {
-  return std::min(8.0 * 2.0 * std::acos(-1.0) / scene.omega, radians / frequency_bound(scene));
+  const double length =
+      std::min(8.0 * 2.0 * std::acos(-1.0) / scene.omega, radians / frequency_bound(scene));
+  return std::isfinite(length) ? length : radians;
 }
 
-// Mirror image: x -> -x.
+// Mirror image: x -> -x; of an event likewise.
 inline Scene mirrored(Scene scene) {
   for (auto *values : {&scene.amplitude, &scene.displacement, &scene.velocity})
     for (double &value : *values) value = -value;
@@ -109,6 +154,14 @@ inline Scene mirrored(Scene scene) {
     stop.position = -stop.position;
   }
   return scene;
+}
+
+inline Event mirrored(Event event) {
+  event.side = event.side == Side::upper ? Side::lower : Side::upper;
+  event.velocity_before = -event.velocity_before;
+  event.velocity_after = -event.velocity_after;
+  for (signed char &held : event.held) held = static_cast<signed char>(-held);
+  return event;
 }
 
 // The scene in other units: lengths times `length`, masses times `mass` (times unchanged). With
@@ -124,6 +177,21 @@ inline Scene rescaled(Scene scene, double length, double mass) {
   return scene;
 }
 
+inline Event rescaled(Event event, double length) {
+  event.velocity_before *= length;
+  event.velocity_after *= length;
+  return event;
+}
+
+// The same to the last bit.
+inline bool same(const Event &a, const Event &b) {
+  return a.kind == b.kind && a.stop == b.stop && a.mass == b.mass && a.side == b.side &&
+         a.instant.cycle == b.instant.cycle && a.instant.phase == b.instant.phase &&
+         a.time == b.time && a.velocity_before == b.velocity_before &&
+         a.velocity_after == b.velocity_after && a.falling == b.falling &&
+         a.by_a_jump == b.by_a_jump && a.held == b.held;
+}
+
 // The scene as a command line of the runner.
 inline std::string command_of(const Scene &scene, double until) {
   std::string text = fmt::format(
@@ -132,9 +200,10 @@ inline std::string command_of(const Scene &scene, double until) {
       scene.masses(), fmt::join(scene.mass, ","), fmt::join(scene.stiffness, ","), scene.beta,
       fmt::join(scene.amplitude, ","), scene.omega, scene.restitution,
       fmt::join(scene.displacement, ","), fmt::join(scene.velocity, ","), until);
-  for (const Stop &stop : scene.stops)
-    text += fmt::format(" --stop {}:{}:{}", stop.mass, stop.side == Side::upper ? "upper" : "lower",
-                        stop.position);
+  for (const Stop &stop : scene.stops) {
+    text += fmt::format(" --stop {}:{}:{}", stop.mass, name(stop.side), stop.position);
+    if (stop.restitution) text += fmt::format(":{}", *stop.restitution);
+  }
   return text + (scene.stops.empty() ? " --stop none" : "");
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -19,6 +22,7 @@ namespace fs = std::filesystem;
 struct Result {
   int status;
   std::string out, err;
+  long peak_memory;  // KiB
 };
 
 inline std::string contents(const fs::path &path) {
@@ -41,6 +45,28 @@ inline std::vector<std::string> lines(const std::string &text) {
   return found;
 }
 
+// The rows of a table without its header line.
+inline std::string below_header(const std::string &table) {
+  return table.substr(std::min(table.find('\n') + 1, table.size()));
+}
+
+// The first line in which two texts differ; nothing when they are the same.
+inline std::string first_difference(const std::string &one, const std::string &two) {
+  if (one == two) return "";
+  const auto first = lines(one), second = lines(two);
+  std::size_t line = 0;
+  while (line < first.size() && line < second.size() && first[line] == second[line]) ++line;
+  const auto shown = [line](const std::vector<std::string> &of) {
+    return line < of.size() ? of[line] : std::string("(the end)");
+  };
+  return "line " + std::to_string(line + 1) + ": " + shown(first) + " | " + shown(second);
+}
+
+// True for one line that the program has written as its error message.
+inline bool is_one_message(const std::string &text) {
+  return text.rfind("vibro-impact: ", 0) == 0 && text.find('\n') == text.size() - 1;
+}
+
 // A folder of its own for every test, in which the program runs.
 struct Runner : ::testing::Test {
   fs::path folder;
@@ -53,15 +79,33 @@ struct Runner : ::testing::Test {
   void TearDown() override {
     fs::remove_all(folder);
   }
-  Result run(const std::string &arguments) const {
+  // `before`: what the shell does first.
+  Result run(const std::string &arguments, const std::string &before = "true") const {
     const fs::path out = folder / "out.txt", err = folder / "err.txt";
-    const std::string command = "cd " + folder.string() + " && " VIBRO_IMPACT_PROGRAM " " +
-                                arguments + " >" + out.string() + " 2>" + err.string();
-    const int status = std::system(command.c_str());
-    Result result{WEXITSTATUS(status), contents(out), contents(err)};
+    const std::string command = "cd " + folder.string() + " && " + before +
+                                " && { " VIBRO_IMPACT_PROGRAM " " + arguments + "; } >" +
+                                out.string() + " 2>" + err.string();
+    const pid_t shell = fork();
+    if (shell == 0) {
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      _exit(127);
+    }
+    int status = 0;
+    rusage used = {};
+    EXPECT_EQ(wait4(shell, &status, 0, &used), shell);
+    Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err),
+                  used.ru_maxrss};
     fs::remove(out);
     fs::remove(err);
     return result;
+  }
+  // The names of the files left, in order.
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto &entry : fs::directory_iterator(folder))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
   }
 };
 

@@ -60,7 +60,6 @@ TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   samples.from = 20.0;
   samples.to = 60.0;
   samples.every = 0.25;
-  samples.masses = 2;
   simulate(scene, 60.0, RunOptions{}, events, samples);
 
   const Result result =
@@ -155,6 +154,47 @@ TEST_F(Runner, RunsWithoutStopsAndWithAnyNumberOfMasses) {
   EXPECT_EQ(lines(on_the_first).front(), "time,x1,x2,x3");
   EXPECT_EQ(run(forced + "--amplitude 0.5,0,0").out, on_the_first);
   EXPECT_EQ(run("run --masses 1 --stop none --until 5").status, 0);
+  EXPECT_EQ(lines(run("run --amplitude 0 --until 50 --events -").out).size(), 1u) << "at rest";
+}
+
+// A rigid, perfectly plastic stop on mass 1 beside an elastic one on mass 2.
+TEST_F(Runner, AStopMayHaveARestitutionOfItsOwn) {
+  const std::string stops = "--stop 1:lower:-0.3:0 --stop 2:upper:0.1:1 ";
+  const Result own = run("run --until 100 --events - --restitution 0.3 " + stops);
+  ASSERT_EQ(own.status, 0) << own.err;
+  int impacts[2] = {0, 0};
+  for (const std::string &line : lines(below_header(own.out))) {
+    const auto row = cells(line);
+    if (row[2] != "impact") continue;
+    const bool first = row[1] == "1";
+    ++impacts[first ? 0 : 1];
+    const double before = std::stod(row[3]), after = std::stod(row[4]);
+    EXPECT_NEAR(after, first ? 0.0 : -before, 1e-14 * std::abs(before)) << line;
+  }
+  EXPECT_GT(impacts[0], 0);
+  EXPECT_GT(impacts[1], 0);
+  EXPECT_EQ(own.out, run("run --until 100 --events - " + stops).out)
+      << "the restitution of the scene is that of no stop";
+  EXPECT_EQ(run("run --until 100 --events - --stop 1:lower:-0.3:0.7 --stop 2:upper:0.1").out,
+            run("run --until 100 --events -").out);
+}
+
+// k_1 = 0: nothing ties the chain to the ground. Two equal masses that start alike move as one.
+TEST_F(Runner, TheFirstLinkMayBeAbsent) {
+  const Result drift =
+      run("run --stiffness 0,1 --damping 0,0.1 --amplitude 0 --initial-velocity 0.25 --stop none "
+          "--until 8 --every 4 --samples -");
+  ASSERT_EQ(drift.status, 0) << drift.err;
+  const auto rows = lines(drift.out);
+  ASSERT_EQ(rows.size(), 4u);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto row = cells(rows[i]);
+    EXPECT_NEAR(std::stod(row[1]), 0.25 * std::stod(row[0]), 1e-14) << rows[i];
+    EXPECT_NEAR(std::stod(row[2]), 0.25 * std::stod(row[0]), 1e-14) << rows[i];
+  }
+  EXPECT_EQ(run("run --stiffness 0,1 --damping 0,0.1 --until 20 --events -").out,
+            run("run --stiffness 0,1 --beta 0.1 --until 20 --events -").out);
+  EXPECT_EQ(run("run --masses 1 --stiffness 0 --damping 0 --stop none --until 5").status, 0);
 }
 
 TEST_F(Runner, HelpAndVersionExplainThemselves) {
@@ -167,7 +207,8 @@ TEST_F(Runner, HelpAndVersionExplainThemselves) {
   }
   const std::string options = run("run --help").out;
   for (const char *word : {"Usage: vibro-impact run", "--masses", "--stop", "--beta",
-                           "--resolve-chatter", "--initial-velocity", "--max-impacts"})
+                           "--resolve-chatter", "--initial-velocity", "--max-impacts",
+                           "--save-state", "--resume", "mass:side:position:restitution"})
     EXPECT_NE(options.find(word), std::string::npos) << word;
   EXPECT_EQ(run("--version").out, "vibro-impact 0.1.0\n");
 }

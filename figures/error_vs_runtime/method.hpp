@@ -5,8 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "vibro_impact/record.hpp"
 #include "vibro_impact/scene.hpp"
+
+// Of record.hpp, which is C++20; two of the methods compile as C++17 only.
+namespace vibro_impact {
+enum class EventKind;
+}
 
 namespace vibro_impact::comparison {
 
@@ -21,8 +25,8 @@ struct TwoMassState {
 // left out by a method.
 struct Happened {
   double time = 0.0;
-  int mass = 1;  // from 1
-  EventKind kind = EventKind::impact;
+  int mass = 1;         // from 1
+  EventKind kind = {};  // an impact
   double velocity_before = 0.0;
 };
 

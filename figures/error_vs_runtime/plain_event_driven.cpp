@@ -2,14 +2,18 @@
 // have closed and hold forces that have turned, bisection between two samples, sticking below a
 // speed threshold. What is swept is the threshold; the sampling is fine enough not to matter.
 //
-// The closed form is the library's (flow.hpp), so that only the scheme differs. Gaps are read off
-// it as s - x, where nothing smaller than the rounding of x can be seen: with a threshold near 1e-8
-// or below a chatter is lost in it.
+// The natural modes are the library's, found once per contact mode. Gaps are read off the closed
+// form as s - x, where nothing smaller than the rounding of x can be seen: with a threshold near
+// 1e-8 or below a chatter is lost in it.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <stdexcept>
+#include <vector>
 
 #include "two_masses.hpp"
-#include "vibro_impact/vibro_impact.hpp"
+#include "vibro_impact/hold_force.hpp"
 
 namespace vibro_impact::comparison {
 
@@ -20,65 +24,134 @@ namespace {
 constexpr double longest_sample = 0.04;
 constexpr double samples_per_flight = 8.0;
 
-// Displacement, velocity and the guards of both masses at one time, read off the closed form.
+// The closed form of one contact mode (Eqs. 7, 21 and 24): underdamped modes about the place of
+// rest and the steady response to the forcing.
+struct ClosedForm {
+  struct Mode {
+    std::array<double, 2> shape;
+    double decay, frequency;
+  };
+  std::array<double, 2> rest = {}, in_phase = {}, quadrature = {};  // of the masses
+  std::vector<Mode> modes = {};
+};
+
+// Throws std::invalid_argument for a mode that is not underdamped.
+ClosedForm closed_form(const Scene &scene, const std::array<bool, 2> &held) {
+  ClosedForm form;
+  Held sides(2, 0);
+  std::array<double, 2> pull{};  // of a held neighbour on a free mass
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!held[i]) continue;
+    form.rest[i] = scene.stops[i].position;
+    sides[i] = static_cast<signed char>(scene.stops[i].side);
+    pull[1 - i] = scene.stiffness[1] * form.rest[i];
+  }
+  const NaturalModes natural = natural_modes(scene, sides);
+  for (std::size_t j = 0; j < natural.lambda.size(); ++j) {
+    const double lambda = natural.lambda[j], decay = scene.beta * lambda / 2;
+    if (!(decay * decay < lambda))
+      throw std::invalid_argument("plain event-driven: a mode is not underdamped");
+    const ClosedForm::Mode mode{
+        {natural.shape(0, j), natural.shape(1, j)}, decay, std::sqrt(lambda - decay * decay)};
+    double force = 0.0, constant = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!scene.amplitude.empty()) force += mode.shape[i] * scene.amplitude[i];
+      constant += mode.shape[i] * pull[i];
+    }
+    const double detuning = lambda - scene.omega * scene.omega, loss = 2 * decay * scene.omega;
+    const double squared = detuning * detuning + loss * loss;
+    for (std::size_t i = 0; i < 2; ++i) {
+      form.rest[i] += mode.shape[i] * constant / lambda;
+      form.in_phase[i] += mode.shape[i] * force * detuning / squared;
+      form.quadrature[i] += mode.shape[i] * force * loss / squared;
+    }
+    form.modes.push_back(mode);
+  }
+  return form;
+}
+
+// Gaps and gap speeds at one time, read off the closed form.
 struct Sample {
-  std::array<double, 2> x, v;
+  Vec y;
   std::array<bool, 2> due;  // the gap has closed or the hold force turned
 };
 
-using Lanes = Eigen::Array<double, 4, 1>;
-
 // The free motion from one event to the next.
 struct Stretch {
-  const Scene &scene;
   const TwoMasses &chain;
-  State<4> from;
+  const ClosedForm &form;
+  std::array<bool, 2> held;
+  std::array<double, 2> a = {}, b = {};  // per mode: of the cosine and the sine
+  double cosine, sine;                   // of the forcing at the start
   long long *evaluations;
+
+  Stretch(const Scene &scene, const TwoMasses &chain_of_it, const ClosedForm &form_of_it,
+          const GapState &now, long long *evaluations_of_it)
+      : chain(chain_of_it),
+        form(form_of_it),
+        held(now.held),
+        cosine(std::cos(chain.omega * now.time)),
+        sine(std::sin(chain.omega * now.time)),
+        evaluations(evaluations_of_it) {
+    const TwoMassState state = physical_state(chain, now);
+    for (std::size_t j = 0; j < form.modes.size(); ++j) {
+      const auto &[shape, decay, frequency] = form.modes[j];
+      double rate = 0.0;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double steady = form.in_phase[i] * cosine + form.quadrature[i] * sine;
+        const double steady_rate =
+            chain.omega * (form.quadrature[i] * cosine - form.in_phase[i] * sine);
+        a[j] += shape[i] * scene.mass[i] * (state.displacement[i] - form.rest[i] - steady);
+        rate += shape[i] * scene.mass[i] * (state.velocity[i] - steady_rate);
+      }
+      b[j] = (rate + decay * a[j]) / frequency;
+    }
+  }
 
   Sample at(double tau) const {
     ++*evaluations;
-    const ContactMode<4> &mode = *from.mode;
-    Lanes value, slope;
-    flow(mode, scene, from.value, from.slope, tau, value, slope);
+    const double c = std::cos(chain.omega * tau), s = std::sin(chain.omega * tau);
+    const double cos_now = cosine * c - sine * s, sin_now = sine * c + cosine * s;
+    std::array<double, 2> x{}, v{};
+    for (std::size_t j = 0; j < form.modes.size(); ++j) {
+      const auto &[shape, decay, frequency] = form.modes[j];
+      const double e = std::exp(-decay * tau);
+      const double cj = e * std::cos(frequency * tau), sj = e * std::sin(frequency * tau);
+      const double q = a[j] * cj + b[j] * sj;
+      const double rate =
+          (frequency * b[j] - decay * a[j]) * cj - (frequency * a[j] + decay * b[j]) * sj;
+      for (std::size_t i = 0; i < 2; ++i) {
+        x[i] += shape[i] * q;
+        v[i] += shape[i] * rate;
+      }
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      x[i] += form.rest[i] + form.in_phase[i] * cos_now + form.quadrature[i] * sin_now;
+      v[i] += chain.omega * (form.quadrature[i] * cos_now - form.in_phase[i] * sin_now);
+    }
     Sample sample{};
     for (std::size_t i = 0; i < 2; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      sample.x[i] = mode.equilibrium(row) + mode.shape.row(row).dot(value.matrix());
-      sample.v[i] = mode.shape.row(row).dot(slope.matrix());
-      sample.due[i] = mode.held[i] == 0 && chain.side[i] * (chain.stop[i] - sample.x[i]) <= 0.0 &&
-                      chain.side[i] * sample.v[i] > 0.0;
+      if (held[i]) continue;
+      sample.y[2 * i] = chain.side[i] * (chain.stop[i] - x[i]);
+      sample.y[2 * i + 1] = -chain.side[i] * v[i];
+      sample.due[i] = sample.y[2 * i] <= 0.0 && sample.y[2 * i + 1] < 0.0;
     }
-    for (const ClosedStop<4> &closed : mode.closed)
-      sample.due[closed.mass] = closed.press(value, slope) <= 0.0;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (held[i]) sample.due[i] = -chain.acceleration(i, sample.y, cos_now) <= 0.0;
     return sample;
   }
 };
 
-State<4> lanes_of(const Scene &scene, const TwoMasses &chain, const GapState &now, Modes<4> &modes,
-                  Counters &counters) {
-  const TwoMassState physical = physical_state(chain, now);
-  MotionState motion{instant_at(now.time, Clock(scene.omega)), Eigen::VectorXd(2),
-                     Eigen::VectorXd(2), Held(2, 0)};
-  for (std::size_t i = 0; i < 2; ++i) {
-    motion.displacement(static_cast<Eigen::Index>(i)) = physical.displacement[i];
-    motion.velocity(static_cast<Eigen::Index>(i)) = physical.velocity[i];
-    if (now.held[i]) motion.held[i] = static_cast<signed char>(scene.stops[i].side);
-  }
-  State<4> state;
-  state.now = motion.instant;
-  set_lanes(state, scene, modes.enter(scene, motion.held, counters), motion);
-  return state;
-}
-
-Result plain(const Problem &problem, double threshold) {
+Result plain_scheme(const Problem &problem, double threshold) {
   const TwoMasses chain = two_masses(problem.scene);
   GapState now = gap_state(chain, problem.start);
-  Modes<4> modes;
-  Counters counters;
+  std::map<std::array<bool, 2>, ClosedForm> forms;
   Result result;
   while (result.failure.empty()) {
-    const Stretch stretch{problem.scene, chain,
-                          lanes_of(problem.scene, chain, now, modes, counters), &result.work};
+    auto form = forms.find(now.held);
+    if (form == forms.end())
+      form = forms.emplace(now.held, closed_form(problem.scene, now.held)).first;
+    const Stretch stretch(problem.scene, chain, form->second, now, &result.work);
     const double horizon = problem.until - now.time;
     double before = 0.0, after = 0.0;
     double step = std::min(longest_sample, flight_ahead(chain, now) / samples_per_flight);
@@ -104,11 +177,7 @@ Result plain(const Problem &problem, double threshold) {
       who = sample.due[0] ? 0 : 1;
     }
     now.time = who == 2 ? problem.until : now.time + after;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (now.held[i]) continue;
-      now.y[2 * i] = chain.side[i] * (chain.stop[i] - sample.x[i]);
-      now.y[2 * i + 1] = -chain.side[i] * sample.v[i];
-    }
+    now.y = sample.y;
     if (who == 2) break;
     happen(chain, now, who, threshold, result);
   }
@@ -123,7 +192,7 @@ std::vector<Method> plain_event_driven() {
            "speed threshold",
            "closed-form evaluations",
            {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9},
-           plain}};
+           plain_scheme}};
 }
 
 }  // namespace vibro_impact::comparison

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "method.hpp"
+#include "vibro_impact/record.hpp"
 
 namespace vibro_impact::comparison {
 

@@ -45,7 +45,7 @@ Result integrate(const Problem &problem, double tolerance) {
         const int mass = static_cast<int>(i) + 1;
         const bool now_held = simulation->indexSet(2)->is_vertex(model.contact[i]);
         if (!held[i] && after.velocity[i] != before.velocity[i]) {
-          result.events.push_back({time, mass, EventKind::impact, before.velocity[i]});
+          result.events.push_back(impact_at(time, mass, before.velocity[i]));
           if (++result.impacts > impacts_at_most) {
             result.failure =
                 fmt::format("more than {} impacts up to t = {:.6f}", impacts_at_most, time);
@@ -53,7 +53,7 @@ Result integrate(const Problem &problem, double tolerance) {
           }
         }
         if (now_held != held[i])
-          result.events.push_back({time, mass, now_held ? EventKind::stick : EventKind::release});
+          result.events.push_back(now_held ? stick_at(time, mass) : release_at(time, mass));
         held[i] = now_held;
       }
     }

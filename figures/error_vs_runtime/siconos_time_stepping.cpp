@@ -37,14 +37,14 @@ Result integrate(const Problem &problem, double step) {
       if ((*model.contact[i]->lambda(1))(0) > 0.0) {
         if (++in_contact[i] == 1) {
           // The impulse of the step from time - h to time stands for one at its middle.
-          result.events.push_back({time - 0.5 * h, mass, EventKind::impact});
+          result.events.push_back(impact_at(time - 0.5 * h, mass));
           ++result.impacts;
         } else if (in_contact[i] == steps_of_a_stick) {
-          result.events.push_back({time - (steps_of_a_stick - 0.5) * h, mass, EventKind::stick});
+          result.events.push_back(stick_at(time - (steps_of_a_stick - 0.5) * h, mass));
         }
       } else {
         if (in_contact[i] >= steps_of_a_stick)
-          result.events.push_back({time - 0.5 * h, mass, EventKind::release});
+          result.events.push_back(release_at(time - 0.5 * h, mass));
         in_contact[i] = 0;
       }
     }

@@ -91,11 +91,10 @@ Result integrate(const Problem &problem, double kappa) {
       const int mass = static_cast<int>(who) + 1;
       now.y[2 * who] = 0.0;
       if (springs.contact[who] && end - since[who] > lasting[who]) {
-        if (since[who] >= problem.start.time)
-          result.events.push_back({since[who], mass, EventKind::stick});
-        result.events.push_back({end, mass, EventKind::release});
+        if (since[who] >= problem.start.time) result.events.push_back(stick_at(since[who], mass));
+        result.events.push_back(release_at(end, mass));
       } else if (!springs.contact[who]) {
-        result.events.push_back({end, mass, EventKind::impact});
+        result.events.push_back(impact_at(end, mass));
         since[who] = end;
         ++result.impacts;
       }
@@ -112,7 +111,7 @@ Result integrate(const Problem &problem, double kappa) {
   }
   for (std::size_t i = 0; i < 2; ++i)
     if (springs.contact[i] && now.time - since[i] > lasting[i] && since[i] >= problem.start.time)
-      result.events.push_back({since[i], static_cast<int>(i) + 1, EventKind::stick});
+      result.events.push_back(stick_at(since[i], static_cast<int>(i) + 1));
   result.end = physical_state(springs.chain, now);
   return result;
 }

@@ -5,7 +5,21 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "vibro_impact/record.hpp"
+
 namespace vibro_impact::comparison {
+
+Happened impact_at(double time, int mass, double velocity_before) {
+  return {time, mass, EventKind::impact, velocity_before};
+}
+
+Happened stick_at(double time, int mass) {
+  return {time, mass, EventKind::stick};
+}
+
+Happened release_at(double time, int mass) {
+  return {time, mass, EventKind::release};
+}
 
 TwoMasses two_masses(const Scene &scene) {
   if (scene.masses() != 2 || scene.stops.size() != 2 || scene.stops[0].mass != 1 ||
@@ -60,23 +74,23 @@ void happen(const TwoMasses &chain, GapState &state, std::size_t i, double slowe
   if (state.held[i]) {
     state.held[i] = false;
     speed = 0.0;
-    result.events.push_back({state.time, mass, EventKind::release});
+    result.events.push_back(release_at(state.time, mass));
     return;
   }
   ++result.impacts;
-  result.events.push_back({state.time, mass, EventKind::impact, -chain.side[i] * speed});
+  result.events.push_back(impact_at(state.time, mass, -chain.side[i] * speed));
   speed = std::abs(chain.restitution * speed);
   const double pressing = -chain.acceleration(i, state.y, cosine);
   if (speed < slowest && pressing > 0.0) {
     const double rest = 2.0 * speed / (pressing * (1.0 - chain.restitution));
     speed = 0.0;
     state.held[i] = true;
-    result.events.push_back({state.time + rest, mass, EventKind::stick});
+    result.events.push_back(stick_at(state.time + rest, mass));
   }
   const std::size_t j = 1 - i;
   if (state.held[j] && chain.acceleration(j, state.y, cosine) > 0.0) {
     state.held[j] = false;
-    result.events.push_back({state.time, static_cast<int>(j) + 1, EventKind::release});
+    result.events.push_back(release_at(state.time, static_cast<int>(j) + 1));
   }
   if (result.impacts > impacts_at_most)
     result.failure = fmt::format("more than {} impacts up to t = {:.6f} (mass {}, speed {:.2g})",

@@ -15,6 +15,11 @@ namespace vibro_impact::comparison {
 
 using Vec = std::array<double, 4>;  // g1, u1, g2, u2
 
+// The events, for the methods that cannot name their kinds (see method.hpp).
+Happened impact_at(double time, int mass, double velocity_before = 0.0);
+Happened stick_at(double time, int mass);
+Happened release_at(double time, int mass);
+
 // u_i' = gap[0] g_1 + speed[0] u_1 + gap[1] g_2 + speed[1] u_2 + rest + drive cos(Omega t) (Eqs. 1
 // and 2 in gap coordinates). The same expression for a held mass is minus the force that presses it
 // into its stop, per mass (Eqs. 12 and 13).

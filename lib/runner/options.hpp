@@ -2,24 +2,18 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::runner {
 
-// One run as the user asked for it; an empty path means the table is not wanted.
+// One run as the user asked for it; an empty path means that the file is not wanted.
 struct Request {
-  Scene scene;
+  Scene scene;  // empty with `resume`: the scene stands in that file
   RunOptions options;
   double until = 750.0, from = 0.0, every = 0.01;
-  std::string events, samples;
-};
-
-// A wrong command line: one line naming the value and the rule.
-struct BadInput : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
+  std::string events, samples, save_state, resume;
 };
 
 // Text asked for with --help or --version, to be printed instead of a run.
@@ -27,8 +21,8 @@ struct Answer {
   std::string text;
 };
 
-// Reads the command line into `request`; returns the answer to --help and --version. Throws
-// BadInput, or std::invalid_argument from `check` for a scene that makes no sense.
+// Reads the command line into `request`, and no file; returns the answer to --help and --version.
+// Throws BadInput, or std::invalid_argument from `check` for a scene that makes no sense.
 std::optional<Answer> parse(int argc, char **argv, Request &request);
 
 }  // namespace vibro_impact::runner

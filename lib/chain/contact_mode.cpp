@@ -1,0 +1,235 @@
+#include "contact_mode.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+#include "forces.hpp"
+#include "tolerances.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+// Static positions with the held masses at their stops: linear in the compliance between two
+// anchors. Written so that two equal anchors give exactly their common position, which makes a
+// zero hold force (Figure 5(c): s1 = s2) exactly zero.
+Eigen::VectorXd static_positions(const Scene &scene, const Held &held,
+                                 const std::vector<double> &held_at) {
+  const std::size_t n = scene.mass.size();
+  Eigen::VectorXd x(static_cast<Eigen::Index>(n));
+  double left = 0.0;
+  for (std::size_t i = 0; i < n;) {
+    std::size_t anchor = i;
+    while (anchor < n && held[anchor] == 0) ++anchor;
+    const double right = anchor < n ? held_at[anchor] : left;
+    if (i == 0 && scene.stiffness[0] == 0.0) left = right;  // not tied to the ground
+    double total = 0.0, reached = 0.0;
+    for (std::size_t j = i; j <= anchor && j < n; ++j) total += 1.0 / scene.stiffness[j];
+    for (std::size_t j = i; j < anchor; ++j) {
+      reached += 1.0 / scene.stiffness[j];
+      x(static_cast<Eigen::Index>(j)) =
+          left == right ? left : left + (right - left) * (reached / total);
+    }
+    if (anchor < n) x(static_cast<Eigen::Index>(anchor)) = right;
+    left = right;
+    i = anchor + 1;
+  }
+  return x;
+}
+
+// Modes of the free masses: M^-1/2 K M^-1/2 on the free rows is tridiagonal; links to held masses
+// only stiffen it. `shape` is N x modes (zero rows for held masses), `inverse` its left inverse.
+struct Decomposition {
+  Eigen::VectorXd lambda;
+  Eigen::MatrixXd shape, inverse;
+};
+
+Decomposition decompose(const Scene &scene, const std::vector<std::size_t> &free) {
+  using Eigen::Index;
+  const std::size_t n = scene.mass.size();
+  const auto modes = static_cast<Index>(free.size());
+  Decomposition basis;
+  basis.lambda.setZero(modes);
+  basis.shape.setZero(static_cast<Index>(n), modes);
+  basis.inverse.setZero(modes, static_cast<Index>(n));
+  if (modes == 0) return basis;
+  Eigen::VectorXd diagonal(modes), off(modes - 1);
+  for (Index a = 0; a < modes; ++a) {
+    const std::size_t i = free[static_cast<std::size_t>(a)];
+    const double k_right = i + 1 < n ? scene.stiffness[i + 1] : 0.0;
+    diagonal(a) = (scene.stiffness[i] + k_right) / scene.mass[i];
+    if (a + 1 < modes)
+      off(a) = free[static_cast<std::size_t>(a) + 1] == i + 1
+                   ? -k_right / std::sqrt(scene.mass[i] * scene.mass[i + 1])
+                   : 0.0;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, off);
+  basis.lambda = solver.eigenvalues();
+  for (Index j = 0; j < modes; ++j) {
+    const double orient = solver.eigenvectors()(modes - 1, j) < 0.0 ? -1.0 : 1.0;
+    for (Index a = 0; a < modes; ++a) {
+      const auto i = free[static_cast<std::size_t>(a)];
+      const double u = orient * solver.eigenvectors()(a, j), root_m = std::sqrt(scene.mass[i]);
+      basis.shape(static_cast<Index>(i), j) = u / root_m;
+      basis.inverse(j, static_cast<Index>(i)) = u * root_m;
+    }
+    // The eigenvalue again as twice the energy in the links. The solver leaves it an error relative
+    // to the largest one, which a soft mode beside a stiff link does not survive.
+    double energy = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto row = static_cast<Index>(i);
+      const double stretch = basis.shape(row, j) - (i > 0 ? basis.shape(row - 1, j) : 0.0);
+      energy += scene.stiffness[i] * stretch * stretch;
+    }
+    basis.lambda(j) = energy;
+  }
+  if (scene.stiffness[0] == 0.0 && free.size() == n) {  // the rigid-body mode, exactly
+    double total = 0.0;
+    for (double m : scene.mass) total += m;
+    basis.lambda(0) = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      basis.shape(static_cast<Index>(i), 0) = 1.0 / std::sqrt(total);
+      basis.inverse(0, static_cast<Index>(i)) = scene.mass[i] / std::sqrt(total);
+    }
+  }
+  return basis;
+}
+
+// The force that presses a mass, at rest at its stop, into it (Eqs. 12-13 times sigma), in the
+// lanes of `mode`: the forces of the neighbours' static positions, and of every lane's shape.
+template <int D>
+Reading<D> press_reading(const Scene &scene, const ContactMode<D> &mode, const Stop &stop) {
+  using Eigen::Index;
+  const auto p = static_cast<std::size_t>(stop.mass - 1);
+  const double sigma = sign(stop.side);
+  Reading<D> press;
+  press.offset = sigma * link_force(scene, p, stop.position, [&](std::size_t j) {
+                   return mode.equilibrium(static_cast<Index>(j));
+                 });
+  press.on_value.setZero(mode.lanes());
+  for (Index lane = 0; lane < mode.lanes(); ++lane)
+    press.on_value(lane) = sigma * link_force(scene, p, 0.0, [&](std::size_t j) {
+                             return mode.shape(static_cast<Index>(j), lane);
+                           });
+  press.on_slope = scene.beta * press.on_value;
+  if (scene.forced()) press.on_value(mode.lanes() - 2) += sigma * amplitude_on(scene, p);
+  return press;
+}
+
+template <int D>
+void add_contacts(const Scene &scene, ContactMode<D> &mode) {
+  for (std::size_t k = 0; k < scene.stops.size(); ++k) {
+    const Stop &stop = scene.stops[k];
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    const auto row = static_cast<Eigen::Index>(i);
+    const double sigma = sign(stop.side);
+    const bool held = static_cast<double>(mode.held[i]) == sigma;
+    if (mode.held[i] != 0 && !held) continue;  // held at the stop across
+    Contact<D> contact{k, i, sigma, held, press_reading(scene, mode, stop), {}, {}};
+    if (!held) {
+      std::swap(contact.press, contact.watched);
+      contact.watched = {-sigma * mode.shape.row(row).transpose().array(),
+                         Eigen::Array<double, D, 1>::Zero(mode.lanes()),
+                         sigma * (stop.position - mode.equilibrium(row))};
+    }
+    // |y''| = |kappa y' + lambda y| is at most three times the rate times |y'| + rate |y|.
+    contact.reach =
+        contact.watched.on_value.abs() + 3.0 * mode.rate * contact.watched.on_slope.abs();
+    mode.contacts.push_back(std::move(contact));
+  }
+}
+
+// Enters mode j of the basis as a lane, or as two where it is strongly damped; returns the next
+// lane. Its share in the steady response goes to the lanes of the forcing.
+template <int D>
+Eigen::Index add_mode(const Scene &scene, const Decomposition &basis, Eigen::Index j,
+                      Eigen::Index lane, ContactMode<D> &mode) {
+  const double lambda = basis.lambda(j), kappa = scene.beta * lambda;
+  mode.shape.col(lane) = basis.shape.col(j);
+  mode.to_modal.row(lane) = basis.inverse.row(j);
+  mode.kappa(lane) = kappa;
+  mode.lambda(lane) = lambda;
+  if (mode.forcing_lanes > 0) {
+    double force = 0.0;  // Psi^T A of Eq. 7
+    for (std::size_t i = 0; i < scene.mass.size(); ++i)
+      force += basis.shape(static_cast<Eigen::Index>(i), j) * scene.amplitude[i];
+    const double omega2 = scene.omega * scene.omega;
+    const double detuning = lambda - omega2, loss = kappa * scene.omega;
+    const double squared = detuning * detuning + loss * loss;
+    if (lambda == 0.0 || std::sqrt(squared) < near_resonance * (lambda + omega2)) {
+      mode.resonant(lane) = force;  // splitting off the steady response would cancel digits
+      mode.any_resonant = mode.any_resonant || force != 0.0;
+    } else {
+      mode.shape.col(mode.lanes() - 2) += basis.shape.col(j) * (force * (detuning / squared));
+      mode.shape.col(mode.lanes() - 1) += basis.shape.col(j) * (force * (loss / squared));
+    }
+  }
+  if (D != Eigen::Dynamic || !strongly_damped(scene.beta, lambda)) return lane + 1;
+  // y = y1 + y2 with decays fast > slow: y1 = (fast y + y') / (fast - slow), y2 = y - y1.
+  const double fast = kappa / 2 + std::sqrt(kappa * kappa / 4 - lambda), slow = lambda / fast;
+  const Eigen::Index other = lane + 1;
+  mode.shape.col(other) = basis.shape.col(j);
+  mode.to_modal.row(lane) = basis.inverse.row(j) * (fast / (fast - slow));
+  mode.velocity_to_modal.row(lane) = basis.inverse.row(j) / (fast - slow);
+  mode.to_modal.row(other) = basis.inverse.row(j) * (-slow / (fast - slow));
+  mode.velocity_to_modal.row(other) = -mode.velocity_to_modal.row(lane);
+  mode.kappa(lane) = slow;
+  mode.kappa(other) = fast;
+  mode.lambda(lane) = mode.lambda(other) = 0.0;
+  mode.decay(lane) = mode.decay(other) = mode.any_decay = true;
+  return lane + 2;
+}
+
+}  // namespace
+
+template <int D>
+ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
+  using Eigen::Index;
+  const auto n = static_cast<Index>(scene.mass.size());
+  std::vector<std::size_t> free;
+  std::vector<double> held_at(held.size(), 0.0);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] == 0) free.push_back(i);
+  for (const Stop &stop : scene.stops) {
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    if (static_cast<double>(held[i]) == sign(stop.side)) held_at[i] = stop.position;
+  }
+  const Decomposition basis = decompose(scene, free);
+
+  ContactMode<D> mode;
+  mode.held = held;
+  mode.forcing_lanes = scene.forced() ? 2 : 0;
+  Index lanes = basis.lambda.size() + mode.forcing_lanes;
+  for (const double lambda : basis.lambda)
+    if (strongly_damped(scene.beta, lambda)) ++lanes;
+  if (D != Eigen::Dynamic) lanes = D;
+  for (auto *array : {&mode.kappa, &mode.lambda, &mode.rate, &mode.resonant}) array->setZero(lanes);
+  mode.decay.setConstant(lanes, false);
+  mode.equilibrium = static_positions(scene, held, held_at);
+  mode.shape.setZero(n, lanes);
+  mode.to_modal.setZero(lanes, n);
+  mode.velocity_to_modal.setZero(lanes, n);
+  for (Index j = 0, lane = 0; j < basis.lambda.size(); ++j)
+    lane = add_mode(scene, basis, j, lane, mode);
+  mode.lambda.tail(mode.forcing_lanes).setConstant(scene.omega * scene.omega);
+
+  double slowest = std::numeric_limits<double>::infinity();
+  for (Index j = 0; j < lanes; ++j) {
+    mode.rate(j) = root_modulus(mode.kappa(j), mode.lambda(j));
+    mode.fastest = std::max(mode.fastest, mode.rate(j));
+    if (mode.rate(j) > 0.0) slowest = std::min(slowest, mode.rate(j));
+  }
+  if (mode.fastest == 0.0) mode.fastest = 1.0;  // free fall: a parabola, any rate will do
+  mode.stiff = scene.beta > 0.0 && mode.fastest > stiff * slowest;
+  mode.extent = mode.shape.cwiseAbs().colwise().maxCoeff().transpose().array();
+  add_contacts(scene, mode);
+  return mode;
+}
+
+template ContactMode<4> build_contact_mode<4>(const Scene &, const Held &);
+template ContactMode<Eigen::Dynamic> build_contact_mode<Eigen::Dynamic>(const Scene &,
+                                                                        const Held &);
+
+}  // namespace vibro_impact

@@ -1,0 +1,193 @@
+// Where a run stands between events, in the lanes of its contact mode.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <vector>
+
+#include "contact_mode.hpp"
+#include "oscillator.hpp"
+#include "tolerances.hpp"
+#include "vibro_impact/simulate.hpp"
+
+namespace vibro_impact {
+
+// What is known of a stop beside the lanes. For the stop of a free mass: its gap and gap speed,
+// carried on their own because reading a small gap off the lanes loses it to cancellation. How many
+// leading derivatives of what is watched (gap or hold force) are zero by definition, with the next
+// one, `leading`, in units of the rate of the scene: one after an impact (the next is the speed),
+// two or more where a mass leaves its stop from rest.
+using AtStop = RunState::AtStop;
+
+// More zeros than any expansion has terms: no force acts on a mass at rest, to all orders.
+constexpr int all_zeros = 1000;
+
+template <int D>
+struct State {
+  using Lanes = Eigen::Array<double, D, 1>;
+  Instant now;
+  const ContactMode<D> *mode = nullptr;
+  Lanes value, slope;
+  std::vector<AtStop> stops;                                     // one per stop of the scene
+  double next_flight = std::numeric_limits<double>::infinity();  // expected of the next one
+  bool clear = true;     // no stop was near in the latest flight
+  Instant window_start;  // of the count of impacts in one forcing period
+  long long impacts_in_window = 0;
+};
+
+// Sets the forcing lanes cos(Omega t), sin(Omega t) from the phase.
+template <int D>
+void set_forcing(State<D> &state, const Scene &scene) {
+  if (state.mode->forcing_lanes == 0) return;
+  const Eigen::Index c = state.mode->lanes() - 2, s = c + 1;
+  const double angle = scene.omega * state.now.phase;
+  state.value(c) = std::cos(angle);
+  state.value(s) = std::sin(angle);
+  state.slope(c) = -scene.omega * state.value(s);
+  state.slope(s) = scene.omega * state.value(c);
+}
+
+// Lanes that are pure decays have y' = -kappa y.
+template <int D>
+void tie_decays(State<D> &state) {
+  if (!state.mode->any_decay) return;
+  for (Eigen::Index j = 0; j < state.mode->lanes(); ++j)
+    if (state.mode->decay(j)) state.slope(j) = -state.mode->kappa(j) * state.value(j);
+}
+
+// Drops the damped lanes that have died out: those whose share in the acceleration lies far below
+// the rounding of the whole. A stiff scene then moves at the pace of what is still in motion.
+template <int D>
+void drop_dead_lanes(State<D> &state) {
+  const ContactMode<D> &mode = *state.mode;
+  if (!mode.stiff) return;
+  const Eigen::Array<double, D, 1> share =
+      mode.extent * mode.rate * (mode.rate * state.value.abs() + state.slope.abs());
+  const double dead = lost * share.sum();
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j)
+    if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 && share(j) <= dead)
+      state.value(j) = state.slope(j) = 0.0;
+}
+
+// Adds to lanes in resonance what the forcing, cos + i sin before and now, has done to them in tau.
+template <int D>
+void add_resonance(State<D> &state, const Scene &scene, std::complex<double> before, double tau) {
+  const ContactMode<D> &mode = *state.mode;
+  const Eigen::Index modal = mode.modal_lanes();
+  const std::complex<double> now(state.value(modal), state.value(modal + 1));
+  for (Eigen::Index j = 0; j < modal; ++j) {
+    if (mode.resonant(j) == 0.0) continue;
+    const double f = mode.resonant(j);
+    const auto added =
+        forced_from_rest(mode.kappa(j), mode.lambda(j), f * before, f * now, scene.omega, tau);
+    state.value(j) += added.value;
+    state.slope(j) += added.slope;
+  }
+}
+
+// The lanes tau later, in closed form, but for what the forcing does in resonance.
+template <int D>
+void flow(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
+          const Eigen::Array<double, D, 1> &slope, double tau,
+          Eigen::Array<double, D, 1> &value_after, Eigen::Array<double, D, 1> &slope_after) {
+  value_after.resize(value.size());
+  slope_after.resize(value.size());
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j) {
+    if (mode.decay(j)) {
+      value_after(j) = value(j) * std::exp(-mode.kappa(j) * tau);
+      slope_after(j) = -mode.kappa(j) * value_after(j);
+      continue;
+    }
+    const auto after = free_response(mode.kappa(j), mode.lambda(j),
+                                     OscillatorState<double>{value(j), slope(j)}, tau);
+    value_after(j) = after.value;
+    slope_after(j) = after.slope;
+  }
+}
+
+// What a contact watches, read off the lanes now. (A gap does not depend on their slopes.)
+template <int D>
+double watched_now(const State<D> &state, const Contact<D> &contact) {
+  double sum = contact.watched.offset + (contact.watched.on_value * state.value).sum();
+  if (contact.held) sum += (contact.watched.on_slope * state.slope).sum();
+  return sum;
+}
+
+// The sum of the moduli of what that adds up: the scale of its rounding.
+template <int D>
+double size_of(const State<D> &state, const Contact<D> &contact) {
+  double sum =
+      std::abs(contact.watched.offset) + (contact.watched.on_value * state.value).abs().sum();
+  if (contact.held) sum += (contact.watched.on_slope * state.slope).abs().sum();
+  return sum;
+}
+
+// True when what a contact watches is wide: read off the lanes with few bits lost to cancellation.
+// Narrower gaps are carried from event to event.
+template <int D>
+bool is_wide(const State<D> &state, const Contact<D> &contact) {
+  return watched_now(state, contact) > wide * size_of(state, contact);
+}
+
+// Displacements and velocities of all masses.
+template <int D>
+struct Masses {
+  Eigen::Matrix<double, ContactMode<D>::masses, 1> displacement, velocity;
+};
+
+// A free mass in a narrow gap is placed by the carried one, between two of them by the narrower.
+template <int D>
+Masses<D> masses_of(const State<D> &state, const Scene &scene) {
+  const ContactMode<D> &mode = *state.mode;
+  Masses<D> masses{mode.equilibrium + mode.shape * state.value.matrix(),
+                   mode.shape * state.slope.matrix()};
+  for (const Contact<D> &contact : mode.contacts) {
+    if (contact.held || is_wide(state, contact)) continue;
+    const AtStop &stop = state.stops[contact.stop];
+    bool narrower = true;
+    for (const Contact<D> &other : mode.contacts)
+      if (other.mass == contact.mass && state.stops[other.stop].gap < stop.gap) narrower = false;
+    if (!narrower) continue;
+    const auto i = static_cast<Eigen::Index>(contact.mass);
+    masses.displacement(i) = scene.stops[contact.stop].position - contact.sigma * stop.gap;
+    masses.velocity(i) = -contact.sigma * stop.speed;
+  }
+  return masses;
+}
+
+// How far these displacements, and velocities in units of `rate`, may be off by rounding.
+template <int D>
+Eigen::VectorXd rounding_of(const State<D> &state, const Scene &scene, double rate) {
+  const ContactMode<D> &mode = *state.mode;
+  Eigen::VectorXd error =
+      rounding * (mode.equilibrium.cwiseAbs() +
+                  mode.shape.cwiseAbs() * (state.value.abs() + state.slope.abs() / rate).matrix());
+  for (const Contact<D> &contact : mode.contacts)
+    if (!contact.held && !is_wide(state, contact))
+      error(static_cast<Eigen::Index>(contact.mass)) =
+          rounding * std::abs(scene.stops[contact.stop].position);
+  return error;
+}
+
+// Expresses displacements and velocities in the lanes of `mode`; the stops are left to the caller.
+template <int D, class Masses>
+void set_lanes(State<D> &state, const Scene &scene, const ContactMode<D> &mode,
+               const Masses &masses) {
+  state.mode = &mode;
+  state.value.setZero(mode.lanes());
+  state.slope.setZero(mode.lanes());
+  set_forcing(state, scene);
+  // The forcing lanes are set, the others zero: shape y is the steady response.
+  const Eigen::Matrix<double, ContactMode<D>::masses, 1> x = masses.displacement -
+                                                             mode.equilibrium -
+                                                             mode.shape * state.value.matrix(),
+                                                         v = masses.velocity -
+                                                             mode.shape * state.slope.matrix();
+  state.value += (mode.to_modal * x + mode.velocity_to_modal * v).array();
+  state.slope += (mode.to_modal * v).array();
+  tie_decays(state);
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,40 @@
+// Messages of one line, and the refusal of bad input: with the value and the rule.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <concepts>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace vibro_impact {
+
+inline void append(std::string &text, std::string_view piece) {
+  text += piece;
+}
+
+// The shortest digits that give the number back.
+template <class Number>
+requires std::integral<Number> || std::floating_point<Number>
+void append(std::string &text, Number number) {
+  std::array<char, 32> digits{};
+  text.append(digits.data(), std::to_chars(digits.begin(), digits.end(), number).ptr);
+}
+
+// The pieces, texts and numbers, one after another.
+template <class... Pieces>
+std::string line(const Pieces &...pieces) {
+  std::string text;
+  (append(text, pieces), ...);
+  return text;
+}
+
+// Throws std::invalid_argument. The message is made only where the rule is broken: scenes are
+// checked before every run.
+template <class... Pieces>
+void require(bool holds, const Pieces &...pieces) {
+  if (!holds) throw std::invalid_argument(line(pieces...));
+}
+
+}  // namespace vibro_impact

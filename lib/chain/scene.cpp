@@ -1,0 +1,87 @@
+#include "vibro_impact/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "require.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+void require_one_per_mass(const std::vector<double> &values, const Scene &scene, const char *what) {
+  require(values.empty() || values.size() == scene.mass.size(), what, ": ", values.size(),
+          " values given, the chain has ", scene.mass.size(), " masses");
+  for (double value : values) require(std::isfinite(value), what, " = ", value, ": must be finite");
+}
+
+void require_restitution(double restitution) {
+  require(restitution >= 0.0 && restitution <= 1.0, "restitution = ", restitution,
+          ": must lie in [0, 1]");
+}
+
+// A stop by itself, and against the other stop of its mass.
+void check_stop(const Stop &stop, const Scene &scene) {
+  require(stop.mass >= 1 && stop.mass <= scene.masses(), "stop on mass ", stop.mass,
+          ": the chain has masses 1 to ", scene.masses());
+  require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
+          ": must be finite");
+  if (stop.restitution) require_restitution(*stop.restitution);
+  for (const Stop &other : scene.stops) {
+    if (&other == &stop || other.mass != stop.mass) continue;
+    require(other.side != stop.side, "stop on mass ", stop.mass, ": two stops on the same side");
+    require(sign(stop.side) * (stop.position - other.position) > 0.0, "stops on mass ", stop.mass,
+            " at ", other.position, " and ", stop.position, ": the lower must lie below the upper");
+  }
+}
+
+}  // namespace
+
+const char *name(Side side) {
+  return side == Side::upper ? "upper" : "lower";
+}
+
+double largest_eigenvalue_bound(const Scene &scene) {
+  double bound = 0.0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+    bound = std::max(bound, 2.0 * (scene.stiffness[i] + right) / scene.mass[i]);
+  }
+  return bound;
+}
+
+double root_modulus(double kappa, double lambda) {
+  const double alpha = kappa / 2, discriminant = alpha * alpha - lambda;
+  return discriminant > 0 ? alpha + std::sqrt(discriminant) : std::sqrt(lambda);
+}
+
+void check(const Scene &scene) {
+  const std::size_t n = scene.mass.size();
+  require(n > 0, "masses = 0: a chain has at least one mass");
+  require(scene.stiffness.size() == n, "stiffness: ", scene.stiffness.size(),
+          " values given, the chain has ", n, " masses");
+  for (double m : scene.mass)
+    require(std::isfinite(m) && m > 0.0, "mass = ", m, ": must be positive and finite");
+  for (std::size_t i = 0; i < n; ++i) {
+    const double k = scene.stiffness[i];
+    require(std::isfinite(k) && (i == 0 ? k >= 0.0 : k > 0.0), "stiffness of link ", i + 1, " = ",
+            k, ": must be ", i == 0 ? "non-negative" : "positive", " and finite");
+  }
+  require(std::isfinite(scene.beta) && scene.beta >= 0.0, "beta = ", scene.beta,
+          ": must be non-negative and finite");
+  require(std::isfinite(scene.omega) && scene.omega >= 0.0, "omega = ", scene.omega,
+          ": must be non-negative and finite");
+  require_restitution(scene.restitution);
+  require_one_per_mass(scene.amplitude, scene, "amplitude");
+  require_one_per_mass(scene.displacement, scene, "initial displacement");
+  require_one_per_mass(scene.velocity, scene, "initial velocity");
+  for (const Stop &stop : scene.stops) check_stop(stop, scene);
+  for (const Stop &stop : scene.stops) {
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    const double start = scene.displacement.empty() ? 0.0 : scene.displacement[i];
+    require(sign(stop.side) * (stop.position - start) >= 0.0, "mass ", stop.mass, " starts at ",
+            start, ", beyond its ", name(stop.side), " stop at ", stop.position);
+  }
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,26 @@
+// The periodic orbit of the paper's Figure 2 by Newton's method on the stroboscopic map, with its
+// Floquet multipliers: two of the four are zero, since each mass sticks once per period.
+#include <cstdio>
+
+#include "vibro_impact/vibro_impact.hpp"
+
+int main() {
+  using namespace vibro_impact;
+  Scene scene;
+  scene.mass = {1.0, 1.0};
+  scene.stiffness = {1.0, 1.0};
+  scene.beta = 0.1;
+  scene.amplitude = {0.5, 0.0};
+  scene.omega = 0.28;
+  scene.restitution = 0.7;
+  scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
+
+  const MotionState guess = at_quiet_phase(scene, settled(scene, 5));
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, guess);
+  for (const double residual : orbit.residuals) std::printf("residual %.1e\n", residual);
+  for (const auto &multiplier : orbit.multipliers)
+    std::printf("multiplier %+.12f %+.12fi\n", multiplier.real(), multiplier.imag());
+  std::printf("%s and %s\n", orbit.converged ? "converged" : "not converged",
+              orbit.stable() ? "stable" : "unstable");
+  return !(orbit.converged && orbit.stable());
+}

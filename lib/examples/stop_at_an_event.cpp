@@ -1,0 +1,42 @@
+// A recorder of one's own that ends the run, and the run taken up again: how long does each of the
+// first five sticking phases of mass 1 last?
+#include <cmath>
+#include <cstdio>
+
+#include "vibro_impact/vibro_impact.hpp"
+
+using namespace vibro_impact;
+
+// Ends the run when mass 1 is let go.
+struct StickingPhase {
+  double begun = 0.0, ended = 0.0;
+
+  void event(const Event &event, const Moment &) {
+    if (event.mass != 1) return;
+    if (event.kind == EventKind::stick) begun = event.time;
+    if (event.kind == EventKind::release) ended = event.time;
+  }
+  bool done() const {
+    return ended > 0.0;
+  }
+};
+
+int main() {
+  Scene scene;  // the paper's Figure 4(a)
+  scene.mass = {1.0, 1.0};
+  scene.stiffness = {1.0, 1.0};
+  scene.beta = 0.1;
+  scene.amplitude = {0.5, 0.0};
+  scene.omega = 0.256;
+  scene.restitution = 0.7;
+  scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
+
+  StickingPhase first;
+  Outcome outcome = simulate(scene, 1000.0, {}, first);
+  for (int k = 1; k <= 5 && outcome.ending == Ending::stopped; ++k) {
+    std::printf("phase %d: from %.9f to %.9f\n", k, first.begun, first.ended);
+    first = {};
+    outcome = resume(scene, outcome.resume, 1000.0, {}, first);  // as if it had never ended
+  }
+  return outcome.ending != Ending::stopped || !(first.ended > first.begun);
+}

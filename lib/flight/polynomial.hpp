@@ -1,0 +1,158 @@
+// Polynomials in u on [0, 1]: a gap or a hold force along one expansion. Everything is summed in
+// packets of four terms c_n u^n, with no chain of dependent operations as long as the polynomial.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vibro_impact {
+
+// No expansion goes beyond this order: over the longest span (`max_reach`) 23 lies below rounding.
+constexpr int max_order = 27;
+
+// Coefficients are read in packets, also beyond the order: four zeros follow the last one (see
+// `end_at`).
+struct Polynomial {
+  std::array<double, max_order + 8> coefficient{};
+  int order = 0;
+};
+
+inline void end_at(Polynomial &p, int order) {
+  p.order = order;
+  std::fill_n(p.coefficient.begin() + order + 1, 4, 0.0);
+}
+
+// Taylor coefficients of a polynomial about one point: p, p', p''/2, p'''/6, p''''/24.
+struct Jet {
+  double value, slope, second, third, fourth;
+};
+
+namespace detail {
+
+using Packet = Eigen::Array<double, 4, 1>;
+
+// binomial[k][n] = n over k: the derivatives of u^n are binomial[k][n] u^(n - k) k!.
+inline const auto binomial = [] {
+  std::array<std::array<double, max_order + 8>, 6> table{};
+  for (std::size_t n = 0; n < table[0].size(); ++n) {
+    table[0][n] = 1.0;
+    for (std::size_t k = 1; k < table.size() && n > 0; ++k)
+      table[k][n] = table[k][n - 1] + table[k - 1][n - 1];
+  }
+  return table;
+}();
+
+inline Packet packet(const double *at) {
+  return Eigen::Map<const Packet>(at);
+}
+
+// 1, x, x^2, x^3.
+inline Packet powers_of(double x) {
+  return Packet(1.0, x, x * x, x * x * x);
+}
+
+inline Packet binomials(std::size_t k, int n) {
+  return packet(binomial[k].data() + n);
+}
+
+using Powers = std::array<double, max_order + 8>;
+
+// 1, x, x^2, ... in whole packets of four.
+inline void set_powers(Powers &powers, double x, int order) {
+  const double quartic = x * x * x * x;
+  Packet power = powers_of(x);
+  for (int n = 0; n <= order; n += 4) {
+    Eigen::Map<Packet>(powers.data() + n) = power;
+    power *= quartic;
+  }
+}
+
+// The value at 1, and a lower bound on [0, 1] for c_0 > 0: c_0 and all negative coefficients. Those
+// are summed by themselves: as a difference of all terms and their moduli they would be lost in the
+// rounding of larger ones.
+struct Extremes {
+  double end, lowest;
+};
+
+inline Extremes extremes_of(const Polynomial &p, int first) {
+  const double *c = p.coefficient.data() + first;
+  Packet sum = Packet::Zero(), negative = sum;
+  for (int n = 0; n <= p.order - first; n += 4) {
+    sum += packet(c + n);
+    negative += packet(c + n).min(0.0);
+  }
+  return {sum.sum(), c[0] + negative.sum()};
+}
+
+// Upper bounds on [0, 1] of derivatives.
+struct Bounds {
+  double bend;   // |p''|
+  double fifth;  // |p^(5)| / 5!
+};
+
+inline Bounds bounds_of(const Polynomial &p, int first) {
+  const double *c = p.coefficient.data() + first;
+  Packet bend = Packet::Zero(), fifth = bend;
+  for (int n = 0; n <= p.order - first; n += 4) {
+    const Packet at = packet(c + n).abs();
+    bend += binomials(2, n) * at;
+    fifth += binomials(5, n) * at;
+  }
+  return {2.0 * bend.sum(), fifth.sum()};
+}
+
+inline double twist_bound(const Polynomial &p, int first) {  // of |p'''|
+  const double *c = p.coefficient.data() + first;
+  Packet sum = Packet::Zero();
+  for (int n = 0; n <= p.order - first; n += 4) sum += binomials(3, n) * packet(c + n).abs();
+  return 6.0 * sum.sum();
+}
+
+// Lower bound on [0, 1] of sum_{n >= first} weight(n) c_n u^(n - first): nested minima.
+template <class Weight>
+double lower_bound(const Polynomial &p, int first, Weight weight) {
+  double bound = 0.0;
+  for (int n = p.order; n >= first; --n)
+    bound = weight(n) * p.coefficient[static_cast<std::size_t>(n)] + std::min(0.0, bound);
+  return bound;
+}
+
+}  // namespace detail
+
+// The polynomial with its `first` leading coefficients divided out, about u >= 0.
+inline Jet jet_at(const Polynomial &p, int first, double u) {
+  using detail::Packet;
+  const double *c = p.coefficient.data() + first;
+  const double quartic = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
+  Packet power = detail::powers_of(u);
+  Packet value = Packet::Zero(), slope = value, second = value, third = value, fourth = value;
+  for (int n = 0; n <= p.order - first; n += 4) {
+    const Packet term = detail::packet(c + n) * power;
+    value += term;
+    slope += detail::binomials(1, n) * term;
+    second += detail::binomials(2, n) * term;
+    third += detail::binomials(3, n) * term;
+    fourth += detail::binomials(4, n) * term;
+    power *= quartic;
+  }
+  // From left to right, so that what has underflown stays zero.
+  return {value.sum(), slope.sum() * inverse, second.sum() * inverse * inverse,
+          third.sum() * inverse * inverse * inverse,
+          fourth.sum() * inverse * inverse * inverse * inverse};
+}
+
+// Sum of the moduli of the terms at u: the scale of the rounding of the value there.
+inline double size_at(const Polynomial &p, int first, double u) {
+  using detail::Packet;
+  const double *c = p.coefficient.data() + first, quartic = u * u * u * u;
+  Packet size = Packet::Zero(), power = detail::powers_of(u);
+  for (int n = 0; n <= p.order - first; n += 4) {
+    size += detail::packet(c + n).abs() * power;
+    power *= quartic;
+  }
+  return size.sum();
+}
+
+}  // namespace vibro_impact

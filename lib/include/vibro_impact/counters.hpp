@@ -1,0 +1,25 @@
+// Counts of work: repeatable on any machine, unlike run time.
+#pragma once
+
+namespace vibro_impact {
+
+struct Counters {
+  long long expansions = 0;          // Taylor expansions of the flow
+  long long coefficients = 0;        // Taylor orders, summed over the expansions
+  long long products = 0;            // of a weight and a lane, for the coefficients of readings
+  long long stops_clear = 0;         // gaps and hold forces too far from zero to be looked at
+  long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
+  long long roots_searched = 0;      // polynomials iterated on
+  long long root_iterations = 0;     // guaranteed steps taken by those iterations
+  long long impacts = 0;             // impacts resolved one by one
+  long long sticks = 0;              // masses that came to stick
+  long long releases = 0;            // masses released
+  long long chatter_nodes = 0;       // impacts entered into a chatter table
+  long long chatter_limits = 0;      // complete chatter carried to its limit
+  long long chatter_incomplete = 0;  // five or more falling impacts at a stop that ended in flight
+  long long modes_built = 0;         // contact modes decomposed
+  long long modal_evaluations = 0;   // evaluations of the lanes at a time that somebody asked for
+  long long forcing_lanes = 0;       // oscillators carried for the forcing
+};
+
+}  // namespace vibro_impact

@@ -1,0 +1,25 @@
+// A dense matrix by rows, for what the analysis hands out.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace vibro_impact {
+
+struct Matrix {
+  std::size_t rows = 0, columns = 0;
+  std::vector<double> values = {};  // row by row
+
+  Matrix() = default;
+  Matrix(std::size_t rows_of_it, std::size_t columns_of_it)
+      : rows(rows_of_it), columns(columns_of_it), values(rows_of_it * columns_of_it, 0.0) {
+  }
+  double &operator()(std::size_t row, std::size_t column) {
+    return values[row * columns + column];
+  }
+  double operator()(std::size_t row, std::size_t column) const {
+    return values[row * columns + column];
+  }
+};
+
+}  // namespace vibro_impact

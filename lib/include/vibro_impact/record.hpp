@@ -1,0 +1,178 @@
+// What a run reports, composed by the caller from small recorders.
+//
+// A recorder is any value with one or more of
+//   void event(const Event &, const Moment &)          called at every event
+//   double next_time() and void sample(const Moment &) called at the times it asks for
+// and beside them, if it likes,
+//   bool done()                 asked after each of these calls: true ends the run there
+//   void check(const Scene &)   called before the run; throws std::invalid_argument
+// A run calls only what its recorders have; nothing is computed or stored that none asked for.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "instant.hpp"
+#include "scene.hpp"
+
+namespace vibro_impact {
+
+enum class EventKind { impact, stick, release };
+
+// "impact", "stick" or "release".
+const char *name(EventKind kind);
+
+// The contact mode, per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop.
+using Held = std::vector<signed char>;
+
+// The stuck masses of a contact mode as `-`, `1`, `2`, `1+2`.
+std::string contact_mode_name(const Held &held);
+
+// One event of one mass; simultaneous ones are consecutive events with the same instant.
+struct Event {
+  EventKind kind = EventKind::impact;
+  std::size_t stop = 0;  // index in Scene::stops
+  int mass = 1;          // from 1
+  Side side = Side::upper;
+  Instant instant;
+  double time = 0.0;
+  double velocity_before = 0.0, velocity_after = 0.0;  // of an impact
+  int falling = 0;         // impacts at this stop before this one, each slower than the one before
+  bool by_a_jump = false;  // a release forced by a neighbour's impact, not at a root of the force
+  Held held;               // contact mode after the event
+};
+
+// The motion at one time, while a recorder is told of it: what is asked for is computed then. It
+// cannot be kept or copied; keep the numbers. `mass` counts from 1; std::invalid_argument for a
+// mass the chain does not have.
+class Moment {
+ public:
+  // Where the numbers come from.
+  struct Source {
+    int masses;
+    double (*displacement)(const void *of, int mass);
+    double (*velocity)(const void *of, int mass);
+    double (*hold_force)(const void *of, int mass);
+  };
+
+  Instant instant;
+  double time = 0.0;
+
+  Moment(const Instant &at, double time_of_it, const void *of, const Source &source)
+      : instant(at), time(time_of_it), of_(of), source_(source) {
+  }
+  Moment(const Moment &) = delete;
+  Moment &operator=(const Moment &) = delete;
+
+  int masses() const {
+    return source_.masses;
+  }
+  double displacement(int mass) const {
+    return source_.displacement(of_, existing(mass));
+  }
+  double velocity(int mass) const {
+    return source_.velocity(of_, existing(mass));
+  }
+  // Force of the neighbours and the forcing on a held mass (Eqs. 12-13, F_p; towards +x); NaN for a
+  // mass that is free.
+  double hold_force(int mass) const {
+    return source_.hold_force(of_, existing(mass));
+  }
+
+ private:
+  const void *of_;
+  const Source &source_;
+
+  int existing(int mass) const;
+};
+
+// Every event from time `from` on.
+struct EventRecorder {
+  double from = 0.0;
+  std::vector<Event> events = {};
+
+  void event(const Event &event, const Moment &);
+};
+
+// Impact velocities (just before the impact) of one mass, from time `from` on: no trajectory.
+struct ImpactSpeedRecorder {
+  int mass = 1;
+  double from = 0.0;
+  std::vector<double> velocities = {};
+
+  void event(const Event &event, const Moment &);
+  void check(const Scene &scene) const;
+};
+
+// The time of sample `taken` (from 0) at from, from + every, ... up to `to`, the end to within
+// rounding; infinite when there is none.
+double sample_time(double from, double to, double every, std::size_t taken);
+
+// Displacements of all masses at from, from + every, ... up to `to`; row-major, one row per time.
+struct SampleRecorder {
+  double from = 0.0, to = 0.0, every = 0.0;
+  std::vector<double> times = {}, displacements = {};
+
+  double next_time() const;
+  void sample(const Moment &moment);
+  void check(const Scene &scene) const;
+};
+
+// The hold force on one mass (F_p of Eqs. 12-13) at uniform times and at the ends of every sticking
+// phase, from time `from` on. `phase` counts the sticking phases.
+struct HoldForceRecorder {
+  struct Row {
+    double time, force;
+    int phase;
+  };
+  int mass = 1;
+  double from = 0.0, to = 0.0, every = 0.0;
+  std::vector<Row> rows = {};
+  int phases = 0;
+  std::size_t asked = 0;
+
+  double next_time() const;
+  void sample(const Moment &moment);
+  void event(const Event &event, const Moment &moment);
+  void check(const Scene &scene) const;
+};
+
+// A recorder as a run sees it; null where it has no such member. Refers to the recorder.
+struct RecorderRef {
+  void *recorder = nullptr;
+  void (*event)(void *, const Event &, const Moment &) = nullptr;
+  double (*next_time)(const void *) = nullptr;
+  void (*sample)(void *, const Moment &) = nullptr;
+  bool (*done)(const void *) = nullptr;
+  void (*check)(const void *, const Scene &) = nullptr;
+};
+
+template <class Recorder>
+RecorderRef recorder_ref(Recorder &recorder) {
+  constexpr bool takes_events = requires(Recorder & r, const Event &e, const Moment &m) {
+    r.event(e, m);
+  };
+  constexpr bool takes_samples = requires(Recorder & r, const Moment &m) {
+    double{r.next_time()}, r.sample(m);
+  };
+  static_assert(takes_events || takes_samples, "a recorder takes events, samples or both");
+  RecorderRef ref{&recorder};
+  if constexpr (takes_events)
+    ref.event = [](void *r, const Event &event, const Moment &moment) {
+      static_cast<Recorder *>(r)->event(event, moment);
+    };
+  if constexpr (takes_samples) {
+    ref.next_time = [](const void *r) { return static_cast<const Recorder *>(r)->next_time(); };
+    ref.sample = [](void *r, const Moment &moment) { static_cast<Recorder *>(r)->sample(moment); };
+  }
+  if constexpr (requires(const Recorder &r) { bool{r.done()}; })
+    ref.done = [](const void *r) { return static_cast<const Recorder *>(r)->done(); };
+  if constexpr (requires(const Recorder &r, const Scene &scene) { r.check(scene); })
+    ref.check = [](const void *r, const Scene &scene) {
+      static_cast<const Recorder *>(r)->check(scene);
+    };
+  return ref;
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,75 @@
+// The scene: a chain of masses, its forcing, its stops and its initial state.
+//
+// M x'' + C x' + K x = A cos(Omega t) with C = beta K (Wagg 2006, Eqs. 1-4): mass i is tied to mass
+// i - 1 by link i (mass 1 to the ground), the last mass is free at its far end. Everything is
+// non-dimensional, as in the paper. Masses are counted from 1.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "impact_law.hpp"
+
+namespace vibro_impact {
+
+// The side of a mass on which a stop stands. The paper reads it from the sign of s_p (Eq. 3); it is
+// carried explicitly here so that s_p = 0 and a stop across the origin work.
+enum class Side : signed char { lower = -1, upper = +1 };
+
+// +1 for an upper stop, -1 for a lower one.
+constexpr double sign(Side side) {
+  return side == Side::upper ? 1.0 : -1.0;
+}
+
+// "upper" or "lower".
+const char *name(Side side);
+
+// A rigid stop: mass `mass` (from 1) satisfies x <= position (upper) or x >= position (lower).
+struct Stop {
+  int mass = 1;
+  Side side = Side::upper;
+  double position = 0.0;
+  std::optional<double> restitution = {};  // r in [0, 1]; nothing: the scene's
+};
+
+// A scene in one aggregate. Vectors hold one entry per mass; `displacement` and `velocity` may be
+// left empty (rest at zero), as may `amplitude` (unforced).
+struct Scene {
+  std::vector<double> mass = {};          // m_i > 0
+  std::vector<double> stiffness = {};     // k_i > 0, link between mass i - 1 and mass i; k_1 = 0: a
+                                          // free chain, not tied to the ground
+  double beta = 0.0;                      // C = beta K, beta >= 0; the paper's c / k
+  std::vector<double> amplitude = {};     // A_i
+  double omega = 1.0;                     // Omega >= 0
+  double restitution = 1.0;               // r in [0, 1] of the stops that have none of their own
+  std::vector<Stop> stops = {};           // at most one lower and one upper stop per mass
+  std::vector<double> displacement = {};  // x_i at t = 0
+  std::vector<double> velocity = {};      // x_i' at t = 0
+
+  int masses() const {
+    return static_cast<int>(mass.size());
+  }
+  // True when some A_i is not zero: without forcing no forcing terms are carried.
+  bool forced() const {
+    for (double a : amplitude)
+      if (a != 0.0) return true;
+    return false;
+  }
+};
+
+// Newton's impact law at a stop of the scene.
+inline ImpactLaw law_of(const Scene &scene, const Stop &stop) {
+  return {stop.restitution.value_or(scene.restitution)};
+}
+
+// Throws std::invalid_argument with one line naming the value and the rule it breaks.
+void check(const Scene &scene);
+
+// Gershgorin's bound of the eigenvalues of the chain (squares of its natural frequencies). It holds
+// for every contact mode: holding masses keeps the eigenvalues between those of the free chain.
+double largest_eigenvalue_bound(const Scene &scene);
+
+// Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
+double root_modulus(double kappa, double lambda);
+
+}  // namespace vibro_impact

@@ -1,0 +1,12 @@
+// Everything a user of the library includes.
+#pragma once
+
+#include "border_orbit.hpp"
+#include "event_pairs.hpp"
+#include "hold_force.hpp"
+#include "locate.hpp"
+#include "multi_sliding.hpp"
+#include "periodic_orbit.hpp"
+#include "simulate.hpp"
+#include "table.hpp"
+#include "tangent.hpp"

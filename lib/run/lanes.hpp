@@ -1,0 +1,203 @@
+// The loop over the steps of the pipeline, for lanes of one size: fixed, or any.
+#pragma once
+
+#include "instant_events.hpp"
+#include "start.hpp"
+
+namespace vibro_impact {
+
+// The end of the run, in a motion that nothing can happen to: in closed form.
+template <int D>
+void end_undisturbed(Run<D> &run, double remaining) {
+  Expansion &path = run.flight.path;
+  path.span = remaining;
+  path.rate = std::numeric_limits<double>::infinity();  // beyond any series
+  sample_flight(run, remaining);
+  if (run.over) return;
+  run.at_end = run.state;
+  move_lanes(run.at_end, run.scene, run.clock, weights_of(run.flight.weights, *run.state.mode),
+             path, remaining);
+  read_gaps(run.at_end);
+  run.at_end.now = run.end;
+  ++run.counters.modal_evaluations;
+  run.over = true;
+}
+
+// The span of the next expansion, unless the run has to be given up.
+template <int D>
+double choose_span(Run<D> &run, double rate) {
+  const double longest = max_reach / rate;
+  const State<D> &state = run.state;
+  const double t = time_of(state.now, run.clock);
+  if (!std::isfinite(state.value.sum() + state.slope.sum()))
+    give_up(run,
+            line("the motion leaves the range of double precision before t = ", t, ", given up"));
+  else if (state.now.phase + longest == state.now.phase)
+    give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ", t,
+                      ", given up"));
+  // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
+  return std::min(longest, std::max(state.next_flight, lost * longest));
+}
+
+// Runs on to the end, or until a recorder is done or the run has to be given up. The state it
+// leaves is that of the last step before, from which the motion goes on to `at_end`: the steps do
+// not depend on where a run ends.
+template <int D>
+void run_on(Run<D> &run) {
+  State<D> &state = run.state;
+  while (!run.over) {
+    run.at_end.now = run.end;
+    const double remaining = elapsed(state.now, run.end, run.clock);
+    if (state.clear && (state.mode->contacts.empty() || stays_clear_for_ever(state, run.scene)))
+      return end_undisturbed(run, remaining);
+    const double rate = fastest_in_motion(state), span = choose_span(run, rate);
+    if (run.over) break;
+    Flight<D> &flight = run.flight;
+    expand(rate, span, run.options.flight_tolerance, flight.path, run.counters);
+    find_first_event(state, run.unit, flight, run.counters);
+    const double tau = flight.u * span;
+    if (tau > remaining || remaining == 0.0) {
+      sample_flight(run, remaining);
+      if (run.over) return;
+      run.at_end = state;
+      move_along(run.at_end, flight, remaining / span, run.scene, run.clock);
+      run.at_end.now = run.end;
+      run.over = true;
+      return;
+    }
+    sample_flight(run, tau);
+    if (run.over) return;
+    move_along(state, flight, flight.u, run.scene, run.clock);
+    state.next_flight = std::numeric_limits<double>::infinity();
+    run.since += tau;
+    state.clear = !flight.eventful && flight.all_clear;
+    if (flight.eventful) handle_instant(run);
+    if (!run.chatter.under_way() && !run.silent) run.told = 0;  // `resume` would start from here
+  }
+  if (run.ending != Ending::reached) run.at_end = state;
+}
+
+template <int D>
+void look_inside(Run<D> &run, const Instant &then) {
+  const State<D> state = run.state;
+  const Chatter<D> chatter = run.chatter;
+  const Instant end = run.end;
+  const Counters counters = run.counters;
+  const bool ends_inside = end < then;
+  if (!ends_inside) run.end = then;
+  run.silent = true;
+  run_on(run);
+  run.silent = false;
+  run.over = ends_inside || run.ending != Ending::reached;
+  run.end = end;
+  run.state = state;
+  run.chatter = chatter;
+  const long long evaluations = run.counters.modal_evaluations;
+  run.counters = counters;
+  run.counters.modal_evaluations = evaluations;
+}
+
+// From a motion: nothing is known of the stops but the gaps. Masses that move into their stop have
+// their impact at this instant, and belong to it.
+template <int D>
+void start_from(Run<D> &run, MotionState motion) {
+  State<D> &state = run.state;
+  const auto n = static_cast<Eigen::Index>(motion.displacement.size());
+  const Masses<D> masses{Eigen::Map<const Eigen::VectorXd>(motion.displacement.data(), n),
+                         Eigen::Map<const Eigen::VectorXd>(motion.velocity.data(), n)};
+  state.now = state.window_start = motion.instant;
+  set_lanes(state, run.scene, run.modes.enter(run.scene, motion.held, run.counters), masses);
+  state.stops.resize(run.scene.stops.size());
+  for (std::size_t k = 0; k < state.stops.size(); ++k) {
+    const Stop &stop = run.scene.stops[k];
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    AtStop &at = state.stops[k];
+    at.gap = sign(stop.side) * (stop.position - motion.displacement[i]);
+    at.speed = -sign(stop.side) * motion.velocity[i];
+    at.zeros = at.gap == 0.0 && at.speed != 0.0 ? 1 : 0;
+  }
+  const ContactMode<D> *mode = state.mode;
+  for (std::size_t k = 0; k < mode->contacts.size(); ++k) {
+    const AtStop &at = state.stops[mode->contacts[k].stop];
+    if (!mode->contacts[k].held && at.gap == 0.0 && at.speed < 0.0) run.hits.push_back(k);
+  }
+  apply_impacts(run);
+  for (const std::size_t k : run.hits)
+    motion.velocity[mode->contacts[k].mass] =
+        -mode->contacts[k].sigma * state.stops[mode->contacts[k].stop].speed;
+  settle(run, &motion);
+  follow_chatter(run, mode);
+}
+
+// From where another run stood. Its latest impacts may have begun a chatter.
+template <int D>
+void start_from(Run<D> &run, const RunState &from) {
+  State<D> &state = run.state;
+  const auto lanes = static_cast<Eigen::Index>(from.value.size());
+  state.now = from.instant;
+  state.mode = &run.modes.enter(run.scene, from.held, run.counters);
+  if (lanes != state.mode->lanes() || from.slope.size() != from.value.size())
+    throw std::invalid_argument(line(from.value.size(), " and ", from.slope.size(),
+                                     " modal coordinates given, the contact mode ",
+                                     contact_mode_name(from.held), " has ", state.mode->lanes()));
+  state.value = Eigen::Map<const Eigen::ArrayXd>(from.value.data(), lanes);
+  state.slope = Eigen::Map<const Eigen::ArrayXd>(from.slope.data(), lanes);
+  state.stops = from.stops;
+  state.next_flight = from.next_flight;
+  state.clear = from.clear;
+  state.window_start = from.period_start;
+  state.impacts_in_window = from.impacts_this_period;
+  run.told_before = from.told;
+  if (!(from.next_flight < std::numeric_limits<double>::infinity())) return;
+  for (std::size_t k = 0; k < state.mode->contacts.size(); ++k) {
+    const Contact<D> &contact = state.mode->contacts[k];
+    if (!contact.held && state.stops[contact.stop].zeros == 1) run.hits.push_back(k);
+  }
+  follow_chatter(run, state.mode);
+}
+
+template <int D>
+RunState resume_from(const Run<D> &run) {
+  const State<D> &state = run.chatter.under_way() ? run.chatter.start : run.state;
+  return {state.now,
+          state.mode->held,
+          {state.value.begin(), state.value.end()},
+          {state.slope.begin(), state.slope.end()},
+          state.stops,
+          state.next_flight,
+          state.clear,
+          run.told + run.told_before,
+          state.window_start,
+          state.impacts_in_window};
+}
+
+template <int D>
+Outcome run_lanes(const Scene &scene, const Start &start, double until, const RunOptions &options,
+                  std::span<const RecorderRef> recorders) {
+  Run<D> run{scene, options, recorders};
+  run.end = instant_at(until, run.clock);
+  for (const RecorderRef &recorder : recorders) {
+    run.takes_events = run.takes_events || recorder.event != nullptr;
+    run.takes_samples = run.takes_samples || recorder.sample != nullptr;
+  }
+  if (start.motion != nullptr)
+    start_from(run, *start.motion);
+  else
+    start_from(run, *start.state);
+  const double pi = std::acos(-1.0);
+  run.window = scene.omega > 0.0 ? run.clock.period : 2.0 * pi / run.unit;
+  run.told = 0;
+  run_on(run);
+  const Masses<D> masses = masses_of(run.at_end, scene);
+  return {{run.at_end.now,
+           {masses.displacement.begin(), masses.displacement.end()},
+           {masses.velocity.begin(), masses.velocity.end()},
+           run.at_end.mode->held},
+          time_of(run.at_end.now, run.clock),
+          run.ending,
+          run.reason,
+          run.counters,
+          resume_from(run)};
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,5 @@
+#include "lanes.hpp"
+
+template vibro_impact::Outcome vibro_impact::run_lanes<4>(const Scene &, const Start &, double,
+                                                          const RunOptions &,
+                                                          std::span<const RecorderRef>);

@@ -1,0 +1,112 @@
+#include "values.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "bad_input.hpp"
+
+namespace vibro_impact::runner {
+
+namespace {
+
+// A whole token as a number; from_chars takes no locale and no leading space. `given` is what the
+// user wrote, of which `token` may be a part.
+double number_in(const std::string &option, const std::string &token, const std::string &given) {
+  double value = 0.0;
+  const char *end = token.data() + token.size();
+  const auto [stop, error] = std::from_chars(token.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument)
+    throw BadInput(fmt::format("{} {}: '{}' is not a number", option, given, token));
+  if (error != std::errc())
+    throw BadInput(fmt::format("{} {}: beyond the range of double precision", option, given));
+  return value;
+}
+
+std::vector<std::string> split(const std::string &text, char separator) {
+  std::vector<std::string> parts(1);
+  for (char c : text) {
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back().push_back(c);
+  }
+  return parts;
+}
+
+}  // namespace
+
+double number(const std::string &option, const std::string &token) {
+  return number_in(option, token, token);
+}
+
+double positive(const std::string &option, const std::string &token) {
+  const double value = number(option, token);
+  if (!(std::isfinite(value) && value > 0.0))
+    throw BadInput(fmt::format("{} {}: must be positive and finite", option, token));
+  return value;
+}
+
+long long count_of(const std::string &option, const std::string &token, long long most) {
+  const double value = number(option, token);
+  if (!(value >= 1.0 && value <= static_cast<double>(most)) || value != std::floor(value))
+    throw BadInput(fmt::format("{} {}: must be a whole number from 1 to {}", option, token, most));
+  return static_cast<long long>(value);
+}
+
+std::vector<double> per_mass(const std::string &option, const std::string &text,
+                             std::size_t masses) {
+  std::vector<double> values;
+  for (const std::string &token : split(text, ','))
+    values.push_back(number_in(option, token, text));
+  if (values.size() == 1) values.assign(masses, values.front());
+  if (values.size() != masses)
+    throw BadInput(fmt::format("{} {}: {} values given, the chain has {} masses", option, text,
+                               values.size(), masses));
+  return values;
+}
+
+Stop stop_of(const std::string &text) {
+  const auto parts = split(text, ':');
+  if (parts.size() < 3 || parts.size() > 4 || (parts[1] != "lower" && parts[1] != "upper"))
+    throw BadInput(fmt::format(
+        "--stop {}: must read mass:side:position or mass:side:position:restitution, with side "
+        "lower or upper",
+        text));
+  const double mass = number_in("--stop", parts[0], text);
+  if (!(mass >= 1.0 && mass <= most_masses) || mass != std::floor(mass))
+    throw BadInput(fmt::format("--stop {}: the mass must be a whole number, counted from 1", text));
+  Stop stop{static_cast<int>(mass), parts[1] == "lower" ? Side::lower : Side::upper,
+            number_in("--stop", parts[2], text)};
+  if (parts.size() == 4) {
+    stop.restitution = number_in("--stop", parts[3], text);
+    if (!(*stop.restitution >= 0.0 && *stop.restitution <= 1.0))
+      throw BadInput(fmt::format("--stop {}: the restitution must lie in [0, 1]", text));
+  }
+  return stop;
+}
+
+double beta_of(const std::string &text, const std::vector<double> &stiffness) {
+  const auto damping = per_mass("--damping", text, stiffness.size());
+  double beta = 0.0;
+  for (std::size_t i = stiffness.size(); i-- > 0;) {
+    if (!(std::isfinite(damping[i]) && damping[i] >= 0.0))
+      throw BadInput(fmt::format("--damping {}: must be non-negative and finite", text));
+    if (stiffness[i] == 0.0 && damping[i] != 0.0)
+      throw BadInput(
+          fmt::format("--damping {}: link {} has no stiffness and so no damper (C = beta K): its "
+                      "value must be 0; or give --beta",
+                      text, i + 1));
+    if (stiffness[i] > 0.0) beta = damping[i] / stiffness[i];
+  }
+  for (std::size_t i = 0; i < stiffness.size(); ++i)
+    if (!(std::abs(damping[i] - beta * stiffness[i]) <= 1e-12 * damping[i]))
+      throw BadInput(
+          fmt::format("--damping {}: must be proportional to the stiffness, link by link "
+                      "(C = beta K); or give --beta",
+                      text));
+  return beta;
+}
+
+}  // namespace vibro_impact::runner

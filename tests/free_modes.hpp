@@ -1,0 +1,82 @@
+// The modes of the free masses, by a decomposition that shares nothing with the library's: an
+// eigenvalue problem solved to 33 digits, so that a soft link among stiff ones keeps its digits;
+// used in extended precision.
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <vector>
+
+#include "vibro_impact/record.hpp"
+#include "vibro_impact/scene.hpp"
+
+namespace vibro_impact::testing {
+
+using Real = long double;
+using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+// Modes of the free masses, normalised to unit modal mass: x = shape q on the free masses.
+struct FreeModes {
+  RealVector lambda;  // w_j^2
+  RealVector force;   // of the forcing, per cos(Omega t)
+  RealVector pull;    // of the held masses, constant
+  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> shape, inverse;  // N x modes, modes x N
+};
+
+inline FreeModes free_modes(const Scene &scene, const Held &held) {
+  using Quad = boost::multiprecision::cpp_bin_float_quad;
+  using Eigen::Index;
+  std::vector<std::size_t> free;
+  std::vector<double> held_at(held.size(), 0.0);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] == 0) free.push_back(i);
+  for (const Stop &stop : scene.stops) {
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    if (held[i] == static_cast<int>(stop.side)) held_at[i] = stop.position;
+  }
+  const auto n = static_cast<Index>(held.size()), modes = static_cast<Index>(free.size());
+  Eigen::Matrix<Quad, Eigen::Dynamic, Eigen::Dynamic> k =
+      Eigen::Matrix<Quad, Eigen::Dynamic, Eigen::Dynamic>::Zero(modes, modes);
+  RealVector pull = RealVector::Zero(modes);
+  for (Index a = 0; a < modes; ++a) {
+    const std::size_t i = free[static_cast<std::size_t>(a)];
+    const auto link = [&](std::size_t other, double stiffness) {  // to a neighbour
+      k(a, a) += Quad(stiffness) / scene.mass[i];
+      if (held[other] != 0)
+        pull(a) += static_cast<Real>(stiffness) * held_at[other];
+      else
+        k(a, other > i ? a + 1 : a - 1) =
+            -Quad(stiffness) / sqrt(Quad(scene.mass[i]) * Quad(scene.mass[other]));
+    };
+    if (i == 0)
+      k(a, a) += Quad(scene.stiffness[0]) / scene.mass[0];
+    else
+      link(i - 1, scene.stiffness[i]);
+    if (i + 1 < held.size()) link(i + 1, scene.stiffness[i + 1]);
+  }
+  FreeModes basis;
+  basis.lambda.setZero(modes);
+  basis.force.setZero(modes);
+  basis.pull.setZero(modes);
+  basis.shape.setZero(n, modes);
+  basis.inverse.setZero(modes, n);
+  if (modes == 0) return basis;
+  const Eigen::SelfAdjointEigenSolver<decltype(k)> solver(k);
+  const bool floats = scene.stiffness[0] == 0.0 && free.size() == held.size();
+  for (Index j = 0; j < modes; ++j) {
+    // The rigid-body mode comes first; its frequency is zero exactly.
+    basis.lambda(j) = floats && j == 0 ? 0 : static_cast<Real>(solver.eigenvalues()(j));
+    for (Index a = 0; a < modes; ++a) {
+      const std::size_t i = free[static_cast<std::size_t>(a)];
+      const auto row = static_cast<Index>(i);
+      const Quad root = sqrt(Quad(scene.mass[i])), u = solver.eigenvectors()(a, j);
+      basis.shape(row, j) = static_cast<Real>(Quad(u / root));
+      basis.inverse(j, row) = static_cast<Real>(Quad(u * root));
+      basis.pull(j) += basis.shape(row, j) * pull(a);
+      if (!scene.amplitude.empty()) basis.force(j) += basis.shape(row, j) * scene.amplitude[i];
+    }
+  }
+  return basis;
+}
+
+}  // namespace vibro_impact::testing

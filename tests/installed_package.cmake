@@ -1,0 +1,38 @@
+# Installs the build, builds the examples against the installed package from outside the tree, and
+# runs them:
+#   cmake -D build=<folder> -D examples=<folder> -D compiler=<path> -D flags=<of the examples>
+#         -D folder=<where they are built> -P installed_package.cmake
+# Eigen, fmt and Boost, with which the library was built, are hidden: the package needs none.
+set(installed ${build}/installed)
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}: ${status}\n${said}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${installed} ${folder})
+run(${CMAKE_COMMAND} --install ${build} --prefix ${installed})
+file(GLOB_RECURSE headers ${installed}/include/*)
+foreach(header ${headers})
+  file(STRINGS ${header} foreign REGEX "#include <(Eigen|fmt|boost)/")
+  if(foreign)
+    message(FATAL_ERROR "${header}: ${foreign}")
+  endif()
+endforeach()
+
+run(${CMAKE_COMMAND} -S ${examples} -B ${folder} -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${installed}
+    -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON
+    -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON)
+run(${CMAKE_COMMAND} --build ${folder})
+file(GLOB sources ${examples}/*.cpp)
+if(NOT sources)
+  message(FATAL_ERROR "${examples}: no examples")
+endif()
+foreach(source ${sources})
+  cmake_path(GET source STEM example)
+  run(${CMAKE_COMMAND} -E chdir ${folder} ./${example})
+endforeach()
