@@ -6,7 +6,7 @@
 # make check          the key numbers: paper, computed, error, verdict
 # make readme         the README's table of key numbers, from the same source as make check
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
-# make random-scenes  20,000 ordinary and 20,000 extreme scenes, every property checked (minutes)
+# make random-scenes  60,000 scenes, ordinary, extreme and degenerate, every property checked (minutes)
 # make fuzz           the command line and the table readers under libFuzzer, seconds=60 (needs clang)
 # make benchmarks     micro-benchmarks of the steps of the pipeline (needs libbenchmark-dev)
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them

@@ -152,4 +152,31 @@ TEST(FoundScenes, RestOnAStopWithoutStaticForce) {
   EXPECT_EQ(excessive_work(scene, until, outcome.counters), "");
 }
 
+// Mass 1 starts into its stop beside mass 2, at rest on its own: the damper presses that by the
+// speed before the impact, and pulls it by the one after. It was held for no time at all.
+TEST(FoundScenes, AnImpactAtTheStartBesideAMassAtRest) {
+  Scene scene = extremes::chain(2, 0.5);
+  scene.restitution = 0.5;
+  scene.velocity = {0.2, 0.0};
+  scene.stops = {{1, Side::upper, 0.0}, {2, Side::upper, 0.0}};
+  EventRecorder events;
+  const Outcome outcome = simulate(scene, 0.1, {}, events);
+  ASSERT_EQ(events.events.size(), 1u);
+  EXPECT_EQ(events.events[0].kind, EventKind::impact);
+  EXPECT_EQ(events.events[0].mass, 1);
+  EXPECT_LT(outcome.state.displacement[1], 0.0);
+}
+
+// The last mass comes to rest on its stop by a chatter as nothing else moves any more: there was no
+// rate to look ahead at, and the state at the end was not a number.
+TEST(FoundScenes, AChatterThatLeavesNothingInMotion) {
+  const Scene scene = extreme_scene(2378);
+  for (const double until : {157.0, 300.0}) {
+    const Outcome outcome = simulate(scene, until);
+    EXPECT_EQ(outcome.ending, Ending::reached);
+    EXPECT_EQ(outcome.state.displacement[7], scene.stops.back().position);
+    for (const double v : outcome.state.velocity) EXPECT_EQ(v, 0.0);
+  }
+}
+
 }  // namespace

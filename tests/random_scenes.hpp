@@ -1,10 +1,12 @@
-// Random scenes, seeded, and the same scene seen otherwise: mirrored, in other units, as a command.
+// Random scenes, seeded, what rounding does to them, and the same scene seen otherwise: mirrored,
+// in other units, as a command.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -143,6 +145,30 @@ inline double run_length(const Scene &scene, double radians) {
   const double length =
       std::min(8.0 * 2.0 * std::acos(-1.0) / scene.omega, radians / frequency_bound(scene));
   return std::isfinite(length) ? length : radians;
+}
+
+// The frequencies of a chain with soft and stiff links are known to epsilon times the *largest*
+// stiffness only, so the forces of its soft links to that share; twice that. The missing link of a
+// free chain is none.
+inline double rounding_of_frequencies(const Scene &scene) {
+  double softest = std::numeric_limits<double>::infinity(), stiffest = 0.0;
+  for (const double k : scene.stiffness) {
+    if (k > 0.0) softest = std::min(softest, k);
+    stiffest = std::max(stiffest, k);
+  }
+  return 2.0 * std::numeric_limits<double>::epsilon() * (stiffest / softest);
+}
+
+// Displacements are known to epsilon times the steady response, whose static bound this is: all
+// forces on a chain of all the links' compliances. Next to a resonance the response may be 32 times
+// as large before the library no longer splits it off. The rigid-body mode of a free chain has no
+// steady response.
+inline double rounding_of_steady_response(const Scene &scene) {
+  double force = 0.0, compliance = 0.0;
+  for (const double a : scene.amplitude) force += std::abs(a);
+  for (const double k : scene.stiffness)
+    if (k > 0.0) compliance += 1.0 / k;
+  return std::numeric_limits<double>::epsilon() * force * compliance;
 }
 
 // Mirror image: x -> -x; of an event likewise.

@@ -11,29 +11,19 @@
 
 #include "energy_balance.hpp"
 #include "event_rules.hpp"
+#include "first_stick.hpp"
 #include "random_scenes.hpp"
 #include "work_bounds.hpp"
 
 namespace vibro_impact::testing {
 
-// The stiffest link against the softest; the missing link of a free chain is none.
-inline double ratio_of_links(const Scene &scene) {
-  double softest = std::numeric_limits<double>::infinity(), stiffest = 0.0;
-  for (const double k : scene.stiffness) {
-    if (k > 0.0) softest = std::min(softest, k);
-    stiffest = std::max(stiffest, k);
-  }
-  return stiffest / softest;
-}
-
 // The imbalance of energy relative to the energy that took part, and how much is rounding.
 //
 // 1e-11: seen are 7e-13 in 2,000 ordinary scenes, from a few thousand events of rounding each, and
-// all 20,000 keep it. The frequencies of a chain with soft and stiff links are known to epsilon
-// times the *largest* stiffness only, so the forces of its soft links, and the energy, to that
-// share; twice that is allowed, and one of 20,000 extreme scenes needs more than half of it. A free
-// chain may be far from where it started with its links hardly stretched: positions are known to
-// epsilon of the way, and so their energy to the root of what they would have.
+// all 20,000 keep it. Beside that what soft links lose beside stiff ones, of which one of 20,000
+// extreme scenes needs more than half. A free chain may be far from where it started with its links
+// hardly stretched: positions are known to epsilon of the way, and so their energy to the root of
+// what they would have.
 struct Balance {
   double imbalance = 0.0, tolerance = 0.0;
   double noticed = 0.0;  // imbalance that r + 1e-6 in the losses would make
@@ -51,24 +41,12 @@ inline Balance energy_balance(const Scene &scene, double until, double off = 0.0
   if (outcome.ending == Ending::reached) audit.close(outcome.state);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const auto scale = static_cast<double>(audit.scale());
-  double tolerance = 1e-11 + 2.0 * epsilon * ratio_of_links(scene);
+  double tolerance = 1e-11 + rounding_of_frequencies(scene);
   if (scene.stiffness[0] == 0.0)
     tolerance += 4.0 * epsilon * std::sqrt(static_cast<double>(audit.apart) / scale);
   return {static_cast<double>(std::abs(audit.imbalance())) / scale, tolerance,
           static_cast<double>(1e-6L * audit.noticed) / scale,
           scale > 0.0 && tolerance < 1e-6 && audit.account.rounding < 1e-10L * audit.scale()};
-}
-
-// Displacements are known to epsilon times the steady response, whose static bound this is: all
-// forces on a chain of all the links' compliances. Next to a resonance the response may be 32 times
-// as large before the library no longer splits it off. The rigid-body mode of a free chain has no
-// steady response.
-inline double rounding_of_steady_response(const Scene &scene) {
-  double force = 0.0, compliance = 0.0;
-  for (const double a : scene.amplitude) force += std::abs(a);
-  for (const double k : scene.stiffness)
-    if (k > 0.0) compliance += 1.0 / k;
-  return std::numeric_limits<double>::epsilon() * force * compliance;
 }
 
 // So many impacts in one period are possible only where almost no energy is lost in them, where a
@@ -181,8 +159,9 @@ inline std::string broken_by_other_units(const Run &run) {
   return "";
 }
 
-// Runs the scene, sampled and not, in two parts, mirrored, in other units, and with its energy
-// accounted for. Where the parts meet follows from `seed`: any time, or that of an event.
+// Runs the scene, sampled and not, in two parts, mirrored, in other units, with and without chatter
+// limits, and with its energy accounted for. Where the parts meet follows from `seed`: any time, or
+// that of an event.
 inline Verdict try_scene(const Scene &scene, double until, long long most_impacts, unsigned seed) {
   RunOptions options;
   options.max_impacts_per_period = most_impacts;
@@ -211,6 +190,10 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   then([&] { return broken_by_a_split(run, split, samples); });
   then([&] { return broken_by_a_mirror(run); });
   then([&] { return broken_by_other_units(run); });
+  then([&]() -> std::string {
+    const LimitError error = first_limit_error(scene, until, options);
+    return error.largest <= 1.0 ? "" : fmt::format("first limit off by {:.3g}", error.largest);
+  });
   then([&]() -> std::string {
     const Balance balance = energy_balance(scene, until);
     verdict.balanced = balance.known;

@@ -150,8 +150,9 @@ void start_from(Run<D> &run, const RunState &from) {
   run.told_before = from.told;
   if (!(from.next_flight < std::numeric_limits<double>::infinity())) return;
   for (std::size_t k = 0; k < state.mode->contacts.size(); ++k) {
-    const Contact<D> &contact = state.mode->contacts[k];
-    if (!contact.held && state.stops[contact.stop].zeros == 1) run.hits.push_back(k);
+    const AtStop &stop = state.stops[state.mode->contacts[k].stop];
+    if (!state.mode->contacts[k].held && stop.zeros == 1 && stop.last_speed > 0.0)
+      run.hits.push_back(k);
   }
   follow_chatter(run, state.mode);
 }
@@ -184,8 +185,7 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
     start_from(run, *start.motion);
   else
     start_from(run, *start.state);
-  const double pi = std::acos(-1.0);
-  run.window = scene.omega > 0.0 ? run.clock.period : 2.0 * pi / run.unit;
+  run.window = scene.omega > 0.0 ? run.clock.period : 6.3 / run.unit;
   run.told = 0;
   run_on(run);
   const Masses<D> masses = masses_of(run.at_end, scene);
