@@ -49,16 +49,22 @@ int try_scenes(const Distribution &distribution, unsigned first, int count) {
   return failed;
 }
 
+#ifdef __SANITIZE_ADDRESS__  // far slower
+constexpr unsigned scenes = 60;
+#else
+constexpr unsigned scenes = 300;
+#endif
+
 TEST(RandomScenes, KeepEveryProperty) {
-  EXPECT_EQ(try_scenes(ordinary, 1, 300), 0);
+  EXPECT_EQ(try_scenes(ordinary, 1, scenes), 0);
 }
 
 TEST(ExtremeScenes, KeepEveryProperty) {
-  EXPECT_EQ(try_scenes(extreme, 1, 300), 0);
+  EXPECT_EQ(try_scenes(extreme, 1, scenes), 0);
 }
 
 TEST(DegenerateScenes, KeepEveryProperty) {
-  EXPECT_EQ(try_scenes(degenerate, 1, 300), 0);
+  EXPECT_EQ(try_scenes(degenerate, 1, scenes), 0);
 }
 
 // Scenes of the long search that broke a property once: the time left of a chatter of 1e-20 came
@@ -78,9 +84,11 @@ TEST(ExtremeScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
 }
 
 // Masses at rest at one position were held by the rounding of it (499, 2401), or held again for no
-// time as two forces came to zero at one instant (1606).
+// time as two forces came to zero at one instant (1606); masses at rest beside a held one were off
+// by the rounding of the whole chain, which counted as motion (2705, 5841, 13584).
 TEST(DegenerateScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
-  for (const unsigned seed : {499u, 1606u, 2401u}) EXPECT_EQ(try_scenes(degenerate, seed, 1), 0);
+  for (const unsigned seed : {499u, 1606u, 2401u, 2705u, 5841u, 13584u})
+    EXPECT_EQ(try_scenes(degenerate, seed, 1), 0);
 }
 
 // A motion that dies down to 3e-321, where other units round an impact into it (703549); a mass

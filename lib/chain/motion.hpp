@@ -157,13 +157,15 @@ Masses<D> masses_of(const State<D> &state, const Scene &scene) {
   return masses;
 }
 
-// How far these displacements, and velocities in units of `rate`, may be off by rounding.
+// How far these displacements, and velocities in units of `rate`, may be off by rounding: that of
+// the largest of them, which all lanes have had a share in.
 template <int D>
 Eigen::VectorXd rounding_of(const State<D> &state, const Scene &scene, double rate) {
   const ContactMode<D> &mode = *state.mode;
   Eigen::VectorXd error =
-      rounding * (mode.equilibrium.cwiseAbs() +
-                  mode.shape.cwiseAbs() * (state.value.abs() + state.slope.abs() / rate).matrix());
+      mode.equilibrium.cwiseAbs() +
+      mode.shape.cwiseAbs() * (state.value.abs() + state.slope.abs() / rate).matrix();
+  error.setConstant(rounding * error.maxCoeff());
   for (const Contact<D> &contact : mode.contacts)
     if (!contact.held && !is_wide(state, contact))
       error(static_cast<Eigen::Index>(contact.mass)) =

@@ -94,23 +94,21 @@ void gather_resting(Run<D> &run, bool at_start) {
 }
 
 // Decides who is held after the instant, for all masses in question at once, and enters the contact
-// mode that follows. `start` is the motion a run starts from, which is known exactly.
+// mode that follows. `start` is where a run starts from, which is known exactly.
 template <int D>
-void settle(Run<D> &run, const MotionState *start = nullptr) {
+void settle(Run<D> &run, const Masses<D> *start = nullptr) {
   gather_resting(run, start != nullptr);
   if (run.resting.empty()) return;
   State<D> &state = run.state;
   Held held = state.mode->held;
-  const Masses<D> masses = masses_of(state, run.scene);
+  const Masses<D> masses = start == nullptr ? masses_of(state, run.scene) : *start;
+  Eigen::VectorXd error = rounding_of(state, run.scene, run.unit);
+  if (start != nullptr) error.setZero();
   const auto list = [](const auto &values) {
     return std::vector<double>(values.data(), values.data() + values.size());
   };
-  if (start != nullptr)
-    decide(run.scene, state.now.phase, run.unit, start->displacement, start->velocity,
-           std::vector<double>(held.size(), 0.0), held, run.resting);
-  else
-    decide(run.scene, state.now.phase, run.unit, list(masses.displacement), list(masses.velocity),
-           list(rounding_of(state, run.scene, run.unit)), held, run.resting);
+  decide(run.scene, state.now.phase, run.unit, list(masses.displacement), list(masses.velocity),
+         list(error), held, run.resting);
   for (const Resting &mass : run.resting) {
     AtStop &stop = state.stops[mass.stop];
     set_gap(stop, 0.0, 0.0);

@@ -100,11 +100,11 @@ void look_inside(Run<D> &run, const Instant &then) {
 // From a motion: nothing is known of the stops but the gaps. Masses that move into their stop have
 // their impact at this instant, and belong to it.
 template <int D>
-void start_from(Run<D> &run, MotionState motion) {
+void start_from(Run<D> &run, const MotionState &motion) {
   State<D> &state = run.state;
   const auto n = static_cast<Eigen::Index>(motion.displacement.size());
-  const Masses<D> masses{Eigen::Map<const Eigen::VectorXd>(motion.displacement.data(), n),
-                         Eigen::Map<const Eigen::VectorXd>(motion.velocity.data(), n)};
+  Masses<D> masses{Eigen::Map<const Eigen::VectorXd>(motion.displacement.data(), n),
+                   Eigen::Map<const Eigen::VectorXd>(motion.velocity.data(), n)};
   state.now = state.window_start = motion.instant;
   set_lanes(state, run.scene, run.modes.enter(run.scene, motion.held, run.counters), masses);
   state.stops.resize(run.scene.stops.size());
@@ -123,9 +123,9 @@ void start_from(Run<D> &run, MotionState motion) {
   }
   apply_impacts(run);
   for (const std::size_t k : run.hits)
-    motion.velocity[mode->contacts[k].mass] =
+    masses.velocity(static_cast<Eigen::Index>(mode->contacts[k].mass)) =
         -mode->contacts[k].sigma * state.stops[mode->contacts[k].stop].speed;
-  settle(run, &motion);
+  settle(run, &masses);
   follow_chatter(run, mode);
 }
 
