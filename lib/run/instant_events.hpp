@@ -28,6 +28,12 @@ void count_impact(Run<D> &run, AtStop &stop, double speed) {
                       " impacts in one period, given up at t = ", time_of(state.now, run.clock)));
 }
 
+// True when a speed at this stop is lost in the rounding of those the chain moves at.
+template <int D>
+bool is_lost(const State<D> &state, const Contact<D> &contact, double speed) {
+  return speed < lost * (contact.watched.on_value * state.slope).abs().sum();
+}
+
 // Applies the impacts at `run.hits`. A chatter of which what is left lies below rounding is over:
 // its mass is at rest, whatever else happens within that rounding.
 template <int D>
@@ -52,8 +58,7 @@ void apply_impacts(Run<D> &run) {
     const double r = law_of(run.scene, run.scene.stops[contact.stop]).at_rest();
     const double left = next_flight(state, run.scene, contact) / (1.0 - r);
     const double speed = state.stops[contact.stop].speed;
-    const double others = (contact.watched.on_value * state.slope).abs().sum();
-    const bool over = left * mode.fastest < same_instant || speed < lost * others;
+    const bool over = left * mode.fastest < same_instant || is_lost(state, contact, speed);
     if (!(speed > 0.0 && over)) continue;
     leave_stop(state, contact, 0.0);
     ++run.counters.chatter_limits;
@@ -63,11 +68,12 @@ void apply_impacts(Run<D> &run) {
 // True when the dampers pass the jump of a speed on to this mass.
 template <int D>
 bool is_pushed(const Run<D> &run, std::size_t mass) {
-  if (!(run.scene.beta > 0.0)) return false;
-  return std::any_of(run.hits.begin(), run.hits.end(), [&](std::size_t hit) {
-    const std::size_t other = run.state.mode->contacts[hit].mass;
-    return other + 1 == mass || mass + 1 == other;
-  });
+  return run.scene.beta > 0.0 &&
+         std::any_of(run.hits.begin(), run.hits.end(), [&](std::size_t hit) {
+           const Contact<D> &contact = run.state.mode->contacts[hit];
+           return (contact.mass + 1 == mass || mass + 1 == contact.mass) &&
+                  !is_lost(run.state, contact, run.state.stops[contact.stop].last_speed);
+         });
 }
 
 // Gathers the masses at rest on a stop whose force is in question: those not held, those whose

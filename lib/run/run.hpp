@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -99,11 +100,10 @@ void tell(Run<D> &run, EventKind kind, std::size_t stop, double before, double a
   }
   if (!run.takes_events) return;
   const State<D> &state = run.state;
-  const Stop &at = run.scene.stops[stop];
   const Event event{kind,
                     stop,
-                    at.mass,
-                    at.side,
+                    run.scene.stops[stop].mass,
+                    run.scene.stops[stop].side,
                     state.now,
                     time_of(state.now, run.clock),
                     before,
@@ -132,14 +132,11 @@ double next_sample(const Run<D> &run) {
 // Serves the sample times up to tau after the state, on whose path it moves.
 template <int D>
 void sample_flight(Run<D> &run, double tau) {
-  double next = next_sample(run);
-  if (!(next < std::numeric_limits<double>::infinity())) return;
-  State<D> between;
-  while (next < std::numeric_limits<double>::infinity() && !run.over) {
+  for (double next = next_sample(run); std::isfinite(next) && !run.over; next = next_sample(run)) {
     const Instant instant = instant_at(next, run.clock);
     const double after = std::max(0.0, elapsed(run.state.now, instant, run.clock));
     if (after > tau) return;
-    between = run.state;
+    State<D> between = run.state;
     move_lanes(between, run.scene, run.clock, weights_of(run.flight.weights, *between.mode),
                run.flight.path, after);
     ++run.counters.modal_evaluations;
@@ -154,7 +151,6 @@ void sample_flight(Run<D> &run, double tau) {
       run.at_end = between;
       read_gaps(run.at_end);
     }
-    next = next_sample(run);
   }
 }
 

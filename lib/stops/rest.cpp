@@ -56,10 +56,8 @@ std::size_t decide_by_order(const Scene &scene, double phase, double rate, Deriv
       at.a_error[i] = error / (scene.mass[i] * rate * rate);
     };
     for (std::size_t i = 0; i < n; ++i) {
-      if (kind[i] == Kind::moving)
-        set_acceleration(i, force_on(i), error_of(i));
-      else
-        set_acceleration(i, 0.0, 0.0);
+      const bool moves = kind[i] == Kind::moving;
+      set_acceleration(i, moves ? force_on(i) : 0.0, moves ? error_of(i) : 0.0);
     }
     for (Resting &mass : resting) {
       if (kind[mass.mass] != Kind::undecided) continue;
