@@ -6,6 +6,7 @@
 #include "hold_force.hpp"
 #include "locate.hpp"
 #include "multi_sliding.hpp"
+#include "parameter.hpp"
 #include "periodic_orbit.hpp"
 #include "simulate.hpp"
 #include "table.hpp"
