@@ -11,9 +11,10 @@ namespace {
 
 using namespace vibro_impact;
 
-const std::string names[] = {"omega", "beta",       "restitution",   "restitution2",
-                             "stop1", "stop2",      "amplitude1",    "amplitude2",
-                             "mass1", "stiffness2", "displacement2", "velocity1"};
+const std::string names[] = {
+    "omega",      "beta",          "restitution",   "restitution1", "restitution2", "stop1",
+    "stop2",      "mass1",         "mass2",         "stiffness1",   "stiffness2",   "amplitude1",
+    "amplitude2", "displacement1", "displacement2", "velocity1",    "velocity2"};
 
 // Every number of a scene, in a fixed order.
 std::vector<double> numbers_of(const Scene &scene) {
