@@ -163,6 +163,7 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
   const Real phase = chain.frequency * t;
   const Real cosine = cos(phase);
   const Real sine = sin(phase);
+  const Real critical = small(40);
   for (std::size_t j = 0; j < size; ++j) {
     Mode mode;
     mode.lambda = eigen.values[j];
@@ -170,9 +171,9 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
     const Real discriminant = mode.lambda - mode.decay * mode.decay;
     // Within 1e-40 of critical the two forms differ from the critical one by less than the working
     // precision.
-    mode.damping = abs(discriminant) <= Real("1e-40") * mode.lambda ? Mode::Damping::critical
-                   : discriminant > 0                               ? Mode::Damping::under
-                                                                    : Mode::Damping::over;
+    mode.damping = abs(discriminant) <= critical * mode.lambda ? Mode::Damping::critical
+                   : discriminant > 0                          ? Mode::Damping::under
+                                                               : Mode::Damping::over;
     mode.nu = sqrt(abs(discriminant));
     Real q, dq, constant;
     for (std::size_t i = 0; i < size; ++i) {
@@ -203,9 +204,10 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
 }
 
 /// The fastest rate still in motion a time tau after the start of the flow: the fast decay of an
-/// over-damped mode, e^{-(a + nu) tau}, no longer counts once it is below 1e-60.
+/// over-damped mode, e^{-(a + nu) tau}, no longer counts once it is below 1e-60
+/// (with 50 digits).
 inline Real fastest_rate_at(const Flow &flow, const Real &tau) {
-  const Real spent = 138;  // -log of it
+  const Real spent = 138 * std::numeric_limits<Real>::digits10 / 50;  // -log of it
   Real fastest = flow.frequency;
   for (const Mode &mode : flow.modes) {
     Real rate = sqrt(mode.lambda);

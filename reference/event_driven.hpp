@@ -9,13 +9,11 @@
 // that is left out lasts some 1e-19; that is the error of the generator.
 #pragma once
 
-#include "closed_form.hpp"
+#include "signals.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,16 +21,15 @@
 
 namespace vibro_impact_reference {
 
-/// The thresholds of the generator, sized for 50 digits.
+/// The thresholds of the generator, sized for the digits of Real.
 struct Resolution {
-  Real speed_floor = Real("1e-20");     // a chatter is followed down to this speed
-  Real pressing_floor = Real("1e-30");  // a hold force below this counts as zero: no stick
+  Real speed_floor = small(20);     // a chatter is followed down to this speed
+  Real pressing_floor = small(30);  // a hold force below this counts as zero: no stick
   Real hopeless_speed =
-      Real("1e-24");  // bounces this slow without a pressing force are below the noise
-  Real root_width =
-      Real("1e-36");  // bisection stops at this fraction of the time since the last event
-  Real simultaneous = Real("1e-33");  // roots this close, relative to the same time, are one event
-  int samples_per_cycle = 128;        // of the fastest mode or of the forcing
+      small(24);                // bounces this slow without a pressing force are below the noise
+  Real root_width = small(36);  // bisection stops at this fraction of the time since the last event
+  Real simultaneous = small(33);  // roots this close, relative to the same time, are one event
+  int samples_per_cycle = 128;    // of the fastest mode or of the forcing
 };
 
 struct Event {
@@ -47,186 +44,6 @@ struct Event {
 
 /// Called once for every piece of smooth motion with its flow and its duration.
 using FlowObserver = std::function<void(const Flow &, const Real &duration)>;
-
-/// A quantity that is positive while nothing happens (the gap of a free mass, the hold force of a
-/// stuck one), with its first two time derivatives.
-struct Signal {
-  Real value, rate, curvature;
-};
-
-/// Bisection: `before` holds at a and no longer at b; returns the right end of a bracket of the
-/// wanted width.
-template <class Predicate>
-Real bisect(const Predicate &before, Real a, Real b, const Real &relative_width) {
-  const Real width = relative_width * b;
-  while (b - a > width) {
-    const Real middle = (a + b) / 2;
-    if (middle <= a || middle >= b) break;
-    (before(middle) ? a : b) = middle;
-  }
-  return b;
-}
-
-/// First time in (a, b] at which the signal falls through zero, if there is one. The piece is cut
-/// where the curvature changes sign, so that the rate is monotone on every part: then a part has at
-/// most one extremum, and a dip below zero between two positive samples (grazing) is found at the
-/// minimum, itself bisected for from the rate.
-template <class SignalAt>
-std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const Signal &at_a,
-                               const Real &b, const Signal &at_b, const Real &root_width) {
-  const Real h = b - a;
-  const Real reach =
-      h * (abs(at_a.rate) + abs(at_b.rate) + 2 * h * (abs(at_a.curvature) + abs(at_b.curvature)));
-  if (at_a.value > reach && at_b.value > reach)
-    return std::nullopt;  // too far from zero to get there and back
-
-  if ((at_a.curvature > 0 && at_b.curvature < 0) || (at_a.curvature < 0 && at_b.curvature > 0)) {
-    const bool positive = at_a.curvature > 0;
-    const Real m =
-        bisect([&](const Real &tau) { return (signal_at(tau).curvature > 0) == positive; }, a, b,
-               root_width);
-    Signal at_m = signal_at(m);
-    at_m.curvature = 0;  // so that neither part is cut again
-    if (m < b) {
-      if (auto root = first_fall(signal_at, a, at_a, m, at_m, root_width)) return root;
-      return first_fall(signal_at, m, at_m, b, at_b, root_width);
-    }
-  }
-
-  if (at_a.rate >= 0) {
-    if (at_b.rate >= 0 || at_b.value > 0) return std::nullopt;
-    // Up, over the only maximum, and down through zero.
-    return bisect(
-        [&](const Real &tau) {
-          const Signal s = signal_at(tau);
-          return s.rate > 0 || s.value > 0;
-        },
-        a, b, root_width);
-  }
-  Real low = b;
-  if (at_b.rate > 0) {
-    // A minimum lies between: look for it, and stop as soon as a point below zero is met on the
-    // way.
-    Real left = a;
-    const Real width = root_width * b;
-    Real value = at_b.value;
-    while (low - left > width) {
-      const Real middle = (left + low) / 2;
-      if (middle <= left || middle >= low) break;
-      const Signal s = signal_at(middle);
-      if (s.rate >= 0 || s.value <= 0) {
-        low = middle;
-        value = s.value;
-        if (s.value <= 0) break;
-      } else {
-        left = middle;
-      }
-    }
-    if (value > 0) return std::nullopt;
-  } else if (at_b.value > 0) {
-    return std::nullopt;
-  }
-  return bisect([&](const Real &tau) { return signal_at(tau).value > 0; }, a, low, root_width);
-}
-
-/// +1 for an upper stop, -1 for a lower one: the gap is side_sign (s - x), and a force pushes into
-/// the stop if side_sign F > 0.
-inline int side_sign(const Stop &stop) {
-  return stop.side == Side::upper ? 1 : -1;
-}
-
-/// Gap of a free mass before a stop.
-inline Signal gap_signal(const Stop &stop, const Motion &motion) {
-  const int sign = side_sign(stop);
-  const std::size_t p = stop.mass;
-  return {sign * (stop.position - motion.x[p]), -sign * motion.v[p], -sign * motion.a[p]};
-}
-
-/// How hard the springs, dampers and the forcing push a mass that rests on its stop into it:
-/// side_sign F_p of Eqs. 12 and 13, for a general chain, and its derivatives. The mass's own motion
-/// does not enter.
-inline Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion &motion) {
-  const std::size_t p = stop.mass;
-  const Real &beta = chain.damping_ratio;
-  const Real &omega = chain.frequency;
-  const Real &amplitude = chain.amplitudes[p];
-  Real force = amplitude * motion.cosine - chain.stiffnesses[p] * stop.position;
-  Real rate = -omega * amplitude * motion.sine;
-  Real curvature = -omega * omega * amplitude * motion.cosine;
-  const auto add_neighbour = [&](std::size_t q, const Real &k) {
-    force += k * (motion.x[q] + beta * motion.v[q]);
-    rate += k * (motion.v[q] + beta * motion.a[q]);
-    curvature += k * (motion.a[q] + beta * motion.jerk[q]);
-  };
-  if (p > 0) add_neighbour(p - 1, chain.stiffnesses[p]);
-  if (p + 1 < chain.masses.size()) {
-    force -= chain.stiffnesses[p + 1] * stop.position;
-    add_neighbour(p + 1, chain.stiffnesses[p + 1]);
-  }
-  const int sign = side_sign(stop);
-  return {sign * force, sign * rate, sign * curvature};
-}
-
-/// What is known exactly at the start of a piece of motion, and would be noise if evaluated.
-enum class Start {
-  apart,     // the mass is away from its stop
-  touching,  // it has just hit: the gap is zero
-  pulled,    // it rests there and is pulled away, at the start or by a jump of the force: gap and
-             // speed are zero
-  let_go,  // the hold force has just fallen through zero: gap, speed and acceleration are zero, the
-           // gap opens
-};
-
-/// The state between two pieces of motion.
-struct State {
-  Real time;
-  Vector x, v;
-  std::vector<std::optional<std::size_t>> stuck_on;  // per mass: the stop (index) it rests on
-  std::vector<Start> stop_start;                     // per stop
-};
-
-inline std::vector<bool> stuck_masses(const State &state) {
-  std::vector<bool> stuck;
-  for (const auto &stop : state.stuck_on) stuck.push_back(stop.has_value());
-  return stuck;
-}
-
-/// The positions and velocities of a state as a Motion, enough for the value of a hold force.
-inline Motion frozen(const Chain &chain, const State &state) {
-  const std::size_t n = state.x.size();
-  const Real phase = chain.frequency * state.time;
-  return {state.x, state.v, Vector(n), Vector(n), cos(phase), sin(phase)};
-}
-
-/// The signal of a stop: gap if its mass is free, hold force if it rests on this very stop, none
-/// otherwise.
-inline std::optional<Signal> stop_signal(const Scene &scene, const State &state, std::size_t index,
-                                         const Motion &motion) {
-  const Stop &stop = scene.stops[index];
-  const auto &stuck_on = state.stuck_on[stop.mass];
-  if (!stuck_on) return gap_signal(stop, motion);
-  if (*stuck_on == index) return pressing_signal(scene.chain, stop, motion);
-  return std::nullopt;
-}
-
-/// Signals of all stops at the very start of a piece, with the exact zeros put in.
-inline std::vector<std::optional<Signal>> starting_signals(const Scene &scene, const State &state,
-                                                           const Motion &motion) {
-  std::vector<std::optional<Signal>> signals;
-  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    auto signal = stop_signal(scene, state, i, motion);
-    if (signal && !state.stuck_on[scene.stops[i].mass] && state.stop_start[i] != Start::apart) {
-      signal->value = 0;
-      if (state.stop_start[i] == Start::pulled) signal->rate = 0;
-      if (state.stop_start[i] == Start::let_go) {
-        signal->rate = 0;
-        signal->curvature = std::numeric_limits<Real>::min();  // 0, about to grow
-      }
-    }
-    signals.push_back(signal);
-  }
-  return signals;
-}
 
 /// First sampling step: a quarter of the shortest flight about to end, as far as gap, speed and
 /// acceleration tell. The step then doubles from sample to sample, so it soon outgrows a wrong

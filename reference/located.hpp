@@ -19,7 +19,7 @@ namespace vibro_impact_reference {
 inline Real zero_between(const std::function<Real(const Real &)> &f, const Real &a, const Real &b) {
   const bool positive = f(a) > 0;
   if (positive == (f(b) > 0)) throw std::logic_error("zero_between: no change of sign");
-  return bisect([&](const Real &x) { return (f(x) > 0) == positive; }, a, b, Real("1e-36"));
+  return bisect([&](const Real &x) { return (f(x) > 0) == positive; }, a, b, small(36));
 }
 
 /// x as a polynomial in f through the given points (f, x), at f = 0.

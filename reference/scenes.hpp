@@ -1,7 +1,7 @@
 // What is simulated: a chain of masses, its stops, and the scenes of the paper.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include "digits.hpp"
 
 #include <cstddef>
 #include <stdexcept>
@@ -9,10 +9,6 @@
 #include <vector>
 
 namespace vibro_impact_reference {
-
-/// The number type of the whole generator. Widen it here (cpp_bin_float_100) to check that the
-/// stored digits stand.
-using Real = boost::multiprecision::cpp_bin_float_50;
 
 /// Link i joins mass i-1 to mass i, link 1 joins mass 1 to ground, the last mass is free: Eqs. 1-2.
 /// The dampers are proportional to the springs, c_i = damping_ratio * k_i (the paper's assumption

@@ -1,0 +1,10 @@
+// The number type of reference-generate-100.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+namespace vibro_impact_reference {
+
+using Real = boost::multiprecision::cpp_bin_float_100;
+
+}  // namespace vibro_impact_reference

@@ -1,0 +1,91 @@
+// Zeros of what is sampled along a motion: brackets and bisection, nothing else.
+#pragma once
+
+#include "digits.hpp"
+
+#include <optional>
+
+namespace vibro_impact_reference {
+
+/// A quantity that is positive while nothing happens (the gap of a free mass, the hold force of a
+/// stuck one), with its first two time derivatives.
+struct Signal {
+  Real value, rate, curvature;
+};
+
+/// Bisection: `before` holds at a and no longer at b; returns the right end of a bracket of the
+/// wanted width.
+template <class Predicate>
+Real bisect(const Predicate &before, Real a, Real b, const Real &relative_width) {
+  const Real width = relative_width * b;
+  while (b - a > width) {
+    const Real middle = (a + b) / 2;
+    if (middle <= a || middle >= b) break;
+    (before(middle) ? a : b) = middle;
+  }
+  return b;
+}
+
+/// First time in (a, b] at which the signal falls through zero, if there is one. The piece is cut
+/// where the curvature changes sign, so that the rate is monotone on every part: then a part has at
+/// most one extremum, and a dip below zero between two positive samples (grazing) is found at the
+/// minimum, itself bisected for from the rate.
+template <class SignalAt>
+std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const Signal &at_a,
+                               const Real &b, const Signal &at_b, const Real &root_width) {
+  const Real h = b - a;
+  const Real reach =
+      h * (abs(at_a.rate) + abs(at_b.rate) + 2 * h * (abs(at_a.curvature) + abs(at_b.curvature)));
+  if (at_a.value > reach && at_b.value > reach)
+    return std::nullopt;  // too far from zero to get there and back
+
+  if ((at_a.curvature > 0 && at_b.curvature < 0) || (at_a.curvature < 0 && at_b.curvature > 0)) {
+    const bool positive = at_a.curvature > 0;
+    const Real m =
+        bisect([&](const Real &tau) { return (signal_at(tau).curvature > 0) == positive; }, a, b,
+               root_width);
+    Signal at_m = signal_at(m);
+    at_m.curvature = 0;  // so that neither part is cut again
+    if (m < b) {
+      if (auto root = first_fall(signal_at, a, at_a, m, at_m, root_width)) return root;
+      return first_fall(signal_at, m, at_m, b, at_b, root_width);
+    }
+  }
+
+  if (at_a.rate >= 0) {
+    if (at_b.rate >= 0 || at_b.value > 0) return std::nullopt;
+    // Up, over the only maximum, and down through zero.
+    return bisect(
+        [&](const Real &tau) {
+          const Signal s = signal_at(tau);
+          return s.rate > 0 || s.value > 0;
+        },
+        a, b, root_width);
+  }
+  Real low = b;
+  if (at_b.rate > 0) {
+    // A minimum lies between: look for it, and stop as soon as a point below zero is met on the
+    // way.
+    Real left = a;
+    const Real width = root_width * b;
+    Real value = at_b.value;
+    while (low - left > width) {
+      const Real middle = (left + low) / 2;
+      if (middle <= left || middle >= low) break;
+      const Signal s = signal_at(middle);
+      if (s.rate >= 0 || s.value <= 0) {
+        low = middle;
+        value = s.value;
+        if (s.value <= 0) break;
+      } else {
+        left = middle;
+      }
+    }
+    if (value > 0) return std::nullopt;
+  } else if (at_b.value > 0) {
+    return std::nullopt;
+  }
+  return bisect([&](const Real &tau) { return signal_at(tau).value > 0; }, a, low, root_width);
+}
+
+}  // namespace vibro_impact_reference
