@@ -22,7 +22,6 @@ constexpr std::size_t max_chatter_nodes = 10;  // of the extrapolation
 constexpr double node_ratio = 0.75;            // of x from node to node, at most
 constexpr double luck = 1.0 / 8.0;             // of the estimate before, that one may be believed
 constexpr double near_limit = 1.0 / 16.0;  // of the time left, that it may differ from predicted
-constexpr double tail_reach = 0.5;        // rate * the time left, at most
 constexpr double jumps_to_come = 1.5;      // in those of a geometric sequence
 constexpr double next_speed = 1.125;       // of the next impact, in that after the latest
 

@@ -110,35 +110,37 @@ void extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit, s
 }
 
 // Moves the state, just after the latest impact, to the limit, with the masses hit at rest on their
-// stops. Returns an estimate of the error of the extrapolated moments, relative to the jump of
-// the oldest impact used: that of the second one, which is known, times what a response of third
-// order, the first that enters, makes of it.
+// stops. Returns an estimate of the error of the responses relative to the jump of the oldest
+// impact used: what its node changes in the moments, as the fastest mode feels it. (Where the mass
+// itself hardly feels that mode, the error of the time of the limit does not show it.)
 template <int D>
 double move_to_limit(const Chatter<D> &chatter, const ChatterLimit &limit, const Scene &scene,
                      const Clock &clock, Weights<D> &weights, const Expansion &path,
                      State<D> &state) {
   const ContactMode<D> &mode = *state.mode;
   const std::size_t hits = chatter.hits.size();
-  const double left = path.span;
   if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);
-  move_lanes(state, scene, clock, weights, path, left);
-  const std::size_t oldest = chatter.table.nodes[chatter.table.nodes.size() - limit.nodes].impact;
-  std::vector<detail::Powers> moments(hits);
+  move_lanes(state, scene, clock, weights, path, path.span);
+  const auto &nodes = chatter.table.nodes;
+  const std::size_t oldest = nodes.size() - limit.nodes;
+  ChatterLimit change = limit;  // by the weights of one node less
+  for (std::size_t i = oldest; i < nodes.size(); ++i)
+    change.weight[i] *= nodes[i].x / nodes[oldest].x;
+  detail::Powers moments, changes;
+  double error = 0.0;
   for (std::size_t j = 0; j < hits; ++j) {
-    extrapolate_moments(chatter, limit, j, path, moments[j]);
-    add_responses(state, chatter.hits[j], path, weights, moments[j].data(), 2, path.order);
+    extrapolate_moments(chatter, limit, j, path, moments);
+    add_responses(state, chatter.hits[j], path, weights, moments.data(), 2, path.order);
+    extrapolate_moments(chatter, change, j, path, changes);
+    double sum = 0.0, power = path.power[1];
+    for (std::size_t n = 2; n < changes.size(); ++n)
+      sum += std::abs(changes[n]) * (power *= path.power[1] / static_cast<double>(n));
+    error = std::max(error, luck * sum / chatter.jumps[nodes[oldest].impact * hits + j]);
   }
-  // The second moments, in place of the extrapolated ones; what differs by more than rounding is
-  // their error. The first ones follow as the masses are brought to rest.
-  double off = 0.0;
+  // The second moments bring the masses to their stops, the first ones to rest there.
   for (std::size_t j = 0; j < hits; ++j) {
-    const Contact<D> &contact = mode.contacts[chatter.contacts[j]];
-    const double second = -watched_now(state, contact) / left;
-    const double noise = rounding * size_of(state, contact) / left;
-    off = std::max(off,
-                   (std::abs(moments[j][1] - second) - noise) / chatter.jumps[oldest * hits + j]);
-    moments[j][1] = second;
-    add_responses(state, chatter.hits[j], path, weights, moments[j].data(), 1, 1);
+    moments[1] = -watched_now(state, mode.contacts[chatter.contacts[j]]) / path.span;
+    add_responses(state, chatter.hits[j], path, weights, moments.data(), 1, 1);
   }
   tie_decays(state);
   for (const std::size_t k : chatter.contacts) place_at_stop(state, mode.contacts[k], 0.0);
@@ -149,7 +151,7 @@ double move_to_limit(const Chatter<D> &chatter, const ChatterLimit &limit, const
     else
       read_gap(state, contact);  // it is clear
   }
-  return off * path.power[1] * path.power[1];
+  return error;
 }
 
 }  // namespace vibro_impact

@@ -159,7 +159,7 @@ bool take_limit(Run<D> &run) {
           run.options.resolve_chatter))
       return false;
   const auto limit = extrapolate(chatter, run.options.chatter_tolerance / fastest);
-  if (!limit || !(limit->left > 0.0 && limit->left * fastest <= tail_reach)) return false;
+  if (!limit || !(limit->left > 0.0 && limit->left * fastest <= max_reach)) return false;
   if (!others_stay_clear(chatter, state, limit->left)) return false;
   Expansion path;
   expand(fastest, limit->left, run.options.flight_tolerance, path, run.counters);
