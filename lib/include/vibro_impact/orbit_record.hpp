@@ -1,0 +1,50 @@
+// What a diagram or an atlas shows of the motion at one parameter point. Only what is asked for is
+// computed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "settle.hpp"
+
+namespace vibro_impact {
+
+struct RecordOptions {
+  SettleOptions settle;
+  int counted = 40;                // forcing periods over which a motion that does not settle is
+                                   // recorded, after SettleOptions::longest, >= 1
+  bool lyapunov = false;           // greatest Lyapunov exponent
+  bool impact_velocities = false;  // every impact faster than `slowest`
+  double slowest = 1e-4;           // >= 0
+};
+
+// Forcing periods integrated: counts of work.
+struct RecordWork {
+  long long settling = 0;       // until the motion has settled, or to the full length
+  long long recorded = 0;       // over which counts and impact velocities were taken after that
+  long long with_tangents = 0;  // followed with tangents
+};
+
+struct OrbitRecord {
+  int period = 0;                  // forcing periods; 0: none
+  double to_come = 0.0;            // as in SettledMotion
+  EventCounts counts;              // over one period, or RecordOptions::counted forcing periods
+  std::optional<double> lyapunov;  // if asked for
+  // Velocities just before the impacts over these periods, per mass, in the order of time; if asked
+  // for.
+  std::vector<std::vector<double>> impact_velocities;
+  MotionState state;  // where the motion settled, or stood after the full length: at the phase of
+                      // the start, cycle count zero
+  RecordWork work;
+  Counters counters;  // of the settling
+};
+
+// The record of the motion from `start`, or from the initial state of the scene. The Lyapunov
+// exponent of a motion that has settled is ln|mu| / (p T), mu its largest Floquet multiplier over
+// its period of p forcing periods T; that of any other the growth of tangents over
+// RecordOptions::counted forcing periods. Throws as `settle` does.
+OrbitRecord record_of(const Scene &scene, const MotionState &start,
+                      const RecordOptions &options = {});
+OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});
+
+}  // namespace vibro_impact
