@@ -25,7 +25,7 @@ auto downwards(const std::vector<double> &omegas, Scan &&scan) {
 
 void draw(const std::filesystem::path &output) {
   constexpr int settling = 60;  // periods at every frequency of a branch
-  figures::Progress progress("bifurcations", 6);
+  Progress progress("bifurcations", 6);
   const std::vector<double> omegas = figures::sticking_grid(2000);
   const auto followed = [](const auto &grid) { return figures::scan_following(grid, settling); };
   const figures::Counts rest = figures::scan_from_rest(omegas, omp_get_max_threads());

@@ -105,7 +105,7 @@ int main(int argc, char **argv) {
                         "The library beside a stiff spring and the plain event-driven scheme",
                         [](const std::filesystem::path &output) {
                           const Scene scene = paper::figure2();
-                          figures::Progress progress("comparison", 4 * 29 + 13);
+                          Progress progress("comparison", 4 * 29 + 13);
                           const auto advance = [&progress] { progress.advance(); };
                           const Table spring_table = springs(scene, advance);
                           const Table threshold_table = thresholds(scene, advance);

@@ -1,7 +1,6 @@
 #include "driver.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -70,23 +69,6 @@ int drive(int argc, char **argv, const std::string &purpose,
     draw(output);
     return 0;
   });
-}
-
-Progress::Progress(std::string of_what, long long total)
-    : of_what_(std::move(of_what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0) {
-}
-
-void Progress::advance() {
-  const std::lock_guard lock(mutex_);
-  const long long percent = 100 * ++done_ / total_;
-  const double elapsed =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const bool last = done_ == total_;
-  if (elapsed < 2.0 || (percent < shown_ + (terminal_ ? 1 : 25) && !last)) return;
-  shown_ = percent;
-  const char *end = terminal_ && !last ? "" : "\n";
-  fmt::print(stderr, "{}{}: {} %{}", terminal_ ? "\r" : "", of_what_, percent, end);
-  std::fflush(stderr);
 }
 
 RunOptions all_visible_chatter() {

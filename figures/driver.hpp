@@ -1,15 +1,14 @@
-// What the figure drivers share: the command line, the error exit, progress, displacement tables.
+// What the figure drivers share: the command line, the error exit, displacement tables.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "paper_scenes.hpp"
+#include "progress.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -32,21 +31,6 @@ int command(int argc, char **argv, const std::string &purpose, const std::vector
 int drive(int argc, char **argv, const std::string &purpose,
           const std::function<void(const std::filesystem::path &)> &draw,
           std::vector<Option> options = {});
-
-// How far a run of more than two seconds has come, on standard error: one line that is rewritten on
-// a terminal, a line each further quarter elsewhere. May be called from several threads.
-class Progress {
- public:
-  Progress(std::string of_what, long long total);
-  void advance();
-
- private:
-  std::string of_what_;
-  long long total_, done_ = 0, shown_ = -25;
-  bool terminal_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::mutex mutex_ = {};
-};
 
 // A run shown as displacement against time resolves all chatter that can be seen.
 RunOptions all_visible_chatter();

@@ -118,8 +118,7 @@ void compare(const std::filesystem::path &output, const std::string &reference, 
   const Methods all = all_methods();
   for (const std::string &line : all.left_out) fmt::print(stderr, "{}\n", line);
   std::vector<Trial> trials = trials_of(cases, all.methods);
-  figures::Progress progress("error_vs_runtime",
-                             static_cast<long long>(trials.size()) * (repeats + 1));
+  Progress progress("error_vs_runtime", static_cast<double>(trials.size()) * (repeats + 1));
   for (Trial &trial : trials) {
     try_out(trial);
     progress.advance();

@@ -11,8 +11,7 @@ int main(int argc, char **argv) {
                         [](const std::filesystem::path &output) {
                           const std::vector<double> omegas = figures::frequencies_of_figure3(1801);
                           const int periods = 40;
-                          figures::Progress progress("figure 3",
-                                                     static_cast<long long>(omegas.size()));
+                          Progress progress("figure 3", static_cast<double>(omegas.size()));
                           const auto [v1, v2] = figures::bifurcation_diagrams(
                               omegas, periods, omp_get_max_threads(), [&] { progress.advance(); });
                           write(v1, output / "figure3a.csv");

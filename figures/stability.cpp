@@ -11,7 +11,7 @@ int main(int argc, char **argv) {
       [](const std::filesystem::path &output) {
         const auto tables = figures::read_event_tables(EXTREME_EVENTS);
         const auto cases = extremes::all_cases();
-        figures::Progress progress("stability", static_cast<long long>(cases.size()));
+        Progress progress("stability", static_cast<double>(cases.size()));
         Table table(
             "case,group,truth,events,time_error,time_error_in_ulp,conditioning,velocity_error,"
             "penetration,expansions,root_iterations,impacts,verdict");

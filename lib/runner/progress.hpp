@@ -1,0 +1,53 @@
+// How far a long computation has come and how long it will still take, on standard error.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <string>
+
+namespace vibro_impact {
+
+// "time: 12.5 of 750 (1 %), 3 min 5 s left": the rest at the pace since `before`, where the
+// computation began `seconds` ago.
+std::string progress_line(const std::string &of_what, double before, double done, double total,
+                          double seconds);
+
+// Says nothing in the first two seconds, and nothing where nobody reads it. On a terminal one line
+// is rewritten, at most five times a second, and wiped at the end; elsewhere, if asked for, a line
+// follows after 2, 4, 8, ... seconds. May be called from several threads.
+class Progress {
+ public:
+  struct Screen {
+    std::FILE *file = nullptr;
+    bool terminal = false;
+    std::chrono::steady_clock::time_point (*now)() = std::chrono::steady_clock::now;
+  };
+
+  // `before`: what of `total` was done before the computation began.
+  Progress(std::string of_what, double total, bool asked_for = true, double before = 0.0);
+  Progress(std::string of_what, double total, bool asked_for, double before, Screen screen);
+  ~Progress();
+  Progress(const Progress &) = delete;
+  Progress &operator=(const Progress &) = delete;
+
+  // False: the others do nothing, and need not be called.
+  bool is_read() const {
+    return is_read_;
+  }
+  void reach(double done);
+  void advance(double by = 1.0);
+
+ private:
+  std::string of_what_;
+  double total_, before_, done_;
+  Screen screen_;
+  bool is_read_;
+  std::chrono::steady_clock::time_point start_, next_;  // next_: before it nothing is written
+  std::size_t width_ = 0;                               // of the line that stands on the terminal
+  std::mutex mutex_ = {};
+
+  void show();
+};
+
+}  // namespace vibro_impact
