@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "fits.hpp"
@@ -36,8 +37,8 @@ struct QuantityRecorder {
 
 // Least interior local minimum over one period from `start`: found among samples, then sharpened as
 // the zero of the rate of the state there.
-std::optional<double> least_minimum(const Scene &scene, MotionState start,
-                                    const Quantity &quantity) {
+std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
+                                        const Quantity &quantity) {
   start.instant.cycle = 0;  // times are then exact phases; to the motion all cycles are the same
   const double from = start.instant.phase, period = Clock(scene.omega).period;
   QuantityRecorder samples{quantity, from, from + period, period / 4096};
@@ -49,15 +50,16 @@ std::optional<double> least_minimum(const Scene &scene, MotionState start,
     return require_complete(simulate_from(scene, start, t)).state;
   };
   const auto rate = [&](double t) { return quantity.rate(state_at(t)); };
-  std::optional<double> least;
+  std::optional<LeastValue> least;
   const std::vector<double> &values = samples.values;
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
     // False beside a NaN: only minima inside a phase count.
     if (!(values[i] <= values[i - 1] && values[i] < values[i + 1])) continue;
     if (!quantity.defined(state_at(time(i)))) continue;
     if (!(rate(time(i - 1)) < 0.0 && rate(time(i + 1)) > 0.0)) continue;  // a kink, not a minimum
-    const double value = quantity.value(state_at(zero(rate, time(i - 1), time(i + 1)).value));
-    if (!least || value < *least) least = value;
+    MotionState at = state_at(zero(rate, time(i - 1), time(i + 1)).value);
+    const double value = quantity.value(at);
+    if (!least || value < least->value) least = {value, std::move(at)};
   }
   return least;
 }
@@ -71,8 +73,9 @@ void require_stop(const Scene &scene, const Stop &stop) {
 
 }  // namespace
 
-std::optional<double> least_pressing_force(const Scene &scene, const MotionState &start,
-                                           const Stop &stop) {
+std::optional<LeastValue> where_pressing_force_is_least(const Scene &scene,
+                                                        const MotionState &start,
+                                                        const Stop &stop) {
   require_stop(scene, stop);
   const auto p = static_cast<std::size_t>(stop.mass - 1);
   return least_minimum(
@@ -84,7 +87,8 @@ std::optional<double> least_pressing_force(const Scene &scene, const MotionState
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
 }
 
-std::optional<double> least_gap(const Scene &scene, const MotionState &start, const Stop &stop) {
+std::optional<LeastValue> where_gap_is_least(const Scene &scene, const MotionState &start,
+                                             const Stop &stop) {
   require_stop(scene, stop);
   const double sigma = sign(stop.side);
   const auto p = static_cast<std::size_t>(stop.mass - 1);
@@ -96,6 +100,17 @@ std::optional<double> least_gap(const Scene &scene, const MotionState &start, co
        [](const MotionState &) { return true; },
        [&](const MotionState &at) { return sigma * (stop.position - at.displacement[p]); },
        [&](const MotionState &at) { return -sigma * at.velocity[p]; }});
+}
+
+std::optional<double> least_pressing_force(const Scene &scene, const MotionState &start,
+                                           const Stop &stop) {
+  const auto least = where_pressing_force_is_least(scene, start, stop);
+  return least ? std::optional(least->value) : std::nullopt;
+}
+
+std::optional<double> least_gap(const Scene &scene, const MotionState &start, const Stop &stop) {
+  const auto least = where_gap_is_least(scene, start, stop);
+  return least ? std::optional(least->value) : std::nullopt;
 }
 
 }  // namespace vibro_impact

@@ -116,21 +116,29 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 }
 
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
-                                                  int periods, const RunOptions &options) {
+                                                  int periods, const RunOptions &options,
+                                                  const std::vector<Parameter> &by) {
   const double until = time_after(scene, start, periods);
   const std::vector<std::size_t> free = free_coordinates(start.held);
   const std::size_t n = start.held.size();
-  Matrix columns(2 * n, free.size());
+  Matrix columns(2 * n, free.size() + by.size());
   for (std::size_t k = 0; k < free.size(); ++k) columns(free[k], k) = 1.0;
-  TangentRecorder tangents(scene, start, columns);
+  TangentRecorder tangents(scene, start, columns, {.by = by});
   const Outcome end = simulate_from(scene, start, until, options, tangents);
   tangents.finish(require_complete(end).state.instant);
-  StroboscopicImage image{end.state, Matrix(2 * n, 2 * n), tangents.differentiable(),
-                          tangents.chatter_error(), end.counters};
+  StroboscopicImage image{end.state,
+                          Matrix(2 * n, 2 * n),
+                          Matrix(2 * n, by.size()),
+                          tangents.differentiable(),
+                          tangents.chatter_error(),
+                          end.counters};
   image.state.instant = start.instant;
   const Matrix tangent = tangents.tangent();
-  for (std::size_t i = 0; i < 2 * n; ++i)
+  for (std::size_t i = 0; i < 2 * n; ++i) {
     for (std::size_t k = 0; k < free.size(); ++k) image.derivative(i, free[k]) = tangent(i, k);
+    for (std::size_t k = 0; k < by.size(); ++k)
+      image.by_parameters(i, k) = tangent(i, free.size() + k);
+  }
   return image;
 }
 

@@ -1,6 +1,6 @@
 // The impact law (Eqs. 8-11): the one place that says with which speed a mass leaves its stop.
 //
-// The rest of the library asks for nothing but the three functions below, so that a law r(v) is a
+// The rest of the library asks for nothing but the functions below, so that a law r(v) is a
 // change of this file alone. What it takes for granted: a mass leaves no faster than it came, and
 // after(v) / v is smooth down to v = 0 (that makes the impacts of a chatter a smooth sequence).
 #pragma once
@@ -17,6 +17,10 @@ struct ImpactLaw {
   // Its derivative by the closing speed.
   constexpr double slope(double) const {
     return restitution;
+  }
+  // And by r.
+  constexpr double after_by_restitution(double speed) const {
+    return speed;
   }
   // after(v) / v as v -> 0: the ratio of the late impacts of a chatter.
   constexpr double at_rest() const {

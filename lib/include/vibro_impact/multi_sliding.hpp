@@ -19,4 +19,14 @@ std::optional<double> least_pressing_force(const Scene &scene, const MotionState
 // period after `start`: where it reaches zero the mass grazes the stop.
 std::optional<double> least_gap(const Scene &scene, const MotionState &start, const Stop &stop);
 
+// The same with the motion at the minimum, the cycle of `start` counted as 0.
+struct LeastValue {
+  double value = 0.0;
+  MotionState at;
+};
+std::optional<LeastValue> where_pressing_force_is_least(const Scene &scene,
+                                                        const MotionState &start, const Stop &stop);
+std::optional<LeastValue> where_gap_is_least(const Scene &scene, const MotionState &start,
+                                             const Stop &stop);
+
 }  // namespace vibro_impact

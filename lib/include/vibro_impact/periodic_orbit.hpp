@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "matrix.hpp"
+#include "parameter.hpp"
 #include "simulate.hpp"
 
 namespace vibro_impact {
@@ -29,6 +30,7 @@ double time_after(const Scene &scene, const MotionState &start, int periods);
 struct StroboscopicImage {
   MotionState state;           // n periods later, cycle count as at the start
   Matrix derivative;           // 2N x 2N; rows and columns of held masses are zero
+  Matrix by_parameters;        // 2N x parameters, at a fixed phase of the section
   bool differentiable = true;  // see TangentRecorder
   double chatter_error = 0.0;  // see TangentRecorder
   Counters counters;
@@ -41,15 +43,17 @@ StroboscopicImage stroboscopic_map(const Scene &scene, const MotionState &start,
                                    const RunOptions &options = {}, Recorders &...recorders) {
   const Outcome end =
       simulate_from(scene, start, time_after(scene, start, periods), options, recorders...);
-  StroboscopicImage image{require_complete(end).state, {}, true, 0.0, end.counters};
+  StroboscopicImage image{require_complete(end).state, {}, {}, true, 0.0, end.counters};
   image.state.instant = start.instant;
   return image;
 }
 
-// The same with its derivative by the coordinates of the masses free at the start. `start` should
-// lie away from events (`at_quiet_phase`): there the map is smooth.
+// The same with its derivative by the coordinates of the masses free at the start, and by
+// parameters of the scene (TangentRecorder). `start` should lie away from events
+// (`at_quiet_phase`): there the map is smooth.
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
-                                                  int periods, const RunOptions &options = {});
+                                                  int periods, const RunOptions &options = {},
+                                                  const std::vector<Parameter> &by = {});
 
 // The motion from `start` brought to the phase, within the next forcing period, that is farthest
 // from every event of that period; the cycle count is set to zero.
@@ -71,7 +75,7 @@ struct PeriodicOrbit {
   MotionState state;                              // at the section
   std::vector<std::complex<double>> multipliers;  // Floquet multipliers, largest modulus first
   Matrix derivative;                              // of the map, as in StroboscopicImage
-  bool converged = false;         // false: the rest describes the last iterate
+  bool converged = false;                         // false: the rest describes the last iterate
   std::vector<double> residuals;  // largest component of P(z) - z, one per map evaluation
   double error = 0.0;             // estimated error of `state`: the size of the next Newton step
   bool differentiable = true;

@@ -7,6 +7,7 @@
 #include "locate.hpp"
 #include "lyapunov.hpp"
 #include "multi_sliding.hpp"
+#include "orbit_change.hpp"
 #include "orbit_record.hpp"
 #include "parameter.hpp"
 #include "periodic_orbit.hpp"

@@ -1,0 +1,68 @@
+// How a periodic orbit, its events and what is zero at its bifurcations change with parameters of
+// the scene: what following an orbit in a parameter needs. All at a fixed phase of the section
+// (tangent.hpp), so that a change of Omega moves the section with the period.
+//
+// For z = P(z, p), dz/dp = (1 - P_z)^-1 P_p. The derivative of anything along the orbit is then a
+// run with that as the change of the start; of a minimum over time, it is that at a fixed time.
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "parameter.hpp"
+#include "periodic_orbit.hpp"
+#include "tangent.hpp"
+
+namespace vibro_impact {
+
+struct OrbitChange {
+  std::vector<Parameter> by;
+  Matrix state;                     // 2N x parameters: of the orbit at the section
+  std::vector<EventChange> events;  // of the orbit's periods after it; one entry per parameter
+  bool differentiable = true;       // see TangentRecorder
+  double chatter_error = 0.0;       // see TangentRecorder
+};
+
+// Throws std::invalid_argument for an orbit that has not converged and for parameters that
+// TangentRecorder rejects, std::runtime_error where a Floquet multiplier is 1: at a fold the orbit
+// has no derivative.
+OrbitChange orbit_change(const Scene &scene, const PeriodicOrbit &orbit,
+                         const std::vector<Parameter> &by, const RunOptions &options = {});
+
+// The section predicted to first order where parameter number k (from 0) of `change` is greater by
+// `step`: a guess for find_periodic_orbit in that scene.
+MotionState predicted(const Scene &scene, const PeriodicOrbit &orbit, const OrbitChange &change,
+                      std::size_t k, double step);
+
+// A value and its derivatives by the parameters of an OrbitChange.
+struct ValueChange {
+  double value = 0.0;
+  std::vector<double> by;
+};
+
+// Those of least_gap and least_pressing_force (multi_sliding.hpp) on the orbit: zero at a grazing
+// and at a multi-sliding bifurcation. `stop` is a stop of the scene or, for the gap, any other,
+// which then stands still. To be asked away from a minimum that is about to disappear.
+std::optional<ValueChange> least_gap_change(const Scene &scene, const PeriodicOrbit &orbit,
+                                            const OrbitChange &change, const Stop &stop);
+std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
+                                                       const PeriodicOrbit &orbit,
+                                                       const OrbitChange &change, const Stop &stop);
+
+// What find_border_orbit takes to zero: by how much the ratio of the speeds of two consecutive
+// impacts, `impact` and the next (numbers in OrbitChange::events), exceeds that of a border orbit.
+// Throws std::invalid_argument unless both are impacts at one stop of which the restitution lies in
+// (0, 1).
+ValueChange border_excess_change(const Scene &scene, const OrbitChange &change, std::size_t impact);
+
+// The derivatives of the Floquet multipliers, in the order of orbit.multipliers. They need the
+// second derivatives of the map: taken as central differences, of fourth order in `step`, of its
+// exact first derivative along the family of orbits. Not defined (NaN, or without meaning) where
+// multipliers coincide, as those of the directions that sticking forgets do at 0. The orbit's
+// events must stay what they are within 2 `step`.
+std::vector<std::complex<double>> multiplier_change(const Scene &scene, const PeriodicOrbit &orbit,
+                                                    const OrbitChange &change, std::size_t k,
+                                                    double step, const RunOptions &options = {});
+
+}  // namespace vibro_impact
