@@ -3,7 +3,7 @@
 # make error-vs-runtime  error against run time, beside other methods (under a minute)
 # make build          the library and the scene runner, nothing else
 # make test           build and run every test
-# make check          the key numbers: paper, computed, error, verdict
+# make check          the key numbers (paper, computed, error, verdict) and what others published
 # make readme         the README's table of key numbers, from the same source as make check
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
 # make random-scenes  60,000 scenes, ordinary, extreme and degenerate, every property checked (minutes)

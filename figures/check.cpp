@@ -1,15 +1,19 @@
-// `make check`: every key number of the paper, computed and held against its reference; one row
-// each, and a verdict. With --markdown the same rows as the table of the README.
+// `make check`: every key number of the paper, computed and held against its reference, and every
+// published result of others; one row each, and a verdict. With --markdown the key numbers as the
+// table of the README.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <utility>
 
 #include "driver.hpp"
 #include "key_bifurcations.hpp"
 #include "key_numbers.hpp"
+#include "published_results.hpp"
 #include "table_reader.hpp"
 
 namespace {
@@ -55,14 +59,41 @@ int check_key_numbers(const std::string &folder, bool markdown) {
   return 1;
 }
 
+// Exit status: 1 when a result is farther from what was printed than its tolerance.
+int check_published_results(const std::string &folder) {
+  const auto results = figures::published_results(folder);
+  fmt::print("\n{:<32} {:>23} {:>20} {:>10} {:>9}  {}\n", "published elsewhere", "printed",
+             "computed", "difference", "tolerance", "limited by");
+  int failed = 0;
+  std::map<std::string, int> counts;
+  for (const auto &result : results) {
+    const double computed = result.compute(), difference = computed - result.value;
+    const bool pass = std::abs(difference) <= result.tolerance;  // false for NaN
+    if (!pass) ++failed;
+    ++counts[result.source];
+    fmt::print("{:<32} {:>23} {:>20.15g} {:>10.1e} {:>9.0e}  {}\n", result.id, result.printed,
+               computed, difference, result.tolerance, pass ? result.limited_by : "FAIL");
+  }
+  fmt::print("{} published results:", results.size());
+  for (const auto &[source, count] : counts) fmt::print(" {} {}", source, count);
+  fmt::print("\n");
+  if (failed == 0) return 0;
+  std::fflush(stdout);
+  fmt::print(stderr, "check: {} of the published results are missed\n", failed);
+  return 1;
+}
+
 }  // namespace
 
 int main(int argc, char **argv) {
   std::string folder = "reference";
   bool markdown = false;
-  return figures::command(argc, argv,
-                          "Computes every key number and compares it with its reference",
-                          {{"--reference", "Folder of the tables of references", &folder},
-                           {"--markdown", "Print the table of the README", &markdown}},
-                          [&] { return check_key_numbers(folder, markdown); });
+  return figures::command(
+      argc, argv, "Computes every key number and every published result and compares them",
+      {{"--reference", "Folder of the tables of references", &folder},
+       {"--markdown", "Print the table of the README", &markdown}},
+      [&] {
+        const int status = check_key_numbers(folder, markdown);
+        return markdown ? status : std::max(status, check_published_results(folder));
+      });
 }
