@@ -3,6 +3,9 @@
 //
 // The tolerance is that of LSODAR; the tolerance of the index sets (EventDriven::setToleranceED),
 // below which a gap or a gap speed counts as zero, is set in step with it.
+//
+// In those examples, one mass under a constant force, it goes through a chatter to rest; in the
+// scenes here it ends in the first one (reference/README.md, published results).
 #include <fmt/format.h>
 
 #include <algorithm>
