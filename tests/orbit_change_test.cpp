@@ -205,22 +205,32 @@ TEST(BifurcationFunctions, NewtonReachesTheGrazingOfMass2) {
   EXPECT_NEAR(reached(gap, 0.2996), located("grazing_mass_2_figure5b"), 1e-13);
 }
 
-// The least force and the least gap in other units of length: times c. Exact.
+// The least force and the least gap in other units of length: times c, a stop that is never met
+// moving with the rest. A stop that the scene does not have stands still. Exact.
 TEST(BifurcationFunctions, KeepTheUnitOfLength) {
-  const Scene scene = paper::figure4a();
+  Scene scene = paper::figure4a();
+  const Stop across{1, Side::upper, 0.7}, beyond{1, Side::upper, 0.8};
+  scene.stops.push_back(across);
+  std::vector<Parameter> by = lengths;
+  by.push_back({Kind::stop, 3});
   const PeriodicOrbit orbit = orbit_of(scene);
-  const OrbitChange change = orbit_change(scene, orbit, lengths);
+  const OrbitChange change = orbit_change(scene, orbit, by);
   const auto sum = [&](const ValueChange &of) {
     double total = 0.0;
-    for (std::size_t k = 0; k < lengths.size(); ++k) total += get(scene, lengths[k]) * of.by[k];
+    for (std::size_t k = 0; k < by.size(); ++k) total += get(scene, by[k]) * of.by[k];
     return total;
   };
   const auto force = least_pressing_force_change(scene, orbit, change, scene.stops[0]).value();
   EXPECT_NEAR(sum(force), force.value, 1e-12);
-  // The stop across is no stop of the scene: where it stands does not change with c.
-  const Stop across{1, Side::upper, 0.7};
   const auto gap = least_gap_change(scene, orbit, change, across).value();
-  EXPECT_NEAR(sum(gap), gap.value - across.position, 1e-12);
+  EXPECT_GT(gap.value, 0.0);
+  EXPECT_NEAR(sum(gap), gap.value, 1e-12);
+  scene.stops.pop_back();
+  by.pop_back();
+  const PeriodicOrbit without = orbit_of(scene);
+  const auto still =
+      least_gap_change(scene, without, orbit_change(scene, without, by), beyond).value();
+  EXPECT_NEAR(sum(still), still.value - beyond.position, 1e-12);
 }
 
 // The ratio of two speeds of a chatter does not depend on the unit of length, and changes with the

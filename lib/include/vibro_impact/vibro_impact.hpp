@@ -4,6 +4,7 @@
 #include "border_orbit.hpp"
 #include "event_pairs.hpp"
 #include "hold_force.hpp"
+#include "impact_family.hpp"
 #include "locate.hpp"
 #include "lyapunov.hpp"
 #include "multi_sliding.hpp"
