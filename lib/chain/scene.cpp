@@ -31,7 +31,8 @@ void check_stop(const Stop &stop, const Scene &scene) {
     if (&other == &stop || other.mass != stop.mass) continue;
     require(other.side != stop.side, "stop on mass ", stop.mass, ": two stops on the same side");
     require(sign(stop.side) * (stop.position - other.position) > 0.0, "stops on mass ", stop.mass,
-            " at ", other.position, " and ", stop.position, ": the lower must lie below the upper");
+            ", ", name(stop.side), " at ", stop.position, ", ", name(other.side), " at ",
+            other.position, ": the lower must lie below the upper");
   }
 }
 

@@ -32,7 +32,12 @@ constexpr const char *example =
     "In two parts, the tables of the second going on where those of the first end:\n"
     "  vibro-impact run --until 700 --events first.csv --save-state at700.state\n"
     "  vibro-impact run --resume at700.state --until 750 --events second.csv\n"
-    "Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input.";
+    "Ctrl-C ends a run early: its tables hold what came before, and --save-state what --resume "
+    "goes\n"
+    "on from.\n"
+    "Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input, 130 "
+    "ended\n"
+    "by Ctrl-C (128 + the number of the signal).";
 
 // The words of the command line as they were given, with the defaults of the paper's Figure 2.
 struct Words {
@@ -105,6 +110,9 @@ void add_run_options(CLI::App &run, Words &words, Request &request, Given &given
                          "limit is certain; 0: resolve until below rounding");
   option(run, "--max-impacts", words.most, "N",
          "Give up beyond this many impacts in one forcing period");
+  run.add_flag("--progress", request.progress,
+               "Say how far the run is and how long it still takes, on standard error, also where\n"
+               "that is no terminal");
 }
 
 Scene scene_of(const Words &words, const Given &given) {

@@ -14,6 +14,7 @@ struct Request {
   RunOptions options;
   double until = 750.0, from = 0.0, every = 0.01;
   std::string events, samples, save_state, resume;
+  bool progress = false;  // also where standard error is no terminal
 };
 
 // Text asked for with --help or --version, to be printed instead of a run.

@@ -51,6 +51,12 @@ void SampleRows::sample(const Moment &moment) {
   table.write_full_block();
 }
 
+double SampleRows::reach(double time) const {
+  if (taken > 0) time = std::max(time, sample_time(from, to, every, taken - 1));
+  // `sample_time` takes one that lies beyond by rounding for one that is due.
+  return std::min(time, next_time() * (1.0 - 1e-15));
+}
+
 std::size_t samples_taken(double from, double every, double time) {
   if (time < from) return 0;
   // The quotient is right but for rounding.

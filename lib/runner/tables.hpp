@@ -44,6 +44,9 @@ struct SampleRows {
   bool done() const {
     return table.file.failed();
   }
+  // The time up to which the table reaches when the run has ended at `time`: that itself, but for
+  // the rounding beside a sample. `samples_taken` gives `taken` there.
+  double reach(double time) const;
 };
 
 inline constexpr const char *event_header =
