@@ -14,7 +14,7 @@
 # make format         clang-format on every source
 # make clean          remove build/
 
-figures := figure2 figure3 figure4 figure5 multi_sliding bifurcations exit_boundary table1 comparison stability
+figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcations exit_boundary table1 comparison stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 
 .PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format clean help packages build

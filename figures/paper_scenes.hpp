@@ -47,14 +47,14 @@ inline Scene figure4b() {
   return stops_of_different_sign(0.2561);
 }
 
-// Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Reconstructed: Omega = 0.1769 (the
-// motion is of this kind from about 0.157 to 0.184).
+// Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Reconstructed (reconstruction.hpp):
+// Omega = 0.1769 (the motion is of this kind from about 0.157 to 0.184).
 inline Scene figure5a() {
   return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.1769);
 }
 
 // Figure 5(b). Printed: s2 "moved to" 0.45, so that s1 stays at 0.3, and r = 0.001 (Section 3.3).
-// Reconstructed: Omega = 0.2996.
+// Reconstructed (reconstruction.hpp): Omega = 0.2996.
 inline Scene figure5b() {
   return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.45}, 0.001, 0.2996);
 }
@@ -64,20 +64,22 @@ inline Scene figure5c() {
   return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.02);
 }
 
-// What a panel shows: a window of the abscissa and a range of the ordinate. All printed (axes).
+// What a panel shows: a window of the abscissa and a range of the ordinate, each with the distance
+// between its printed ticks. All printed (axes).
 struct AxisBox {
   double from, to;         // Time, or Omega in Figure 3
   double lowest, highest;  // displacement, impact velocity or force
+  double tick_across, tick;
 };
 
-constexpr AxisBox figure2a_box{700.0, 750.0, -0.5, 0.4};
-constexpr AxisBox figure2b_box{715.0, 722.0, -0.06, 0.12};
-constexpr AxisBox figure3a_box{0.25, 0.7, -0.4, 0.0};   // v1
-constexpr AxisBox figure3b_box{0.25, 0.7, 0.0, 0.4};    // v2
-constexpr AxisBox figure4_box{12.0, 17.5, -0.2, 0.02};  // F2 against the time within the period
-constexpr AxisBox figure5a_box{950.0, 964.0, -0.05, 0.35};
-constexpr AxisBox figure5b_box{916.0, 930.0, -0.4, 0.5};
-constexpr AxisBox figure5c_box{900.0, 1000.0, 0.2, 0.31};
+constexpr AxisBox figure2a_box{700.0, 750.0, -0.5, 0.4, 5.0, 0.1};
+constexpr AxisBox figure2b_box{715.0, 722.0, -0.06, 0.12, 1.0, 0.02};
+constexpr AxisBox figure3a_box{0.25, 0.7, -0.4, 0.0, 0.05, 0.05};  // v1
+constexpr AxisBox figure3b_box{0.25, 0.7, 0.0, 0.4, 0.05, 0.05};   // v2
+constexpr AxisBox figure4_box{12.0, 17.5, -0.2, 0.02, 0.5, 0.02};  // F2, time within the period
+constexpr AxisBox figure5a_box{950.0, 964.0, -0.05, 0.35, 2.0, 0.05};
+constexpr AxisBox figure5b_box{916.0, 930.0, -0.4, 0.5, 2.0, 0.1};
+constexpr AxisBox figure5c_box{900.0, 1000.0, 0.2, 0.31, 20.0, 0.01};
 
 // Forcing periods left out before a motion counts as settled (ours: the paper does not say how long
 // it waits). A chatter that ends in sticking forgets most of what came before, so that the motion

@@ -30,8 +30,8 @@ void draw(const std::filesystem::path &output) {
                scene.stops[1].position, scene.restitution, scene.omega, start.displacement[0],
                start.displacement[1], start.velocity[0], start.velocity[1]);
 
-    SampleRecorder samples =
-        figures::samples_across({panel.from, panel.to, 0.0, 0.0}, (panel.to - panel.from) / 4000);
+    SampleRecorder samples{
+        .from = panel.from, .to = panel.to, .every = (panel.to - panel.from) / 4000};
     PressedEventRecorder events{scene, panel.from};
     require_complete(simulate(scene, panel.to, figures::all_visible_chatter(), samples, events));
     write(figures::displacement_table(samples), output / fmt::format("table1_{}.csv", name));
