@@ -56,14 +56,18 @@ int main(int argc, char **argv) {
                           require_complete(simulate(scene, until, {}, first, second));
                           write(second.table, output / "exit_boundary2.csv");
                           write(first.table, output / "exit_boundary1.csv");
+                          Table omegas("orbit,omega");
+                          omegas.row(0, scene.omega);
                           // Mass 2's boundary does not depend on the forcing: at other frequencies,
                           // too, it is released there.
                           for (int n = 1; n <= 3; ++n) {
                             const Scene other = paper::figure3(other_omega[n - 1]);
+                            omegas.row(n, other.omega);
                             const double period = Clock(other.omega).period;
                             StickingOrbitRecorder orbit{2, 1, 40 * period, 41.5 * period, 0.005};
                             require_complete(simulate(other, orbit.to, {}, orbit));
                             write(orbit.table, output / fmt::format("exit_boundary2_{}.csv", n));
                           }
+                          write(omegas, output / "exit_boundary_omegas.csv");
                         });
 }

@@ -7,9 +7,11 @@ second = data.'/exit_boundary2.csv'
 second_at(n) = n == 0 ? second : sprintf('%s/exit_boundary2_%d.csv', data, n)
 array other_dash[3] = [2, 3, 4]
 first = data.'/exit_boundary1.csv'
-# Hold force zero (Eqs. 23 and 20 with c = 0.1, k = 1, A1 = 0.5, s1 = -0.3, s2 = 0.1, Omega = 0.28).
+array omega[4]
+stats data.'/exit_boundary_omegas.csv' using (omega[int(column('orbit')) + 1] = column('omega')) nooutput
+# Hold force zero (Eqs. 23 and 20 with c = 0.1, k = 1, A1 = 0.5, s1 = -0.3, s2 = 0.1).
 boundary2(x) = -10 * x + 1
-boundary1(x, t) = -10 * (x + 0.6) - 5 * cos(0.28 * t)
+boundary1(x, t) = -10 * (x + 0.6) - 5 * cos(omega[1] * t)
 of_kind(name, value) = strcol('kind') eq name ? value : NaN
 
 # The settled sticking phase of mass 1, from its stick to its release, and the boundary at five
@@ -37,8 +39,8 @@ do for [kind in 'png pdf'] {
   set key at graph 0.97, graph 0.97
   plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
     boundary2(x) with lines dt solid lw 1.8 lc rgb '#0f5f40', 0 lt 3, \
-    second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title 'Ω = 0.28, from rest', \
-    for [n = 1:3] second_at(n) using (of_kind('orbit', column('x'))):'v' with lines lt 1 dt other_dash[n] lw 0.8 title 'Ω = '.word('0.31 0.34 0.43', n), \
+    second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title sprintf('Ω = %g, from rest', omega[1]), \
+    for [n = 1:3] second_at(n) using (of_kind('orbit', column('x'))):'v' with lines lt 1 dt other_dash[n] lw 0.8 title sprintf('Ω = %g', omega[n + 1]), \
     for [n = 0:3] second_at(n) using (of_kind('stick', column('x'))):'v' with points pt 7 ps 0.9 lc rgb '#12355b' title (n == 0 ? 'mass 2 sticks' : ''), \
     for [n = 0:3] second_at(n) using (of_kind('release', column('x'))):'v' with points pt 6 ps 1.1 lc rgb '#12355b' title (n == 0 ? 'mass 2 is released' : ''), \
     '+' using (0.1):(0) with points pt 2 ps 1.1 lc rgb '#202020'

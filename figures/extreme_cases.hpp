@@ -167,6 +167,7 @@ inline void add_starts(std::vector<Case> &cases) {
   cases.push_back({"on the stop: moving away", "starts", started(-0.3, 0.5, 0.0, 0.0), 60.0});
   cases.push_back({"on the stop: moving in", "starts", started(-0.3, -0.5, 0.0, 0.0), 60.0});
   Case pressed{"on the stop: pressed", "starts", paper::figure5b(), 60.0};
+  pressed.scene.omega = 0.2996;
   pressed.scene.displacement = {0.3, 0.0};
   cases.push_back(pressed);
   pressed.name = "pressed: moving away at 1e-9";

@@ -41,9 +41,9 @@ struct Case {
 
 // --- Scenes -----------------------------------------------------------------------------------
 
-// The two masses of Figure 2 with one number changed by the caller.
+// The two masses and the stops of Figure 2 at Omega = 0.28, with one number changed by the caller.
 inline Scene figure2_with(double restitution) {
-  Scene scene = paper::figure2();
+  Scene scene = paper::stops_of_different_sign(0.28);
   scene.restitution = restitution;
   return scene;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "paper_scenes.hpp"
+#include "table1_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -153,6 +154,12 @@ inline std::vector<KeyNumber> key_numbers() {
       {"figure2_x1_max", "Figure 2(a): highest x1", "inside [-0.5, 0.4]", "{:.9f}", 1e-8,
        "samples every 1e-4: (1e-4)^2 x'' / 8",
        [] { return extreme(figure2(), 1, 1.0, 700.0, 750.0, 1e-4); }},
+      {"figure2b_x2_min", "Figure 2(b): lowest x2", "between -0.06 and -0.04", "{:.9f}", 1e-8,
+       "samples every 1e-4: (1e-4)^2 x'' / 8",
+       [] { return extreme(figure2(), 2, -1.0, 715.0, 722.0, 1e-4); }},
+      {"figure2b_chatter_start", "Figure 2(b): mass 2's first impact", "", "{:.11f}", 1e-10,
+       event_time,
+       [] { return first_time(events_of(figure2(), 750.0), EventKind::impact, 2, 715.0); }},
       {"figure2b_chatter_end", "Figure 2(b): mass 2's chatter is complete", "", "{:.11f}", 1e-10,
        event_time,
        [] { return first_time(events_of(figure2(), 750.0), EventKind::stick, 2, 715.0); }},
@@ -174,9 +181,19 @@ inline std::vector<KeyNumber> key_numbers() {
          const double from = first_time(events, EventKind::stick, 1, 950.0);
          return count(events_of(figure5a(), 964.0, from), EventKind::impact, 2);
        }},
-      {"figure5b_touch_time", "Figure 5(b): mass 2 reaches s2 while mass 1 is stuck", "about 920",
-       "{:.11f}", 1e-10, event_time,
-       [] { return first_time(events_of(paper::figure5b(), 930.0), EventKind::impact, 2, 916.0); }},
+      {"figure5b_nearest_time", "Figure 5(b): mass 2 is nearest s2 while mass 1 is stuck",
+       "about 920", "{:.11f}", 1e-10, event_time,
+       [] { return turning_time(paper::figure5b(), 2, 919.6, 920.3); }},
+      {"figure5b_nearest_gap", "Figure 5(b): gap of mass 2 then", "grazes", "{:.9e}", 1e-12,
+       "rounding of x: the gap turns there",
+       [] {
+         const Scene scene = paper::figure5b();
+         const double time = turning_time(scene, 2, 919.6, 920.3);
+         return scene.stops[1].position - place_at(scene, 2, time);
+       }},
+      {"figure5b_x2_min", "Figure 5(b): lowest x2", "between -0.4 and -0.3", "{:.9f}", 1e-8,
+       "samples every 1e-4: (1e-4)^2 x'' / 8",
+       [] { return extreme(paper::figure5b(), 2, -1.0, 916.0, 930.0, 1e-4); }},
       {"figure5c_release_time", "Figure 5(c): mass 1 is released", "about 989", "{:.11f}", 1e-10,
        event_time,
        [] { return first_time(events_of(figure5c(), 1000.0), EventKind::release, 1, 900.0); }},

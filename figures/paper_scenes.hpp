@@ -29,9 +29,9 @@ inline Scene stops_of_different_sign(double omega) {
   return two_masses({1, Side::lower, -0.3}, {2, Side::upper, 0.1}, 0.7, omega);
 }
 
-// Figure 2. Reconstructed: Omega = 0.28.
+// Figure 2. Reconstructed (reconstruction.hpp): Omega = 0.2797.
 inline Scene figure2() {
-  return stops_of_different_sign(0.28);
+  return stops_of_different_sign(0.2797);
 }
 
 // Figure 3. Printed: Omega from 0.25 to 0.7 (Section 3.2 and the axis).
@@ -54,9 +54,9 @@ inline Scene figure5a() {
 }
 
 // Figure 5(b). Printed: s2 "moved to" 0.45, so that s1 stays at 0.3, and r = 0.001 (Section 3.3).
-// Reconstructed (reconstruction.hpp): Omega = 0.2996.
+// Reconstructed (reconstruction.hpp): Omega = 0.2995, just below the grazing of mass 2.
 inline Scene figure5b() {
-  return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.45}, 0.001, 0.2996);
+  return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.45}, 0.001, 0.2995);
 }
 
 // Figure 5(c). Printed: Omega = 0.02, r = 0.7 (Section 3.3). Reconstructed: s1 = s2 = 0.3.

@@ -78,7 +78,8 @@ inline PairScene dual_grazing() {
 
 // Dual sticking: Figure 5(a) with the stop of mass 2 below that of mass 1.
 inline PairScene dual_sticking() {
-  const Scene scene = paper::two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.25}, 0.7, 0.1769);
+  Scene scene = paper::figure5a();
+  scene.stops[1].position = 0.25;
   PressedEventRecorder recorder{scene};
   require_complete(simulate(scene, 40.0, {}, recorder));
   for (const PairedEvents &pair : event_pairs(recorder.events))

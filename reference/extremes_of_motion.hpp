@@ -9,11 +9,12 @@
 
 namespace vibro_impact_reference {
 
-/// Smallest and largest position of each mass over [from, to], filled by an observer of simulate.
+/// Smallest and largest position of each mass over [from, to], and when the largest is met first,
+/// filled by an observer of simulate.
 /// Extremes are at zeros of the velocity (sampled, then bisected) or where one piece of motion
 /// meets the next.
 struct Extremes {
-  Vector lowest, highest;
+  Vector lowest, highest, highest_at;
 };
 
 inline void extend_extremes(Extremes &extremes, const Flow &flow, const Real &duration,
@@ -21,27 +22,30 @@ inline void extend_extremes(Extremes &extremes, const Flow &flow, const Real &du
   const Real begin = std::max<Real>(Real(0), from - flow.start_time);
   const Real end = std::min<Real>(duration, to - flow.start_time);
   if (begin >= end) return;
-  const auto include = [&](const Motion &motion) {
-    if (extremes.lowest.empty()) extremes = {motion.x, motion.x};
+  const auto include = [&](const Motion &motion, const Real &tau) {
+    if (extremes.lowest.empty())
+      extremes = {motion.x, motion.x, Vector(motion.x.size(), flow.start_time + tau)};
     for (std::size_t p = 0; p < motion.x.size(); ++p) {
       extremes.lowest[p] = std::min<Real>(extremes.lowest[p], motion.x[p]);
-      extremes.highest[p] = std::max<Real>(extremes.highest[p], motion.x[p]);
+      if (motion.x[p] <= extremes.highest[p]) continue;
+      extremes.highest[p] = motion.x[p];
+      extremes.highest_at[p] = flow.start_time + tau;
     }
   };
   const Real step = 2 * acos(Real(-1)) / fastest_rate_at(flow, Real(0)) / 128;
   Motion at_a = motion_at(flow, begin);
-  include(at_a);
+  include(at_a, begin);
   for (Real a = begin; a < end;) {
     const Real b = std::min<Real>(a + step, end);
     const Motion at_b = motion_at(flow, b);
-    include(at_b);
+    include(at_b, b);
     for (const std::size_t p : flow.free) {
       const bool positive = at_a.v[p] > 0;
       if (positive == (at_b.v[p] > 0)) continue;
       const Real turn =
           bisect([&](const Real &tau) { return (motion_at(flow, tau).v[p] > 0) == positive; }, a, b,
                  small(36));
-      include(motion_at(flow, turn));
+      include(motion_at(flow, turn), turn);
     }
     at_a = at_b;
     a = b;

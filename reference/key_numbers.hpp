@@ -84,10 +84,11 @@ inline std::vector<KeyNumber> computed_numbers() {
   };
 
   {
-    Extremes extremes;
+    Extremes extremes, close_up;
     const auto events =
         simulate(scene_named("figure2"), [&](const Flow &flow, const Real &duration) {
           extend_extremes(extremes, flow, duration, Real(700), Real(750));
+          extend_extremes(close_up, flow, duration, Real(715), Real(722));
         });
     const char *scene = "scene figure2";
     add("figure2_x1_min", extremes.lowest[0], scene,
@@ -96,6 +97,9 @@ inline std::vector<KeyNumber> computed_numbers() {
     add("figure2_x2_min", extremes.lowest[1], scene, "smallest x2 for t in 700-750");
     add("figure2_x2_max", extremes.highest[1], scene,
         "largest x2 for t in 700-750 (the stop of mass 2)");
+    add("figure2b_x2_min", close_up.lowest[1], scene, "smallest x2 for t in 715-722");
+    add("figure2b_chatter_start", first(events, Kind::impact, mass_2, Real(715), Real(722)).time,
+        scene, "first impact of mass 2 in Figure 2(b)");
     add_count("figure2_impacts", count(events, Kind::impact), scene,
               "impacts to t = 750 down to speeds of 1e-20 (depends on that floor)");
     add_count("figure2_sticks", count(events, Kind::stick), scene,
@@ -131,13 +135,24 @@ inline std::vector<KeyNumber> computed_numbers() {
               "scene figure5a", "impacts of mass 2 from then to t = 964, mass 1 being stuck (SI)");
   }
   {
-    const auto events = simulate(scene_named("figure5b"));
-    const Event &touch = first(events, Kind::impact, mass_2, Real(916), Real(930));
+    const Scene scene = scene_named("figure5b");
+    Extremes extremes, while_stuck;
+    const auto events = simulate(scene, [&](const Flow &flow, const Real &duration) {
+      extend_extremes(extremes, flow, duration, Real(916), Real(930));
+      if (std::find(flow.free.begin(), flow.free.end(), mass_1) == flow.free.end())
+        extend_extremes(while_stuck, flow, duration, Real(916), Real(930));
+    });
     add("figure5b_stick_time", first(events, Kind::stick, mass_1, Real(916), Real(930)).time,
         "scene figure5b", "the short chatter of mass 1 in Figure 5(b) is complete");
-    add("figure5b_touch_time", touch.time, "scene figure5b",
-        "mass 2 just reaches its stop, mass 1 being stuck (GS)");
-    add("figure5b_touch_speed", touch.velocity_before, "scene figure5b", "speed of mass 2 then");
+    add("figure5b_nearest_time", while_stuck.highest_at[mass_2], "scene figure5b",
+        "mass 2 is nearest its stop, mass 1 being stuck (GS)");
+    add("figure5b_nearest_gap", scene.stops[mass_2].position - while_stuck.highest[mass_2],
+        "scene figure5b", "how far it is from its stop then");
+    add("figure5b_x2_min", extremes.lowest[mass_2], "scene figure5b",
+        "smallest x2 for t in 916-930");
+    add_count("figure5b_impacts_of_mass_2",
+              count(events, Kind::impact, mass_2, Real(916), Real(930)), "scene figure5b",
+              "impacts of mass 2 for t in 916-930");
   }
   {
     const auto events = simulate(scene_named("figure5c"));

@@ -69,7 +69,7 @@ inline void require_valid(const Scene &scene) {
 
 /// The two-mass system of section 3 of the paper, from rest. The arguments are doubles on purpose:
 /// the library computes in double, so the reference must use exactly the numbers the library
-/// receives (0.28 is the double nearest to 0.28). Each Real below is built from a double, which is
+/// receives (0.1 is the double nearest to 0.1). Each Real below is built from a double, which is
 /// exact.
 inline Scene paper_scene(const std::string &name, Stop stop_1, Stop stop_2, double restitution,
                          double frequency, double end_time) {
@@ -97,11 +97,11 @@ inline std::vector<Scene> paper_scenes() {
     return Stop{mass, Side::lower, Real(position)};
   };
   return {
-      paper_scene("figure2", lower(0, -0.3), upper(1, 0.1), 0.7, 0.28, 750),
+      paper_scene("figure2", lower(0, -0.3), upper(1, 0.1), 0.7, 0.2797, 750),
       paper_scene("figure4a", lower(0, -0.3), upper(1, 0.1), 0.7, 0.256, 750),
       paper_scene("figure4b", lower(0, -0.3), upper(1, 0.1), 0.7, 0.2561, 750),
       paper_scene("figure5a", upper(0, 0.3), upper(1, 0.3), 0.7, 0.1769, 964),
-      paper_scene("figure5b", upper(0, 0.3), upper(1, 0.45), 0.001, 0.2996, 930),
+      paper_scene("figure5b", upper(0, 0.3), upper(1, 0.45), 0.001, 0.2995, 930),
       paper_scene("figure5c", upper(0, 0.3), upper(1, 0.3), 0.7, 0.02, 1000),
   };
 }

@@ -53,7 +53,7 @@ inline std::vector<KeyNumber> stated_numbers() {
   printed("A2", "0", "section 3", "forcing amplitude on mass 2");
   printed("figure2_s1", "-0.3", "caption of Figure 2", "stop of mass 1 (lower), Figures 2-4");
   printed("figure2_s2", "0.1", "caption of Figure 2", "stop of mass 2 (upper), Figures 2-4");
-  reconstructed("figure2_Omega", "0.28", "matched to the text and axis boxes",
+  reconstructed("figure2_Omega", "0.2797", "axis boxes and text (figures/README.md)",
                 "forcing frequency of Figure 2");
   printed("figure2a_t_min", "700", "axes of Figure 2(a)", "start of the shown window");
   printed("figure2a_t_max", "750", "axes of Figure 2(a)", "end of the shown window");
@@ -89,15 +89,14 @@ inline std::vector<KeyNumber> stated_numbers() {
   printed("figure4_F_max", "0.02", "axes of Figure 4", "upper edge of the axis box");
   printed("figure5a_s1", "0.3", "section 3.3", "stop of mass 1 (upper)");
   printed("figure5a_s2", "0.3", "section 3.3", "stop of mass 2 (upper)");
-  reconstructed("figure5a_Omega", "0.1769",
-                "matched to the text and axis box; 0.157-0.184 behave alike",
+  reconstructed("figure5a_Omega", "0.1769", "axis box and text (figures/README.md)",
                 "forcing frequency of Figure 5(a)");
   printed("figure5b_s2", "0.45", "section 3.3",
           "stop of mass 2 (upper); that of mass 1 stays at 0.3");
   printed("figure5b_r", "0.001", "section 3.3", "coefficient of restitution of Figure 5(b)");
   printed("figure5b_graze_time", "920", "section 3.3",
           "mass 2 touches its stop about then while mass 1 is stuck (GS)");
-  reconstructed("figure5b_Omega", "0.2996", "matched to the text and axis box",
+  reconstructed("figure5b_Omega", "0.2995", "axis box and text (figures/README.md)",
                 "forcing frequency of Figure 5(b)");
   printed("figure5c_Omega", "0.02", "section 3.3", "forcing frequency of Figure 5(c)");
   reconstructed("figure5c_s1", "0.3", "axis box of Figure 5(c)", "stop of mass 1 (upper)");

@@ -21,9 +21,12 @@ struct Stretch {
 /// Figure 2: a flight with the impact that ends it, a chatter sequence of mass 2 with the stick
 /// that ends it, and the sticking phase after it with its release.
 inline std::vector<Stretch> stretches() {
-  const double two_pi = 6.283185307179586477;
-  return {{"figure2", "figure2", 0.0, 10.0 * two_pi / 0.28},
-          {"figure4", "figure4a", 0.0, 10.0 * two_pi / 0.256},
+  const auto ten_periods = [](const char *scene) {
+    const double two_pi = 6.283185307179586477;
+    return 10.0 * two_pi / static_cast<double>(scene_named(scene).chain.frequency);
+  };
+  return {{"figure2", "figure2", 0.0, ten_periods("figure2")},
+          {"figure4", "figure4a", 0.0, ten_periods("figure4a")},
           {"flight", "figure2", 64.25, 65.75},
           {"chatter", "figure2", 67.5, 70.5},
           {"sticking", "figure2", 70.5, 72.0}};

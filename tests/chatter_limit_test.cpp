@@ -127,14 +127,13 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
   return worst;
 }
 
-// 4: the estimate is an estimate. Measured: 3.2 at worst, 1.5 of the state.
+// 4: the estimate is an estimate. Measured: 3.2 at worst, 1.5 of the state. It is no bound: with
+// the stops of Figure 2, Omega = 0.2797, r = 0.3 and a tolerance of 1e-7 one limit is off by 21 of
+// them.
 TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
   std::vector<Scene> scenes{paper::figure2(), paper::figure4a(), paper::figure4b(),
                             paper::figure5a(), paper::figure5b()};
-  for (const double r : {0.001, 0.1, 0.3, 0.5, 0.8}) {
-    scenes.push_back(paper::figure2());
-    scenes.back().restitution = r;
-  }
+  for (const double r : {0.001, 0.1, 0.3, 0.5, 0.8}) scenes.push_back(extremes::figure2_with(r));
   for (const double r : {0.3, 0.7, 0.8, 0.9, 0.95, 0.99}) {
     scenes.push_back(paper::figure5c());
     scenes.back().stops.resize(1);

@@ -51,10 +51,10 @@ TEST(PlainScheme, StallsWhereTheLibraryFallsGeometricallyToRounding) {
   const auto library = figures::resolved_chatter(scene);
   ASSERT_GT(library.size(), 60u);
   EXPECT_LT(std::abs(library.back().velocity_before), 1e-13);
-  // The impact map is smooth: v_{n+1} = r v_n (1 - c v_n + ...), c = 19.5 here. Taken as a bound
+  // The impact map is smooth: v_{n+1} = r v_n (1 - c v_n + ...), c = 16.161 here. Taken as a bound
   // down to rounding, and as a constant where neither the next order nor rounding (1e-15 / v, with
   // some ten operations 1e-14 / v) disturbs its first three digits.
-  constexpr double c = 19.5;
+  constexpr double c = 16.161;
   for (std::size_t i = 1; i < library.size(); ++i) {
     const double before = std::abs(library[i - 1].velocity_before);
     if (before > 1e-2) continue;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "paper_scenes.hpp"
 #include "runner_program.hpp"
 #include "vibro_impact/simulate.hpp"
 
@@ -13,7 +14,7 @@ using namespace vibro_impact::testing;
 
 const std::string paper_scene =
     "run --masses 2 --mass 1 --stiffness 1 --damping 0.1 --restitution 0.7 --amplitude 0.5,0 "
-    "--omega 0.28 --stop 1:lower:-0.3 --stop 2:upper:0.1 ";
+    "--omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 ";
 
 TEST_F(Runner, WritesTheEventTableOfThePaperScene) {
   const Result result = run(paper_scene + "--until 750 --events e.csv --resolve-chatter 1e-4");
@@ -46,14 +47,7 @@ TEST_F(Runner, WritesTheEventTableOfThePaperScene) {
 // The cells are read back to the very doubles the library hands over: 17 digits, nothing rounded.
 TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   using namespace vibro_impact;
-  Scene scene;
-  scene.mass = {1.0, 1.0};
-  scene.stiffness = {1.0, 1.0};
-  scene.beta = 0.1;
-  scene.amplitude = {0.5, 0.0};
-  scene.omega = 0.28;
-  scene.restitution = 0.7;
-  scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
+  const Scene scene = paper::figure2();
   EventRecorder events;
   events.from = 20.0;
   SampleRecorder samples;

@@ -2,19 +2,12 @@
 // stick, once the motion from rest has settled? The points are shared out among all processors.
 #include <cstdio>
 
+#include "paper_scene.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 int main() {
   using namespace vibro_impact;
-  Scene scene;
-  scene.mass = {1.0, 1.0};
-  scene.stiffness = {1.0, 1.0};
-  scene.beta = 0.1;
-  scene.amplitude = {0.5, 0.0};
-  scene.restitution = 0.7;
-  scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
-
-  const Grid grid{scene, {{parameter_named("omega"), 0.25, 0.7, 19}}};
+  const Grid grid{paper_scene(0.25), {{parameter_named("omega"), 0.25, 0.7, 19}}};
   bool some_stick = false, some_do_not = false;
   std::printf("omega,period,sticks1,sticks2\n");
   std::size_t point = 0;

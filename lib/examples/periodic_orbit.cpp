@@ -2,18 +2,12 @@
 // Floquet multipliers: two of the four are zero, since each mass sticks once per period.
 #include <cstdio>
 
+#include "paper_scene.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 int main() {
   using namespace vibro_impact;
-  Scene scene;
-  scene.mass = {1.0, 1.0};
-  scene.stiffness = {1.0, 1.0};
-  scene.beta = 0.1;
-  scene.amplitude = {0.5, 0.0};
-  scene.omega = 0.28;
-  scene.restitution = 0.7;
-  scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
+  const Scene scene = paper_scene(0.2797);
 
   const MotionState guess = at_quiet_phase(scene, settled(scene, 5));
   const PeriodicOrbit orbit = find_periodic_orbit(scene, guess);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "paper_scene.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 using namespace vibro_impact;
@@ -22,15 +23,7 @@ struct StickingPhase {
 };
 
 int main() {
-  Scene scene;  // the paper's Figure 4(a)
-  scene.mass = {1.0, 1.0};
-  scene.stiffness = {1.0, 1.0};
-  scene.beta = 0.1;
-  scene.amplitude = {0.5, 0.0};
-  scene.omega = 0.256;
-  scene.restitution = 0.7;
-  scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
-
+  const Scene scene = paper_scene(0.256);  // Figure 4(a)
   StickingPhase first;
   Outcome outcome = simulate(scene, 1000.0, {}, first);
   for (int k = 1; k <= 5 && outcome.ending == Ending::stopped; ++k) {

@@ -23,7 +23,7 @@ constexpr const char *purpose =
 
 constexpr const char *example =
     "Example:\n"
-    "  vibro-impact run --omega 0.28 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from "
+    "  vibro-impact run --omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from "
     "700\n"
     "    --events events.csv --samples samples.csv --every 0.01 --resolve-chatter 1e-4\n"
     "Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick "
@@ -42,7 +42,7 @@ constexpr const char *example =
 // The words of the command line as they were given, with the defaults of the paper's Figure 2.
 struct Words {
   std::string masses = "2", mass = "1", stiffness = "1", damping = "0.1", beta, restitution = "0.7";
-  std::string amplitude = "0.5,0", omega = "0.28", displacement = "0", velocity = "0";
+  std::string amplitude = "0.5,0", omega = "0.2797", displacement = "0", velocity = "0";
   std::vector<std::string> stops = {"1:lower:-0.3", "2:upper:0.1"};
   std::string until = "750", from = "0", every = "0.01", resolve, most = "1000000";
 };
