@@ -36,3 +36,13 @@ foreach(source ${sources})
   cmake_path(GET source STEM example)
   run(${CMAKE_COMMAND} -E chdir ${folder} ./${example})
 endforeach()
+
+# The installed program draws without the source tree.
+find_program(gnuplot gnuplot)
+if(gnuplot)
+  run(${CMAKE_COMMAND} -E chdir ${folder} ${installed}/bin/vibro-impact run --until 30
+      --plot run.svg)
+  if(NOT EXISTS ${folder}/run.svg)
+    message(FATAL_ERROR "vibro-impact run --plot: no picture")
+  endif()
+endif()

@@ -54,6 +54,13 @@ TEST_F(Runner, WritesDevicesAndPipesAsTheyStand) {
   EXPECT_EQ(run("run --until 50 --events /dev/null --samples /dev/null").status, 0);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
   EXPECT_EQ(files(), (std::vector<std::string>{"pipe", "read.csv"}));
+
+  // What stands in a file that is open already is kept.
+  for (const char *to : {"/dev/stdout >>log", "/dev/fd/3 3>>log", "/dev/stderr 2>>log"}) {
+    std::ofstream(folder / "log") << "old\n";
+    EXPECT_EQ(run(std::string("run --until 50 --events ") + to).status, 0) << to;
+    EXPECT_EQ(contents(folder / "log").rfind("old\n" + table, 0), 0u) << to;
+  }
 }
 
 // Neither table is left when one cannot be written; the run ends there, far from its end.

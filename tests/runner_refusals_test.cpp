@@ -28,7 +28,8 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
       {"--initial-displacement 0,0,0", "0,0,0"},
       {"--initial-velocity x", "x"},
       {"--stop 1:lower:0.0 --stop 1:upper:0.0", "lower must lie below"},
-      {"--stop 1:lower:0.1 --stop 1:upper:-0.1", "lower must lie below"},
+      {"--stop 1:lower:0.1 --stop 1:upper:-0.1",
+       "stops on mass 1, lower at 0.1, upper at -0.1: the lower must lie below the upper"},
       {"--stop 1:upper:0.1 --stop 1:upper:0.2", "same side"},
       {"--stop 1:upper:0.1:", "--stop 1:upper:0.1:"},
       {"--stop 1:upper:0.1:x", "--stop 1:upper:0.1:x"},
@@ -74,16 +75,20 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
       {"--resolve-chatter ''", "--resolve-chatter"},
       {"--max-impacts 0", "--max-impacts 0"},
       {"--max-impacts 2.5", "--max-impacts 2.5"},
-      {"--bogus 3", "--bogus"},
+      {"--bogus 3", "--bogus: no such option\n"},
+      {"--event t.csv", "--event: no such option; did you mean --events?"},
+      {"--Omega 1", "--Omega: no such option; did you mean --omega?"},
+      {"--resolve=1", "--resolve: no such option; did you mean --resolve-chatter?"},
       {"--omega", "--omega"},
       {"--omega 1 --omega 2", "--omega"},
-      {"stray", "stray"},
+      {"stray", "stray: not expected here"},
       {"--events /nonexistent/e.csv", "/nonexistent/e.csv"},
       {"--samples /nonexistent/s.csv", "/nonexistent/s.csv"},
       {"--events . ", "--events ."},
       {"--events ''", "--events"},
       {"--events ./t.csv --samples t.csv", "--samples t.csv"},
       {"--events - --samples -", "standard output"},
+      {"--events - --samples /dev/stdout", "--samples /dev/stdout: only one"},
       {"--events t.csv --samples t.csv.part", "--samples t.csv.part"},
       {"--save-state e.csv", "--save-state e.csv"},
       {"--save-state /nonexistent/state", "/nonexistent/state"},
@@ -112,7 +117,11 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
 TEST_F(Runner, ACommandIsNeeded) {
   const Result result = run("");
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(lines(result.err).size(), 1u) << result.err;
+  EXPECT_TRUE(is_one_message(result.err)) << result.err;
+  EXPECT_NE(result.err.find("a command is needed: run"), std::string::npos) << result.err;
+  const Result slip = run("rnu --until 5");
+  EXPECT_EQ(slip.status, 2);
+  EXPECT_EQ(slip.err, "vibro-impact: rnu: no command; did you mean run?\n");
 }
 
 }  // namespace

@@ -26,6 +26,10 @@ bool can_be_made(const std::string &path) {
   return true;
 }
 
+bool is_standard_output(const std::string &path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 // True when a file written to `path`, or on its way there, gets in the way of `other`.
 bool meet(const std::string &path, const std::string &other) {
   const auto place = [](const std::string &of) {
@@ -46,10 +50,11 @@ struct Output {
 
 void require_apart(const Output &one, const Output &two) {
   if (one.path.empty() || two.path.empty()) return;
-  if (one.path == "-" && two.path == "-")
-    throw BadInput(fmt::format("{} - {} -: only one of them can go to standard output", one.option,
-                               two.option));
-  if (one.path != "-" && two.path != "-" && meet(one.path, two.path))
+  const bool first = is_standard_output(one.path), second = is_standard_output(two.path);
+  if (first && second)
+    throw BadInput(fmt::format("{} {} {} {}: only one of them can go to standard output",
+                               one.option, one.path, two.option, two.path));
+  if (!first && !second && meet(one.path, two.path))
     throw BadInput(fmt::format("{} {} {} {}: these need to be two files", one.option, one.path,
                                two.option, two.path));
 }
@@ -57,9 +62,13 @@ void require_apart(const Output &one, const Output &two) {
 }  // namespace
 
 Destination destination(const std::string &option, const std::string &given) {
-  if (given.empty() || given == "-") return {given};
+  if (given.empty()) return {};
+  if (is_standard_output(given)) return {"-"};
   std::error_code error;
   const fs::file_status status = fs::status(given, error);
+  // A file that is open already, under another name (2>log): what stands in it stays.
+  if (fs::is_regular_file(status) && (given == "/dev/stderr" || given.starts_with("/dev/fd/")))
+    return {given, true};
   if (fs::is_directory(status))
     throw BadInput(fmt::format("{} {}: is a directory, cannot be written", option, given));
   if (fs::exists(status) && !fs::is_regular_file(status)) {
@@ -78,10 +87,12 @@ Destination destination(const std::string &option, const std::string &given) {
 
 void require_apart(const Request &request) {
   const Output events{"--events", request.events}, samples{"--samples", request.samples},
-      save_state{"--save-state", request.save_state}, resume{"--resume", request.resume};
+      save_state{"--save-state", request.save_state}, plot{"--plot", request.plot},
+      resume{"--resume", request.resume};
   require_apart(events, samples);
   require_apart(events, save_state);
   require_apart(samples, save_state);
+  for (const Output &other : {events, samples, save_state, resume}) require_apart(plot, other);
   // The state is read before the run and may be replaced after it by the new one, but not by a
   // table.
   if (events.path != "-") require_apart(events, resume);

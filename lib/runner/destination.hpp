@@ -9,7 +9,7 @@ namespace vibro_impact::runner {
 
 struct Destination {
   std::string path = {};  // empty: not wanted; `-`: standard output
-  bool direct = false;    // a device or a pipe: written as it stands, for renaming would replace it
+  bool direct = false;  // a device, a pipe or an open file: added to, for renaming would replace it
 
   // The name under which the file is written until it is whole.
   std::string temporary() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bad_input.hpp"
+#include "misspelt.hpp"
 #include "values.hpp"
 
 namespace vibro_impact::runner {
@@ -98,6 +99,9 @@ void add_run_options(CLI::App &run, Words &words, Request &request, Given &given
       option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output"),
       option(run, "--samples", request.samples, "FILE",
              "Displacements time,x1,x2,... (CSV); - for standard output"),
+      option(run, "--plot", request.plot, "FILE",
+             "Picture of the displacements, stops, impacts and sticking from --from on, by\n"
+             "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first"),
       option(run, "--save-state", request.save_state, "FILE",
              "The scene and the state at the end of the run, for --resume"),
       option(run, "--resume", request.resume, "FILE",
@@ -186,7 +190,7 @@ std::optional<Answer> parse(int argc, char **argv, Request &request) {
     if (run.parsed()) return Answer{fmt::format("{}\n\n{}", purpose, run.help(app.get_name()))};
     return Answer{app.help()};
   } catch (const CLI::ParseError &error) {
-    throw BadInput(error.what());
+    throw BadInput(explain(app, error));
   }
 
   for (const CLI::Option *file : given.files)

@@ -13,7 +13,7 @@ struct Request {
   Scene scene;  // empty with `resume`: the scene stands in that file
   RunOptions options;
   double until = 750.0, from = 0.0, every = 0.01;
-  std::string events, samples, save_state, resume;
+  std::string events, samples, save_state, resume, plot;
   bool progress = false;  // also where standard error is no terminal
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "bad_input.hpp"
 #include "destination.hpp"
+#include "plot.hpp"
 #include "progress.hpp"
 #include "state_file.hpp"
 #include "streamed_file.hpp"
@@ -83,8 +85,10 @@ Progress progress_of(const Request &request, double begin) {
 
 // The outcome, in which `time` is the one up to which the tables reach.
 Outcome simulate_or_resume(const Request &request, const std::optional<SavedRun> &saved,
-                           const Scene &scene, int (*signal)(), Files &files) {
+                           const Scene &scene, int (*signal)(), Files &files,
+                           std::optional<Plot> &plot) {
   Recorders tables(request, saved, files);
+  if (plot) tables.all.push_back(recorder_ref(*plot));
   const double begin = saved ? saved->time : 0.0;
   Progress progress = progress_of(request, begin);
   Watch watch(begin, request.until, signal, progress, tables.all);
@@ -141,15 +145,21 @@ int run_scene(const Request &request, int (*signal)()) {
   require_apart(request);
   const Destination events = destination("--events", request.events),
                     samples = destination("--samples", request.samples),
-                    state = destination("--save-state", request.save_state);
+                    state = destination("--save-state", request.save_state),
+                    picture = destination("--plot", request.plot);
   const std::optional<SavedRun> saved = saved_run(request);
   const Scene &scene = saved ? saved->scene : request.scene;
+  std::optional<Plot> plot;
+  if (!picture.path.empty())
+    plot.emplace(picture, scene, saved ? saved->state.held : start_of(scene).held,
+                 saved ? std::max(request.from, saved->time) : request.from, request.until);
   Files files;
   if (!events.path.empty()) files.events.emplace(events, event_header);
   if (!samples.path.empty()) files.samples.emplace(samples, sample_header(scene.masses()));
-  const Outcome outcome = simulate_or_resume(request, saved, scene, signal, files);
+  const Outcome outcome = simulate_or_resume(request, saved, scene, signal, files, plot);
   save_state(state, {scene, outcome.resume, outcome.time}, files);
   finish(files);
+  if (plot) plot->draw(outcome.time);
   const std::string remark = remark_on(files, !state.path.empty());
   if (outcome.ending == Ending::given_up)
     throw std::runtime_error(outcome.reason + place_of(outcome.state) + remark);

@@ -31,7 +31,7 @@ void StreamedFile::write(std::string_view text) {
   if (file_ == nullptr) {
     const bool standard = to_.path == "-";
     const std::string name = to_.direct ? to_.path : to_.temporary();
-    file_ = standard ? stdout : std::fopen(name.c_str(), "wb");
+    file_ = standard ? stdout : std::fopen(name.c_str(), to_.direct ? "ab" : "wb");
     if (file_ == nullptr) return fail();
     temporary_ = !standard && !to_.direct;
   }
