@@ -125,12 +125,13 @@ struct VividPoint {
   double target() const {
     return curve.starts_with("PD") ? -1.0 : 1.0;
   }
-  SceneAt scene_at() const {
-    return [w = omega, r = restitution](double at) { return one_mass(0.04, at, w, r, 1.0); };
+  ImpactFamily family() const {
+    return {
+        one_mass(0.04, amplitude, omega, restitution, 1.0), {Parameter::Kind::amplitude, 1}, 0, 2};
   }
   // The orbit with the printed impact speed.
-  OneImpactOrbit orbit() const {
-    return one_impact_orbit(scene_at(), speed, 2, amplitude, time);
+  ImpactOrbit orbit() const {
+    return one_impact_orbit(family(), speed, time);
   }
 };
 
@@ -165,9 +166,8 @@ inline std::vector<PublishedResult> vivid_results(const std::string &folder) {
          fmt::format("amplitude of the {}, omega={:.6g}", fold ? "fold" : "period doubling",
                      point.omega),
          point.printed_amplitude, point.amplitude, fold ? 1e-9 : 1.2e-5,
-         fold ? "theirs: Newton's method to 1e-10" : "theirs: multiplier to 1e-5", [point] {
-           return bifurcation(point.scene_at(), point.orbit(), point.target()).parameter;
-         }});
+         fold ? "theirs: Newton's method to 1e-10" : "theirs: multiplier to 1e-5",
+         [point] { return bifurcation(point.family(), point.orbit(), point.target()).parameter; }});
   }
   return results;
 }

@@ -101,12 +101,9 @@ inline double budd_dux_doubling_speed(const Parameters &p) {
   const BuddDux orbit(p["omega"], p["r"], n);
   const double speed = 1.001 * orbit.doubling_speed();
   const double stop = orbit.stop(speed);
-  const SceneAt scene_at = [&](double at) {
-    return one_mass(0.0, 1.0, p["omega"], p["r"], at, at);
-  };
-  return bifurcation(scene_at, one_impact_orbit(scene_at, speed, n, stop, orbit.time(stop, speed)),
-                     -1.0)
-      .speed;
+  const ImpactFamily family{
+      one_mass(0.0, 1.0, p["omega"], p["r"], stop, stop - 1.0), {Parameter::Kind::stop, 1}, 0, n};
+  return bifurcation(family, one_impact_orbit(family, speed, orbit.time(stop, speed)), -1.0).speed;
 }
 
 // --- x'' + c x' + x = A cos(omega t), x <= 1 --------------------------------------------------

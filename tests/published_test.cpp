@@ -65,9 +65,10 @@ TEST(Vivid, MultiplierAndTimeOfTheImpactAreThePrintedOnes) {
   const auto points = published::vivid_points(folder);
   ASSERT_GE(points.size(), 40u);
   for (const auto &point : points) {
-    const OneImpactOrbit orbit = point.orbit();
+    const ImpactOrbit orbit = point.orbit();
     const double period = Clock(point.omega).period;
-    EXPECT_NEAR(std::remainder(orbit.time - point.time, period), 0.0, 1e-9) << point.line;
+    EXPECT_NEAR(std::remainder(orbit.state.instant.phase - point.time, period), 0.0, 1e-9)
+        << point.line;
     const double multiplier = multiplier_near(orbit, point.target());
     EXPECT_NEAR(multiplier, point.multiplier, 1e-9 / point.speed) << point.curve << point.line;
     // What the source promises of its points: 1e-5, its bisection's tolerance.
@@ -82,9 +83,10 @@ TEST(Vivid, MultiplierAndTimeOfTheImpactAreThePrintedOnes) {
 TEST(Vivid, TheOrbitWithAGivenSpeedIsAFixedPointOfTheStroboscopicMap) {
   for (const auto &point : published::vivid_points(folder)) {
     if (point.target() > 0.0) continue;  // at a fold Newton's method has no step
-    const OneImpactOrbit at = point.orbit();
-    const Scene scene = point.scene_at()(at.parameter);
-    const MotionState start = at_quiet_phase(scene, after_impact(scene, at.time, at.speed));
+    const ImpactOrbit at = point.orbit();
+    const ImpactFamily family = point.family();
+    const Scene scene = with(family.scene, family.parameter, at.parameter);
+    const MotionState start = at_quiet_phase(scene, at.state);
     const PeriodicOrbit orbit = find_periodic_orbit(scene, start, 2);
     ASSERT_TRUE(orbit.converged) << point.line;
     // Rounding over the speed of the impact, 0.009 at least.
@@ -112,7 +114,7 @@ TEST(PublishedTables, AnErrorOfAMillionthInTheRestitutionIsSeen) {
   int seen = 0;
   for (auto point : published::vivid_points(folder)) {
     point.restitution += 1e-6;
-    const OneImpactOrbit orbit = point.orbit();
+    const ImpactOrbit orbit = point.orbit();
     // Near grazing the amplitude depends on the restitution with the square of the speed only.
     const double multiplier = multiplier_near(orbit, point.target());
     EXPECT_TRUE(std::abs(orbit.parameter - point.amplitude) > 1e-10 ||
