@@ -12,12 +12,14 @@
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them
 # make reference      recompute the 50-digit event tables in reference/ (minutes)
 # make format         clang-format on every source
+# make dist           the source archive, build/vibro-impact-<version>.tar.gz
 # make clean          remove build/
 
 figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcations exit_boundary table1 comparison stability
 jobs    := $(shell nproc 2>/dev/null || echo 1)
+werror  := OFF
 
-.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format clean help packages build
+.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format dist clean help packages build
 .NOTPARALLEL:  # the targets share build/; each of them uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -29,7 +31,7 @@ help:
 configured-%:
 	@mkdir -p build
 	@.ci/packages $*
-	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >build/configure.log 2>&1 || { cat build/configure.log; exit 2; }
+	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DVIBRO_IMPACT_WERROR=$(werror) >build/configure.log 2>&1 || { cat build/configure.log; exit 2; }
 
 make_target = @cmake --build build -j $(jobs) --target
 
@@ -114,6 +116,13 @@ packages:
 
 format:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
+
+# What is committed, under one folder; .commit says which commit it was.
+version := $(shell sed -n 's/^project.vibro_impact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+dist:
+	@mkdir -p build
+	@git archive --format=tar.gz --prefix=vibro-impact-$(version)/ -o build/vibro-impact-$(version).tar.gz HEAD
+	@echo "written: build/vibro-impact-$(version).tar.gz"
 
 clean:
 	@rm -rf build

@@ -221,7 +221,7 @@ TEST_F(Runner, HelpAndVersionExplainThemselves) {
         "--initial-velocity", "--max-impacts", "--save-state", "--resume", "--plot", "--progress",
         "Ctrl-C", "mass:side:position:restitution"})
     EXPECT_NE(options.find(word), std::string::npos) << word;
-  EXPECT_EQ(run("--version").out, "vibro-impact 0.1.0\n");
+  EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ std::optional<Answer> parse(int argc, char **argv, Request &request) {
   Given given;
   CLI::App app(purpose, "vibro-impact");
   app.footer(example);
-  app.set_version_flag("--version", "vibro-impact 0.1.0");
+  app.set_version_flag("--version", "vibro-impact " VIBRO_IMPACT_VERSION);
   app.require_subcommand(1);
   CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
   run.footer(example);
