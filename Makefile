@@ -10,6 +10,9 @@
 # make fuzz           the command line and the table readers under libFuzzer, seconds=60 (needs clang)
 # make benchmarks     micro-benchmarks of the steps of the pipeline (needs libbenchmark-dev)
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them
+# make compare        the tables drawn, against the run stored in the repository
+# make store          store this run instead
+# make docs           the public headers and a walk through one impact as HTML, build/docs/index.html
 # make reference      recompute the 50-digit event tables in reference/ (minutes)
 # make format         clang-format on every source
 # make dist           the source archive, build/vibro-impact-<version>.tar.gz
@@ -19,7 +22,7 @@ figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcat
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 werror  := OFF
 
-.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize reference format dist clean help packages build
+.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize compare store docs reference format dist clean help packages build
 .NOTPARALLEL:  # the targets share build/; each of them uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -39,6 +42,7 @@ build: configured-runner
 	@cmake --build build -j $(jobs)
 
 figures: programs-of-figures $(figures) error-vs-runtime
+	@build/bin/provenance || true
 
 programs-of-figures: configured-figures
 	$(make_target) figure_programs
@@ -110,6 +114,20 @@ reference: configured-library
 	@build/bin/reference-generate extremes reference/extreme_events.csv
 	@for part in states events; do \
 	  build/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
+
+# The figures drawn, against the run stored in the repository; and, to be committed, in its place.
+compare: configured-figures
+	$(make_target) provenance
+	@build/bin/provenance
+store: figures
+	@build/bin/provenance --store
+
+docs:
+	@.ci/packages docs
+	@mkdir -p build/docs
+	@(cat lib/Doxyfile; echo "OUTPUT_DIRECTORY = build/docs"; echo "PROJECT_NUMBER = $(version)") | doxygen -
+	@ln -sfn /usr/share/javascript/mathjax build/docs/mathjax
+	@echo "written: build/docs/index.html"
 
 packages:
 	@.ci/packages

@@ -1,0 +1,74 @@
+// What a result was computed with: versions as the program was compiled, and the processor.
+#pragma once
+
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <boost/version.hpp>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vibro_impact::figures {
+
+// The first line that a command prints; empty when it cannot be run.
+inline std::string first_line_of(const std::string &command) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> pipe(
+      popen((command + " 2>/dev/null").c_str(), "r"), pclose);
+  std::array<char, 512> line{};
+  if (!pipe || std::fgets(line.data(), static_cast<int>(line.size()), pipe.get()) == nullptr)
+    return "";
+  std::string text = line.data();
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+// Its name, and those of its instruction sets that the C library chooses its functions by.
+inline std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string model, sets;
+  for (std::string line; std::getline(file, line) && sets.empty();) {
+    if (line.starts_with("model name")) model = line.substr(line.find(':') + 2);
+    if (!line.starts_with("flags")) continue;
+    for (const char *set : {"fma", "avx2", "avx512f"})
+      if ((line + " ").find(fmt::format(" {} ", set)) != std::string::npos)
+        sets += fmt::format(" {}", set);
+  }
+  return model.empty() ? first_line_of("uname -m") : model + sets;
+}
+
+inline std::string compiler() {
+#ifdef __clang__
+  return "clang " __clang_version__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
+
+// What decides the last bits of a table.
+inline std::string platform() {
+  return fmt::format("{}, C library {}, Eigen {}.{}.{}, {}", compiler(), gnu_get_libc_version(),
+                     EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, processor());
+}
+
+// The same and all else, by name.
+inline std::vector<std::pair<std::string, std::string>> made_with() {
+  return {{"compiler", compiler()},
+          {"C library", gnu_get_libc_version()},
+          {"Eigen",
+           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
+                                BOOST_VERSION % 100)},
+          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                              FMT_VERSION % 100)},
+          {"gnuplot", first_line_of("gnuplot --version")},
+          {"processor", processor()},
+          {"system", first_line_of("uname -sr")}};
+}
+
+}  // namespace vibro_impact::figures
