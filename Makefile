@@ -1,6 +1,7 @@
 # make figures        install what is missing, build, compute and draw every figure (build/figures)
 # make figure2 ...    one figure
 # make error-vs-runtime  error against run time, beside other methods (under a minute)
+# make peers          install SUNDIALS and Siconos, and draw that with them in it
 # make build          the library and the scene runner, nothing else
 # make test           build and run every test
 # make check          the key numbers (paper, computed, error, verdict) and what others published
@@ -22,7 +23,7 @@ figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcat
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 werror  := OFF
 
-.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize compare store docs reference format dist clean help packages build
+.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize compare store docs peers reference format dist clean help packages build
 .NOTPARALLEL:  # the targets share build/; each of them uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -58,6 +59,12 @@ error-vs-runtime: configured-figures
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 build/bin/error_vs_runtime --output build/figures
 	@gnuplot -e "data='build/figures'" figures/error_vs_runtime.gp
 	@echo "drawn: build/figures/error_vs_runtime.png"
+
+# What a fresh machine does not have; CMake looks for them again.
+peers:
+	@.ci/packages figures peers
+	@rm -f build/CMakeCache.txt
+	@$(MAKE) error-vs-runtime
 
 test: configured-tests
 	$(make_target) test_programs

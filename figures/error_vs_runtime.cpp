@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "driver.hpp"
 #include "error_vs_runtime/problem.hpp"
+#include "platform.hpp"
 
 namespace {
 
@@ -92,31 +92,27 @@ Table table_of(const std::vector<Trial> &trials) {
   return table;
 }
 
-// What was measured where, and what the columns of the first table mean for each method.
-Table conditions(const std::vector<Method> &methods, int repeats) {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  std::string processor = "not known";
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.rfind("model name", 0) == 0) {
-      processor = line.substr(line.find(':') + 2);
-      break;
-    }
+// What was measured where, what the columns of the first table mean for each method, and who is
+// missing.
+Table conditions(const Methods &all, int repeats) {
   Table table("what,value");
   const auto quoted = [](const std::string &text) { return '"' + text + '"'; };
-  table.row("processor", quoted(processor));
-  table.row("compiler", quoted(std::string("g++ ") + __VERSION__));
+  table.row("processor", quoted(figures::processor()));
+  table.row("compiler", quoted(figures::compiler()));
   table.row("repeats", repeats);
   table.row("time", quoted("processor time of the thread"));
   table.row("low; high", quoted("fastest and slowest of the repeats"));
-  for (const Method &method : methods)
+  for (const Method &method : all.methods)
     table.row(quoted(method.name), quoted("setting: " + method.setting + "; work: " + method.work));
+  for (const std::string &line : all.left_out) table.row("missing", quoted(line));
   return table;
 }
 
 void compare(const std::filesystem::path &output, const std::string &reference, int repeats) {
   const std::vector<Problem> cases = problems(reference);
   const Methods all = all_methods();
-  for (const std::string &line : all.left_out) fmt::print(stderr, "{}\n", line);
+  for (const std::string &line : all.left_out)
+    fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
   std::vector<Trial> trials = trials_of(cases, all.methods);
   Progress progress("error_vs_runtime", static_cast<double>(trials.size()) * (repeats + 1));
   for (Trial &trial : trials) {
@@ -132,7 +128,7 @@ void compare(const std::filesystem::path &output, const std::string &reference, 
       progress.advance();
     }
   write(table_of(trials), output / "error_vs_runtime.csv");
-  write(conditions(all.methods, repeats), output / "error_vs_runtime_conditions.csv");
+  write(conditions(all, repeats), output / "error_vs_runtime_conditions.csv");
 }
 
 }  // namespace

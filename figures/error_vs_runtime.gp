@@ -6,6 +6,9 @@ table = data.'/error_vs_runtime.csv'
 problems = 'figure2 figure4 flight chatter sticking'
 titles = '"ten periods of Figure 2" "ten periods of Figure 4(a)" "one flight" "one chatter sequence" "one sticking phase"'
 
+# Who could not take part.
+missing = system("sed -n 's/^missing,\"\\(.*\\)\"$/\\1/p' '".data."/error_vs_runtime_conditions.csv'")
+
 # Name in the table, point type, colour.
 methods = '"this library" "this library (every impact)" "plain event-driven" "odeint runge_kutta_dopri5" "odeint runge_kutta_fehlberg78" "odeint bulirsch_stoer_dense_out" "odeint rosenbrock4" "CVODE Adams" "CVODE BDF" "Siconos Moreau-Jean" "Siconos LsodarOSI" "stiff spring (dopri5)"'
 colours = '#12355b #12355b #404040 #c8442c #e08a3c #b0305c #d9a0a0 #2a7f4f #7fb069 #6a4c93 #b39ddb #8d6e63'
@@ -67,6 +70,7 @@ do for [kind in 'png pdf'] {
   set tmargin 0; set bmargin 0
   set origin 0.0, 0.0
   set size 1.0, 0.08
+  if (strlen(missing) > 0) { set label 2 "not installed (make peers):\n".missing at screen 0.005, 0.052 left font 'Liberation Serif,'.(kind eq 'png' ? 17 : 8) textcolor rgb '#c8442c' noenhanced }
   plot for [k = 1:words(methods)] NaN with linespoints pointtype int(word(points, k)) \
       pointsize 0.9 linewidth 1.2 dashtype solid linecolor rgb word(colours, k) \
       title word(methods, k) noenhanced, \

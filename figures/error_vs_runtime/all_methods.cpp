@@ -13,11 +13,9 @@ Methods all_methods() {
   add(odeint_with_dense_output(), "");
   add(odeint_without_dense_output(), "");
   add(odeint_rosenbrock(), "");
-  add(cvode(), "CVODE left out: SUNDIALS (libsundials-dev) was not found when this was built");
-  const char *const siconos =
-      "left out: Siconos (libsiconos-kernel-dev) was not found when this was built";
-  add(siconos_time_stepping(), (std::string("Siconos Moreau-Jean ") + siconos).c_str());
-  add(siconos_event_driven(), (std::string("Siconos LsodarOSI ") + siconos).c_str());
+  add(cvode(), "CVODE (SUNDIALS)");
+  add(siconos_time_stepping(), "Siconos Moreau-Jean");
+  add(siconos_event_driven(), "Siconos LsodarOSI");
   add(stiff_spring(), "");
   return all;
 }
