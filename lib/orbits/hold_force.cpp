@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "chain/contact_mode.hpp"
 #include "chain/forces.hpp"
@@ -35,8 +36,8 @@ NaturalModes natural_modes(const Scene &scene, const Held &held) {
   const auto mode = build_contact_mode<Eigen::Dynamic>(bare, held);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(mode.lanes()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::stable_sort(order.begin(), order.end(), [&mode](Eigen::Index a, Eigen::Index b) {
-    return mode.lambda(a) < mode.lambda(b);
+  std::sort(order.begin(), order.end(), [&mode](Eigen::Index a, Eigen::Index b) {
+    return std::pair(mode.lambda(a), a) < std::pair(mode.lambda(b), b);
   });
   NaturalModes modes{{}, Matrix(held.size(), order.size())};
   for (std::size_t k = 0; k < order.size(); ++k) {
