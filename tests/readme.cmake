@@ -1,0 +1,69 @@
+# What the README shows is run: every line of its `sh` block that calls the scene runner, and its C++
+# program, against the library built. Its files are there, and it stays a page to be read.
+# cmake -D source=... -D build=... -D compiler=... -D flags=... -D folder=... -P readme.cmake
+file(READ ${source}/README.md text)
+file(REMOVE_RECURSE ${folder})
+file(MAKE_DIRECTORY ${folder})
+
+# Semicolons and brackets mean something in lists of CMake: lines are counted in a copy without them.
+string(REGEX REPLACE "[][;]" "." plain "${text}")
+string(REPLACE "\n" ";" lines "${plain}")
+list(LENGTH lines length)
+if(length GREATER 151)
+  message(SEND_ERROR "README.md has ${length} lines, more than 150")
+endif()
+foreach(line IN LISTS lines)
+  string(LENGTH "${line}" width)
+  if(width GREATER 140)
+    message(SEND_ERROR "README.md: a line of ${width} characters: ${line}")
+  endif()
+endforeach()
+
+string(REGEX MATCHALL "\\]\\([a-zA-Z_][a-zA-Z0-9_/.]*\\)" links "${text}")
+foreach(link IN LISTS links)
+  string(REGEX REPLACE "^..(.*).$" "\\1" file "${link}")
+  if(NOT EXISTS ${source}/${file})
+    message(SEND_ERROR "README.md names ${file}, which is not there")
+  endif()
+endforeach()
+
+function(block language variable)  # the text of the first block in that language
+  string(FIND "${text}" "```${language}\n" begin)
+  if(begin EQUAL -1)
+    message(FATAL_ERROR "README.md has no block in ${language}")
+  endif()
+  string(SUBSTRING "${text}" ${begin} -1 rest)
+  string(LENGTH "```${language}\n" skip)
+  string(SUBSTRING "${rest}" ${skip} -1 rest)
+  string(FIND "${rest}" "```" end)
+  string(SUBSTRING "${rest}" 0 ${end} rest)
+  set(${variable} "${rest}" PARENT_SCOPE)
+endfunction()
+
+block(sh commands)
+file(WRITE ${folder}/commands.sh "${commands}")
+execute_process(COMMAND sh -ec "PATH=${build}/bin:$PATH . ./commands.sh" WORKING_DIRECTORY ${folder}
+                RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE message)
+if(failed)
+  message(SEND_ERROR "the commands of README.md: status ${failed}\n${message}")
+endif()
+file(STRINGS ${folder}/events.csv events REGEX ",stick,")
+list(LENGTH events sticks)
+if(sticks LESS 2)
+  message(SEND_ERROR "the run of README.md has ${sticks} sticks")
+endif()
+
+block(cpp program)
+file(WRITE ${folder}/program.cpp "${program}")
+separate_arguments(flags)
+execute_process(COMMAND ${compiler} -std=c++20 ${flags} -I${source}/lib/include program.cpp
+                        ${build}/libvibro_impact.a -o program
+                WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "the program of README.md does not compile")
+endif()
+execute_process(COMMAND ./program WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed
+                OUTPUT_VARIABLE output)
+if(failed OR NOT output MATCHES "mass 1 stick" OR NOT output MATCHES "[1-9][0-9]* impacts")
+  message(SEND_ERROR "the program of README.md: status ${failed}\n${output}")
+endif()
