@@ -197,7 +197,7 @@ TEST_F(Runner, BashCompletesOptionsAndCommands) {
                "):$PATH\" bash -c '. " REFERENCE_DIR
                "/../lib/runner/completion.bash; COMP_WORDS=(" +
                words + "); COMP_CWORD=" + std::to_string(at) +
-               "; _vibro_impact; echo \"${COMPREPLY[@]}\"'")
+               "; _vibro_impact vibro-impact; echo \"${COMPREPLY[@]}\"'")
         .out;
   };
   EXPECT_EQ(completed("vibro-impact ru", 1), "run\n");

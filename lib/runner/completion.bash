@@ -2,9 +2,10 @@
 _vibro_impact() {
   local words
   if ((COMP_CWORD == 1)); then
-    words="run --help --version"
+    words="--help --version $("$1" --help 2>/dev/null |
+      sed -nE '/^Subcommands:/,/^$/s/^  ([a-z]+) .*/\1/p')"
   elif [[ ${COMP_WORDS[COMP_CWORD]} == -* ]]; then
-    words=$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --help 2>/dev/null |
+    words=$("$1" "${COMP_WORDS[1]}" --help 2>/dev/null |
       sed -nE 's/^  (-[a-z],)?(--[a-z-]+).*/\2/p')
   fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "${COMP_WORDS[COMP_CWORD]}")
