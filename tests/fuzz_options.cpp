@@ -62,6 +62,14 @@ void take_command_line(const std::string &text) {
   arguments.push_back(nullptr);
   runner::Request request;
   if (runner::parse(static_cast<int>(words.size()), arguments.data(), request)) return;
+  if (request.sweep) {
+    try {
+      check(request.sweep->grid);
+    } catch (const std::invalid_argument &error) {
+      fail(std::string("sweep accepted, then refused: ") + error.what());
+    }
+    return;
+  }
   if (!request.resume.empty()) return;  // the scene would come from a file
   const Scene &scene = request.scene;
   try {

@@ -67,6 +67,14 @@ inline bool is_one_message(const std::string &text) {
   return text.rfind("vibro-impact: ", 0) == 0 && text.find('\n') == text.size() - 1;
 }
 
+// Two or more processes, where the program was built with MPI.
+inline std::string mpirun(int processes) {
+  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIRUN
+         " --oversubscribe -n " +
+         std::to_string(processes) + " ";
+}
+constexpr bool with_mpi = MPIRUN[0] != '\0';
+
 // A folder of its own for every test, in which the program runs.
 struct Runner : ::testing::Test {
   fs::path folder;
@@ -79,12 +87,13 @@ struct Runner : ::testing::Test {
   void TearDown() override {
     fs::remove_all(folder);
   }
-  // `before`: what the shell does first.
-  Result run(const std::string &arguments, const std::string &before = "true") const {
+  // `before`: what the shell does first; `by`: what starts the program.
+  Result run(const std::string &arguments, const std::string &before = "true",
+             const std::string &by = "") const {
     const fs::path out = folder / "out.txt", err = folder / "err.txt";
-    const std::string command = "cd " + folder.string() + " && " + before +
-                                " && { " VIBRO_IMPACT_PROGRAM " " + arguments + "; } >" +
-                                out.string() + " 2>" + err.string();
+    const std::string command = "cd " + folder.string() + " && " + before + " && { " + by +
+                                VIBRO_IMPACT_PROGRAM " " + arguments + "; } >" + out.string() +
+                                " 2>" + err.string();
     const pid_t shell = fork();
     if (shell == 0) {
       execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);

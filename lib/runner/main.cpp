@@ -1,4 +1,5 @@
-// vibro-impact: runs the user's own scene and writes its event and sample tables.
+// vibro-impact: runs the user's own scene and writes its event and sample tables, or sweeps over
+// its parameters.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include "options.hpp"
 #include "run_command.hpp"
 #include "streamed_file.hpp"
+#include "sweep_command.hpp"
 
 namespace {
 
@@ -27,9 +29,18 @@ int main(int argc, char **argv) {
   // written.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  const vibro_impact::Processes processes(argc, argv);
+  // What all processes find wrong is said by one.
+  const bool speaks = processes.rank() == 0;
   try {
     Request request;
-    if (const auto answer = parse(argc, argv, request)) {
+    const auto answer = parse(argc, argv, request);
+    if (request.sweep) {
+      run_sweep(*request.sweep, processes);
+      return 0;
+    }
+    if (!speaks) return 0;
+    if (answer) {
       StreamedFile out(Destination{"-"});
       out.write(answer->text);
       out.complete();
@@ -38,8 +49,8 @@ int main(int argc, char **argv) {
     remember_signals();
     return run_scene(request);
   } catch (const std::invalid_argument &bad) {
-    return fail(bad.what(), 2);
+    return speaks ? fail(bad.what(), 2) : 2;
   } catch (const std::exception &failure) {
-    return fail(failure.what(), 1);
+    return speaks ? fail(failure.what(), 1) : 1;
   }
 }

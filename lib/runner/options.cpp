@@ -7,6 +7,7 @@
 
 #include "bad_input.hpp"
 #include "misspelt.hpp"
+#include "scene_options.hpp"
 #include "values.hpp"
 
 namespace vibro_impact::runner {
@@ -41,56 +42,18 @@ constexpr const char *example =
     "ended\n"
     "by Ctrl-C (128 + the number of the signal).";
 
-// The words of the command line as they were given, with the defaults of the paper's Figure 2.
+// The words of the command line as they were given.
 struct Words {
-  std::string masses = "2", mass = "1", stiffness = "1", damping = "0.1", beta, restitution = "0.7";
-  std::string amplitude = "0.5,0", omega = "0.2797", displacement = "0", velocity = "0";
-  std::vector<std::string> stops = {"1:lower:-0.3", "2:upper:0.1"};
+  SceneWords scene;
   std::string until = "750", from = "0", every = "0.01", resolve, most = "1000000";
 };
 
 // The options whose absence, too, means something.
 struct Given {
-  std::vector<const CLI::Option *> scene, files;
-  const CLI::Option *amplitude = nullptr, *beta = nullptr, *stops = nullptr, *resolve = nullptr;
+  SceneOptions scene;
+  std::vector<const CLI::Option *> files;
+  const CLI::Option *resolve = nullptr;
 };
-
-CLI::Option *option(CLI::App &run, const char *name, std::string &value, const char *type,
-                    const char *what) {
-  return run.add_option(name, value, what)->type_name(type)->capture_default_str();
-}
-
-void add_scene_options(CLI::App &run, Words &words, Given &given) {
-  const auto add = [&](const char *name, std::string &value, const char *type, const char *what) {
-    CLI::Option *added = option(run, name, value, type, what);
-    given.scene.push_back(added);
-    return added;
-  };
-  add("--masses", words.masses, "N", "Number of masses");
-  add("--mass", words.mass, "LIST", "m_i > 0");
-  add("--stiffness", words.stiffness, "LIST",
-      "k_i > 0, link by link; k_1 = 0: a free chain, not tied to the ground");
-  CLI::Option *damping =
-      add("--damping", words.damping, "LIST", "c_i, proportional to k_i: C = beta K");
-  CLI::Option *beta = add("--beta", words.beta, "NUMBER", "beta of C = beta K (the paper's c / k)");
-  beta->excludes(damping);
-  given.beta = beta;
-  add("--restitution", words.restitution, "NUMBER",
-      "Coefficient of restitution r in [0, 1] of the stops that have none of their own");
-  given.amplitude = add("--amplitude", words.amplitude, "LIST",
-                        "A_i of the forcing A cos(Omega t); if N is not 2: 0.5 on mass 1");
-  add("--omega", words.omega, "NUMBER",
-      "Forcing frequency Omega >= 0; the default is reconstructed, not printed");
-  given.stops =
-      run.add_option("--stop", words.stops,
-                     "mass:side:position or mass:side:position:restitution, with side lower or\n"
-                     "upper, repeatable; none: a chain without stops")
-          ->type_name("STOP")
-          ->capture_default_str();
-  given.scene.push_back(given.stops);
-  add("--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
-  add("--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
-}
 
 void add_run_options(CLI::App &run, Words &words, Request &request, Given &given) {
   option(run, "--until", words.until, "TIME", "End of the run, > 0");
@@ -118,34 +81,6 @@ void add_run_options(CLI::App &run, Words &words, Request &request, Given &given
   run.add_flag("--progress", request.progress,
                "Say how far the run is and how long it still takes, on standard error, also where\n"
                "that is no terminal");
-}
-
-Scene scene_of(const Words &words, const Given &given) {
-  const auto size = static_cast<std::size_t>(count_of("--masses", words.masses, most_masses));
-  if (given.stops->count() == 0 && size < 2)
-    throw BadInput(fmt::format(
-        "--masses {}: the default stops stand on masses 1 and 2; give --stop, or --stop none",
-        words.masses));
-  Scene scene;
-  scene.mass = per_mass("--mass", words.mass, size);
-  scene.stiffness = per_mass("--stiffness", words.stiffness, size);
-  scene.restitution = number("--restitution", words.restitution);
-  if (given.amplitude->count() == 0 && size != 2) {
-    scene.amplitude.assign(size, 0.0);
-    scene.amplitude.front() = 0.5;
-  } else {
-    scene.amplitude = per_mass("--amplitude", words.amplitude, size);
-  }
-  scene.omega = number("--omega", words.omega);
-  scene.displacement = per_mass("--initial-displacement", words.displacement, size);
-  scene.velocity = per_mass("--initial-velocity", words.velocity, size);
-  if (!(words.stops.size() == 1 && words.stops.front() == "none"))
-    for (const std::string &stop : words.stops) scene.stops.push_back(stop_of(stop));
-  check(scene);  // before the damping is divided by the stiffness
-  scene.beta = given.beta->count() > 0 ? number("--beta", words.beta)
-                                       : beta_of(words.damping, scene.stiffness);
-  check(scene);
-  return scene;
 }
 
 void read_run_options(const Words &words, const Given &given, Request &request) {
@@ -180,27 +115,36 @@ std::optional<Answer> parse(int argc, char **argv, Request &request) {
   app.require_subcommand(1);
   CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
   run.footer(example);
-  add_scene_options(run, words, given);
+  given.scene = add_scene_options(run, words.scene);
   add_run_options(run, words, request, given);
+  SweepWords sweep_words;
+  CLI::App &sweep = *app.add_subcommand("sweep", sweep_purpose);
+  const SweepGiven sweep_given = add_sweep_options(sweep, sweep_words);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion &version) {
     return Answer{fmt::format("{}\n", version.what())};
   } catch (const CLI::CallForHelp &) {
-    if (run.parsed()) return Answer{fmt::format("{}\n\n{}", purpose, run.help(app.get_name()))};
+    for (const CLI::App *command : {&run, &sweep})
+      if (command->parsed())
+        return Answer{fmt::format("{}\n\n{}", purpose, command->help(app.get_name()))};
     return Answer{app.help()};
   } catch (const CLI::ParseError &error) {
     throw BadInput(explain(app, error));
   }
 
+  if (sweep.parsed()) {
+    request.sweep = sweep_of(sweep, sweep_words, sweep_given);
+    return std::nullopt;
+  }
   for (const CLI::Option *file : given.files)
     if (file->count() > 0 && file->as<std::string>().empty())
       throw BadInput(fmt::format("{} '': must name a file", file->get_name()));
   if (request.resume.empty())
-    request.scene = scene_of(words, given);
+    request.scene = scene_of(words.scene, given.scene);
   else
-    for (const CLI::Option *of_scene : given.scene)
+    for (const CLI::Option *of_scene : given.scene.all)
       if (of_scene->count() > 0)
         throw BadInput(fmt::format("{}: the scene comes from --resume {} and cannot be changed",
                                    of_scene->get_name(), request.resume));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bad_input.hpp"
+#include "checksum.hpp"
 
 namespace vibro_impact::runner {
 
@@ -21,19 +22,6 @@ constexpr std::string_view kind = "vibro-impact state ", version = "1";
 
 // More stops than this no chain the runner takes can have.
 constexpr std::size_t most_stops = 20000;
-
-// FNV-1a: no defence against malice, but against a slip of an editor or a disk.
-struct Checksum {
-  std::uint64_t value = 14695981039346656037U;
-
-  void add(std::string_view text) {
-    for (const char c : text)
-      value = (value ^ static_cast<unsigned char>(c)) * std::uint64_t{1099511628211U};
-  }
-  std::string line() const {
-    return fmt::format("checksum {:016x}\n", value);
-  }
-};
 
 // A number that may be infinite; no other one may.
 template <class Number>

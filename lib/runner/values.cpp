@@ -67,6 +67,18 @@ std::vector<double> per_mass(const std::string &option, const std::string &text,
   return values;
 }
 
+Axis axis_of(const std::string &option, const Parameter &parameter, const std::string &text) {
+  const auto parts = split(text, ':');
+  if (parts.size() != 3)
+    throw BadInput(fmt::format("{} {}: must read from:to:count", option, text));
+  const double count = number_in(option, parts[2], text);
+  if (!(count >= 1.0 && count <= 1e9) || count != std::floor(count))
+    throw BadInput(
+        fmt::format("{} {}: the count must be a whole number from 1 to 1e9", option, text));
+  return {parameter, number_in(option, parts[0], text), number_in(option, parts[1], text),
+          static_cast<std::size_t>(count)};
+}
+
 Stop stop_of(const std::string &text) {
   const auto parts = split(text, ':');
   if (parts.size() < 3 || parts.size() > 4 || (parts[1] != "lower" && parts[1] != "upper"))

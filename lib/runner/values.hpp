@@ -1,4 +1,4 @@
-// What the words of the command line stand for: numbers, lists and stops.
+// What the words of the command line stand for: numbers, lists, ranges and stops.
 //
 // Every function throws BadInput with one line that names the option and what was given.
 #pragma once
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "vibro_impact/scene.hpp"
+#include "vibro_impact/sweep.hpp"
 
 namespace vibro_impact::runner {
 
@@ -22,6 +22,9 @@ long long count_of(const std::string &option, const std::string &token, long lon
 // A list with one value per mass, or one value for all, separated by commas.
 std::vector<double> per_mass(const std::string &option, const std::string &text,
                              std::size_t masses);
+
+// from:to:count of a parameter.
+Axis axis_of(const std::string &option, const Parameter &parameter, const std::string &text);
 
 // mass:side:position, with a restitution of its own as a fourth part if it likes.
 Stop stop_of(const std::string &text);

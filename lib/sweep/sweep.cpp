@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -156,60 +155,6 @@ int available_threads() {
 #else
   return 1;
 #endif
-}
-
-double Axis::value(std::size_t k) const {
-  if (count < 2) return from;
-  return std::lerp(from, to, static_cast<double>(k) / static_cast<double>(count - 1));
-}
-
-std::size_t Grid::points() const {
-  std::size_t product = 1;
-  for (const Axis &axis : axes) product *= axis.count;
-  return product;
-}
-
-std::vector<double> Grid::values(std::size_t point) const {
-  std::vector<double> found(axes.size());
-  for (std::size_t k = axes.size(); k-- > 0; point /= axes[k].count)
-    found[k] = axes[k].value(point % axes[k].count);
-  return found;
-}
-
-Scene Grid::scene_at(std::size_t point) const {
-  Scene at = scene;
-  const std::vector<double> there = values(point);
-  for (std::size_t k = 0; k < axes.size(); ++k) value_of(at, axes[k].parameter) = there[k];
-  return at;
-}
-
-void check(const Grid &grid) {
-  std::size_t points = 1;
-  for (std::size_t k = 0; k < grid.axes.size(); ++k) {
-    const Axis &axis = grid.axes[k];
-    const std::string what = name(axis.parameter);
-    get(grid.scene, axis.parameter);
-    require(axis.count >= 1, what, ": ", axis.count, " values; there must be at least 1");
-    require(std::isfinite(axis.from) && std::isfinite(axis.to), what, " from ", axis.from, " to ",
-            axis.to, ": must be finite");
-    require(points <= (std::size_t{1} << 53) / axis.count, what, ": ", axis.count,
-            " values: more points than can be counted");
-    points *= axis.count;
-    for (std::size_t j = 0; j < k; ++j)
-      require(!(grid.axes[j].parameter == axis.parameter), what, ": given twice");
-  }
-  // What a scene must fulfil are bounds that are linear in its scalars: if they hold in the corners
-  // of the grid, they hold everywhere.
-  require(grid.axes.size() < 20, grid.axes.size(), " axes: at most 19");
-  for (std::size_t corner = 0; corner < std::size_t{1} << grid.axes.size(); ++corner) {
-    Scene scene = grid.scene;
-    for (std::size_t k = 0; k < grid.axes.size(); ++k) {
-      const Axis &axis = grid.axes[k];
-      value_of(scene, axis.parameter) = axis.value((corner >> k) % 2 == 0 ? 0 : axis.count - 1);
-    }
-    check(scene);
-    require(scene.omega > 0.0, "omega = ", scene.omega, ": a sweep needs a forcing period");
-  }
 }
 
 void sweep(std::size_t points, const std::function<OrbitRecord(std::size_t)> &compute,
