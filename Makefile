@@ -2,6 +2,7 @@
 # make figure2 ...    one figure
 # make error-vs-runtime  error against run time, beside other methods (under a minute)
 # make peers          install SUNDIALS and Siconos, and draw that with them in it
+# make atlas-full     the (Omega, r) atlas at 2000 x 1500 points (hours; ended, it goes on when called again)
 # make build          the library and the scene runner, nothing else
 # make test           build and run every test
 # make check          the key numbers (paper, computed, error, verdict) and what others published
@@ -19,11 +20,11 @@
 # make dist           the source archive, build/vibro-impact-<version>.tar.gz
 # make clean          remove build/
 
-figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcations exit_boundary table1 comparison stability
+figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcations exit_boundary table1 comparison stability atlas
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 werror  := OFF
 
-.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime test check readme pictures random-scenes fuzz test-sanitize compare store docs peers reference format dist clean help packages build
+.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime atlas-full test check readme pictures random-scenes fuzz test-sanitize compare store docs peers reference format dist clean help packages build
 .NOTPARALLEL:  # the targets share build/; each of them uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -65,6 +66,11 @@ peers:
 	@.ci/packages figures peers
 	@rm -f build/CMakeCache.txt
 	@$(MAKE) error-vs-runtime
+atlas-full: configured-runner
+	$(make_target) vibro-impact
+	@mkdir -p build/figures
+	@build/bin/vibro-impact sweep --omega 0.2:0.8:2000 --restitution 0:0.98:1500 --longest 200 \
+	  --table build/figures/atlas_full.csv --resume --progress
 
 test: configured-tests
 	$(make_target) test_programs

@@ -1,10 +1,11 @@
-// The bifurcation diagrams of Figure 3: impact velocities against the forcing frequency.
+// The bifurcation diagrams of Figure 3: impact velocities against the forcing frequency, from rest
+// as in the paper and followed upwards and downwards.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
+#include <functional>
 #include <vector>
 
 #include "paper_scenes.hpp"
@@ -30,43 +31,69 @@ inline std::vector<double> distinct(std::vector<double> values) {
   return values;
 }
 
-// Impact velocities of masses 1 and 2 at one frequency: from rest, after the settling periods, over
-// `periods` further ones; chatter impacts down to slowest_impact_shown.
-inline std::array<std::vector<double>, 2> impact_velocities(double omega, int periods) {
-  const Scene scene = paper::figure3(omega);
-  const double period = Clock(omega).period, from = paper::figure3_settling_periods * period;
-  RunOptions options;
-  options.resolve_chatter = paper::slowest_impact_shown;
-  ImpactSpeedRecorder first{1, from}, second{2, from};
-  require_complete(simulate(scene, from + periods * period, options, first, second));
-  return {distinct(first.velocities), distinct(second.velocities)};
+// What is recorded at a frequency: chatter impacts down to slowest_impact_shown, over `periods`
+// forcing periods where the motion does not settle.
+inline RecordOptions recorded_in_figure3(int periods) {
+  RecordOptions options;
+  options.settle.longest = paper::figure3_settling_periods;
+  options.counted = periods;
+  options.impact_velocities = true;
+  options.slowest = paper::slowest_impact_shown;
+  return options;
 }
 
-// The diagrams of mass 1 and mass 2, rows in the order of `omegas`. The frequencies are shared out
-// among `threads` threads; each is computed on its own, so their number does not change a digit.
-// advance() is called after every frequency, from any thread.
-template <class Advance>
-std::array<Table, 2> bifurcation_diagrams(const std::vector<double> &omegas, int periods,
-                                          int threads, Advance &&advance) {
-  std::vector<std::array<std::vector<double>, 2>> velocities(omegas.size());
-  std::exception_ptr failure;  // exceptions must not leave the parallel loop
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < omegas.size(); ++i) {
-    try {
-      velocities[i] = impact_velocities(omegas[i], periods);
-      advance();
-    } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+// The distinct impact velocities of masses 1 and 2 at one frequency, from rest.
+inline std::array<std::vector<double>, 2> impact_velocities(double omega, int periods) {
+  const OrbitRecord record = record_of(paper::figure3(omega), recorded_in_figure3(periods));
+  return {distinct(record.impact_velocities[0]), distinct(record.impact_velocities[1])};
+}
 
-  std::array<Table, 2> diagrams{Table("omega,v1"), Table("omega,v2")};
+// The tables of a diagram, rows in the order of the frequencies.
+struct Diagram {
+  std::array<Table, 2> velocities{Table("omega,v1"), Table("omega,v2")};
+  // Per forcing period; period 0: none. The last column is empty where it was not asked for.
+  Table orbits{"omega,period,impacts1,impacts2,chatters1,chatters2,lyapunov"};
+};
+
+inline void add(Diagram &diagram, double omega, const OrbitRecord &record) {
   for (std::size_t mass = 0; mass < 2; ++mass)
-    for (std::size_t i = 0; i < omegas.size(); ++i)
-      for (double v : velocities[i][mass]) diagrams[mass].row(omegas[i], v);
-  return diagrams;
+    for (const double v : distinct(record.impact_velocities[mass]))
+      diagram.velocities[mass].row(omega, v);
+  Table &orbits = diagram.orbits;
+  orbits.cell(omega);
+  orbits.cell(record.period);
+  for (const auto *counts : {&record.counts.impacts, &record.counts.chatters})
+    for (const int count : *counts) orbits.cell(count / static_cast<double>(record.counts.periods));
+  if (record.lyapunov)
+    orbits.cell(*record.lyapunov);
+  else
+    orbits.cell(std::string_view());
+  orbits.end_row();
+}
+
+// From rest at every frequency.
+inline Diagram diagram_from_rest(const std::vector<double> &omegas, const RecordOptions &options,
+                                 const SweepOptions &sweeping) {
+  Diagram diagram;
+  sweep(
+      omegas.size(), [&](std::size_t i) { return record_of(paper::figure3(omegas[i]), options); },
+      [&](std::size_t i, const OrbitRecord &record) { add(diagram, omegas[i], record); }, sweeping);
+  return diagram;
+}
+
+// From where the motion stood at the frequency before; at the first one from rest. `advance` is
+// called after every frequency.
+inline Diagram diagram_followed(const std::vector<double> &omegas, const RecordOptions &options,
+                                const std::function<void()> &advance) {
+  Diagram diagram;
+  MotionState state = start_of(paper::figure3(omegas.front()));
+  for (const double omega : omegas) {
+    OrbitRecord record = record_of(paper::figure3(omega), state, options);
+    add(diagram, omega, record);
+    state = std::move(record.state);
+    advance();
+  }
+  return diagram;
 }
 
 }  // namespace vibro_impact::figures

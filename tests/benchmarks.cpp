@@ -1,6 +1,6 @@
 // Benchmarks of whole runs, for chains of 2, 10, 50 and 200 masses with stops on the first and the
-// last: `make benchmarks`. Times are per forcing period, chatter, sample or map; the counters
-// beside them say what that took.
+// last, and of a diagram: `make benchmarks`. Times are per forcing period, chatter, sample or map;
+// the counters beside them say what that took.
 #include <benchmark/benchmark.h>
 
 #include "paper_scenes.hpp"
@@ -109,11 +109,29 @@ void undisturbed(benchmark::State &state) {
   show(state, counters, 1);
 }
 
+// A diagram like Figure 3, per frequency, on as many threads as the argument says: `periods` are
+// the forcing periods integrated until a motion has settled, of 400.
+void diagram(benchmark::State &state) {
+  const Grid grid{paper::figure2(), {{parameter_named("omega"), 0.25, 0.7, 181}}};
+  SweepOptions sweeping;
+  sweeping.threads = static_cast<int>(state.range(0));
+  double all = 0.0;
+  for (auto _ : state) {
+    all = 0.0;
+    for (const OrbitRecord &record : sweep(grid, {}, sweeping))
+      all += static_cast<double>(record.work.settling);
+  }
+  state.counters["time"] = benchmark::Counter(
+      181, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["periods"] = all / 181;
+}
+
 BENCHMARK(forcing_period)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 BENCHMARK(resolved_period)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 BENCHMARK(chatter)->Arg(30)->Arg(70)->Arg(90)->Arg(99);
 BENCHMARK(sample)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 BENCHMARK(stroboscopic_derivative)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK(diagram)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK(undisturbed)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 
 }  // namespace

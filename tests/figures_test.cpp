@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "figure3.hpp"
@@ -149,18 +151,53 @@ TEST(Figure3, TablesDoNotDependOnTheNumberOfThreads) {
   std::vector<double> omegas;
   for (int i = 0; i < 12; ++i) omegas.push_back(0.7 - 0.03 * i);  // chaotic ones first
   const auto tables = [&](int threads) {
-    return figures::bifurcation_diagrams(omegas, 5, threads, [] {});
+    SweepOptions sweeping;
+    sweeping.threads = threads;
+    sweeping.block = 1;
+    return figures::diagram_from_rest(omegas, figures::recorded_in_figure3(5), sweeping);
   };
   const auto one = tables(1), two = tables(2), four = tables(4);
   for (std::size_t mass : {0u, 1u}) {
-    EXPECT_GT(std::count(one[mass].text.begin(), one[mass].text.end(), '\n'), 100);
-    EXPECT_EQ(one[mass].text, two[mass].text);
-    EXPECT_EQ(one[mass].text, four[mass].text);
+    const std::string &text = one.velocities[mass].text;
+    EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 50);
+    EXPECT_EQ(text, two.velocities[mass].text);
+    EXPECT_EQ(text, four.velocities[mass].text);
   }
+  EXPECT_EQ(std::count(one.orbits.text.begin(), one.orbits.text.end(), '\n'), 13);
+  EXPECT_EQ(one.orbits.text, two.orbits.text);
+  EXPECT_EQ(one.orbits.text, four.orbits.text);
 }
 
 TEST(Figure3, ErrorsLeaveTheParallelLoop) {
-  EXPECT_THROW(figures::bifurcation_diagrams({0.3, -1.0, 0.4}, 1, 2, [] {}), std::invalid_argument);
+  EXPECT_THROW(figures::diagram_from_rest({0.3, -1.0, 0.4}, figures::recorded_in_figure3(1), {}),
+               std::invalid_argument);
+}
+
+// The rows of a table below its header, without the last cell.
+std::vector<std::string> rows_of(const Table &table) {
+  std::vector<std::string> rows;
+  std::istringstream stream(table.text);
+  for (std::string row; std::getline(stream, row);) rows.push_back(row.substr(0, row.rfind(',')));
+  rows.erase(rows.begin());
+  return rows;
+}
+
+// Where motions coexist, what is found depends on where it came from: followed upwards and
+// downwards, impacts and periods are the same at most frequencies, but not at all.
+TEST(Figure3, FollowedBothWaysThereAreMotionsThatCoexist) {
+  std::vector<double> omegas = figures::frequencies_of_figure3(181);
+  RecordOptions options = figures::recorded_in_figure3(5);
+  options.settle.longest = 100;
+  const auto up = rows_of(figures::diagram_followed(omegas, options, [] {}).orbits);
+  std::reverse(omegas.begin(), omegas.end());
+  auto down = rows_of(figures::diagram_followed(omegas, options, [] {}).orbits);
+  std::reverse(down.begin(), down.end());
+  ASSERT_EQ(up.size(), 181u);
+  ASSERT_EQ(down.size(), 181u);
+  int different = 0;
+  for (std::size_t i = 0; i < up.size(); ++i) different += up[i] != down[i] ? 1 : 0;
+  EXPECT_GT(different, 0);
+  EXPECT_LT(different, 90);
 }
 
 TEST(Figure3, EqualVelocitiesCountOnce) {
