@@ -124,7 +124,8 @@ reference: configured-library
 	  build/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
 	@for table in key_numbers located; do \
 	  build/bin/reference-generate $$table reference/$$table.csv || exit 2; done
-	@build/bin/reference-generate extremes reference/extreme_events.csv
+	@build/bin/reference-generate extremes reference/extreme_events.csv || exit 2
+	@build/bin/reference-generate degenerate reference/degenerate_events.csv || exit 2
 	@for part in states events; do \
 	  build/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
 

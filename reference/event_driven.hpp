@@ -9,6 +9,7 @@
 // that is left out lasts some 1e-19; that is the error of the generator.
 #pragma once
 
+#include "at_rest.hpp"
 #include "signals.hpp"
 
 #include <algorithm>
@@ -26,11 +27,27 @@ struct Resolution {
   Real speed_floor = small(20);     // a chatter is followed down to this speed
   Real pressing_floor = small(30);  // a hold force below this counts as zero: no stick
   Real hopeless_speed =
-      small(24);                // bounces this slow without a pressing force are below the noise
-  Real root_width = small(36);  // bisection stops at this fraction of the time since the last event
+      small(24);                  // bounces this slow without a pressing force are below the noise
+  RootSearch roots;               // relative to the time since the last event
   Real simultaneous = small(33);  // roots this close, relative to the same time, are one event
   int samples_per_cycle = 128;    // of the fastest mode or of the forcing
 };
+
+/// The thresholds with chatter followed down to `floor` and zeros narrowed down to `width`, by the
+/// faster search.
+inline Resolution resolution_down_to(const Real &floor, const Real &width) {
+  Resolution resolution;
+  resolution.speed_floor = floor;
+  resolution.hopeless_speed = floor / 10000;
+  resolution.roots = {width, true};
+  resolution.simultaneous = 1000 * width;
+  return resolution;
+}
+
+/// The same, with zeros narrowed down as the flights of such a chatter need.
+inline Resolution resolution_down_to(const Real &floor) {
+  return resolution_down_to(floor, std::min<Real>(Real("1e-36"), pow(floor, Real("1.6"))));
+}
 
 struct Event {
   enum class Kind { impact, stick, release };
@@ -77,26 +94,33 @@ inline NextEvents find_next(const Scene &scene, const State &state, const Flow &
     return two_pi / fastest_rate_at(flow, tau) / resolution.samples_per_cycle;
   };
   auto signals = starting_signals(scene, state, motion_at(flow, Real(0)));
+  for (const std::size_t i : state.decided) signals[i].reset();
   Real step = first_step(scene, state, signals, longest_at(Real(0)));
   Real a = 0;
   while (a < horizon) {
-    const Real b = std::min<Real>(a + step, horizon);
+    Real b = std::min<Real>(a + step, horizon);
+    if (a < state.decided_for) b = std::min<Real>(b, state.decided_for);
     const Motion motion = motion_at(flow, b);
     std::vector<std::pair<Real, std::size_t>> roots;
     for (std::size_t i = 0; i < signals.size(); ++i) {
       const auto at_b = stop_signal(scene, state, i, motion);
       if (!at_b) continue;
+      if (!signals[i]) {  // nothing happens here before the time it is decided for
+        if (b >= state.decided_for) signals[i] = at_b;
+        continue;
+      }
       const auto signal_at = [&](const Real &tau) {
         return *stop_signal(scene, state, i, motion_at(flow, tau));
       };
-      if (const auto root =
-              first_fall(signal_at, a, *signals[i], b, *at_b, resolution.root_width)) {
+      if (const auto root = first_fall(signal_at, a, *signals[i], b, *at_b, resolution.roots)) {
         roots.emplace_back(*root, i);
       }
       signals[i] = at_b;
     }
     if (!roots.empty()) {
       const Real first = std::min_element(roots.begin(), roots.end())->first;
+      if (first < state.decided_for)
+        throw std::runtime_error("an event comes before what has been decided stands");
       NextEvents next{first, {}};
       for (const auto &[time, stop] : roots) {
         if (time - first <= resolution.simultaneous * first) next.stops.push_back(stop);
@@ -109,44 +133,60 @@ inline NextEvents find_next(const Scene &scene, const State &state, const Flow &
   return {horizon, {}};
 }
 
-/// Applies what happens at the present instant at the given stops: impacts of free masses, releases
-/// of stuck ones; then sticks the masses whose chatter has run out, and lets go the stuck masses
-/// that a neighbour's impact pulls away.
+/// Decides who of the masses at rest at the stops `in_question` is held (at_rest.hpp), and records
+/// the sticks and releases that follow.
+inline void decide(const Scene &scene, State &state, const std::vector<std::size_t> &in_question,
+                   Eigensystems &known, std::vector<Event> &events) {
+  std::vector<bool> stuck = stuck_masses(state);
+  decide_at_rest(scene, state, in_question, known);
+  for (std::size_t p = 0; p < stuck.size(); ++p) {
+    if (stuck[p] == state.stuck_on[p].has_value()) continue;
+    stuck[p] = !stuck[p];
+    events.push_back({state.time, p, stuck[p] ? Event::Kind::stick : Event::Kind::release, Real(0),
+                      Real(0), stuck});
+  }
+}
+
+/// Applies what happens at the present instant at the given stops: impacts of free masses, falls of
+/// the hold force through zero of stuck ones. Then the masses whose chatter has run out stick,
+/// those that a neighbour's impact pulls away are let go, and so is one whose hold force has
+/// fallen; where several hold forces are zero at once, or one of a mass at rest after an impact
+/// without rebound, it is decided by trial.
 inline void apply_events(const Scene &scene, State &state, const std::vector<std::size_t> &stops,
-                         const Resolution &resolution, std::vector<Event> &events) {
+                         const Resolution &resolution, Eigensystems &known,
+                         std::vector<Event> &events) {
   const auto record = [&](std::size_t mass, Event::Kind kind, const Real &before,
                           const Real &after) {
     events.push_back({state.time, mass, kind, before, after, stuck_masses(state)});
   };
-  std::vector<std::size_t> hit;
+  std::vector<std::size_t> hit, fallen, in_question;
   for (const std::size_t i : stops) {
-    const Stop &stop = scene.stops[i];
-    const std::size_t p = stop.mass;
-    state.x[p] = stop.position;
+    const std::size_t p = scene.stops[i].mass;
+    state.x[p] = scene.stops[i].position;
     if (state.stuck_on[p]) {
-      state.stuck_on[p].reset();
-      state.stop_start[i] = Start::let_go;
-      record(p, Event::Kind::release, Real(0), Real(0));
-    } else {
-      const Real before = state.v[p];
-      state.v[p] = -scene.restitution * before;
-      state.stop_start[i] = Start::touching;
-      hit.push_back(i);
-      record(p, Event::Kind::impact, before, state.v[p]);
+      fallen.push_back(i);
+      continue;
     }
+    const Real before = state.v[p];
+    state.v[p] = -scene.restitution * before;
+    state.stop_start[i] = Start::touching;
+    hit.push_back(i);
+    record(p, Event::Kind::impact, before, state.v[p]);
   }
   for (const std::size_t i : hit) {
     const std::size_t p = scene.stops[i].mass;
     if (abs(state.v[p]) >= resolution.speed_floor) continue;
-    const Real pressing =
-        pressing_signal(scene.chain, scene.stops[i], frozen(scene.chain, state)).value;
+    const Real pressing = pressing_now(scene, state, i);
     if (pressing > resolution.pressing_floor) {
       const Real before = state.v[p];
       state.v[p] = 0;
       state.stuck_on[p] = i;
       record(p, Event::Kind::stick, before, Real(0));
-    } else if (pressing >= -resolution.pressing_floor &&
-               abs(state.v[p]) < resolution.hopeless_speed) {
+    } else if (pressing < -resolution.pressing_floor) {
+      if (state.v[p] == 0) state.stop_start[i] = Start::pulled;  // hit without rebound
+    } else if (state.v[p] == 0) {
+      in_question.push_back(i);
+    } else if (abs(state.v[p]) < resolution.hopeless_speed) {
       // Bouncing about an equilibrium that lies on the stop: neither a stick nor a flight can be
       // told from rounding.
       throw std::runtime_error("mass " + std::to_string(p + 1) +
@@ -154,62 +194,60 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
                                "slower than the working precision resolves");
     }
   }
-  for (std::size_t p = 0; p < state.x.size(); ++p) {
-    if (!state.stuck_on[p]) continue;
-    const std::size_t i = *state.stuck_on[p];
-    // A force within rounding of zero decides nothing yet; its coming fall through zero is then
-    // found along the flow.
-    const Real pressing =
-        pressing_signal(scene.chain, scene.stops[i], frozen(scene.chain, state)).value;
-    if (pressing >= -resolution.pressing_floor) continue;
-    state.stuck_on[p].reset();
-    state.stop_start[i] = Start::pulled;
-    record(p, Event::Kind::release, Real(0), Real(0));
+  const auto let_go = [&](std::size_t i, Start start) {
+    state.stuck_on[scene.stops[i].mass].reset();
+    state.stop_start[i] = start;
+    record(scene.stops[i].mass, Event::Kind::release, Real(0), Real(0));
+  };
+  const bool unsettled = !in_question.empty() || !fallen.empty();
+  for (const auto &stuck_on : std::vector(state.stuck_on)) {
+    if (!stuck_on) continue;
+    const Real pressing = pressing_now(scene, state, *stuck_on);
+    if (pressing < -resolution.pressing_floor)
+      let_go(*stuck_on, Start::pulled);
+    else if (unsettled && pressing <= resolution.pressing_floor)
+      in_question.push_back(*stuck_on);
+    // Otherwise a force within rounding of zero decides nothing yet; its coming fall through zero
+    // is then found along the flow.
   }
+  if (in_question.size() == 1 && in_question == fallen)
+    let_go(fallen.front(), Start::let_go);
+  else if (!in_question.empty())
+    decide(scene, state, in_question, known, events);
 }
 
 /// The state at t = 0; a mass that starts on a stop hits it, rests on it, or leaves it, as its
-/// speed and the force say. Where the force is zero at t = 0 (all at rest, stop at zero), its
-/// growth decides: it is looked up with the mass held.
+/// speed and the force say; where the force is zero (all at rest, stop at zero) it is decided by
+/// trial.
 inline State initial_state(const Scene &scene, const Resolution &resolution, Eigensystems &known,
                            std::vector<Event> &events) {
   const std::size_t n = scene.chain.masses.size();
   State state{Real(0), scene.initial_positions, scene.initial_velocities,
               std::vector<std::optional<std::size_t>>(n),
               std::vector<Start>(scene.stops.size(), Start::apart)};
-  std::vector<std::size_t> hit, at_rest;
-  std::vector<bool> held(n);
+  std::vector<std::size_t> hit, at_rest, in_question;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
     const Stop &stop = scene.stops[i];
     if (state.x[stop.mass] != stop.position) continue;
     state.stop_start[i] = Start::touching;
     const Real closing = side_sign(stop) * state.v[stop.mass];
     if (closing > 0) hit.push_back(i);
-    if (closing == 0) {
-      at_rest.push_back(i);
-      held[stop.mass] = true;
-    }
+    if (closing == 0) at_rest.push_back(i);
   }
-  const Motion motion =
-      motion_at(flow_from(scene.chain, state.time, state.x, state.v, held, known), Real(0));
+  apply_events(scene, state, hit, resolution, known, events);
   for (const std::size_t i : at_rest) {
-    const Signal pressing = pressing_signal(scene.chain, scene.stops[i], motion);
-    bool sticks = true;
-    for (const Real &order : {pressing.value, pressing.rate, pressing.curvature}) {
-      if (abs(order) <= resolution.pressing_floor) continue;
-      sticks = order > 0;
-      break;
-    }
-    if (!sticks) {
-      const bool zero = abs(pressing.value) <= resolution.pressing_floor;
-      state.stop_start[i] = zero ? Start::let_go : Start::pulled;
-      continue;
-    }
     const std::size_t p = scene.stops[i].mass;
-    state.stuck_on[p] = i;
-    events.push_back({state.time, p, Event::Kind::stick, Real(0), Real(0), stuck_masses(state)});
+    const Real pressing = pressing_now(scene, state, i);
+    if (abs(pressing) <= resolution.pressing_floor) {
+      in_question.push_back(i);
+    } else if (pressing < 0) {
+      state.stop_start[i] = Start::pulled;
+    } else {
+      state.stuck_on[p] = i;
+      events.push_back({state.time, p, Event::Kind::stick, Real(0), Real(0), stuck_masses(state)});
+    }
   }
-  apply_events(scene, state, hit, resolution, events);
+  if (!in_question.empty()) decide(scene, state, in_question, known, events);
   return state;
 }
 
@@ -228,8 +266,10 @@ inline void advance(const Scene &scene, State &state, Eigensystems &known,
     state.x = motion.x;  // resting masses keep their stop's position and zero speed exactly
     state.v = motion.v;
     std::fill(state.stop_start.begin(), state.stop_start.end(), Start::apart);
+    state.decided.clear();
+    state.decided_for = 0;
     if (next.stops.empty()) break;
-    apply_events(scene, state, next.stops, resolution, events);
+    apply_events(scene, state, next.stops, resolution, known, events);
   }
 }
 

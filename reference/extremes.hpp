@@ -1,7 +1,8 @@
-// The extreme cases: the scenes of figures/extreme_cases.hpp (numbers only), simulated by the
-// generator.
+// The extreme and the degenerate cases: the scenes of figures/extreme_cases.hpp and
+// figures/degenerate_cases.hpp (numbers only), simulated by the generator.
 #pragma once
 
+#include "../figures/degenerate_cases.hpp"
 #include "../figures/extreme_cases.hpp"
 #include "event_driven.hpp"
 

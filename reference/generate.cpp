@@ -114,10 +114,10 @@ void report(const std::string &name, const std::vector<Event> &events) {
             << " releases\n";
 }
 
-/// The events of all extreme cases, one table.
-std::string extremes_table() {
+/// The events of all these cases, one table.
+std::string cases_table(const std::vector<vibro_impact::extremes::Case> &cases) {
   std::string table = std::string("case,") + columns;
-  for (const auto &extreme : cases_in_digits()) {
+  for (const auto &extreme : cases) {
     const Scene scene = in_digits(extreme);
     const std::vector<Event> events = simulate(scene, {}, resolution_of(extreme));
     report(scene.name, events);
@@ -146,7 +146,7 @@ int run(const std::vector<std::string> &arguments) {
   if (arguments.empty() || arguments.size() > 2) {
     std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
                  "figure4b, figure5a, figure5b, "
-                 "figure5c, key_numbers, located, extremes, work_precision_states, "
+                 "figure5c, key_numbers, located, extremes, degenerate, work_precision_states, "
                  "work_precision_events\n";
     return 2;
   }
@@ -160,7 +160,11 @@ int run(const std::vector<std::string> &arguments) {
     return 0;
   }
   if (arguments[0] == "extremes") {
-    write_table(path, extremes_table());
+    write_table(path, cases_table(cases_in_digits()));
+    return 0;
+  }
+  if (arguments[0] == "degenerate") {
+    write_table(path, cases_table(vibro_impact::extremes::degenerate_cases()));
     return 0;
   }
   if (arguments[0] == "work_precision_states" || arguments[0] == "work_precision_events") {

@@ -26,13 +26,40 @@ Real bisect(const Predicate &before, Real a, Real b, const Real &relative_width)
   return b;
 }
 
+/// How far, and how, a zero is narrowed down.
+struct RootSearch {
+  Real width = small(36);  // a bracket this part of its right end is a zero
+  bool newton = false;     // steps by the rate, inside the bracket: fewer, and not to the last bit
+};
+
+/// The signal falls through zero between a, where `before` holds of it, and b, where it does not.
+template <class SignalAt, class Before>
+Real fall_between(const SignalAt &signal_at, const Before &before, Real a, Real b,
+                  const RootSearch &search) {
+  if (!search.newton)
+    return bisect([&](const Real &tau) { return before(signal_at(tau)); }, a, b, search.width);
+  const Real rounding = small(49);  // of a signal of order one
+  Real at = b, last = b - a;
+  for (Signal signal = signal_at(b); b - a > search.width * b;) {
+    Real next = signal.rate < 0 ? Real(at - signal.value / signal.rate) : b;
+    if (next <= a || next >= b || abs(next - at) > last / 2) next = (a + b) / 2;
+    last = abs(next - at);
+    if (last <= search.width * b) return next;
+    signal = signal_at(next);
+    at = next;
+    (before(signal) ? a : b) = next;
+    if (abs(signal.value) <= rounding && signal.rate < 0) return next;
+  }
+  return b;
+}
+
 /// First time in (a, b] at which the signal falls through zero, if there is one. The piece is cut
 /// where the curvature changes sign, so that the rate is monotone on every part: then a part has at
 /// most one extremum, and a dip below zero between two positive samples (grazing) is found at the
 /// minimum, itself bisected for from the rate.
 template <class SignalAt>
 std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const Signal &at_a,
-                               const Real &b, const Signal &at_b, const Real &root_width) {
+                               const Real &b, const Signal &at_b, const RootSearch &search) {
   const Real h = b - a;
   const Real reach =
       h * (abs(at_a.rate) + abs(at_b.rate) + 2 * h * (abs(at_a.curvature) + abs(at_b.curvature)));
@@ -43,31 +70,27 @@ std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const S
     const bool positive = at_a.curvature > 0;
     const Real m =
         bisect([&](const Real &tau) { return (signal_at(tau).curvature > 0) == positive; }, a, b,
-               root_width);
+               search.width);
     Signal at_m = signal_at(m);
     at_m.curvature = 0;  // so that neither part is cut again
     if (m < b) {
-      if (auto root = first_fall(signal_at, a, at_a, m, at_m, root_width)) return root;
-      return first_fall(signal_at, m, at_m, b, at_b, root_width);
+      if (auto root = first_fall(signal_at, a, at_a, m, at_m, search)) return root;
+      return first_fall(signal_at, m, at_m, b, at_b, search);
     }
   }
 
   if (at_a.rate >= 0) {
     if (at_b.rate >= 0 || at_b.value > 0) return std::nullopt;
     // Up, over the only maximum, and down through zero.
-    return bisect(
-        [&](const Real &tau) {
-          const Signal s = signal_at(tau);
-          return s.rate > 0 || s.value > 0;
-        },
-        a, b, root_width);
+    return fall_between(
+        signal_at, [](const Signal &s) { return s.rate > 0 || s.value > 0; }, a, b, search);
   }
   Real low = b;
   if (at_b.rate > 0) {
     // A minimum lies between: look for it, and stop as soon as a point below zero is met on the
     // way.
     Real left = a;
-    const Real width = root_width * b;
+    const Real width = search.width * b;
     Real value = at_b.value;
     while (low - left > width) {
       const Real middle = (left + low) / 2;
@@ -85,7 +108,8 @@ std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const S
   } else if (at_b.value > 0) {
     return std::nullopt;
   }
-  return bisect([&](const Real &tau) { return signal_at(tau).value > 0; }, a, low, root_width);
+  return fall_between(
+      signal_at, [](const Signal &s) { return s.value > 0; }, a, low, search);
 }
 
 }  // namespace vibro_impact_reference

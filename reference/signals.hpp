@@ -66,6 +66,9 @@ struct State {
   Vector x, v;
   std::vector<std::optional<std::size_t>> stuck_on;  // per mass: the stop (index) it rests on
   std::vector<Start> stop_start;                     // per stop
+  // What at_rest.hpp has decided: the masses in question, which keep to it for so long.
+  std::vector<std::size_t> decided = {};  // stops
+  Real decided_for = 0;
 };
 
 inline std::vector<bool> stuck_masses(const State &state) {
@@ -90,6 +93,11 @@ inline std::optional<Signal> stop_signal(const Scene &scene, const State &state,
   if (!stuck_on) return gap_signal(stop, motion);
   if (*stuck_on == index) return pressing_signal(scene.chain, stop, motion);
   return std::nullopt;
+}
+
+/// How hard a mass that rests on a stop is pressed into it at the present instant.
+inline Real pressing_now(const Scene &scene, const State &state, std::size_t stop) {
+  return pressing_signal(scene.chain, scene.stops[stop], frozen(scene.chain, state)).value;
 }
 
 /// Signals of all stops at the very start of a piece, with the exact zeros put in.

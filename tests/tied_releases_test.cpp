@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "degenerate_cases.hpp"
 #include "energy_balance.hpp"
 #include "event_rules.hpp"
-#include "extreme_scenes.hpp"
 #include "work_bounds.hpp"
 
 namespace {
@@ -15,17 +15,7 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
 
-constexpr double amplitude = 0.5;
-
-// All masses at rest on stops at zero, the same forcing on each.
-Scene on_equal_stops(int masses, Side side, double beta, double r, double omega) {
-  Scene scene = extremes::chain(masses, beta);
-  scene.amplitude.assign(scene.mass.size(), amplitude);
-  scene.omega = omega;
-  scene.restitution = r;
-  for (int i = 1; i <= masses; ++i) scene.stops.push_back({i, side, 0.0});
-  return scene;
-}
+using extremes::on_equal_stops;
 
 std::vector<Scene> uniform_chains(Side side) {
   std::vector<Scene> scenes;
@@ -119,13 +109,9 @@ TEST(TiedReleases, ThreeMassesWithAndWithoutChatterLimits) {
 // neighbour, x_j = t^2j / (2 (2j)!) to leading order. That is far below rounding for a while, but
 // no mass is held: all move as in the chain without stops until one of them comes back.
 TEST(TiedReleases, TenMassesThatFollowTheFirst) {
-  Scene scene = extremes::chain(10, 0.0), free = scene;
-  scene.amplitude.assign(10, 0.0);
-  scene.amplitude[0] = amplitude;
-  scene.omega = 0.7;
-  scene.restitution = 0.7;
-  free = scene;
-  for (int i = 2; i <= 10; ++i) scene.stops.push_back({i, Side::lower, 0.0});
+  const Scene scene = extremes::following_the_first(0.7, 0.7);
+  Scene free = scene;
+  free.stops.clear();
   EventRules rules{scene};
   const Outcome outcome = simulate(scene, 30.0, {}, rules);
   expect_orderly(scene, rules, outcome, 30.0);
@@ -150,7 +136,7 @@ TEST(TiedReleases, TenMassesThatFollowTheFirst) {
   // The first ones by themselves: the next term is (2j + 2)(2j + 1) / t^2 times smaller, or that of
   // the forcing, and less.
   const MotionState early = simulate(scene, 0.01).state;
-  double leading = amplitude;
+  double leading = scene.amplitude[0];
   for (int j = 1; j <= 4; ++j) {
     leading *= 0.01 * 0.01 / (2.0 * j * (2.0 * j - 1.0));
     EXPECT_NEAR(early.displacement[static_cast<std::size_t>(j - 1)], leading, 1e-4 * leading) << j;
