@@ -58,6 +58,7 @@ inline double number_in(const std::string &name, const std::string &cell) {
 struct Reference {
   double value = 0.0;
   std::string kind = {};
+  std::string digits = {};  // the value as the table has it
 };
 
 using References = std::map<std::string, Reference>;
@@ -67,7 +68,7 @@ using References = std::map<std::string, Reference>;
 inline References read_references(std::istream &file, const std::string &name) {
   References table;
   for (const auto &cells : read_rows(file, name, 3))
-    table[cells[0]] = {number_in(name, cells[1]), cells[2]};
+    table[cells[0]] = {number_in(name, cells[1]), cells[2], cells[1]};
   return table;
 }
 

@@ -3,6 +3,7 @@
 // computed (by this generator).
 #pragma once
 
+#include "completion.hpp"
 #include "event_driven.hpp"
 #include "extremes_of_motion.hpp"
 #include "scenes.hpp"
@@ -41,7 +42,7 @@ inline std::vector<KeyNumber> derived_numbers() {
   const Real zeta = Real("0.05");
   const auto row = [](const char *symbol, const Real &value, const char *source,
                       const char *meaning) {
-    return KeyNumber{symbol, value.str(20), "derived", source, meaning};
+    return KeyNumber{symbol, value.str(30), "derived", source, meaning};
   };
   return {
       row("lambda1", (3 - root5) / 2, "(3 - sqrt 5)/2", "smaller eigenvalue of E for two masses"),
@@ -76,20 +77,24 @@ inline std::vector<KeyNumber> computed_numbers() {
   std::vector<KeyNumber> rows;
   const auto add = [&](const std::string &symbol, const Real &value, const char *source,
                        const char *meaning) {
-    rows.push_back({symbol, value.str(20), "computed", source, meaning});
+    rows.push_back({symbol, value.str(30), "computed", source, meaning});
   };
   const auto add_count = [&](const std::string &symbol, std::size_t value, const char *source,
                              const char *meaning) {
     rows.push_back({symbol, std::to_string(value), "computed", source, meaning});
   };
 
+  const Resolution resolution = resolution_down_to(Real("1e-20"), small(36));
   {
+    const Scene figure2 = scene_named("figure2");
     Extremes extremes, close_up;
-    const auto events =
-        simulate(scene_named("figure2"), [&](const Flow &flow, const Real &duration) {
-          extend_extremes(extremes, flow, duration, Real(700), Real(750));
-          extend_extremes(close_up, flow, duration, Real(715), Real(722));
-        });
+    Completion completion{figure2, mass_2, Real(715)};
+    const auto observe = [&](const Flow &flow, const Real &duration) {
+      extend_extremes(extremes, flow, duration, Real(700), Real(750));
+      extend_extremes(close_up, flow, duration, Real(715), Real(722));
+      completion.observe(flow);
+    };
+    const auto events = simulate(figure2, observe, resolution);
     const char *scene = "scene figure2";
     add("figure2_x1_min", extremes.lowest[0], scene,
         "smallest x1 for t in 700-750 (the stop of mass 1)");
@@ -106,16 +111,18 @@ inline std::vector<KeyNumber> computed_numbers() {
               "sticks to t = 750, both masses");
     add_count("figure2_releases", count(events, Kind::release), scene,
               "releases to t = 750, both masses");
-    add("figure2b_chatter_end", first(events, Kind::stick, mass_2, Real(715), Real(722)).time,
-        scene, "the chatter of mass 2 in Figure 2(b) is complete and it sticks");
+    add("figure2b_chatter_end",
+        completion.of(first(events, Kind::stick, mass_2, Real(715), Real(722))), scene,
+        "the chatter of mass 2 in Figure 2(b) is complete and it sticks");
   }
   for (const std::string name : {"figure4a", "figure4b"}) {
     const Scene scene = scene_named(name);
     const Real period = 2 * acos(Real(-1)) / scene.chain.frequency;
     std::optional<Real> closest;
-    const auto events = simulate(scene, [&](const Flow &flow, const Real &duration) {
+    const auto observe = [&](const Flow &flow, const Real &duration) {
       extend_closest_hold(closest, scene, mass_1, flow, duration, scene.end_time - 2 * period);
-    });
+    };
+    const auto events = simulate(scene, observe, resolution);
     const char *source = name == "figure4a" ? "scene figure4a" : "scene figure4b";
     add_count(name + "_sticks_of_mass_1",
               count(events, Kind::stick, mass_1, scene.end_time - 10 * period), source,
@@ -127,8 +134,11 @@ inline std::vector<KeyNumber> computed_numbers() {
     }
   }
   {
-    const auto events = simulate(scene_named("figure5a"));
-    const Real stick = first(events, Kind::stick, mass_1, Real(950), Real(964)).time;
+    const Scene figure5a = scene_named("figure5a");
+    Completion completion{figure5a, mass_1, Real(950)};
+    const auto events = simulate(
+        figure5a, [&](const Flow &flow, const Real &) { completion.observe(flow); }, resolution);
+    const Real stick = completion.of(first(events, Kind::stick, mass_1, Real(950), Real(964)));
     add("figure5a_stick_time", stick, "scene figure5a",
         "the chatter of mass 1 in Figure 5(a) is complete");
     add_count("figure5a_impacts_while_stuck", count(events, Kind::impact, mass_2, stick, Real(964)),
@@ -137,13 +147,17 @@ inline std::vector<KeyNumber> computed_numbers() {
   {
     const Scene scene = scene_named("figure5b");
     Extremes extremes, while_stuck;
-    const auto events = simulate(scene, [&](const Flow &flow, const Real &duration) {
+    Completion completion{scene, mass_1, Real(916)};
+    const auto observe = [&](const Flow &flow, const Real &duration) {
+      completion.observe(flow);
       extend_extremes(extremes, flow, duration, Real(916), Real(930));
       if (std::find(flow.free.begin(), flow.free.end(), mass_1) == flow.free.end())
         extend_extremes(while_stuck, flow, duration, Real(916), Real(930));
-    });
-    add("figure5b_stick_time", first(events, Kind::stick, mass_1, Real(916), Real(930)).time,
-        "scene figure5b", "the short chatter of mass 1 in Figure 5(b) is complete");
+    };
+    const auto events = simulate(scene, observe, resolution);
+    add("figure5b_stick_time",
+        completion.of(first(events, Kind::stick, mass_1, Real(916), Real(930))), "scene figure5b",
+        "the short chatter of mass 1 in Figure 5(b) is complete");
     add("figure5b_nearest_time", while_stuck.highest_at[mass_2], "scene figure5b",
         "mass 2 is nearest its stop, mass 1 being stuck (GS)");
     add("figure5b_nearest_gap", scene.stops[mass_2].position - while_stuck.highest[mass_2],
@@ -155,7 +169,7 @@ inline std::vector<KeyNumber> computed_numbers() {
               "impacts of mass 2 for t in 916-930");
   }
   {
-    const auto events = simulate(scene_named("figure5c"));
+    const auto events = simulate(scene_named("figure5c"), {}, resolution);
     const Event &release = first(events, Kind::release, mass_1, Real(900), Real(1000));
     add("figure5c_release_time", release.time, "scene figure5c", "mass 1 is let go in Figure 5(c)");
     std::vector<Event> bounces;

@@ -1,187 +1,124 @@
-// Parameters at which something happens exactly, located with 50 digits: the multi-sliding
-// bifurcations, the grazing of Figure 5(b), and the scenes of Table I.
+// Parameters at which something happens exactly: multi-sliding bifurcations, border orbits, the
+// grazing of Figure 5(b), and the scenes of Table I, to thirty digits.
 #pragma once
 
-#include "event_driven.hpp"
-#include "key_numbers.hpp"
+#include "border.hpp"
 #include "scenes.hpp"
+#include "table1.hpp"
+#include "touching.hpp"
 
-#include <functional>
-#include <optional>
-#include <stdexcept>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace vibro_impact_reference {
 
-/// The zero of a function by plain bisection between two arguments of different sign of it.
-inline Real zero_between(const std::function<Real(const Real &)> &f, const Real &a, const Real &b) {
-  const bool positive = f(a) > 0;
-  if (positive == (f(b) > 0)) throw std::logic_error("zero_between: no change of sign");
-  return bisect([&](const Real &x) { return (f(x) > 0) == positive; }, a, b, small(36));
+inline KeyNumber located_row(const std::string &symbol, const Located &located,
+                             const std::string &source, const std::string &meaning) {
+  const Real rounding = Real("1e-30") * abs(located.value);  // of the digits that are written
+  return {symbol,     located.value.str(30),
+          "computed", source,
+          meaning,    std::max(located.error, rounding).str(2)};
 }
 
-/// x as a polynomial in f through the given points (f, x), at f = 0.
-inline Real inverse_interpolation(const std::vector<std::pair<Real, Real>> &points) {
-  Real x = 0;
-  for (const auto &point : points) {
-    Real weight = 1;
-    for (const auto &other : points)
-      if (other.first != point.first) weight *= other.first / (other.first - point.first);
-    x += weight * point.second;
-  }
-  return x;
-}
-
-/// The hold force on a mass of the Figure 2 scene where it comes closest to zero inside its
-/// sticking phase, in the last two of `periods` forcing periods from rest. What is left of the
-/// start is 0.16 to the number of periods.
-inline Real closest_hold(std::size_t mass, const Real &frequency, int periods) {
-  Scene scene = scene_named("figure2");
-  scene.chain.frequency = frequency;
-  const Real period = 2 * acos(Real(-1)) / frequency;
-  scene.end_time = periods * period;
-  std::optional<Real> closest;
-  simulate(scene, [&](const Flow &flow, const Real &duration) {
-    extend_closest_hold(closest, scene, mass, flow, duration, scene.end_time - 2 * period);
-  });
-  if (!closest) throw std::logic_error("closest_hold: no extremum inside a sticking phase");
-  return *closest;
-}
-
-/// The frequency at which that force reaches zero: inverse interpolation through four frequencies
-/// below it. The force is smooth there, but for the (square root of rounding of the) tangency
-/// itself, which no point touches. Error: the product of the four distances times the fourth
-/// derivative of the frequency by the force over 24, below 1e-15.
-inline Real multi_sliding_frequency(std::size_t mass, const std::vector<Real> &below) {
-  std::vector<std::pair<Real, Real>> points;
-  for (const Real &frequency : below)
-    points.push_back({closest_hold(mass, frequency, 22), frequency});
-  return inverse_interpolation(points);
-}
-
-/// The largest displacement of mass 2 in the Figure 5(b) scene without the stop of mass 2, in the
-/// last of `periods` periods from rest, above where that stop stood.
-inline Real overshoot_of_mass_2(const Real &frequency, int periods) {
-  Scene scene = scene_named("figure5b");
-  const Real place = scene.stops.back().position;
-  scene.stops.pop_back();
-  scene.chain.frequency = frequency;
-  const Real period = 2 * acos(Real(-1)) / frequency;
-  scene.end_time = periods * period;
-  Extremes extremes;
-  simulate(scene, [&](const Flow &flow, const Real &duration) {
-    extend_extremes(extremes, flow, duration, scene.end_time - period, scene.end_time);
-  });
-  return extremes.highest[1] - place;
-}
-
-/// The two-mass chain of the paper from rest, without stops, as one flow.
-inline Flow free_flow(const Real &frequency) {
-  const Scene scene = scene_named("figure2");
-  Chain chain = scene.chain;
-  chain.frequency = frequency;
-  Eigensystems known;
-  return flow_from(chain, Real(0), Vector(2), Vector(2), {false, false}, known);
-}
-
-/// The scenes of Table I that are solved for: the same conditions and brackets as in
-/// figures/table1_scenes.hpp, on the closed form of the motion before the event.
-inline std::vector<KeyNumber> table1_numbers() {
-  std::vector<KeyNumber> rows;
-  const auto add = [&](const char *symbol, const Real &value, const char *meaning) {
-    rows.push_back({symbol, value.str(20), "computed", "Table I", meaning});
+/// Where the motion of Figure 2's scene and, for the grazing, of Figure 5(b)'s touches something.
+/// The starts are read off the bifurcation diagrams; those of the touching orbits lie on the side
+/// where nothing is touched yet.
+inline std::vector<KeyNumber> touching_numbers() {
+  const auto at = [](const char *name, const char *frequency) {
+    Scene scene = scene_named(name);
+    scene.chain.frequency = Real(frequency);
+    return scene;
   };
-  const auto turning = [](const Flow &flow, std::size_t mass, double from, double to) {
-    return zero_between([&](const Real &t) { return motion_at(flow, t).v[mass]; }, Real(from),
-                        Real(to));
-  };
-  {
-    const auto other_speed = [&](const Real &frequency) {
-      const Flow flow = free_flow(frequency);
-      return motion_at(flow, turning(flow, 0, 6, 12)).v[1];
-    };
-    const Real frequency = zero_between(other_speed, Real(0.3), Real(0.5));
-    const Flow flow = free_flow(frequency);
-    const Real time = turning(flow, 0, 6, 12);
-    const Motion motion = motion_at(flow, time);
-    add("DG_Omega", frequency, "dual grazing: frequency at which both first minima coincide");
-    add("DG_time", time, "dual grazing: time of the minima");
-    add("DG_s1", motion.x[0], "dual grazing: lowest x1, where its stop stands");
-    add("DG_s2", motion.x[1], "dual grazing: lowest x2, where its stop stands");
-  }
-  {
-    const Flow flow = free_flow(Real(0.1769));
-    const Real time = zero_between(
-        [&](const Real &t) { return motion_at(flow, t).x[0] - Real(0.5); }, Real(1), Real(3));
-    add("DI_time", time, "double impact: x1 = 0.5 for the first time");
-    add("DI_s2", motion_at(flow, time).x[1], "double impact: x2 then, where its stop stands");
-  }
-  {
-    const Flow flow = free_flow(Real(0.5));
-    const Real time = turning(flow, 0, 1, 3);
-    add("GI_time", time, "grazing-impact: first maximum of x1");
-    add("GI_s1", motion_at(flow, time).x[0], "grazing-impact: x1 then, where its stop stands");
-    add("GI_s2", motion_at(flow, time).x[1], "grazing-impact: x2 then, where its stop stands");
-  }
-  {
-    Scene scene = scene_named("figure5b");
-    scene.stops.pop_back();
-    scene.initial_positions = {Real(0.3), Real(0.17)};
-    scene.initial_velocities = {Real(0), Real(-0.003)};
-    scene.end_time = Real(19);
-    std::optional<Real> time, place;
-    simulate(scene, [&](const Flow &flow, const Real &duration) {
-      if (flow.start_time + duration < Real(18.5)) return;
-      time = flow.start_time + turning(flow, 1, 17.0 - static_cast<double>(flow.start_time),
-                                       19.0 - static_cast<double>(flow.start_time));
-      place = motion_at(flow, *time - flow.start_time).x[1];
+  constexpr int settling = 12;
+  const auto multi_sliding = [&](std::size_t stop, const char *frequency) {
+    return touching_frequency(at("figure2", frequency), settling, [stop](const Scene &scene) {
+      return LeastPressing{scene, stop};
     });
-    add("GS_time", *time, "grazing-sticking: maximum of x2 while mass 1 sticks");
-    add("GS_s2", *place, "grazing-sticking: x2 then, where its stop stands");
+  };
+  Scene without_stop = at("figure5b", "0.2995");
+  const Real place = without_stop.stops.back().position;
+  without_stop.stops.pop_back();
+  return {
+      located_row("multi_sliding_mass_1", multi_sliding(0, "0.256"), "scene of Figure 2",
+                  "Omega at which the hold force on mass 1 touches zero inside its sticking phase"),
+      located_row("multi_sliding_mass_2", multi_sliding(1, "0.268092"), "scene of Figure 2",
+                  "Omega at which the hold force on mass 2 touches zero inside its sticking phase"),
+      located_row("grazing_mass_2_figure5b",
+                  touching_frequency(without_stop, settling,
+                                     [&](const Scene &) {
+                                       return Clearance{1, place};
+                                     }),
+                  "scene of Figure 5(b)",
+                  "Omega at which mass 2 touches its stop in the motion without impacts of it"),
+  };
+}
+
+/// The border orbits of Figure 2's scene.
+inline std::vector<KeyNumber> border_numbers() {
+  struct Border {
+    const char *symbol;
+    std::size_t stop;
+    const char *frequency;
+    int periods, settling;
+    const char *meaning;
+  };
+  const std::vector<Border> borders = {
+      {"border_mass_1_1", 0, "0.2574557", 1, 12, "above it, one stick of mass 1 in a period less"},
+      {"border_mass_2_1", 1, "0.2684680", 1, 12, "above it, one stick of mass 2 in a period less"},
+      {"border_mass_1_2", 0, "0.2965443", 1, 12, "above it, the chatter of mass 1 is incomplete"},
+      {"border_mass_1_3", 0, "0.3309824", 1, 12, "above it, the chatter of mass 1 is complete"},
+      {"border_mass_2_2", 1, "0.3670049", 1, 12, "above it, the chatter of mass 2 is incomplete"},
+      {"border_mass_1_4", 0, "0.3678203", 2, 24,
+       "above it, every other chatter of mass 1 is incomplete"},
+      {"border_mass_2_3", 1, "0.4038279", 1, 12, "above it, the chatter of mass 2 is complete"},
+      {"border_mass_1_6", 0, "0.4038337", 1, 12, "above it, the chatter of mass 1 is complete"},
+      {"border_mass_1_7", 0, "0.4642152", 1, 12, "above it, mass 1 does not stick"},
+      {"border_mass_2_4", 1, "0.4747401", 1, 12, "above it, no mass sticks"},
+  };
+  std::vector<Real> floors;
+  for (const char *floor : {"1e-5", "1e-8", "1e-12", "1e-17", "1e-22"})
+    floors.push_back(Real(floor));
+  if (std::numeric_limits<Real>::digits10 > 50) floors.push_back(Real("1e-26"));
+  std::vector<KeyNumber> rows;
+  for (const Border &border : borders) {
+    Scene scene = scene_named("figure2");
+    scene.chain.frequency = Real(border.frequency);
+    rows.push_back(located_row(
+        border.symbol,
+        border_frequency(std::move(scene), border.stop, border.periods, border.settling, floors),
+        "scene of Figure 2",
+        std::string("Omega at which a chatter ends on the border: ") + border.meaning));
   }
-  {
-    Scene scene = scene_named("figure5a");
-    scene.stops[1].position = Real(0.25);
-    scene.end_time = Real(44);
-    const auto events = simulate(scene);
-    const Real from = first(events, Event::Kind::stick, 1, Real(30), Real(44)).time;
-    add("DS_from", from, "dual sticking: mass 2 sticks while mass 1 does");
-    add("DS_to", first(events, Event::Kind::release, 0, from, Real(44)).time,
-        "dual sticking: mass 1 is let go");
-  }
-  {
-    const auto events = simulate(scene_named("figure5a"));
-    const Real stick = first(events, Event::Kind::stick, 0, Real(950), Real(964)).time;
-    const Event &hit = first(events, Event::Kind::impact, 1, stick, Real(964));
-    add("SI_time", hit.time, "sticking-impact: first impact of mass 2 after mass 1 has stuck");
-    add("SI_speed", hit.velocity_before, "sticking-impact: speed of that impact");
-  }
+  return rows;
+}
+
+/// Table I, computed twice: with chatter down to 1e-17 and zeros to 1e-33, and down to 1e-19, where
+/// rounding leaves the duration of a flight 1e-31, and to 1e-36. The difference is the estimate of
+/// the error.
+inline std::vector<KeyNumber> pair_numbers() {
+  const auto coarse = table1_numbers(resolution_down_to(Real("1e-17"), Real("1e-33")));
+  const auto fine = table1_numbers(resolution_down_to(Real("1e-19"), Real("1e-36")));
+  std::vector<KeyNumber> rows;
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    rows.push_back(located_row(fine[i].symbol,
+                               {fine[i].value, abs(fine[i].value - coarse[i].value)}, "Table I",
+                               fine[i].meaning));
   return rows;
 }
 
 /// The table located.csv.
 inline std::string located_table() {
-  std::vector<KeyNumber> rows;
-  const auto add = [&](const char *symbol, const Real &value, const char *meaning) {
-    rows.push_back({symbol, value.str(20), "computed", "scene of Figure 2 or 5(b)", meaning});
+  const auto quoted = [](const std::string &field) {
+    return field.find(',') == std::string::npos ? field : '"' + field + '"';
   };
-  add("multi_sliding_mass_1",
-      multi_sliding_frequency(
-          0, {Real("0.255994"), Real("0.256"), Real("0.256004"), Real("0.256006")}),
-      "Omega at which the hold force on mass 1 touches zero inside its sticking phase");
-  add("multi_sliding_mass_2",
-      multi_sliding_frequency(
-          1, {Real("0.268088"), Real("0.268092"), Real("0.268094"), Real("0.2680955")}),
-      "Omega at which the hold force on mass 2 touches zero inside its sticking phase");
-  std::vector<std::pair<Real, Real>> touches;
-  for (const char *frequency : {"0.29950", "0.29951", "0.29952", "0.29953"})
-    touches.push_back({overshoot_of_mass_2(Real(frequency), 40), Real(frequency)});
-  add("grazing_mass_2_figure5b", inverse_interpolation(touches),
-      "Omega at which mass 2 touches its stop in the motion without impacts of it");
-  for (const KeyNumber &row : table1_numbers()) rows.push_back(row);
-  return table_of(rows);
+  std::string table = "symbol,value,kind,error,source,meaning\n";
+  for (const auto &rows : {touching_numbers(), border_numbers(), pair_numbers()})
+    for (const KeyNumber &row : rows)
+      table += row.symbol + ',' + row.value + ',' + row.kind + ',' + row.error + ',' +
+               quoted(row.source) + ',' + quoted(row.meaning) + '\n';
+  return table;
 }
 
 }  // namespace vibro_impact_reference

@@ -8,6 +8,7 @@ namespace vibro_impact_reference {
 
 struct KeyNumber {
   std::string symbol, value, kind, source, meaning;
+  std::string error = {};  // estimate; where a table has that column
 };
 
 /// Rows as a table: symbol,value,kind,source,meaning.
