@@ -1,7 +1,9 @@
 // Everything a user of the library includes.
 #pragma once
 
+#include "bifurcation_curve.hpp"
 #include "border_orbit.hpp"
+#include "continuation.hpp"
 #include "event_pairs.hpp"
 #include "hold_force.hpp"
 #include "impact_family.hpp"

@@ -1,0 +1,161 @@
+#include "vibro_impact/continuation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fits.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+// Vectors of the plane in units of the box.
+struct Units {
+  double width, height;
+
+  explicit Units(const PlaneBox &box)
+      : width(box.x_to - box.x_from), height(box.y_to - box.y_from) {
+  }
+  // Along the curve, of length one, with its gradient to the left.
+  PlanePoint tangent(const CurvePoint &point) const {
+    const double gx = point.gradient.x * width, gy = point.gradient.y * height;
+    const double length = std::hypot(gx, gy);
+    return {gy / length, -gx / length};
+  }
+  PlanePoint moved(const PlanePoint &from, const PlanePoint &direction, double by) const {
+    return {from.x + by * direction.x * width, from.y + by * direction.y * height};
+  }
+  double distance(const PlanePoint &a, const PlanePoint &b) const {
+    return std::hypot((a.x - b.x) / width, (a.y - b.y) / height);
+  }
+};
+
+bool inside(const PlaneBox &box, const PlanePoint &at) {
+  return at.x >= box.x_from && at.x <= box.x_to && at.y >= box.y_from && at.y <= box.y_to;
+}
+
+// The part of the way from `from`, inside, to `to`, outside, that lies inside; and the direction of
+// the side met.
+struct Exit {
+  double part = 1.0;
+  PlanePoint side;
+};
+
+Exit exit_of(const PlaneBox &box, const PlanePoint &from, const PlanePoint &to) {
+  Exit exit;
+  const auto meet = [&exit](double a, double b, double bound, const PlanePoint &side) {
+    const double part = (bound - a) / (b - a);
+    if (part >= 0.0 && part < exit.part) exit = {part, side};
+  };
+  if (to.x < box.x_from) meet(from.x, to.x, box.x_from, {0.0, 1.0});
+  if (to.x > box.x_to) meet(from.x, to.x, box.x_to, {0.0, 1.0});
+  if (to.y < box.y_from) meet(from.y, to.y, box.y_from, {1.0, 0.0});
+  if (to.y > box.y_to) meet(from.y, to.y, box.y_to, {1.0, 0.0});
+  return exit;
+}
+
+}  // namespace
+
+const char *name(CurveEnd end) {
+  switch (end) {
+    case CurveEnd::box:
+      return "leaves the box";
+    case CurveEnd::closed:
+      return "closed";
+    case CurveEnd::most:
+      return "most points";
+    case CurveEnd::lost:
+      break;
+  }
+  return "lost";
+}
+
+FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, const PlaneBox &box,
+                           int direction, const FollowOptions &options) {
+  require(box.x_from < box.x_to && box.y_from < box.y_to, "box from (", box.x_from, ", ",
+          box.y_from, ") to (", box.x_to, ", ", box.y_to, "): must not be empty");
+  require(inside(box, start.at), "start (", start.at.x, ", ", start.at.y, "): outside the box");
+  require(direction == 1 || direction == -1, "direction = ", direction, ": must be 1 or -1");
+  require(options.least_step > 0.0 && options.least_step <= options.step, "steps from ",
+          options.least_step, " to ", options.step, ": must be positive and in this order");
+  require(options.turn > 0.0, "turn = ", options.turn, ": must be positive");
+  const Units units(box);
+  FollowedCurve curve{{start}, CurveEnd::lost};
+  double step = options.step / 4.0, length = 0.0;
+  while (step >= options.least_step) {
+    if (curve.points.size() >= options.most) {
+      curve.end = CurveEnd::most;
+      return curve;
+    }
+    const CurvePoint &last = curve.points.back();
+    const PlanePoint tangent = units.tangent(last),
+                     across{-tangent.y * units.width, tangent.x * units.height};
+    const PlanePoint guess = units.moved(last.at, tangent, direction * step);
+    const auto found = inside(box, guess) ? corrector(guess, across, last) : std::nullopt;
+    if (!inside(box, guess) || (found && !inside(box, found->at))) {
+      const Exit exit = exit_of(box, last.at, found ? found->at : guess);
+      const PlanePoint &to = found ? found->at : guess;
+      const PlanePoint border{last.at.x + exit.part * (to.x - last.at.x),
+                              last.at.y + exit.part * (to.y - last.at.y)};
+      const auto end = corrector(border, exit.side, last);
+      if (end && units.distance(end->at, border) < step) {
+        curve.points.push_back(*end);
+        curve.end = CurveEnd::box;
+        return curve;
+      }
+      step /= 2.0;
+      continue;
+    }
+    if (!found) {
+      step /= 2.0;
+      continue;
+    }
+    const PlanePoint next = units.tangent(*found);
+    const double turn = std::acos(std::clamp(tangent.x * next.x + tangent.y * next.y, -1.0, 1.0));
+    const double off = units.distance(found->at, guess);
+    if (turn > options.turn || off > 0.5 * step) {
+      step /= 2.0;
+      continue;
+    }
+    length += units.distance(found->at, last.at);
+    curve.points.push_back(*found);
+    if (turn < options.turn / 3.0) step = std::min(1.5 * step, options.step);
+    if (length > 4.0 * options.step &&
+        units.distance(curve.points.back().at, start.at) < 0.75 * step) {
+      curve.end = CurveEnd::closed;
+      return curve;
+    }
+  }
+  return curve;
+}
+
+std::optional<Crossing> crossing_of(const Corrector &one, const Corrector &other,
+                                    const CurvePoint &near_one, const CurvePoint &near_other,
+                                    const PlaneBox &box, double tolerance) {
+  const Units units(box);
+  const auto across = [&units](const CurvePoint &point) {
+    const PlanePoint tangent = units.tangent(point);
+    return PlanePoint{-tangent.y * units.width, tangent.x * units.height};
+  };
+  Crossing crossing{near_one, near_other, 0.0};
+  CurvePoint &a = crossing.one, &b = crossing.other;
+  for (int step = 0; step < 12; ++step) {
+    // The tangents of both cross here.
+    const double det = a.gradient.x * b.gradient.y - a.gradient.y * b.gradient.x;
+    const double at_a = a.gradient.x * a.at.x + a.gradient.y * a.at.y,
+                 at_b = b.gradient.x * b.at.x + b.gradient.y * b.at.y;
+    const PlanePoint at{(at_a * b.gradient.y - at_b * a.gradient.y) / det,
+                        (a.gradient.x * at_b - b.gradient.x * at_a) / det};
+    if (!std::isfinite(at.x) || !std::isfinite(at.y) || !inside(box, at)) return std::nullopt;
+    crossing.error = std::max(units.distance(at, a.at), units.distance(at, b.at));
+    const auto next_a = one(at, across(a), a), next_b = other(at, across(b), b);
+    if (!next_a || !next_b) return std::nullopt;
+    a = *next_a;
+    b = *next_b;
+    if (units.distance(a.at, at) < tolerance && units.distance(b.at, at) < tolerance)
+      return crossing;
+  }
+  return std::nullopt;
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,147 @@
+// Curves in the plane of two parameters: the continuation itself on a curve known in closed form,
+// and the curves of multi-sliding and of border orbits against counts of sticking phases.
+#include "vibro_impact/continuation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "curves.hpp"
+#include "table_reader.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::figures;
+
+// The zero of x^2 / 4 + y^2 - 1 by Newton's method across the curve.
+std::optional<CurvePoint> on_ellipse(const PlanePoint &guess, const PlanePoint &across,
+                                     const CurvePoint &) {
+  double s = 0.0;
+  for (int step = 0; step < 20; ++step) {
+    const double x = guess.x + s * across.x, y = guess.y + s * across.y;
+    s -= (x * x / 4.0 + y * y - 1.0) / (x * across.x / 2.0 + 2.0 * y * across.y);
+  }
+  const PlanePoint at{guess.x + s * across.x, guess.y + s * across.y};
+  if (!(std::abs(at.x * at.x / 4.0 + at.y * at.y - 1.0) < 1e-14)) return std::nullopt;
+  return CurvePoint{at, {at.x / 2.0, 2.0 * at.y}, 1e-16, {}};
+}
+
+std::optional<CurvePoint> on_diagonal(const PlanePoint &guess, const PlanePoint &across,
+                                      const CurvePoint &) {
+  const double s = (guess.y - guess.x) / (across.x - across.y);
+  return CurvePoint{{guess.x + s * across.x, guess.y + s * across.y}, {1.0, -1.0}, 1e-16, {}};
+}
+
+const CurvePoint on_axis{{2.0, 0.0}, {1.0, 0.0}, 0.0, {}};
+
+TEST(FollowCurve, TurnsAndCloses) {
+  for (int direction : {1, -1}) {
+    const FollowedCurve curve =
+        follow_curve(on_ellipse, on_axis, {-3.0, 3.0, -3.0, 3.0}, direction, {.step = 0.02});
+    EXPECT_EQ(curve.end, CurveEnd::closed);
+    double area = 0.0;
+    for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
+      const PlanePoint &a = curve.points[k].at, &b = curve.points[k + 1].at;
+      area += 0.5 * (a.x * b.y - a.y * b.x);
+      EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 1.5 * 0.02 * 6.0);
+    }
+    // Of the polygon: pi a b but for the square of the step; the gradient, outwards, is to the left
+    // of a way in clockwise sense.
+    EXPECT_NEAR(area, -direction * 2.0 * std::acos(-1.0), 0.05);
+  }
+}
+
+TEST(FollowCurve, EndsOnTheSideOfTheBox) {
+  const FollowedCurve curve =
+      follow_curve(on_ellipse, on_axis, {-3.0, 3.0, -3.0, 0.5}, -1, {.step = 0.03});
+  EXPECT_EQ(curve.end, CurveEnd::box);
+  EXPECT_EQ(curve.points.back().at.y, 0.5);
+  EXPECT_NEAR(curve.points.back().at.x, std::sqrt(3.0), 1e-14);
+}
+
+TEST(FollowCurve, IsGivenUpWhereTheCorrectorFindsNothing) {
+  const Corrector half = [](const PlanePoint &guess, const PlanePoint &across,
+                            const CurvePoint &near) {
+    auto found = on_ellipse(guess, across, near);
+    return found && found->at.x > 0.0 ? found : std::nullopt;
+  };
+  const FollowedCurve curve =
+      follow_curve(half, on_axis, {-3.0, 3.0, -3.0, 3.0}, 1, {.least_step = 1e-9});
+  EXPECT_EQ(curve.end, CurveEnd::lost);
+  EXPECT_NEAR(curve.points.back().at.x, 0.0, 6e-9 * 2.0);  // twice the least step, of a box of 6
+  EXPECT_GE(curve.points.back().at.x, 0.0);
+}
+
+TEST(FollowCurve, RefusesWhatMeansNothing) {
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {1.0, 1.0, 0.0, 1.0}, 1), std::invalid_argument);
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 1.0, 0.0, 1.0}, 1), std::invalid_argument);
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 3.0, -1.0, 1.0}, 0), std::invalid_argument);
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 3.0, -1.0, 1.0}, 1, {.step = 0.0}),
+               std::invalid_argument);
+}
+
+TEST(Crossing, OfAnEllipseAndALine) {
+  const CurvePoint near{{1.5, std::sqrt(1.0 - 1.5 * 1.5 / 4.0)},
+                        {0.75, 2.0 * std::sqrt(1.0 - 1.5 * 1.5 / 4.0)},
+                        0.0,
+                        {}};
+  const auto crossing = crossing_of(on_ellipse, on_diagonal, near, {{1.0, 1.0}, {1.0, -1.0}, 0, {}},
+                                    {-3.0, 3.0, -3.0, 3.0});
+  ASSERT_TRUE(crossing);
+  EXPECT_NEAR(crossing->one.at.x, 2.0 / std::sqrt(5.0), 1e-14);
+  EXPECT_NEAR(crossing->other.at.y, 2.0 / std::sqrt(5.0), 1e-14);
+}
+
+// Every curve goes through its point at r = 0.7, which was located in another way: ten digits.
+TEST(BifurcationCurves, GoThroughThePointsOfOneParameter) {
+  const References stored = read_references(REFERENCE_DIR "/bifurcation_points.csv");
+  for (const CurveStart &start : curve_starts()) {
+    const StartedCurve found = started(start);
+    EXPECT_NEAR(found.point.at.x, stored.at(start.name).value, 1e-10) << start.name;
+    EXPECT_LT(found.point.error, 1e-11) << start.name;
+  }
+}
+
+// Some points along each curve, both ways: the count of the sticking phases changes there.
+TEST(BifurcationCurves, AreWhereTheCountsChange) {
+  int checked = 0;
+  for (const CurveStart &start : curve_starts()) {
+    if (start.name != "multi_sliding_mass_1" && start.name != "multi_sliding_mass_2" &&
+        start.name != "border_mass_1_3" && start.name != "border_mass_1_7" &&
+        start.name != "border_mass_2_4")
+      continue;
+    const StartedCurve found = started(start);
+    for (int direction : {1, -1}) {
+      const FollowedCurve curve = follow_curve(corrector_of(found.curve), found.point, omega_r_box,
+                                               direction, {.step = 0.008, .most = 4});
+      ASSERT_EQ(curve.points.size(), 4u) << start.name;
+      const CurvePoint &last = curve.points.back();
+      EXPECT_GT(std::abs(last.at.y - 0.7), 2e-3) << start.name;
+      const auto distance = distance_by_counting(found.curve, last, omega_r_box);
+      ASSERT_TRUE(distance) << start.name << " " << last.at.x << " " << last.at.y;
+      EXPECT_LT(*distance, 1e-9) << start.name << " " << last.at.x << " " << last.at.y;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 10);
+}
+
+// The direction of a curve is that of the derivatives of what is zero on it: against the secant of
+// two points of it, 2 h apart around it (an error of h^2).
+TEST(BifurcationCurves, RunAsTheDerivativesSay) {
+  for (const CurveStart &start : curve_starts()) {
+    if (start.name != "multi_sliding_mass_2" && start.name != "border_mass_1_3") continue;
+    const StartedCurve found = started(start);
+    const Corrector corrector = corrector_of(found.curve);
+    const double h = 1e-5, x = found.point.at.x;
+    const auto above = corrector({x, 0.7 + h}, {1.0, 0.0}, found.point),
+               below = corrector({x, 0.7 - h}, {1.0, 0.0}, found.point);
+    ASSERT_TRUE(above && below) << start.name;
+    const double secant = (above->at.x - below->at.x) / (2.0 * h),
+                 slope = -found.point.gradient.y / found.point.gradient.x;
+    EXPECT_NEAR(secant, slope, 1e-4 * std::max(1.0, std::abs(slope))) << start.name;
+  }
+}
+
+}  // namespace
