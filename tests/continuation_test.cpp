@@ -27,9 +27,10 @@ std::optional<CurvePoint> on_ellipse(const PlanePoint &guess, const PlanePoint &
   return CurvePoint{at, {at.x / 2.0, 2.0 * at.y}, 1e-16, {}};
 }
 
-std::optional<CurvePoint> on_diagonal(const PlanePoint &guess, const PlanePoint &across,
-                                      const CurvePoint &) {
-  const double s = (guess.y - guess.x) / (across.x - across.y);
+// x - y = 1 / 2.
+std::optional<CurvePoint> on_line(const PlanePoint &guess, const PlanePoint &across,
+                                  const CurvePoint &) {
+  const double s = (0.5 - guess.x + guess.y) / (across.x - across.y);
   return CurvePoint{{guess.x + s * across.x, guess.y + s * across.y}, {1.0, -1.0}, 1e-16, {}};
 }
 
@@ -86,11 +87,12 @@ TEST(Crossing, OfAnEllipseAndALine) {
                         {0.75, 2.0 * std::sqrt(1.0 - 1.5 * 1.5 / 4.0)},
                         0.0,
                         {}};
-  const auto crossing = crossing_of(on_ellipse, on_diagonal, near, {{1.0, 1.0}, {1.0, -1.0}, 0, {}},
+  const auto crossing = crossing_of(on_ellipse, on_line, near, {{1.0, 0.5}, {1.0, -1.0}, 0.0, {}},
                                     {-3.0, 3.0, -3.0, 3.0});
   ASSERT_TRUE(crossing);
-  EXPECT_NEAR(crossing->one.at.x, 2.0 / std::sqrt(5.0), 1e-14);
-  EXPECT_NEAR(crossing->other.at.y, 2.0 / std::sqrt(5.0), 1e-14);
+  const double x = (1.0 + std::sqrt(4.75)) / 2.5;  // 5 x^2 / 4 - x - 3 / 4 = 0
+  EXPECT_NEAR(crossing->one.at.x, x, 1e-14);
+  EXPECT_NEAR(crossing->other.at.y, x - 0.5, 1e-14);
 }
 
 // Every curve goes through its point at r = 0.7, which was located in another way: ten digits.
