@@ -3,6 +3,8 @@
 load 'figures/style.gp'
 
 scenes = data.'/atlas_scenes.csv'
+curves = data.'/atlas_curves.csv'  # of `make curves`
+curves_drawn = system("test -e '".curves."' && echo 1") eq '1'
 marked_in(plane, value) = strcol('plane') eq plane ? value : NaN
 
 # The period, and what motions without one are: chaotic where the Lyapunov exponent is positive.
@@ -50,6 +52,7 @@ do for [kind in 'png pdf'] {
       line_of_figure3 = k == 1 ? 0.7 : k == 2 ? 0.5 : NaN
       set xrange [*:*]; set yrange [*:*]; set autoscale xfix; set autoscale yfix; set cbrange [0.5:12.5]
       plot table using abscissa[k]:ordinate[k]:(part == 0 ? of_period(column('period'), column('lyapunov')) : 7 + of_sticks(column('sticks1'), column('sticks2'), column('dual_sticking'))) with image notitle, \
+        for [unused in k == 1 && part == 1 && curves_drawn ? 'yes' : ''] curves using 'omega':'restitution' with points pt 7 ps 0.25 lc rgb '#000000' notitle, \
         '+' using (k < 3 ? 0.25 + 0.45 * column(0) / 99 : NaN):(line_of_figure3) with lines dt (6, 4) lw 1.4 lc rgb '#d55e00' title (k < 3 ? 'Figure 3' : ''), \
         scenes using (marked_in(plane[k], column('x'))):'y' with points pt 6 ps 1.6 lw 2 lc rgb '#202020' notitle, \
         scenes using (marked_in(plane[k], column('x'))):'y':'figure' with labels offset char 1.1, 0.7 left textcolor rgb '#202020' font (kind eq 'png' ? ',18' : ',8') notitle, \

@@ -85,6 +85,10 @@ std::vector<Meeting> meetings(const std::vector<WholeCurve> &curves) {
   std::vector<Meeting> found;
   for (std::size_t i = 0; i < curves.size(); ++i)
     for (std::size_t j = i + 1; j < curves.size(); ++j) {
+      // Two chatters of one mass are often one and the same, met from two sides.
+      if (curves[i].curve.what == curves[j].curve.what &&
+          curves[i].curve.stop == curves[j].curve.stop)
+        continue;
       const auto &a = curves[i].points, &b = curves[j].points;
       for (std::size_t k = 0; k + 1 < a.size(); ++k)
         for (std::size_t l = 0; l + 1 < b.size(); ++l) {

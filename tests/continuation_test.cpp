@@ -146,4 +146,29 @@ TEST(BifurcationCurves, RunAsTheDerivativesSay) {
   }
 }
 
+// Mass 2 of Figure 5(b) grazes: through the point of one parameter in frequency, and in the plane
+// of the stops.
+TEST(BifurcationCurves, GrazingOfFigure5b) {
+  const References stored = read_references(REFERENCE_DIR "/bifurcation_points.csv");
+  const Scene scene = paper::figure5b();
+  const MotionState seed = at_quiet_phase(scene, settled(scene, 200));
+  BifurcationCurve curve{Bifurcation::grazing,           scene, parameter_named("omega"),
+                         parameter_named("restitution"), 1,     1};
+  const auto point = point_of(curve, {0.2995, 0.001}, {-1.0, 0.0}, seed, 0.0);
+  ASSERT_TRUE(point);
+  EXPECT_NEAR(point->at.x, stored.at("grazing_mass_2_figure5b").value, 1e-13);
+
+  curve.x = parameter_named("stop1");
+  curve.y = parameter_named("stop2");
+  const auto start = point_of(curve, {0.3, 0.45}, {0.0, 1.0}, seed, 0.0);
+  ASSERT_TRUE(start);
+  const FollowedCurve found = follow_curve(corrector_of(curve), *start, {0.28, 0.32, 0.4, 0.5}, 1);
+  EXPECT_EQ(found.end, CurveEnd::box);
+  // On the curve the highest displacement of mass 2, where its stop is far away, is s2.
+  Scene without = curve.at({found.points.back().at.x, 0.6});
+  const MotionState orbit = orbit_near(without, at_quiet_phase(without, settled(without, 200)), 1);
+  EXPECT_NEAR(least_gap(without, orbit, without.stops[1]).value(), 0.6 - found.points.back().at.y,
+              1e-11);
+}
+
 }  // namespace

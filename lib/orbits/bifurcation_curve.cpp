@@ -153,11 +153,11 @@ double along(const PlanePoint &gradient, const PlanePoint &direction) {
   return gradient.x * direction.x + gradient.y * direction.y;
 }
 
-// A reading made a point of the curve, at a section far from events.
-CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const Reading &reading,
-                      double error) {
+// A reading at `read`, very near, made a point of the curve, at a section far from events.
+CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
+                      const Reading &reading, double error) {
   CurvePoint point{at, reading.gradient, error, reading.state, reading.time};
-  const Scene scene = curve.at(at);
+  const Scene scene = curve.at(read);
   const Clock clock(scene.omega);
   MotionState seed = reading.state;
   point.state = at_quiet_phase(scene, seed);
@@ -184,7 +184,8 @@ std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const Pla
     const double slope = along(reading->gradient, across), way = reading->value / slope;
     if (!std::isfinite(way)) return std::nullopt;
     if (std::abs(way) <= near) {
-      CurvePoint point = point_from(curve, moved(guess, across, s - way), *reading, way * way);
+      CurvePoint point = point_from(curve, moved(guess, across, s - way), moved(guess, across, s),
+                                    *reading, way * way);
       const Scene here = curve.at(moved(guess, across, s));
       point.count = count_of(curve, here, reading->state);
       const Stop &stop = here.stops[curve.stop];
@@ -218,6 +219,7 @@ std::optional<CurvePoint> by_depth(const BifurcationCurve &curve, const PlanePoi
   double s = 0.0, complete = unknown, incomplete = unknown;
   double last_step = std::numeric_limits<double>::infinity();
   std::optional<Reading> best;
+  double best_s = 0.0;
   std::size_t depth = first;
   for (int iteration = 0; iteration < 70 && depth <= deepest; ++iteration) {
     const auto found = excess_at(curve, moved(guess, across, s), from, seed, time, depth);
@@ -233,6 +235,7 @@ std::optional<CurvePoint> by_depth(const BifurcationCurve &curve, const PlanePoi
     double next = unknown;
     if (found->deep) {
       best = found->reading;
+      best_s = s;
       next = s - best->value / along(best->gradient, across);
     }
     const double width = std::abs(complete - incomplete);
@@ -251,21 +254,15 @@ std::optional<CurvePoint> by_depth(const BifurcationCurve &curve, const PlanePoi
   }
   const double error = std::fmin(last_step, std::abs(complete - incomplete));
   if (!best || !(error < 1e-11)) return std::nullopt;
-  return point_from(curve, moved(guess, across, s), *best, std::max(error, 1e-16));
+  return point_from(curve, moved(guess, across, s), moved(guess, across, best_s), *best,
+                    std::max(error, 1e-16));
 }
 
 }  // namespace
 
 const char *name(Bifurcation bifurcation) {
-  switch (bifurcation) {
-    case Bifurcation::multi_sliding:
-      return "multi-sliding";
-    case Bifurcation::border_orbit:
-      return "border orbit";
-    case Bifurcation::grazing:
-      break;
-  }
-  return "grazing";
+  if (bifurcation == Bifurcation::grazing) return "grazing";
+  return bifurcation == Bifurcation::border_orbit ? "border orbit" : "multi-sliding";
 }
 
 Scene BifurcationCurve::at(const PlanePoint &point) const {
