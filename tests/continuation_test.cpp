@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "curves.hpp"
 #include "table_reader.hpp"
@@ -88,7 +89,7 @@ TEST(Crossing, OfAnEllipseAndALine) {
                         0.0,
                         {}};
   const auto crossing = crossing_of(on_ellipse, on_line, near, {{1.0, 0.5}, {1.0, -1.0}, 0.0, {}},
-                                    {-3.0, 3.0, -3.0, 3.0});
+                                    {-3.0, 3.0, -3.0, 3.0}, 1e-13);
   ASSERT_TRUE(crossing);
   const double x = (1.0 + std::sqrt(4.75)) / 2.5;  // 5 x^2 / 4 - x - 3 / 4 = 0
   EXPECT_NEAR(crossing->one.at.x, x, 1e-14);
@@ -144,6 +145,25 @@ TEST(BifurcationCurves, RunAsTheDerivativesSay) {
                  slope = -found.point.gradient.y / found.point.gradient.x;
     EXPECT_NEAR(secant, slope, 1e-4 * std::max(1.0, std::abs(slope))) << start.name;
   }
+}
+
+// Codimension two: the border orbits of both masses at once. Eight digits: closer to it the orbit
+// is no differentiable function of the parameters.
+TEST(BifurcationCurves, OfBothMassesCross) {
+  std::vector<StartedCurve> found;
+  for (const CurveStart &start : curve_starts())
+    if (start.name == "border_mass_2_3" || start.name == "border_mass_1_6")
+      found.push_back(started(start));
+  ASSERT_EQ(found.size(), 2u);
+  const auto crossing = crossing_of(corrector_of(found[0].curve), corrector_of(found[1].curve),
+                                    found[0].point, found[1].point, omega_r_box, 3e-9);
+  ASSERT_TRUE(crossing);
+  for (const CurvePoint &point : {crossing->one, crossing->other}) {
+    EXPECT_NEAR(point.at.x, 0.40385105, 1e-8);
+    EXPECT_NEAR(point.at.y, 0.70001333, 1e-8);
+  }
+  EXPECT_LT(*distance_by_counting(found[0].curve, crossing->one, omega_r_box), 1e-8);
+  EXPECT_LT(*distance_by_counting(found[1].curve, crossing->other, omega_r_box), 1e-8);
 }
 
 // Mass 2 of Figure 5(b) grazes: through the point of one parameter in frequency, and in the plane
