@@ -6,12 +6,13 @@
 # make build          the library and the scene runner, nothing else
 # make test           build and run every test
 # make check          the key numbers (paper, computed, error, verdict) and what others published
-# make readme         the README's table of key numbers, from the same source as make check
+# make readme         the tables of key numbers in README.md and reference/README.md, from the same source
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
 # make random-scenes  60,000 scenes, ordinary, extreme and degenerate, every property checked (minutes)
 # make fuzz           the command line and the table readers under libFuzzer, seconds=60 (needs clang)
 # make benchmarks     micro-benchmarks of the steps of the pipeline (needs libbenchmark-dev)
 # make pictures       copy the drawn figures to figures/pictures, where the README shows them
+# make report         the reproduction report, one HTML page, from what make figures has left
 # make compare        the tables drawn, against the run stored in the repository
 # make store          store this run instead
 # make docs           the public headers and a walk through one impact as HTML, build/docs/index.html
@@ -24,7 +25,7 @@ figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcat
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 werror  := OFF
 
-.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime atlas-full test check readme pictures random-scenes fuzz test-sanitize compare store docs peers reference format dist clean help packages build
+.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime atlas-full test check readme pictures random-scenes fuzz test-sanitize report compare store docs peers reference format dist clean help packages build
 .NOTPARALLEL:  # the targets share build/; each of them uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -44,6 +45,8 @@ build: configured-runner
 	@cmake --build build -j $(jobs)
 
 figures: programs-of-figures $(figures) error-vs-runtime
+	$(make_target) check
+	@build/bin/check --tables build/figures >build/check.log || cat build/check.log
 	@build/bin/provenance || true
 
 programs-of-figures: configured-figures
@@ -83,10 +86,12 @@ check: configured-runner
 # The rows go between the two markers; nothing else of the file changes.
 readme: configured-runner
 	$(make_target) check
-	@build/bin/check --markdown >build/key_numbers.md
-	@sed -e '/<!-- make readme: begin -->/,/<!-- make readme: end -->/{//!d}' \
-	  -e '/<!-- make readme: begin -->/r build/key_numbers.md' README.md >build/README.md
-	@cp build/README.md README.md
+	@build/bin/check --few >build/few.md
+	@build/bin/check --markdown >build/markdown.md
+	@set -e; for table in few:README.md markdown:reference/README.md; do \
+	  sed -e '/<!-- make readme: begin -->/,/<!-- make readme: end -->/{//!d}' \
+	    -e "/<!-- make readme: begin -->/r build/$${table%%:*}.md" $${table#*:} >build/filled.md; \
+	  cp build/filled.md $${table#*:}; done
 
 test-sanitize:
 	@mkdir -p build
@@ -131,6 +136,12 @@ reference: configured-library
 	@build/bin/reference-generate degenerate reference/degenerate_events.csv || exit 2
 	@for part in states events; do \
 	  build/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
+
+# From what `make figures` has left.
+report: configured-figures
+	$(make_target) report
+	@build/bin/report
+	@echo "written: build/report.html"
 
 # The figures drawn, against the run stored in the repository; and, to be committed, in its place.
 compare: configured-figures

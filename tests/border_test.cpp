@@ -146,6 +146,34 @@ TEST(Border, AStateOfAnotherSceneIsRefused) {
   expect_refused([&] { resume(other, state, 60.0); }, "modal coordinates given");
 }
 
+// Keeps the first sample from a time on, and asks for the end there.
+struct FirstSample {
+  double at = 0.0;
+  std::vector<double> displacement = {};
+  double next_time() const {
+    return displacement.empty() ? at : std::numeric_limits<double>::infinity();
+  }
+  void sample(const Moment &moment) {
+    displacement = {moment.displacement(1), moment.displacement(2)};
+  }
+  bool done() const {
+    return !displacement.empty();
+  }
+};
+
+// Wherever that is, also inside a chatter that is carried to its limit: the outcome is the state
+// at the sample, to the rounding of a gap that is carried beside the displacement.
+TEST(Border, ARunEndedAtASampleEndsAtThatSample) {
+  for (int k = 0; k < 400; ++k) {
+    FirstSample sample{700.0 + 0.0617 * k};
+    const Outcome outcome = simulate(paper::figure2(), 750.0, {}, sample);
+    ASSERT_EQ(outcome.ending, Ending::stopped);
+    EXPECT_EQ(outcome.time, sample.at);
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(outcome.state.displacement[i], sample.displacement[i], 1e-14) << sample.at;
+  }
+}
+
 // A plastic stop and an elastic one in the same scene; the law is that of the stop that is hit.
 TEST(Border, EveryStopHasItsOwnRestitution) {
   Scene scene = paper::figure2();

@@ -74,7 +74,7 @@ void run_on(Run<D> &run) {
     if (flight.eventful) handle_instant(run);
     if (!run.chatter.under_way() && !run.silent) run.told = 0;  // `resume` would start from here
   }
-  if (run.ending != Ending::reached) run.at_end = state;
+  if (run.ending != Ending::reached && !(run.at_end.now < run.end)) run.at_end = state;
 }
 
 template <int D>
