@@ -63,12 +63,12 @@ std::vector<Row> checked_key_numbers(const std::string &folder) {
   auto numbers = figures::key_numbers();
   for (auto &number : figures::key_bifurcations()) numbers.push_back(std::move(number));
   std::vector<Row> rows;
-  for (auto &number : numbers) {
+  for (const auto &number : numbers) {
     const figures::Reference &reference = references.at(number.symbol);
     const double computed = number.compute(), error = std::abs(computed - reference.value);
     const bool pass = error <= number.tolerance;  // false for NaN
-    rows.push_back({std::move(number), fmt::format(fmt::runtime(number.decimals), computed),
-                    reference.kind, thirty_digits(reference), error, pass});
+    const std::string shown = fmt::format(fmt::runtime(number.decimals), computed);
+    rows.push_back({number, shown, reference.kind, thirty_digits(reference), error, pass});
   }
   return rows;
 }
