@@ -1,12 +1,14 @@
 # What the README shows is run: every line of its `sh` block that calls the scene runner, and its C++
 # program, against the library built. Its files are there, and it stays a page to be read.
 # cmake -D source=... -D build=... -D compiler=... -D flags=... -D folder=... -P readme.cmake
+cmake_minimum_required(VERSION 3.21)
 file(READ ${source}/README.md text)
 file(REMOVE_RECURSE ${folder})
 file(MAKE_DIRECTORY ${folder})
 
-# Semicolons and brackets mean something in lists of CMake: lines are counted in a copy without them.
-string(REGEX REPLACE "[][;]" "." plain "${text}")
+# Semicolons, brackets and backslashes mean something in lists of CMake: a copy without them.
+string(REPLACE "](" "link:(" plain "${text}")
+string(REGEX REPLACE "[][;\\]" "." plain "${plain}")
 string(REPLACE "\n" ";" lines "${plain}")
 list(LENGTH lines length)
 if(length GREATER 151)
@@ -19,15 +21,15 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
-string(REGEX MATCHALL "\\]\\([a-zA-Z_][a-zA-Z0-9_/.]*\\)" links "${text}")
+string(REGEX MATCHALL "link:\\([a-zA-Z_][a-zA-Z0-9_/.]*\\)" links "${plain}")
 foreach(link IN LISTS links)
-  string(REGEX REPLACE "^..(.*).$" "\\1" file "${link}")
+  string(REGEX REPLACE "^link:.(.*).$" "\\1" file "${link}")
   if(NOT EXISTS ${source}/${file})
     message(SEND_ERROR "README.md names ${file}, which is not there")
   endif()
 endforeach()
 
-function(block language variable)  # the text of the first block in that language
+function(text_of_block language variable)  # the text of the first block in that language
   string(FIND "${text}" "```${language}\n" begin)
   if(begin EQUAL -1)
     message(FATAL_ERROR "README.md has no block in ${language}")
@@ -40,7 +42,7 @@ function(block language variable)  # the text of the first block in that languag
   set(${variable} "${rest}" PARENT_SCOPE)
 endfunction()
 
-block(sh commands)
+text_of_block(sh commands)
 file(WRITE ${folder}/commands.sh "${commands}")
 execute_process(COMMAND sh -ec "PATH=${build}/bin:$PATH . ./commands.sh" WORKING_DIRECTORY ${folder}
                 RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE message)
@@ -53,7 +55,7 @@ if(sticks LESS 2)
   message(SEND_ERROR "the run of README.md has ${sticks} sticks")
 endif()
 
-block(cpp program)
+text_of_block(cpp program)
 file(WRITE ${folder}/program.cpp "${program}")
 separate_arguments(flags)
 execute_process(COMMAND ${compiler} -std=c++20 ${flags} -I${source}/lib/include program.cpp
