@@ -91,6 +91,7 @@ TEST_F(Runner, AWriteThatFailsEndsTheRunAndLeavesNoTable) {
 }
 
 TEST_F(Runner, MemoryDoesNotGrowWithTheLengthOfTheRun) {
+  without_quarantine();
   const Result brief = run("run --until 100 --every 0.1 --samples /dev/null --events /dev/null");
   const Result longer = run(
       "run --until 10000 --every 0.01 --samples /dev/null --events /dev/null --resolve-chatter 0");

@@ -73,14 +73,21 @@ TEST_F(Runner, APointThatIsGivenUpHasEmptyCells) {
 
 // No more memory for ten times as many periods, or as many points.
 TEST_F(Runner, TheMemoryOfASweepDoesNotGrow) {
+  without_quarantine();
   const auto peak = [this](const std::string &options) {
     const Result result = run("sweep --threads 1 --table t.csv --no-lyapunov " + options);
     EXPECT_EQ(result.status, 0) << result.err;
     return result.peak_memory;
   };
   const long brief = peak("--omega 0.685:0.7:10 --longest 50");
-  EXPECT_LT(peak("--omega 0.685:0.7:10 --longest 2000"), brief + 1024);  // KiB: a table of events
-  EXPECT_LT(peak("--omega 0.26:0.29:2000 --longest 50"), brief + 1024);
+  // KiB. Kept events of the longest would be 30 MB; address sanitizer packs its memory less well.
+#ifdef __SANITIZE_ADDRESS__
+  const long more = 8 * 1024;
+#else
+  const long more = 1024;
+#endif
+  EXPECT_LT(peak("--omega 0.685:0.7:10 --longest 2000"), brief + more);
+  EXPECT_LT(peak("--omega 0.26:0.29:2000 --longest 50"), brief + more);
 }
 
 struct BadCase {
