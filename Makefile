@@ -45,6 +45,7 @@ build: configured-runner
 	@cmake --build build -j $(jobs)
 
 figures: programs-of-figures $(figures) error-vs-runtime
+	@gnuplot -e "data='build/figures'" figures/atlas.gp  # now with the curves over it
 	$(make_target) check
 	@build/bin/check --tables build/figures >build/check.log || cat build/check.log
 	@build/bin/provenance || true

@@ -149,7 +149,7 @@ bool compare(const path &folder, const path &stored, const Sums &sums,
     }
   }
   fmt::print(
-      "{} tables the same byte for byte, {} within their tolerance, {} of timings not "
+      "{} tables the same byte for byte, {} within their tolerance, {} not to be "
       "compared, {} beyond or missing\n",
       same, near, timings, beyond);
   if (sums.platform != before.platform)

@@ -131,7 +131,7 @@ Rules read_rules(const std::filesystem::path &path) {
   Rules rules;
   for (const auto &cells : read_rows(file, path.string(), 4)) {
     Rule rule;
-    rule.compared = cells[1] != "timings";
+    rule.compared = cells[1] != "not compared";
     if (rule.compared) rule.tolerance = number_in(path.string(), cells[1]);
     rule.until = cells[2].empty() ? std::numeric_limits<double>::infinity()
                                   : number_in(path.string(), cells[2]);

@@ -36,7 +36,8 @@ Extract read_extract(const std::filesystem::path &file);
 std::string text_of(const Extract &extract);
 
 // How the numbers of a table may differ between platforms: by `tolerance` times the largest modulus
-// in their column, where the first column is at most `until`. Not compared at all: timings.
+// in their column, where the first column is at most `until`. Not compared at all: `not compared`
+// in place of a number.
 struct Rule {
   double tolerance = 0.0, until = 0.0;
   bool compared = true;
