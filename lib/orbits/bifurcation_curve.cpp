@@ -159,9 +159,8 @@ CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const
   CurvePoint point{at, reading.gradient, error, reading.state, reading.time};
   const Scene scene = curve.at(read);
   const Clock clock(scene.omega);
-  MotionState seed = reading.state;
-  point.state = at_quiet_phase(scene, seed);
-  double later = point.state.instant.phase - seed.instant.phase;
+  point.state = at_quiet_phase(scene, reading.state);
+  double later = point.state.instant.phase - reading.state.instant.phase;
   if (later < 0.0) later += clock.period;
   const double period = curve.periods * clock.period;
   point.time -= later;

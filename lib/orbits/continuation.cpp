@@ -22,6 +22,11 @@ struct Units {
     const double length = std::hypot(gx, gy);
     return {gy / length, -gx / length};
   }
+  // Across it, to the left.
+  PlanePoint across(const CurvePoint &point) const {
+    const PlanePoint along = tangent(point);
+    return {-along.y * width, along.x * height};
+  }
   PlanePoint moved(const PlanePoint &from, const PlanePoint &direction, double by) const {
     return {from.x + by * direction.x * width, from.y + by * direction.y * height};
   }
@@ -88,8 +93,7 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
       return curve;
     }
     const CurvePoint &last = curve.points.back();
-    const PlanePoint tangent = units.tangent(last),
-                     across{-tangent.y * units.width, tangent.x * units.height};
+    const PlanePoint tangent = units.tangent(last), across = units.across(last);
     const PlanePoint guess = units.moved(last.at, tangent, direction * step);
     const auto found = inside(box, guess) ? corrector(guess, across, last) : std::nullopt;
     if (!inside(box, guess) || (found && !inside(box, found->at))) {
@@ -133,10 +137,6 @@ std::optional<Crossing> crossing_of(const Corrector &one, const Corrector &other
                                     const CurvePoint &near_one, const CurvePoint &near_other,
                                     const PlaneBox &box, double tolerance) {
   const Units units(box);
-  const auto across = [&units](const CurvePoint &point) {
-    const PlanePoint tangent = units.tangent(point);
-    return PlanePoint{-tangent.y * units.width, tangent.x * units.height};
-  };
   Crossing crossing{near_one, near_other, 0.0};
   CurvePoint &a = crossing.one, &b = crossing.other;
   for (int step = 0; step < 12; ++step) {
@@ -148,7 +148,7 @@ std::optional<Crossing> crossing_of(const Corrector &one, const Corrector &other
                         (a.gradient.x * at_b - b.gradient.x * at_a) / det};
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !inside(box, at)) return std::nullopt;
     crossing.error = std::max(units.distance(at, a.at), units.distance(at, b.at));
-    const auto next_a = one(at, across(a), a), next_b = other(at, across(b), b);
+    const auto next_a = one(at, units.across(a), a), next_b = other(at, units.across(b), b);
     if (!next_a || !next_b) return std::nullopt;
     a = *next_a;
     b = *next_b;
