@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "eigen_views.hpp"
 #include "fits.hpp"
 #include "impact_section.hpp"
+#include "motion_state.hpp"
 #include "parameter_flow.hpp"
 #include "vibro_impact/locate.hpp"
 
@@ -37,8 +37,8 @@ ImpactOrbit describe(const ImpactSection &section, const ImpactUnknowns &at,
   const Eigen::VectorXd by_speed = -eq.by_unknowns.partialPivLu().solve(eq.by_speed);
   orbit.by_speed.assign(by_speed.begin(), by_speed.end());
   orbit.parameter_by_speed = orbit.by_speed.back();
-  orbit.first_other = eq.back.first_other;
-  orbit.last_other = eq.back.last_other;
+  orbit.first_other = eq.back.others.first;
+  orbit.last_other = eq.back.others.last;
   orbit.real = is_real(section, from, to);
   // `singular` has rank one: the determinant is linear in it.
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(eq.regular.rows(), eq.regular.cols());
@@ -105,11 +105,7 @@ struct StateAfter {
     if (at && event.time == at->time) ++simultaneous;
     if (event.kind != EventKind::impact || event.stop != stop || seen++ != wanted) return;
     at = event;
-    state = {event.instant, {}, {}, event.held};
-    for (int i = 1; i <= moment.masses(); ++i) {
-      state.displacement.push_back(moment.displacement(i));
-      state.velocity.push_back(moment.velocity(i));
-    }
+    state = state_at(moment, event.held);
   }
 };
 
@@ -164,16 +160,12 @@ ImpactOrbit impact_orbit_of(const ImpactFamily &family, const PeriodicOrbit &orb
   guess.parameter = get(family.scene, family.parameter);
   guess.state = found.state;
   // Events at the stop in the orbit that begins at this impact.
-  EventRecorder told;
-  told.from = found.at->time;
-  const double period = time_after(family.scene, found.state, orbit.periods) - found.at->time;
-  simulate_from(family.scene, found.state, found.at->time + period * (1.0 - 1e-6), {}, told);
-  for (const Event &event : told.events) {
-    if (event.stop != family.stop) continue;
-    const double at = (event.time - found.at->time) / period;
-    guess.first_other = std::min(guess.first_other, at);
-    guess.last_other = std::max(guess.last_other, at);
-  }
+  const double begin = found.at->time,
+               period = time_after(family.scene, found.state, orbit.periods) - begin;
+  OtherEvents others{family.stop, begin, period};
+  simulate_from(family.scene, found.state, begin + period * (1.0 - 1e-6), {}, others);
+  guess.first_other = others.first;
+  guess.last_other = others.last;
   auto solved = impact_orbit(family, guess, guess.speed);
   if (!solved)
     throw std::runtime_error(line("speed = ", guess.speed, ": no orbit of the family found"));

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "eigen_views.hpp"
-#include "fits.hpp"
-#include "vibro_impact/hold_force.hpp"
+#include "motion_state.hpp"
+#include "parameter_flow.hpp"
 #include "vibro_impact/tangent.hpp"
 
 namespace vibro_impact {
@@ -18,10 +17,7 @@ using Kind = Parameter::Kind;
 
 // True when the parameter belongs to the stop of the impact itself.
 bool of_the_stop(const ImpactFamily &family, Kind kind) {
-  const auto &[what, index] = family.parameter;
-  const bool of_all =
-      kind == Kind::restitution && index == 0 && !family.scene.stops[family.stop].restitution;
-  return what == kind && (of_all || index == static_cast<int>(family.stop) + 1);
+  return is_of_stop(family.scene, family.parameter, kind, family.stop);
 }
 
 // The scene without the stop, and what the parameter is called there: nothing where it is gone.
@@ -52,26 +48,19 @@ ImpactReturn flight(const ImpactSection &section, double from, double to) {
         -section.sigma * section.law.after_by_restitution(section.speed);
   const double begin = section.state.instant.phase,
                whole = time_after(section.scene, section.state, family.periods) - begin;
-  ImpactReturn back{section.state, {}, {}, 1.0, 0.0};
+  ImpactReturn back{section.state, {}, {}, {family.stop, begin, whole}};
   const auto fly = [&](bool present, double until) {
     const Scene &scene = present ? section.scene : absent;
     TangentRecorder tangents(
         scene, back.state, columns,
         {.by = present ? std::vector{family.parameter} : named_without_stop(family)});
-    EventRecorder told;
-    told.from = begin;
+    OtherEvents others = back.others;
     back.state = require_complete(
-                     simulate_from(scene, back.state, begin + whole * until, {}, tangents, told))
+                     simulate_from(scene, back.state, begin + whole * until, {}, tangents, others))
                      .state;
+    if (present) back.others = others;  // without the stop its number is another's
     tangents.finish(back.state.instant);
     columns = tangents.tangent();
-    if (!present) return;
-    for (const Event &event : told.events) {
-      if (event.stop != family.stop) continue;
-      const double at = (event.time - begin) / whole;
-      back.first_other = std::min(back.first_other, at);
-      back.last_other = std::max(back.last_other, at);
-    }
   };
   if (from < to) {
     fly(false, from);
@@ -102,22 +91,11 @@ ImpactSection::ImpactSection(const ImpactFamily &of, const ImpactUnknowns &at, d
   const std::size_t n = at.held.size();
   state.displacement.assign(n, 0.0);
   state.velocity.assign(n, 0.0);
-  for (const Stop &stop : scene.stops) {
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    if (at.held[i] == static_cast<signed char>(stop.side)) state.displacement[i] = stop.position;
-  }
+  hold_at_stops(scene, state);
   Index k = 1;
-  for (const std::size_t row : at.others(mass))
-    (row < n ? state.displacement[row] : state.velocity[row - n]) = at.values(k++);
+  for (const std::size_t row : at.others(mass)) coordinate(state, row) = at.values(k++);
   state.displacement[mass] = scene.stops[of.stop].position;
   state.velocity[mass] = -sigma * law.after(speed);
-}
-
-Eigen::VectorXd ImpactSection::vector_field(const MotionState &at) const {
-  const std::vector<double> a = acceleration(scene, at);
-  Eigen::VectorXd f(2 * static_cast<Index>(a.size()));
-  f << view(at.velocity), view(a);
-  return f;
 }
 
 bool is_real(const ImpactSection &section, double from, double to) {
@@ -162,8 +140,8 @@ std::optional<ImpactEquations> equations(const ImpactSection &section, const Imp
   target << view(before.displacement), view(before.velocity);
   const Eigen::VectorXd end = view(coordinates(back.state));
   eq.residual = (end - target)(free);
-  const Eigen::VectorXd f_after = section.vector_field(section.state),
-                        f_end = section.vector_field(back.state);
+  const Eigen::VectorXd f_after = vector_field(section.scene, section.state),
+                        f_end = vector_field(section.scene, back.state);
   const auto column_of = [&](Index row) {
     return std::find(free.begin(), free.end(), static_cast<std::size_t>(row)) - free.begin();
   };
@@ -186,7 +164,7 @@ std::optional<ImpactEquations> equations(const ImpactSection &section, const Imp
   law(x_row) = 0.0;
   law(v_row) = -section.law.slope(section.speed);
   const Eigen::VectorXd jump =
-      section.sigma * (f_after - law.cwiseProduct(section.vector_field(before)));
+      section.sigma * (f_after - law.cwiseProduct(vector_field(section.scene, before)));
   eq.regular = law(free).asDiagonal() * back.tangent(free, Eigen::all);
   eq.singular = jump(free) * back.tangent.row(x_row);
   return eq;

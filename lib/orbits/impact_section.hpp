@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -33,9 +34,20 @@ struct ImpactSection {
   MotionState state;  // right after the impact
 
   ImpactSection(const ImpactFamily &of, const ImpactUnknowns &at, double closing);
+};
 
-  // (x', x'') of all masses; the stops do not enter.
-  Eigen::VectorXd vector_field(const MotionState &at) const;
+// The first and the last event at a stop, in fractions of the time from `begin` to `begin` +
+// `whole`; 1 and 0 where there is none.
+struct OtherEvents {
+  std::size_t stop;
+  double begin, whole;
+  double first = 1.0, last = 0.0;
+
+  void event(const Event &event, const Moment &) {
+    if (event.stop != stop || event.time < begin) return;
+    first = std::min(first, (event.time - begin) / whole);
+    last = std::max(last, (event.time - begin) / whole);
+  }
 };
 
 // The motion one orbit after the impact, just before the next one, and its derivatives.
@@ -43,7 +55,7 @@ struct ImpactReturn {
   MotionState state;
   Eigen::MatrixXd tangent;       // by the free coordinates after the impact
   Eigen::VectorXd by_parameter;  // at a fixed phase
-  double first_other, last_other;
+  OtherEvents others;
 };
 
 // What must be zero, its derivatives by the unknowns and by the speed, and what W is made of.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fits.hpp"
+#include "motion_state.hpp"
 #include "vibro_impact/locate.hpp"
 #include "vibro_impact/periodic_orbit.hpp"
 
@@ -77,12 +78,11 @@ std::optional<LeastValue> where_pressing_force_is_least(const Scene &scene,
                                                         const MotionState &start,
                                                         const Stop &stop) {
   require_stop(scene, stop);
-  const auto p = static_cast<std::size_t>(stop.mass - 1);
   return least_minimum(
       scene, start,
       {[&](const Moment &moment) { return sign(stop.side) * moment.hold_force(stop.mass); },
        // Not held at the stop across.
-       [&](const MotionState &at) { return at.held[p] == static_cast<signed char>(stop.side); },
+       [&](const MotionState &at) { return holds(stop, at.held); },
        [&](const MotionState &at) { return pressing_force(scene, stop, at); },
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "eigen_views.hpp"
 #include "fits.hpp"
+#include "motion_state.hpp"
 #include "parameter_flow.hpp"
 #include "vibro_impact/border_orbit.hpp"
 #include "vibro_impact/multi_sliding.hpp"
@@ -94,13 +94,9 @@ MotionState predicted(const Scene &scene, const PeriodicOrbit &orbit, const Orbi
   const Scene moved = with(scene, change.by[k], get(scene, change.by[k]) + step);
   MotionState at = orbit.state;
   at.instant.phase *= scene.omega / moved.omega;
-  const std::size_t n = at.held.size();
-  for (const std::size_t i : free_coordinates(at.held))
-    (i < n ? at.displacement[i] : at.velocity[i - n]) += step * change.state(i, k);
-  for (const Stop &stop : moved.stops) {
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    if (at.held[i] == static_cast<signed char>(stop.side)) at.displacement[i] = stop.position;
-  }
+  for (const std::size_t row : free_coordinates(at.held))
+    coordinate(at, row) += step * change.state(row, k);
+  hold_at_stops(moved, at);
   return at;
 }
 
@@ -136,8 +132,7 @@ ValueChange border_excess_change(const Scene &scene, const OrbitChange &change,
   require(one.event.kind == EventKind::impact && next.event.kind == EventKind::impact &&
               one.event.stop == next.event.stop,
           "events ", impact, " and ", impact + 1, ": must be impacts at one stop");
-  const Stop &stop = scene.stops[one.event.stop];
-  const double r = law_of(scene, stop).at_rest();
+  const double r = law_of(scene, scene.stops[one.event.stop]).at_rest();
   const BorderChatter border = border_chatter(r);
   // (3 - s) (1 - s)^2 = r (3 - 2 s) differentiated; the ratio is (1 - s)^2.
   const double q = border.press_ratio, s = border.flight;
@@ -145,10 +140,7 @@ ValueChange border_excess_change(const Scene &scene, const OrbitChange &change,
   const double ratio = next.event.velocity_before / one.event.velocity_before;
   ValueChange excess{ratio - border.speed_ratio, {}};
   for (std::size_t k = 0; k < change.by.size(); ++k) {
-    const auto &[kind, index] = change.by[k];
-    const bool of_stop =
-        kind == Kind::restitution &&
-        (index == static_cast<int>(one.event.stop) + 1 || (index == 0 && !stop.restitution));
+    const bool of_stop = is_of_stop(scene, change.by[k], Kind::restitution, one.event.stop);
     excess.by.push_back((next.velocity_before[k] - ratio * one.velocity_before[k]) /
                             one.event.velocity_before -
                         (of_stop ? by_r : 0.0));

@@ -6,6 +6,7 @@
 
 #include "chain/forces.hpp"
 #include "chain/require.hpp"
+#include "stops/rest.hpp"
 
 namespace vibro_impact {
 
@@ -137,12 +138,16 @@ void require_differentiable(const Scene &scene, const std::vector<Parameter> &by
   }
 }
 
+bool is_of_stop(const Scene &scene, const Parameter &parameter, Kind kind, std::size_t stop) {
+  const auto &[what, index] = parameter;
+  const bool of_all = kind == Kind::restitution && index == 0 && !scene.stops[stop].restitution;
+  return what == kind && (of_all || index == static_cast<int>(stop) + 1);
+}
+
 void carry(const Scene &scene, const std::vector<Parameter> &by, const Held &held, double phase,
            double tau, PlainMotion &motion, Eigen::MatrixXd &changes) {
   if (!(tau > 0.0)) return;
-  const double stiffest = largest_eigenvalue_bound(scene);
-  const double rate = std::max(root_modulus(scene.beta * stiffest, stiffest), scene.omega);
-  const double steps = std::max(1.0, std::ceil(rate * tau));
+  const double steps = std::max(1.0, std::ceil(rate_of(scene) * tau));
   for (double k = 0.0; k < steps; ++k)
     step(scene, by, held, phase + tau * (k / steps), tau / steps, motion, changes);
 }

@@ -16,6 +16,11 @@ namespace vibro_impact {
 // period.
 void require_differentiable(const Scene &scene, const std::vector<Parameter> &by);
 
+// True when the parameter is that of this stop (an index): its position, or its restitution, which
+// may be the scene's.
+bool is_of_stop(const Scene &scene, const Parameter &parameter, Parameter::Kind kind,
+                std::size_t stop);
+
 // Displacements and velocities of all masses.
 struct PlainMotion {
   Eigen::VectorXd displacement, velocity;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "eigen_views.hpp"
 #include "fits.hpp"
+#include "motion_state.hpp"
 #include "vibro_impact/tangent.hpp"
 
 namespace vibro_impact {
@@ -20,12 +20,7 @@ MotionState moved_into(const Scene &scene, MotionState guess) {
   check(scene);
   require_fits(scene, guess);
   guess.instant = later({guess.instant.cycle, 0.0}, guess.instant.phase, Clock(scene.omega));
-  for (const Stop &stop : scene.stops) {
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    if (guess.held[i] != static_cast<signed char>(stop.side)) continue;
-    guess.displacement[i] = stop.position;
-    guess.velocity[i] = 0.0;
-  }
+  hold_at_stops(scene, guess);
   return guess;
 }
 
@@ -78,10 +73,8 @@ void accept(PeriodicOrbit &orbit, const MotionState &at, const Iterate &iterate)
 }
 
 void move(MotionState &at, const Eigen::VectorXd &step) {
-  const std::size_t n = at.held.size();
   Eigen::Index k = 0;
-  for (const std::size_t row : free_coordinates(at.held))
-    (row < n ? at.displacement[row] : at.velocity[row - n]) += step(k++);
+  for (const std::size_t row : free_coordinates(at.held)) coordinate(at, row) += step(k++);
 }
 
 // True when every free mass stands clear of its stops.

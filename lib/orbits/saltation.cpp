@@ -3,10 +3,9 @@
 #include <limits>
 #include <utility>
 
-#include "eigen_views.hpp"
+#include "motion_state.hpp"
 #include "tangent_limit.hpp"
 #include "tangents.hpp"
-#include "vibro_impact/hold_force.hpp"
 
 namespace vibro_impact {
 
@@ -28,10 +27,7 @@ long long stride_of(const ImpactLaw &law) {
 
 Eigen::VectorXd TangentRecorder::Tangents::vector_field(const Held &mode,
                                                         const std::vector<double> &v) const {
-  const auto a = acceleration(scene, {group.front().instant, displacement, v, mode});
-  Eigen::VectorXd f(changes.rows());
-  f << view(v), view(a);
-  return f;
+  return vibro_impact::vector_field(scene, {at.instant, at.displacement, v, mode});
 }
 
 // `dt` is the change of the time of the event at a fixed scale of time: in units of 1 / Omega, that
@@ -64,7 +60,7 @@ void TangentRecorder::Tangents::close() {
   }
   held = after;
   hold(changes, held);
-  if (!options.by.empty()) motion = {view(displacement), view(velocity)};
+  if (!options.by.empty()) motion = {view(at.displacement), view(at.velocity)};
   group.clear();
 }
 
@@ -94,7 +90,7 @@ void TangentRecorder::Tangents::saltation(const std::vector<const Event *> &impa
                          std::copysign(law.after_by_restitution(std::abs(speed)), speed) *
                              explicit_change(Kind::restitution, impact->stop);
     v[static_cast<std::size_t>(x_row)] = impact->velocity_after;
-    f = impact == impacts.back() ? vector_field(after, velocity) : vector_field(held, v);
+    f = impact == impacts.back() ? vector_field(after, at.velocity) : vector_field(held, v);
     if (alone) extend_sequence(*impact, dt);
     changes -= f * dt;
     if (impact == impacts.back())
@@ -105,14 +101,12 @@ void TangentRecorder::Tangents::saltation(const std::vector<const Event *> &impa
 
 // The times of releases at a root of the hold force.
 void TangentRecorder::Tangents::releases() {
-  const PlainMotion at{view(displacement), view(velocity)};
+  const PlainMotion here{view(at.displacement), view(at.velocity)};
   for (const Event &event : group) {
     const Stop &stop = scene.stops[event.stop];
     const Row force = force_change(scene, options.by, static_cast<std::size_t>(event.mass - 1),
-                                   event.instant.phase, at, changes);
-    const double rate =
-        sign(stop.side) *
-        pressing_force_rate(scene, stop, {event.instant, displacement, velocity, held});
+                                   event.instant.phase, here, changes);
+    const double rate = sign(stop.side) * pressing_force_rate(scene, stop, at);
     tell(event, -force / rate, 0.0 * force);
   }
 }
@@ -127,11 +121,11 @@ void TangentRecorder::Tangents::extend_sequence(const Event &impact, const Row &
   const auto mass = static_cast<std::size_t>(impact.mass - 1);
   Held resting = held;
   resting[mass] = static_cast<signed char>(impact.side);
-  std::vector<double> v = velocity;
+  std::vector<double> v = at.velocity;
   v[mass] = 0.0;
   Eigen::MatrixXd at_rest = changes - vector_field(resting, v) * dt;
   hold(at_rest, resting);
-  const PlainMotion motion_at_rest{view(displacement), view(v)};
+  const PlainMotion motion_at_rest{view(at.displacement), view(v)};
   Row limit = dt;
   if (options.events) limit += time_left(impact, motion_at_rest, at_rest, dt);
   sequence.nodes.push_back({impact.instant, std::move(at_rest), std::move(limit), motion_at_rest});
@@ -145,7 +139,7 @@ Row TangentRecorder::Tangents::time_left(const Event &impact, const PlainMotion 
   const double sigma = sign(stop.side), r = law_of(scene, stop).at_rest();
   const auto p = static_cast<std::size_t>(impact.mass - 1);
   const MotionState resting{
-      impact.instant, displacement, {at_rest.velocity.begin(), at_rest.velocity.end()}, held};
+      at.instant, at.displacement, {at_rest.velocity.begin(), at_rest.velocity.end()}, held};
   const double press = pressing_force(scene, stop, resting);
   if (!(press > 0.0 && r < 1.0)) return 0.0 * dt;
   const Row by_press =

@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "eigen_views.hpp"
 #include "fits.hpp"
+#include "motion_state.hpp"
 #include "tangents.hpp"
 
 namespace vibro_impact {
@@ -19,13 +19,13 @@ bool same(const Instant &a, const Instant &b) {
 void TangentRecorder::Tangents::event(const Event &event, const Moment &moment) {
   if (!group.empty() && !same(group.front().instant, event.instant)) close();
   if (group.empty()) carry_to(event.instant);
-  read(moment);
-  if (group.empty()) velocity_before = velocity;
+  at = state_at(moment, held);
+  if (group.empty()) velocity_before = at.velocity;
   // All impacts of an instant have been applied when the first of them is told.
   if (event.kind == EventKind::impact) {
     const auto hit = static_cast<std::size_t>(event.mass - 1);
     velocity_before[hit] = event.velocity_before;
-    velocity[hit] = event.velocity_after;
+    at.velocity[hit] = event.velocity_after;
   }
   group.push_back(event);
 }
@@ -39,9 +39,7 @@ void TangentRecorder::Tangents::finish(const Instant &end) {
 Row TangentRecorder::Tangents::explicit_change(Kind kind, std::size_t stop) const {
   Row change = Row::Zero(changes.cols());
   for (std::size_t k = 0; k < options.by.size(); ++k) {
-    const auto &[what, index] = options.by[k];
-    const bool of_all = what == Kind::restitution && index == 0 && !scene.stops[stop].restitution;
-    if (what == kind && (of_all || index == static_cast<int>(stop) + 1))
+    if (is_of_stop(scene, options.by[k], kind, stop))
       change(changes.cols() - parameters() + static_cast<Eigen::Index>(k)) = 1.0;
   }
   return change;
@@ -57,13 +55,12 @@ Row TangentRecorder::Tangents::column_of(const Parameter &parameter) const {
 }
 
 // A held mass moves with its stop.
-void TangentRecorder::Tangents::hold(Eigen::MatrixXd &at, const Held &mode) const {
+void TangentRecorder::Tangents::hold(Eigen::MatrixXd &columns, const Held &mode) const {
   for (std::size_t s = 0; s < scene.stops.size(); ++s) {
     const auto row = static_cast<Eigen::Index>(scene.stops[s].mass - 1);
-    if (mode[static_cast<std::size_t>(row)] != static_cast<signed char>(scene.stops[s].side))
-      continue;
-    at.row(row) = explicit_change(Kind::stop, s);
-    at.row(masses() + row).setZero();
+    if (!holds(scene.stops[s], mode)) continue;
+    columns.row(row) = explicit_change(Kind::stop, s);
+    columns.row(masses() + row).setZero();
   }
 }
 
@@ -80,14 +77,6 @@ void TangentRecorder::Tangents::carry_all(const Held &mode, const Instant &from,
 void TangentRecorder::Tangents::carry_to(const Instant &instant) {
   carry_all(held, now, elapsed(now, instant, clock), motion, changes);
   now = instant;
-}
-
-void TangentRecorder::Tangents::read(const Moment &moment) {
-  for (std::size_t i = 0; i < displacement.size(); ++i) {
-    const int mass = static_cast<int>(i) + 1;
-    displacement[i] = moment.displacement(mass);
-    velocity[i] = moment.velocity(mass);
-  }
 }
 
 TangentRecorder::TangentRecorder(const Scene &scene, const MotionState &start,
@@ -113,8 +102,6 @@ TangentRecorder::TangentRecorder(const Scene &scene, const MotionState &start,
                                                   .held = start.held,
                                                   .changes = view(columns),
                                                   .flow = tangent_flow(scene)});
-  tangents_->displacement.resize(n);
-  tangents_->velocity.resize(n);
   if (options.by.empty()) return;
   tangents_->motion = {view(start.displacement), view(start.velocity)};
   tangents_->hold(tangents_->changes, start.held);

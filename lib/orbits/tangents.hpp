@@ -44,12 +44,13 @@ struct TangentRecorder::Tangents {
   std::vector<EventChange> told = {};
   // The events of one instant, gathered until a later one shows that they are all.
   std::vector<Event> group = {};
-  std::vector<double> displacement = {}, velocity_before = {}, velocity = {};
+  MotionState at = {};  // after them; before: with
+  std::vector<double> velocity_before = {};
   Sequence sequence = {};
 
   void event(const Event &event, const Moment &moment);
   void finish(const Instant &end);
-  void hold(Eigen::MatrixXd &at, const Held &mode) const;
+  void hold(Eigen::MatrixXd &columns, const Held &mode) const;
 
  private:
   Eigen::Index masses() const {
@@ -63,7 +64,6 @@ struct TangentRecorder::Tangents {
   void carry_all(const Held &mode, const Instant &from, double tau, PlainMotion &with,
                  Eigen::MatrixXd &columns);
   void carry_to(const Instant &instant);
-  void read(const Moment &moment);
   Eigen::VectorXd vector_field(const Held &mode, const std::vector<double> &v) const;
   void tell(const Event &event, const Row &dt, const Row &speed);
   void close();
