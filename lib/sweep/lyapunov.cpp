@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "chain/require.hpp"
+#include "orbits/motion_state.hpp"
 
 namespace vibro_impact {
 
@@ -68,11 +69,7 @@ double GrowthRecorder::next_time() const {
 void GrowthRecorder::sample(const Moment &moment) {
   next_.cycle += in_chatter_ ? 1 : periods_between;
   if (in_chatter_) return;
-  MotionState at{moment.instant, {}, {}, held_};
-  for (int i = 1; i <= moment.masses(); ++i) {
-    at.displacement.push_back(moment.displacement(i));
-    at.velocity.push_back(moment.velocity(i));
-  }
+  const MotionState at = state_at(moment, held_);
   tangents_->finish(at.instant);
   follow(at, tangents_->tangent());
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "chain/require.hpp"
-#include "vibro_impact/hold_force.hpp"
+#include "orbits/motion_state.hpp"
 #include "vibro_impact/periodic_orbit.hpp"
 
 namespace vibro_impact {
@@ -93,11 +93,9 @@ class Sections {
   }
 
   void sample(const Moment &moment) {
-    std::vector<double> z;
-    for (int i = 1; i <= moment.masses(); ++i) z.push_back(moment.displacement(i));
-    for (int i = 1; i <= moment.masses(); ++i) z.push_back(moment.velocity(i));
-    bring_to_section(moment.instant, z);
-    enter(std::move(z));
+    MotionState at = state_at(moment, held_);
+    bring_to_section(at);
+    enter(coordinates(at));
     const double scale = size_of(latest(0).z);
     for (int p = 1; p <= options_.most && p < taken_; ++p)
       contractions_[index(p - 1)].add(index(taken_), distance(p), repeats * scale);
@@ -163,17 +161,14 @@ class Sections {
 
   // A sample is asked for by its time, which is the section's to the rounding of a long time only:
   // along the motion to the section itself.
-  void bring_to_section(const Instant &at, std::vector<double> &z) const {
-    const double tau = elapsed(at, section_at(taken_), clock_);
+  void bring_to_section(MotionState &at) const {
+    const double tau = elapsed(at.instant, section_at(taken_), clock_);
     if (tau == 0.0) return;
-    const std::size_t n = scene_.mass.size();
-    const auto middle = z.begin() + static_cast<std::ptrdiff_t>(n);
-    const std::vector<double> a =
-        acceleration(scene_, {at, {z.begin(), middle}, {middle, z.end()}, held_});
-    for (std::size_t i = 0; i < n; ++i) {
+    const std::vector<double> a = acceleration(scene_, at);
+    for (std::size_t i = 0; i < a.size(); ++i) {
       if (held_[i] != 0) continue;
-      z[i] += tau * z[n + i];
-      z[n + i] += tau * a[i];
+      at.displacement[i] += tau * at.velocity[i];
+      at.velocity[i] += tau * a[i];
     }
   }
 
