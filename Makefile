@@ -44,8 +44,8 @@ make_target = @cmake --build build -j $(jobs) --target
 build: configured-runner
 	@cmake --build build -j $(jobs)
 
-figures: programs-of-figures $(figures) error-vs-runtime
-	@gnuplot -e "data='build/figures'" figures/atlas.gp  # now with the curves over it
+# All are computed before the first is drawn: the atlas shows the curves, the curves the atlas.
+figures: programs-of-figures $(figures:%=computed-%) $(figures:%=drawn-%) error-vs-runtime
 	$(make_target) check
 	@build/bin/check --tables build/figures >build/check.log || cat build/check.log
 	@build/bin/provenance || true
@@ -53,11 +53,15 @@ figures: programs-of-figures $(figures) error-vs-runtime
 programs-of-figures: configured-figures
 	$(make_target) figure_programs
 
-$(figures): configured-figures
-	$(make_target) $@
-	@build/bin/$@ --output build/figures
-	@gnuplot -e "data='build/figures'" figures/$@.gp
-	@echo "drawn: build/figures/$@.png"
+$(figures): %: computed-% drawn-%
+
+computed-%: configured-figures
+	$(make_target) $*
+	@build/bin/$* --output build/figures
+
+drawn-%: configured-figures
+	@gnuplot -e "data='build/figures'" figures/$*.gp
+	@echo "drawn: build/figures/$*.png"
 
 error-vs-runtime: configured-figures
 	$(make_target) error_vs_runtime

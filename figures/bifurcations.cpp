@@ -6,8 +6,6 @@
 // bifurcations_5b.csv     impact speed of mass 2 in the Figure 5(b) scene, likewise
 #include "bifurcations.hpp"
 
-#include <omp.h>
-
 #include "driver.hpp"
 #include "grazing.hpp"
 
@@ -28,7 +26,7 @@ void draw(const std::filesystem::path &output) {
   Progress progress("bifurcations", 6);
   const std::vector<double> omegas = figures::sticking_grid(2000);
   const auto followed = [](const auto &grid) { return figures::scan_following(grid, settling); };
-  const figures::Counts rest = figures::scan_from_rest(omegas, omp_get_max_threads());
+  const figures::Counts rest = figures::scan_from_rest(omegas);
   progress.advance();
   const figures::Counts up = followed(omegas);
   progress.advance();
@@ -48,7 +46,7 @@ void draw(const std::filesystem::path &output) {
     branches.row(near_grazing[i], speed_from_rest[i], speed_up[i], speed_down[i]);
   progress.advance();
 
-  auto points = figures::locate_all(omegas, rest, omp_get_max_threads());
+  auto points = figures::locate_all(omegas, rest);
   progress.advance();
   // Both masses stick for the last time below 0.5 at the last border orbit.
   points.push_back(points.back());

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -16,6 +15,7 @@
 
 #include "bifurcation_point.hpp"
 #include "paper_scenes.hpp"
+#include "parallel.hpp"
 #include "vibro_impact/border_orbit.hpp"
 #include "vibro_impact/multi_sliding.hpp"
 
@@ -152,19 +152,11 @@ inline std::vector<double> sticking_grid(int intervals) {
   return omegas;
 }
 
-inline Counts scan_from_rest(const std::vector<double> &omegas, int threads) {
+inline Counts scan_from_rest(const std::vector<double> &omegas) {
   Counts counts(omegas.size());
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (std::size_t i = 0; i < omegas.size(); ++i) {
-    try {
-      counts[i] = {sticks_from_rest(omegas[i], 1), sticks_from_rest(omegas[i], 2)};
-    } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  in_parallel(omegas.size(), [&](std::size_t i) {
+    counts[i] = {sticks_from_rest(omegas[i], 1), sticks_from_rest(omegas[i], 2)};
+  });
   return counts;
 }
 
@@ -188,7 +180,7 @@ inline Counts scan_following(const std::vector<double> &omegas, int periods) {
 // Every change of the counts of a scan, located, in the order of the frequency; the orbits of one
 // kind and mass are numbered from 1.
 inline std::vector<BifurcationPoint> locate_all(const std::vector<double> &omegas,
-                                                const Counts &counts, int threads) {
+                                                const Counts &counts) {
   struct Interval {
     int mass;
     std::size_t left;
@@ -200,21 +192,12 @@ inline std::vector<BifurcationPoint> locate_all(const std::vector<double> &omega
       const auto m = static_cast<std::size_t>(mass - 1);
       if (counts[i][m] != counts[i + 1][m]) intervals.push_back({mass, i});
     }
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t k = 0; k < intervals.size(); ++k) {
-    try {
-      const auto [mass, left] = std::pair(intervals[k].mass, intervals[k].left);
-      for (const Change &change : changes_between(mass, omegas[left], omegas[left + 1]))
-        for (BifurcationPoint &point : locate(change, mass))
-          intervals[k].points.push_back(std::move(point));
-    } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-
+  in_parallel(intervals.size(), [&](std::size_t k) {
+    const auto [mass, left] = std::pair(intervals[k].mass, intervals[k].left);
+    for (const Change &change : changes_between(mass, omegas[left], omegas[left + 1]))
+      for (BifurcationPoint &point : locate(change, mass))
+        intervals[k].points.push_back(std::move(point));
+  });
   std::vector<BifurcationPoint> points;
   for (const Interval &interval : intervals)
     points.insert(points.end(), interval.points.begin(), interval.points.end());

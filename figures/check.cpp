@@ -102,17 +102,13 @@ void print_few(const std::vector<Row> &rows) {
                  row.thirty_digits.empty() ? row.computed : row.thirty_digits, row.error);
 }
 
-// A cell of text in a table.
-std::string quoted(const std::string &text) {
-  return '"' + text + '"';
-}
-
 Table table_of(const std::vector<Row> &rows) {
   Table table("symbol,meaning,printed,computed,kind,thirty_digits,error,tolerance,verdict");
   for (const Row &row : rows)
-    table.row(row.number.symbol, quoted(row.number.meaning), quoted(row.number.printed),
-              row.computed, row.kind, row.thirty_digits, fmt::format("{:.1e}", row.error),
-              fmt::format("{:.0e}", row.number.tolerance), row.pass ? "pass" : "FAIL");
+    table.row(row.number.symbol, figures::in_quotes(row.number.meaning),
+              figures::in_quotes(row.number.printed), row.computed, row.kind, row.thirty_digits,
+              fmt::format("{:.1e}", row.error), fmt::format("{:.0e}", row.number.tolerance),
+              row.pass ? "pass" : "FAIL");
   return table;
 }
 
@@ -140,7 +136,7 @@ int check_published_results(const std::string &folder, Table &table) {
     ++counts[result.source];
     table.row(result.id, result.source, result.printed, fmt::format("{:.15g}", computed),
               fmt::format("{:.1e}", difference), fmt::format("{:.0e}", result.tolerance),
-              quoted(result.limited_by), pass ? "pass" : "FAIL");
+              figures::in_quotes(result.limited_by), pass ? "pass" : "FAIL");
     fmt::print("{:<32} {:>23} {:>20.15g} {:>10.1e} {:>9.0e}  {}\n", result.id, result.printed,
                computed, difference, result.tolerance, pass ? result.limited_by : "FAIL");
   }

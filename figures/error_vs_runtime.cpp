@@ -14,6 +14,7 @@
 #include "driver.hpp"
 #include "error_vs_runtime/problem.hpp"
 #include "platform.hpp"
+#include "table_reader.hpp"
 
 namespace {
 
@@ -85,9 +86,9 @@ Table table_of(const std::vector<Trial> &trials) {
         std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
     std::string failure = trial.errors.failure;
     std::replace(failure.begin(), failure.end(), ',', ';');
-    table.row(trial.problem->name, '"' + trial.method->name + '"', trial.setting, trial.errors.time,
-              trial.errors.state, median(trial.microseconds), *low, *high, trial.result.work,
-              trial.result.impacts, '"' + failure + '"');
+    table.row(trial.problem->name, figures::in_quotes(trial.method->name), trial.setting,
+              trial.errors.time, trial.errors.state, median(trial.microseconds), *low, *high,
+              trial.result.work, trial.result.impacts, figures::in_quotes(failure));
   }
   return table;
 }
@@ -96,15 +97,15 @@ Table table_of(const std::vector<Trial> &trials) {
 // missing.
 Table conditions(const Methods &all, int repeats) {
   Table table("what,value");
-  const auto quoted = [](const std::string &text) { return '"' + text + '"'; };
-  table.row("processor", quoted(figures::processor()));
-  table.row("compiler", quoted(figures::compiler()));
+  table.row("processor", figures::in_quotes(figures::processor()));
+  table.row("compiler", figures::in_quotes(figures::compiler()));
   table.row("repeats", repeats);
-  table.row("time", quoted("processor time of the thread"));
-  table.row("low; high", quoted("fastest and slowest of the repeats"));
+  table.row("time", figures::in_quotes("processor time of the thread"));
+  table.row("low; high", figures::in_quotes("fastest and slowest of the repeats"));
   for (const Method &method : all.methods)
-    table.row(quoted(method.name), quoted("setting: " + method.setting + "; work: " + method.work));
-  for (const std::string &line : all.left_out) table.row("missing", quoted(line));
+    table.row(figures::in_quotes(method.name),
+              figures::in_quotes("setting: " + method.setting + "; work: " + method.work));
+  for (const std::string &line : all.left_out) table.row("missing", figures::in_quotes(line));
   return table;
 }
 

@@ -16,16 +16,19 @@
 
 namespace vibro_impact::figures {
 
-// The first line that a command prints; empty when it cannot be run.
-inline std::string first_line_of(const std::string &command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> pipe(
-      popen((command + " 2>/dev/null").c_str(), "r"), pclose);
-  std::array<char, 512> line{};
-  if (!pipe || std::fgets(line.data(), static_cast<int>(line.size()), pipe.get()) == nullptr)
-    return "";
-  std::string text = line.data();
-  while (!text.empty() && text.back() == '\n') text.pop_back();
+// What a command prints; nothing when it cannot be run.
+inline std::string output_of(const std::string &command) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  std::array<char, 4096> part;
+  while (const std::size_t count = pipe ? std::fread(part.data(), 1, part.size(), pipe.get()) : 0)
+    text.append(part.data(), count);
   return text;
+}
+
+inline std::string first_line_of(const std::string &command) {
+  const std::string text = output_of(command + " 2>/dev/null");
+  return text.substr(0, text.find('\n'));
 }
 
 // Its name, and those of its instruction sets that the C library chooses its functions by.

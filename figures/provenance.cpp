@@ -6,6 +6,7 @@
 #include "driver.hpp"
 #include "platform.hpp"
 #include "stored_tables.hpp"
+#include "table_reader.hpp"
 #include "vibro_impact/parameter.hpp"
 
 namespace {
@@ -16,7 +17,8 @@ using std::filesystem::path;
 
 constexpr std::size_t rows_kept = 41;  // of a table, in the repository
 
-std::string quoted(const std::string &text) {
+// Text in JSON.
+std::string json(const std::string &text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -29,7 +31,7 @@ template <class Pairs>
 std::string object(const Pairs &pairs, const std::string &indent) {
   std::vector<std::string> lines;
   for (const auto &[name, value] : pairs)
-    lines.push_back(fmt::format("{}  {}: {}", indent, quoted(name), value));
+    lines.push_back(fmt::format("{}  {}: {}", indent, json(name), value));
   return fmt::format("{{\n{}\n{}}}", fmt::join(lines, ",\n"), indent);
 }
 
@@ -57,14 +59,14 @@ std::string parameters_of(const Scene &scene) {
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const Stop &stop = scene.stops[k];
     values.emplace_back(fmt::format("stop{}", k + 1),
-                        quoted(fmt::format("{}:{}:{}", stop.mass, name(stop.side), stop.position)));
+                        json(fmt::format("{}:{}:{}", stop.mass, name(stop.side), stop.position)));
   }
   return object(values, "    ");
 }
 
 std::string manifest(const Sums &sums) {
   std::vector<std::pair<std::string, std::string>> with, scenes, files;
-  for (const auto &[name, value] : made_with()) with.emplace_back(name, quoted(value));
+  for (const auto &[name, value] : made_with()) with.emplace_back(name, json(value));
   for (const auto &[name, scene] : {std::pair{"figure2", paper::figure2()},
                                     {"figure4a", paper::figure4a()},
                                     {"figure4b", paper::figure4b()},
@@ -72,15 +74,15 @@ std::string manifest(const Sums &sums) {
                                     {"figure5b", paper::figure5b()},
                                     {"figure5c", paper::figure5c()}})
     scenes.emplace_back(name, parameters_of(scene));
-  for (const auto &[name, sum] : sums.of) files.emplace_back(name, quoted(sum));
+  for (const auto &[name, sum] : sums.of) files.emplace_back(name, json(sum));
   const std::time_t now = std::time(nullptr);
   char date[32] = {};
   std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
   return object(
              std::vector<std::pair<std::string, std::string>>{
-                 {"software", quoted("vibro-impact " VIBRO_IMPACT_VERSION)},
-                 {"commit", quoted(commit())},
-                 {"written", quoted(date)},
+                 {"software", json("vibro-impact " VIBRO_IMPACT_VERSION)},
+                 {"commit", json(commit())},
+                 {"written", json(date)},
                  {"made with", object(with, "  ")},
                  {"scenes", object(scenes, "  ")},
                  {"SHA-256", object(files, "  ")}},
@@ -159,16 +161,6 @@ bool compare(const path &folder, const path &stored, const Sums &sums,
   return beyond == 0 && (near == 0 || sums.platform != before.platform);
 }
 
-std::vector<std::string> split(const std::string &list) {
-  std::vector<std::string> parts(1);
-  for (const char c : list)
-    if (c == ',')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 }  // namespace
 
 int main(int argc, char **argv) {
@@ -187,6 +179,6 @@ int main(int argc, char **argv) {
           store(output, stored, sums);
           return 0;
         }
-        return compare(output, stored, sums, split(drivers)) ? 0 : 1;
+        return compare(output, stored, sums, cells_of(drivers)) ? 0 : 1;
       });
 }

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "axis_checks.hpp"
 #include "driver.hpp"
 
@@ -17,53 +19,22 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::figures;
 
-const std::string flags = ",boxes,text,left,chosen";
-
-struct Flags {
-  int boxes, text, left, chosen;
-};
-
-template <class Trial>
-Flags flags_of(const Trial &trial, const Range &range, double choice) {
-  return {trial.verdict.boxes, trial.verdict.text, is_left(trial, range), trial.omega == choice};
-}
-
-double scan_figure2(const std::filesystem::path &output) {
-  const auto trials = scan(scanned, try_figure2);
-  const double choice = chosen(trials, scanned_of_figure2);
-  Table table("omega,lowest,highest,lowest_x2_in_b,begins,complete,unevenness" + flags);
-  for (const Figure2Trial &t : trials) {
-    const Flags f = flags_of(t, scanned_of_figure2, choice);
-    table.row(t.omega, t.shown.lowest, t.shown.highest, t.close_up.lowest, t.begins, t.complete,
-              t.verdict.apart, f.boxes, f.text, f.left, f.chosen);
-  }
-  write(table, output / "reconstruction_2.csv");
-  return choice;
-}
-
-double scan_figure5a(const std::filesystem::path &output) {
-  const auto trials = scan(scanned, try_figure5a);
-  const double choice = chosen(trials, scanned);
-  Table table("omega,lowest,highest,begins,complete,released,impacts" + flags);
-  for (const Figure5aTrial &t : trials) {
-    const Flags f = flags_of(t, scanned, choice);
-    table.row(t.omega, t.shown.lowest, t.shown.highest, t.begins, t.complete, t.released, t.impacts,
-              f.boxes, f.text, f.left, f.chosen);
-  }
-  write(table, output / "reconstruction_5a.csv");
-  return choice;
-}
-
-double scan_figure5b(const std::filesystem::path &output) {
-  const auto trials = scan(scanned, try_figure5b);
-  const double choice = chosen(trials, scanned);
-  Table table("omega,lowest,highest,nearest_time,gap" + flags);
-  for (const Figure5bTrial &t : trials) {
-    const Flags f = flags_of(t, scanned, choice);
-    table.row(t.omega, t.shown.lowest, t.shown.highest, t.nearest_time, t.gap, f.boxes, f.text,
-              f.left, f.chosen);
-  }
-  write(table, output / "reconstruction_5b.csv");
+// The range scanned, row by row: the columns of a figure and what the rule says of them. Returns
+// the frequency chosen.
+template <class Trial, class Row>
+double scan_to(const std::filesystem::path &file, Trial (*attempt)(double omega),
+               const Range &range, const std::string &columns, const Row &row) {
+  const std::vector<Trial> trials = scan(scanned, attempt);
+  const double choice = chosen(trials, range);
+  Table table("omega,lowest,highest," + columns + ",boxes,text,left,chosen");
+  for (const Trial &t : trials)
+    std::apply(
+        [&](auto... cells) {
+          table.row(t.omega, t.shown.lowest, t.shown.highest, cells..., int{t.verdict.boxes},
+                    int{t.verdict.text}, int{is_left(t, range)}, int{t.omega == choice});
+        },
+        row(t));
+  write(table, file);
   return choice;
 }
 
@@ -79,11 +50,20 @@ void add(Table &table, const std::string &kind, const std::vector<AxisCheck> &ch
 
 void draw(const std::filesystem::path &output) {
   Progress progress("reconstruction", 4);
-  const double figure2 = scan_figure2(output);
+  const double figure2 =
+      scan_to(output / "reconstruction_2.csv", try_figure2, scanned_of_figure2,
+              "lowest_x2_in_b,begins,complete,unevenness", [](const Figure2Trial &t) {
+                return std::tuple(t.close_up.lowest, t.begins, t.complete, t.verdict.apart);
+              });
   progress.advance();
-  const double figure5a = scan_figure5a(output);
+  const double figure5a = scan_to(output / "reconstruction_5a.csv", try_figure5a, scanned,
+                                  "begins,complete,released,impacts", [](const Figure5aTrial &t) {
+                                    return std::tuple(t.begins, t.complete, t.released, t.impacts);
+                                  });
   progress.advance();
-  const double figure5b = scan_figure5b(output);
+  const double figure5b =
+      scan_to(output / "reconstruction_5b.csv", try_figure5b, scanned, "nearest_time,gap",
+              [](const Figure5bTrial &t) { return std::tuple(t.nearest_time, t.gap); });
   progress.advance();
   Table axes(
       "panel,quantity,kind,axis_from,axis_to,tick,lowest,highest,ticks_at_lowest,ticks_at_highest,"

@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <limits>
 #include <vector>
 
 #include "axis_rule.hpp"
 #include "paper_scenes.hpp"
+#include "parallel.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -230,22 +230,14 @@ inline Figure5bTrial try_figure5b(double omega) {
   return trial;
 }
 
-// Tries every multiple of 1e-4 in the range, on as many threads as OpenMP gives; in order.
+// Tries every multiple of 1e-4 in the range; in order.
 template <class Trial>
 std::vector<Trial> scan(const Range &range, Trial (*attempt)(double omega)) {
   const long first = std::lround(range.lowest * 1e4), last = std::lround(range.highest * 1e4);
   std::vector<Trial> trials(static_cast<std::size_t>(last - first + 1));
-  std::exception_ptr failure;  // exceptions must not leave the parallel loop
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    try {
-      trials[i] = attempt(static_cast<double>(first + static_cast<long>(i)) / 1e4);
-    } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  in_parallel(trials.size(), [&](std::size_t i) {
+    trials[i] = attempt(static_cast<double>(first + static_cast<long>(i)) / 1e4);
+  });
   return trials;
 }
 

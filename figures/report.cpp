@@ -4,13 +4,13 @@
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "driver.hpp"
 #include "report_template.hpp"
+#include "table_reader.hpp"
 
 namespace {
 
@@ -27,11 +27,8 @@ std::string read(const path &file) {
 
 Sheet sheet(const path &file) {
   std::istringstream lines(read(file));
-  std::string line;
-  std::getline(lines, line);
-  Sheet found{file.filename().string(), cells_of(line)};
-  while (std::getline(lines, line)) found.rows.push_back(cells_of(line));
-  return found;
+  const std::string header = lines.str().substr(0, lines.str().find('\n'));
+  return {file.filename().string(), cells_of(header), read_rows(lines, file.string(), 1)};
 }
 
 std::string base64(const std::string &bytes) {
@@ -44,11 +41,8 @@ std::string base64(const std::string &bytes) {
 
 // A cell as shown: a number in so many significant digits, anything else as it is.
 std::string shown(const std::string &cell, int digits) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || cell.size() <= 8)
-    return escaped(cell);
-  return fmt::format("{:.{}g}", value, digits);
+  const auto value = as_number(cell);
+  return value && cell.size() > 8 ? fmt::format("{:.{}g}", *value, digits) : escaped(cell);
 }
 
 // Rows of a table, all or those whose first cell begins with `prefix`, the columns named.

@@ -30,21 +30,6 @@ struct Sheet {
   }
 };
 
-// The cells of a line of CSV; a cell in double quotes may hold commas.
-inline std::vector<std::string> cells_of(const std::string &line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
-}
-
 using Arguments = std::vector<std::string>;
 using Verbs = std::map<std::string, std::function<std::string(const Arguments &)>>;
 

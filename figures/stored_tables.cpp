@@ -3,25 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <sstream>
 
+#include "platform.hpp"
 #include "table_reader.hpp"
 
 namespace vibro_impact::figures {
 
 namespace {
-
-std::optional<double> as_number(const std::string &cell) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
-}
 
 std::string first_line(const std::filesystem::path &path) {
   std::ifstream file = opened(path.string());
@@ -35,7 +25,10 @@ std::vector<std::vector<std::string>> rows_of(const std::filesystem::path &path)
   return read_rows(file, path.string(), 1);
 }
 
-std::string joined(const std::vector<std::string> &cells) {
+// As a line of a table.
+std::string joined(std::vector<std::string> cells) {
+  for (std::string &cell : cells)
+    if (cell.find(',') != std::string::npos) cell = in_quotes(cell);
   return fmt::format("{}", fmt::join(cells, ","));
 }
 
@@ -51,14 +44,8 @@ Sums sums_of(const std::filesystem::path &folder, const std::string &platform) {
     any = true;
   }
   if (!any) return {platform, {}};
-  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> pipe(popen(command.c_str(), "r"), pclose);
-  if (!pipe) throw std::runtime_error("sha256sum: cannot be run");
-  std::string text;
-  std::array<char, 4096> part;
-  while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe.get()))
-    text.append(part.data(), count);
   Sums sums{platform, {}};
-  std::istringstream lines(text);
+  std::istringstream lines(output_of(command));
   for (std::string sum, name; lines >> sum >> name;) sums.of[name] = sum;
   if (sums.of.empty()) throw std::runtime_error("sha256sum: printed nothing");
   return sums;
@@ -135,7 +122,7 @@ Rules read_rules(const std::filesystem::path &path) {
     if (rule.compared) rule.tolerance = number_in(path.string(), cells[1]);
     rule.until = cells[2].empty() ? std::numeric_limits<double>::infinity()
                                   : number_in(path.string(), cells[2]);
-    rule.reason = joined({cells.begin() + 3, cells.end()});
+    rule.reason = cells[3];
     rules[cells[0]] = rule;
   }
   return rules;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <istream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,21 +22,35 @@ inline std::ifstream opened(const std::string &path) {
   return file;
 }
 
-// The rows below the header line, each split at its commas. Throws std::runtime_error naming
-// `name` and the line of a row with fewer than `columns` cells.
+// The cells of a line; one in double quotes may hold commas, and is given without the quotes.
+inline std::vector<std::string> cells_of(const std::string &line) {
+  std::vector<std::string> cells(1);
+  bool inside = false;
+  for (const char c : line) {
+    if (c == '"')
+      inside = !inside;
+    else if (c == ',' && !inside)
+      cells.emplace_back();
+    else
+      cells.back().push_back(c);
+  }
+  return cells;
+}
+
+// A cell of text that may hold commas.
+inline std::string in_quotes(const std::string &text) {
+  return '"' + text + '"';
+}
+
+// The rows below the header line. Throws std::runtime_error naming `name` and the line of a row
+// with fewer than `columns` cells.
 inline std::vector<std::vector<std::string>> read_rows(std::istream &file, const std::string &name,
                                                        std::size_t columns) {
   std::vector<std::vector<std::string>> rows;
   std::string line;
   std::getline(file, line);
   for (int number = 2; std::getline(file, line); ++number) {
-    std::vector<std::string> cells(1);
-    for (char c : line) {
-      if (c == ',')
-        cells.emplace_back();
-      else
-        cells.back().push_back(c);
-    }
+    std::vector<std::string> cells = cells_of(line);
     if (cells.size() < columns)
       throw std::runtime_error(fmt::format("{}: line {} has {} columns, {} are needed", name,
                                            number, cells.size(), columns));
@@ -44,14 +59,21 @@ inline std::vector<std::vector<std::string>> read_rows(std::istream &file, const
   return rows;
 }
 
-// A whole cell as a number. Throws std::runtime_error naming `name` and the cell; infinities and
-// NaN are no entries of a table.
-inline double number_in(const std::string &name, const std::string &cell) {
+// A whole cell as a number; nothing for other text.
+inline std::optional<double> as_number(const std::string &cell) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    throw std::runtime_error(fmt::format("{}: '{}' is not a number", name, cell));
+  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
   return value;
+}
+
+// The same where it must be one. Throws std::runtime_error naming `name` and the cell; infinities
+// and NaN are no entries of a table.
+inline double number_in(const std::string &name, const std::string &cell) {
+  const auto value = as_number(cell);
+  if (!value || !std::isfinite(*value))
+    throw std::runtime_error(fmt::format("{}: '{}' is not a number", name, cell));
+  return *value;
 }
 
 // A reference number and how it is known (printed, derived, reconstructed, computed).
