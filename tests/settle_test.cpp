@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <random>
 #include <utility>
@@ -156,6 +157,46 @@ TEST(Settle, SaysThePeriodOrNone) {
   EXPECT_EQ(period_of(0.69, 400), 0);  // chaotic
   EXPECT_EQ(period_of(0.28, 5), 0);    // on its way
   EXPECT_EQ(period_of(0.28, 1), 0);
+}
+
+// The state of a stiff oscillator, no stop in its way, turns around the orbit as it comes nearer,
+// in a thin ellipse: any one component is small twice a turn. The orbit itself in closed form.
+// Twice the tolerance: the decay within a turn is not even.
+TEST(Settle, WhatIsStillToComeIsKnownOfAMotionThatTurns) {
+  Scene scene;
+  scene.mass = {1.0};
+  scene.stiffness = scene.amplitude = {1e4};
+  scene.beta = 5e-4;
+  scene.stops = {{1, Side::upper, 1000.0}};
+  SettleOptions options;
+  for (int k = 0; k <= 400; ++k) {
+    scene.omega = 20.0 + 0.45 * k;
+    SCOPED_TRACE(scene.omega);
+    const SettledMotion motion = settle(scene, start_of(scene), options);
+    ASSERT_EQ(motion.period, 1);
+    const std::complex<double> turn(0.0, scene.omega),
+        x = 1e4 / (1e4 + turn * (turn + scene.beta * 1e4));
+    EXPECT_NEAR(motion.state.displacement[0], x.real(), 2.0 * options.tolerance);
+    EXPECT_NEAR(motion.state.velocity[0], (turn * x).real(), 2.0 * options.tolerance);
+  }
+}
+
+// Motions that come near their orbit slowly, turning: with some number of periods in between, the
+// states are close long before those of one period are. After 20,000 periods it is decided.
+TEST(Settle, ASlowMotionIsNotOneOfAMultiplePeriod) {
+  for (const auto &[omega, restitution] : {std::pair{0.39849624060150379, 0.82595317725752504},
+                                           {0.61804511278195495, 0.74401337792642142},
+                                           {0.67218045112781954, 0.72434782608695647},
+                                           {0.68571428571428572, 0.58668896321070241},
+                                           {0.69172932330827075, 0.62602006688963208}}) {
+    Scene scene = paper::figure3(omega);
+    scene.restitution = restitution;
+    SettleOptions options;
+    options.longest = 200;
+    const SettledMotion motion = settle(scene, start_of(scene), options);
+    EXPECT_EQ(motion.period, recurrence(scene, vibro_impact::settled(scene, 20000)).periods)
+        << omega;
+  }
 }
 
 // The section is the phase of the start.

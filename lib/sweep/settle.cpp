@@ -80,6 +80,10 @@ class Sections {
     held_ = start.held;
     for (int p = 1; p <= options.most; ++p) contractions_.emplace_back(static_cast<std::size_t>(p));
     sections_.resize(2 * static_cast<std::size_t>(options.most) + 1);
+    for (std::size_t i = 0; i < scene.mass.size(); ++i)
+      frequency_.push_back(std::sqrt(
+          (scene.stiffness[i] + (i + 1 < scene.stiffness.size() ? scene.stiffness[i + 1] : 0.0)) /
+          scene.mass[i]));
     enter(coordinates(start));
   }
 
@@ -131,6 +135,7 @@ class Sections {
   int period_ = 0;
   double to_come_ = unknown;
   Held held_;
+  std::vector<double> frequency_ = {};  // of each mass between neighbours that stand still
   std::vector<EventMark> marks_ = {};   // since the latest section
   std::vector<Section> sections_ = {};  // the latest, by number modulo their size
   std::vector<Contraction> contractions_ = {};
@@ -172,12 +177,16 @@ class Sections {
     }
   }
 
-  // Of the states `back` and `back` + p periods ago.
+  // Of the states `back` and `back` + p periods ago: of a mass the amplitude, in displacement or
+  // velocity, whichever is larger, of the vibration that the difference is a phase of.
   double distance(int p, int back = 0) const {
     const std::vector<double> &now = latest(back).z, &then = latest(back + p).z;
+    const std::size_t n = frequency_.size();
     double largest = 0.0;
-    for (std::size_t i = 0; i < now.size(); ++i)
-      largest = std::max(largest, std::abs(now[i] - then[i]));
+    for (std::size_t i = 0; i < n; ++i) {
+      const double w = frequency_[i], x = now[i] - then[i], v = now[n + i] - then[n + i];
+      largest = std::max(largest, std::max(1.0, 1.0 / w) * std::hypot(w * x, v));
+    }
     return largest;
   }
 
@@ -220,7 +229,8 @@ class Sections {
         if (apart <= 10.0 * options_.tolerance && repeats_after(q)) {
           return settle_on(q, p);
         }
-        if (apart < 0.5 * distance(q, p)) return;  // still on its way
+        // Of a motion of period p the states q apart stay so: else it is still on its way.
+        if (std::abs(apart - distance(q, p)) > 4.0 * options_.tolerance) return;
       }
       return settle_on(p, p);
     }
