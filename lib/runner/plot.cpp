@@ -97,10 +97,11 @@ Plot::Plot(const Destination &file, const Scene &scene, const Held &held, double
 
   std::vector<int> masses(static_cast<std::size_t>(scene.masses()));
   for (std::size_t i = 0; i < masses.size(); ++i) masses[i] = static_cast<int>(i) + 1;
-  std::stable_partition(masses.begin(), masses.end(), [&](int mass) {
-    return std::any_of(scene.stops.begin(), scene.stops.end(),
-                       [mass](const Stop &stop) { return stop.mass == mass; });
-  });
+  const auto without_stop = [&](int mass) {
+    return std::none_of(scene.stops.begin(), scene.stops.end(),
+                        [mass](const Stop &stop) { return stop.mass == mass; });
+  };
+  std::ranges::sort(masses, {}, [&](int mass) { return std::pair(without_stop(mass), mass); });
   masses.resize(std::min(masses.size(), most_masses_drawn));
   std::sort(masses.begin(), masses.end());
   for (const int mass : masses) {
