@@ -12,4 +12,4 @@ target_include_directories(fuzz_options PRIVATE figures)
 target_compile_options(fuzz_options PRIVATE -g -O1 -fsanitize=fuzzer,address,undefined
                                             -fno-sanitize-recover=all)
 target_link_options(fuzz_options PRIVATE -fsanitize=fuzzer,address,undefined)
-target_link_libraries(fuzz_options PRIVATE runner_options project_options fmt::fmt)
+target_link_libraries(fuzz_options PRIVATE runner_options vibro_impact_options fmt::fmt)

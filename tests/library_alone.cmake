@@ -1,0 +1,30 @@
+# The library without what only its other parts need: configured by itself, and built inside a
+# project of a user's by add_subdirectory, whose targets keep their names.
+# cmake -D source=... -D program=<a C++ file> -D compiler=... -D folder=... -P library_alone.cmake
+file(REMOVE_RECURSE ${folder})
+set(without "")
+foreach(package CLI11 fmt GTest OpenMP MPI benchmark)
+  list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}: ${status}\n${said}")
+  endif()
+endfunction()
+
+run(${CMAKE_COMMAND} -S ${source} -B ${folder}/alone -DCMAKE_CXX_COMPILER=${compiler} ${without})
+
+file(WRITE ${folder}/user/CMakeLists.txt "cmake_minimum_required(VERSION 3.21)
+project(user LANGUAGES CXX)
+add_library(project_options INTERFACE)
+add_subdirectory(${source} vibro_impact)
+add_executable(program ${program})
+target_link_libraries(program PRIVATE vibro_impact::vibro_impact)
+")
+run(${CMAKE_COMMAND} -S ${folder}/user -B ${folder}/build -DCMAKE_BUILD_TYPE=Debug
+    -DCMAKE_CXX_COMPILER=${compiler} -DVIBRO_IMPACT_WERROR=ON ${without})
+run(${CMAKE_COMMAND} --build ${folder}/build)
+run(${folder}/build/program)
