@@ -45,12 +45,23 @@ inline std::string processor() {
   return model.empty() ? first_line_of("uname -m") : model + sets;
 }
 
+// With the instruction sets it was told to use beyond those of every such processor.
 inline std::string compiler() {
 #ifdef __clang__
-  return "clang " __clang_version__;
+  std::string text = "clang " __clang_version__;
 #else
-  return "g++ " __VERSION__;
+  std::string text = "g++ " __VERSION__;
 #endif
+#ifdef __FMA__
+  text += " fma";
+#endif
+#ifdef __AVX2__
+  text += " avx2";
+#endif
+#ifdef __AVX512F__
+  text += " avx512f";
+#endif
+  return text;
 }
 
 // What decides the last bits of a table.

@@ -35,13 +35,15 @@ std::string object(const Pairs &pairs, const std::string &indent) {
   return fmt::format("{{\n{}\n{}}}", fmt::join(lines, ",\n"), indent);
 }
 
-// The commit, with "+" when files differ from it; that of the archive where there is no repository.
+// The commit, with "+" when files differ from it; that of the archive where there is no repository;
+// none where the files are a copy without either.
 std::string commit() {
   const std::string git = "git -C '" SOURCE_DIR "' ";
   const std::string head = first_line_of(git + "rev-parse HEAD");
   if (!head.empty())
     return head + (first_line_of(git + "status --porcelain -uno").empty() ? "" : "+");
-  return first_line_of("cat '" SOURCE_DIR "/.commit'");
+  const std::string archived = first_line_of("cat '" SOURCE_DIR "/.commit'");
+  return archived.starts_with('$') ? "" : archived;
 }
 
 std::string parameters_of(const Scene &scene) {
