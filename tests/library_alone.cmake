@@ -24,7 +24,7 @@ add_subdirectory(${source} vibro_impact)
 add_executable(program ${program})
 target_link_libraries(program PRIVATE vibro_impact::vibro_impact)
 ")
-run(${CMAKE_COMMAND} -S ${folder}/user -B ${folder}/build -DCMAKE_BUILD_TYPE=Debug
+run(${CMAKE_COMMAND} -S ${folder}/user -B ${folder}/build
     -DCMAKE_CXX_COMPILER=${compiler} -DVIBRO_IMPACT_WERROR=ON ${without})
 run(${CMAKE_COMMAND} --build ${folder}/build)
 run(${folder}/build/program)
