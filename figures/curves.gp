@@ -1,43 +1,66 @@
-# Multi-sliding and border orbits as curves in the plane of frequency and restitution, over the map
-# of who sticks (atlas_omega_r.csv of the atlas, where it has been drawn): whole, and around the
-# range of Figure 3.
+# Bifurcations as curves over maps of who sticks (the tables of the atlas, where it has been drawn):
+# in frequency and restitution, whole and around the range of Figure 3, in frequency and amplitude,
+# and in the positions of the stops at the frequencies of Figures 5(a) and (b).
 load 'figures/style.gp'
 
-map = data.'/atlas_omega_r.csv'
-map_drawn = system("test -e '".map."' && echo 1") eq '1'
-curves = data.'/atlas_curves.csv'
-below = map_drawn ? map : curves
 two = data.'/atlas_codimension_two.csv'
 ends = data.'/atlas_curve_ends.csv'
-names = system("awk -F, 'NR > 1 && $1 != last {print $1; last = $1}' '".curves."'")
 
 # As in the atlas, paler.
-of_sticks(one, two) = one > 0 && two > 0 ? 4 : two > 0 ? 3 : one > 0 ? 2 : 1
-set palette defined (1 '#f2f2f2', 2 '#f6d9a8', 3 '#c5e4f5', 4 '#b2e0d2') maxcolors 4
-set cbrange [0.5:4.5]
+of_sticks(one, two, dual) = dual > 0 ? 5 : one > 0 && two > 0 ? 4 : two > 0 ? 3 : one > 0 ? 2 : 1
+set palette defined (1 '#f2f2f2', 2 '#f6d9a8', 3 '#c5e4f5', 4 '#b2e0d2', 5 '#a9c3dd') maxcolors 5
+set cbrange [0.5:5.5]
 unset colorbox
 
+# Colour: the mass; of period doublings and folds, which belong to both, another. Dashes: the kind.
+colour(name) = strstrt(name, 'period_doubling') || strstrt(name, 'fold') ? '#7b3294' : strstrt(name, 'mass_1') ? '#12355b' : '#c8442c'
+dashes(name) = strstrt(name, 'multi_sliding') ? 2 : strstrt(name, 'fold') || strstrt(name, 'grazing') ? 3 : 1
 of(name, value) = strcol('curve') eq name ? value : NaN
-dashes(name) = strstrt(name, 'multi_sliding') > 0 ? 2 : 1
-mass(name) = strstrt(name, 'mass_1') > 0 ? 1 : 2
+known(plane, value) = strcol('plane') eq plane && strcol('end') ne 'lost' && strcol('end') ne 'leaves the box' ? value : NaN
+lost(plane, value) = strcol('plane') eq plane && strcol('end') eq 'lost' ? value : NaN
+
+array plane[5] = ['omega_r', 'omega_r', 'omega_A1', '5a', '5b']
+array table[5] = ['', '', '_omega_A1', '_5a', '_5b']
+array x_name[5] = ['Ω', 'Ω', 'Ω', '{/:Italic s}_1 at the frequency of Figure 5(a)', '{/:Italic s}_1 at the frequency of Figure 5(b)']
+array y_name[5] = ['{/:Italic r}', '{/:Italic r}', '{/:Italic A}_1', '{/:Italic s}_2', '{/:Italic s}_2']
+array x_column[5] = ['omega', 'omega', 'omega', 'stop1', 'stop1']
+array y_column[5] = ['restitution', 'restitution', 'amplitude1', 'stop2', 'stop2']
+array x_from[5] = [0.2, 0.25, 0.2, 0.0, 0.0]
+array x_to[5] = [0.8, 0.5, 0.8, 0.6, 0.6]
+array y_from[5] = [0.0, 0.64, 0.02, 0.0, 0.0]
+array y_to[5] = [0.98, 0.78, 1.2, 0.6, 0.6]
 
 do for [kind in 'png pdf'] {
-  eval canvas(kind, 'curves', 2)
-  set multiplot layout 2,1
-  set tmargin 3.4
-  set xlabel 'Ω'; set ylabel '{/:Italic r}'
-  set key above left samplen 2 width 1 maxrows 2 font kind eq 'png' ? ',18' : ',8'
-  do for [part = 0:1] {
-    set label 1 (part == 0 ? '(a)' : '(b)') at graph -0.1, graph 1.1
-    if (part == 0) { set xrange [0.2:0.8]; set yrange [0:0.98] } else { set xrange [0.25:0.5]; set yrange [0.64:0.78] }
-    plot below using 'omega':'restitution':(map_drawn ? of_sticks(column('sticks1'), column('sticks2')) : NaN) with image notitle, \
-      for [n in names] curves using (of(n, column('omega'))):'restitution' with lines lc rgb (mass(n) == 1 ? '#12355b' : '#c8442c') dt dashes(n) lw 1.6 notitle, \
-      ends using (strcol('end') eq 'lost' ? column('omega') : NaN):'restitution' with points pt 2 ps 1 lw 1.4 lc rgb '#606060' title 'end', \
-      two using 'omega':'restitution' with points pt 7 ps 1 lc rgb '#202020' title 'codimension two', \
-      NaN with lines lc rgb '#12355b' lw 1.6 title 'border orbit, mass 1', \
-      NaN with lines lc rgb '#c8442c' lw 1.6 title 'mass 2', \
+  eval canvas(kind, 'curves', 4)
+  set multiplot
+  set tmargin 1.2
+  do for [k = 1:5] {
+    set label 1 '('.substr('abcde', k, k).')' at graph (k > 3 ? -0.2 : -0.1), graph 1.02
+    set xlabel x_name[k]; set ylabel y_name[k]
+    set xrange [x_from[k]:x_to[k]]; set yrange [y_from[k]:y_to[k]]
+    set origin k == 5 ? 0.5 : 0.0, k > 3 ? 0.0 : 0.94 - 0.235 * k
+    set size k > 3 ? 0.5 : 1.0, 0.235
+    if (k == 1) { set key at screen 0.97, screen 0.995 right top samplen 3 width 0 maxrows 4 font kind eq 'png' ? ',18' : ',8' } else { unset key }
+    map = data.'/atlas_'.plane[k].'.csv'
+    curves = data.'/atlas_curves'.table[k].'.csv'
+    map_drawn = system("test -e '".map."' && echo 1") eq '1'
+    below = map_drawn ? map : curves
+    names = system("awk -F, 'NR > 1 && $1 != last {print $1; last = $1}' '".curves."'")
+    plot below using x_column[k]:y_column[k]:(map_drawn ? of_sticks(column('sticks1'), column('sticks2'), column('dual_sticking')) : NaN) with image notitle, \
+      for [n in names] curves using (of(n, column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt dashes(n) lw 1.6 notitle, \
+      ends using (lost(plane[k], column('x'))):'y' with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' notitle, \
+      ends using (known(plane[k], column('x'))):'y' with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' notitle, \
+      two using (k < 3 ? column('omega') : NaN):'restitution' with points pt 7 ps 0.9 lc rgb '#202020' notitle, \
+      NaN with lines lc rgb '#12355b' dt 1 lw 1.6 title 'border orbit, mass 1', \
+      NaN with lines lc rgb '#c8442c' dt 1 lw 1.6 title 'border orbit, mass 2', \
       NaN with lines lc rgb '#12355b' dt 2 lw 1.6 title 'multi-sliding, mass 1', \
-      NaN with lines lc rgb '#c8442c' dt 2 lw 1.6 title 'mass 2'
+      NaN with lines lc rgb '#c8442c' dt 2 lw 1.6 title 'multi-sliding, mass 2', \
+      NaN with lines lc rgb '#c8442c' dt 3 lw 1.6 title 'grazing, mass 2 (e)', \
+      NaN with lines lc rgb '#7b3294' dt 1 lw 1.6 title 'period doubling', \
+      NaN with lines lc rgb '#7b3294' dt 3 lw 1.6 title 'fold', \
+      NaN with points pt 7 ps 0.9 lc rgb '#202020' title 'two on one orbit', \
+      NaN with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' title 'end, located', \
+      NaN with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' title 'given up'
   }
   unset multiplot
   unset output

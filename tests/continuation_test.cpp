@@ -116,12 +116,13 @@ TEST(BifurcationCurves, AreWhereTheCountsChange) {
       continue;
     const StartedCurve found = started(start);
     for (int direction : {1, -1}) {
-      const FollowedCurve curve = follow_curve(corrector_of(found.curve), found.point, omega_r_box,
-                                               direction, {.step = 0.008, .most = 4});
+      const FollowedCurve curve =
+          follow_curve(corrector_of(found.curve), found.point, omega_r_plane().box, direction,
+                       {.step = 0.008, .most = 4});
       ASSERT_EQ(curve.points.size(), 4u) << start.name;
       const CurvePoint &last = curve.points.back();
       EXPECT_GT(std::abs(last.at.y - 0.7), 2e-3) << start.name;
-      const auto distance = distance_by_counting(found.curve, last, omega_r_box);
+      const auto distance = distance_by_counting(found.curve, last, omega_r_plane().box);
       ASSERT_TRUE(distance) << start.name << " " << last.at.x << " " << last.at.y;
       EXPECT_LT(*distance, 1e-9) << start.name << " " << last.at.x << " " << last.at.y;
       ++checked;
@@ -156,14 +157,14 @@ TEST(BifurcationCurves, OfBothMassesCross) {
       found.push_back(started(start));
   ASSERT_EQ(found.size(), 2u);
   const auto crossing = crossing_of(corrector_of(found[0].curve), corrector_of(found[1].curve),
-                                    found[0].point, found[1].point, omega_r_box, 3e-9);
+                                    found[0].point, found[1].point, omega_r_plane().box, 3e-9);
   ASSERT_TRUE(crossing);
   for (const CurvePoint &point : {crossing->one, crossing->other}) {
     EXPECT_NEAR(point.at.x, 0.40385105, 1e-8);
     EXPECT_NEAR(point.at.y, 0.70001333, 1e-8);
   }
-  EXPECT_LT(*distance_by_counting(found[0].curve, crossing->one, omega_r_box), 1e-8);
-  EXPECT_LT(*distance_by_counting(found[1].curve, crossing->other, omega_r_box), 1e-8);
+  EXPECT_LT(*distance_by_counting(found[0].curve, crossing->one, omega_r_plane().box), 1e-8);
+  EXPECT_LT(*distance_by_counting(found[1].curve, crossing->other, omega_r_plane().box), 1e-8);
 }
 
 // Mass 2 of Figure 5(b) grazes: through the point of one parameter in frequency, and in the plane

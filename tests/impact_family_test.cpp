@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "paper_scenes.hpp"
-#include "table_reader.hpp"
+#include "published_vivid.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
@@ -18,70 +16,17 @@ namespace {
 using namespace vibro_impact;
 using Kind = Parameter::Kind;
 
-// x'' + 0.04 x' + x = F cos(omega t), x <= 1, r = 0.9: Ghosh and Simpson (arXiv 2510.16218).
-Scene oscillator(double omega, double amplitude) {
-  Scene scene;
-  scene.mass = {1.0};
-  scene.stiffness = {1.0};
-  scene.beta = 0.04;
-  scene.amplitude = {amplitude};
-  scene.omega = omega;
-  scene.restitution = 0.9;
-  scene.stops = {{1, Side::upper, 1.0}};
-  return scene;
-}
-
-// Orbits of two forcing periods with one impact, followed in F.
-ImpactFamily two_periods(double omega, double amplitude) {
-  return {oscillator(omega, amplitude), {Kind::amplitude, 1}, 0, 2};
-}
-
 // F at which the motion without impact grazes: its amplitude is 1.
 double grazing_amplitude(double omega) {
   return std::hypot(1.0 - omega * omega, 0.04 * omega);
 }
 
-// A row of reference/published_vivid.csv (reference/README.md): on the curves of period doubling
-// (multiplier -1) and of folds (+1).
-struct Row {
-  std::string name;
-  double omega, amplitude, multiplier, speed, time;
-};
-
-const std::vector<Row> &published() {
-  static const std::vector<Row> rows = [] {
-    const std::string path = REFERENCE_DIR "/published_vivid.csv";
-    std::ifstream file = figures::opened(path);
-    std::vector<Row> read;
-    for (const auto &cells : figures::read_rows(file, path, 7))
-      read.push_back({cells[0] + " " + cells[1], std::stod(cells[2]), std::stod(cells[3]),
-                      std::stod(cells[4]), std::stod(cells[5]), std::stod(cells[6])});
-    return read;
-  }();
-  return rows;
-}
-
-const Row &row_named(const std::string &name) {
-  return *std::find_if(published().begin(), published().end(),
-                       [&](const Row &row) { return row.name == name; });
-}
-
-ImpactOrbit orbit_of(const Row &row) {
-  ImpactOrbit guess;
-  const double period = 2.0 * std::numbers::pi / row.omega;
-  guess.speed = row.speed;
-  guess.parameter = row.amplitude;
-  guess.state = {
-      {0, row.time - period * std::floor(row.time / period)}, {1.0}, {-0.9 * row.speed}, {0}};
-  return impact_orbit(two_periods(row.omega, row.amplitude), guess, row.speed).value();
-}
-
 // The published amplitudes at these impact speeds are solved to 1e-10, the multipliers agree to
 // 4e-8 over all 2616 rows of which these are a part.
 TEST(ImpactFamily, AgreesWithThePublishedBranches) {
-  ASSERT_EQ(published().size(), 48u);
-  for (const Row &row : published()) {
-    const ImpactOrbit orbit = orbit_of(row);
+  ASSERT_EQ(published_vivid().size(), 48u);
+  for (const VividRow &row : published_vivid()) {
+    const ImpactOrbit orbit = vivid_orbit(row);
     EXPECT_TRUE(orbit.real) << row.name;
     EXPECT_NEAR(orbit.parameter, row.amplitude, 1e-10) << row.name;
     double nearest = INFINITY;
@@ -95,7 +40,7 @@ TEST(ImpactFamily, AgreesWithThePublishedBranches) {
 // speed 0 the orbit is that without impact of amplitude 1, in closed form. Newton's method takes no
 // more steps there than elsewhere.
 TEST(ImpactFamily, IsFollowedThroughAPeriodDoublingAndThroughGrazing) {
-  const ImpactFamily family = two_periods(0.81, 0.36);
+  const ImpactFamily family = vivid_family(0.81, 0.36);
   const MotionState seed = at_quiet_phase(family.scene, settled(family.scene, 2000));
   const PeriodicOrbit attractor = find_periodic_orbit(family.scene, seed, 2);
   ASSERT_TRUE(attractor.converged && attractor.stable());
@@ -113,8 +58,8 @@ TEST(ImpactFamily, IsFollowedThroughAPeriodDoublingAndThroughGrazing) {
     ++doublings;
     EXPECT_NEAR(found->multipliers[0].real(), -1.0, 1e-10);
     // The published row next to it, where the multiplier is off -1 by 3e-6 (its slope is 28).
-    EXPECT_NEAR(found->parameter, row_named("PD 1").amplitude, 1e-6);
-    EXPECT_NEAR(found->speed, row_named("PD 1").speed, 1e-5);
+    EXPECT_NEAR(found->parameter, vivid_row("PD 1").amplitude, 1e-6);
+    EXPECT_NEAR(found->speed, vivid_row("PD 1").speed, 1e-5);
   }
   EXPECT_EQ(doublings, 1);
   const ImpactOrbit grazing = impact_orbit(family, orbits.back(), 0.0).value();
@@ -129,8 +74,8 @@ TEST(ImpactFamily, IsFollowedThroughAPeriodDoublingAndThroughGrazing) {
 
 // At 0.799 the branch leaves the grazing upwards, turns in a fold and is stable beyond it.
 TEST(ImpactFamily, IsFollowedThroughAFold) {
-  const ImpactFamily family = two_periods(0.799, 0.363);
-  const std::vector<ImpactOrbit> orbits = follow(family, orbit_of(row_named("SN 1")), 0.2, 0.02);
+  const ImpactFamily family = vivid_family(0.799, 0.363);
+  const std::vector<ImpactOrbit> orbits = follow(family, vivid_orbit(vivid_row("SN 1")), 0.2, 0.02);
   const std::vector<ImpactOrbit> back = follow(family, orbits.front(), -0.01, 0.02);
   ASSERT_EQ(orbits.back().speed, 0.2);
   ASSERT_EQ(back.back().speed, -0.01);
@@ -138,8 +83,8 @@ TEST(ImpactFamily, IsFollowedThroughAFold) {
   ASSERT_TRUE(fold.has_value());
   EXPECT_NEAR(fold->multipliers[0].real(), 1.0, 1e-9);
   // F is flat there: 1e-6 of the multiplier are 1e-12 of F.
-  EXPECT_NEAR(fold->parameter, row_named("SN 1").amplitude, 1e-10);
-  EXPECT_NEAR(fold->speed, row_named("SN 1").speed, 1e-4);
+  EXPECT_NEAR(fold->parameter, vivid_row("SN 1").amplitude, 1e-10);
+  EXPECT_NEAR(fold->speed, vivid_row("SN 1").speed, 1e-4);
   EXPECT_GT(orbits.back().parameter, fold->parameter);
   EXPECT_LT(std::abs(orbits.back().multipliers[0]), 1.0);
   EXPECT_NEAR(impact_orbit(family, back.back(), 0.0)->parameter, grazing_amplitude(0.799), 1e-13);
@@ -202,12 +147,12 @@ TEST(ImpactFamily, FollowedInOmegaStaysOnTheOrbits) {
 }
 
 TEST(ImpactFamily, RefusesWhatIsNoFamily) {
-  const Row &row = row_named("PD 1");
-  const ImpactOrbit orbit = orbit_of(row);
-  ImpactFamily family = two_periods(row.omega, row.amplitude);
+  const VividRow &row = vivid_row("PD 1");
+  const ImpactOrbit orbit = vivid_orbit(row);
+  ImpactFamily family = vivid_family(row.omega, row.amplitude);
   const auto refused = [&] {
     EXPECT_THROW(impact_orbit(family, orbit, 0.1), std::invalid_argument);
-    family = two_periods(row.omega, row.amplitude);
+    family = vivid_family(row.omega, row.amplitude);
   };
   family.stop = 1;
   refused();

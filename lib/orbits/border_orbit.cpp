@@ -16,12 +16,6 @@ struct SequenceAtStop {
   FallingSequence sequence;
 };
 
-RunOptions every_impact() {
-  RunOptions options;
-  options.resolve_chatter = 0.0;
-  return options;
-}
-
 std::vector<SequenceAtStop> sequences_of(const Scene &scene, const MotionState &start, int mass,
                                          int periods) {
   check(scene);

@@ -28,4 +28,11 @@ inline void require_fits(const Scene &scene, const MotionState &at) {
   require_held(scene, at.held);
 }
 
+// A run that resolves every chatter until what is left of it lies below rounding.
+inline RunOptions every_impact() {
+  RunOptions options;
+  options.resolve_chatter = 0.0;
+  return options;
+}
+
 }  // namespace vibro_impact

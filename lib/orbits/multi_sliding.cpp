@@ -1,5 +1,6 @@
 #include "vibro_impact/multi_sliding.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -7,6 +8,8 @@
 
 #include "fits.hpp"
 #include "motion_state.hpp"
+#include "parameter_flow.hpp"
+#include "stops/rest.hpp"
 #include "vibro_impact/locate.hpp"
 #include "vibro_impact/periodic_orbit.hpp"
 
@@ -14,53 +17,76 @@ namespace vibro_impact {
 
 namespace {
 
-// What is zero at a bifurcation: as a run tells of it, NaN where it is not defined, and from a
-// state.
+// What is zero at a bifurcation, where it is defined, and its time derivative.
 struct Quantity {
-  std::function<double(const Moment &)> reading;
   std::function<bool(const MotionState &)> defined;
   std::function<double(const MotionState &)> value, rate;
 };
 
-// Its values at uniform times.
-struct QuantityRecorder {
+// Where the quantity falls and, at the next node, rises. Nodes are the events, on both sides of
+// which the motion is looked at, and uniform times close enough for the fastest mode.
+struct MinimumRecorder {
+  const Scene &scene;
   const Quantity &quantity;
+  Held held;
   double from, to, every;
-  std::vector<double> values = {};
+  std::size_t asked = 0;
+  std::optional<MotionState> falling = {};
+  struct Bracket {
+    MotionState start;
+    double length;
+  };
+  std::vector<Bracket> brackets = {};
 
   double next_time() const {
-    return sample_time(from, to, every, values.size());
+    return sample_time(from, to, every, asked);
   }
   void sample(const Moment &moment) {
-    values.push_back(quantity.reading(moment));
+    ++asked;
+    const MotionState at = state_at(moment, held);
+    node(at, at);
+  }
+  void event(const Event &event, const Moment &moment) {
+    MotionState before = state_at(moment, held);
+    if (event.kind == EventKind::impact)
+      before.velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
+    held = event.held;
+    node(before, state_at(moment, held));
+  }
+  void node(const MotionState &before, const MotionState &after) {
+    if (falling && quantity.defined(before) && quantity.rate(before) > 0.0)
+      brackets.push_back({*falling, elapsed(falling->instant, before.instant, Clock(scene.omega))});
+    falling.reset();
+    if (quantity.defined(after) && quantity.rate(after) < 0.0) falling = after;
   }
 };
 
-// Least interior local minimum over one period from `start`: found among samples, then sharpened as
-// the zero of the rate of the state there.
+// The motion later, no event in between.
+MotionState flown(const Scene &scene, const MotionState &from, double time) {
+  PlainMotion motion{view(from.displacement), view(from.velocity)};
+  Eigen::MatrixXd none(2 * motion.displacement.size(), 0);
+  carry(scene, {}, from.held, from.instant.phase, time, motion, none);
+  return {later(from.instant, time, Clock(scene.omega)),
+          {motion.displacement.begin(), motion.displacement.end()},
+          {motion.velocity.begin(), motion.velocity.end()},
+          from.held};
+}
+
+// Least interior local minimum over one period from `start`: the zero of the rate between nodes.
 std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
                                         const Quantity &quantity) {
   start.instant.cycle = 0;  // times are then exact phases; to the motion all cycles are the same
-  const double from = start.instant.phase, period = Clock(scene.omega).period;
-  QuantityRecorder samples{quantity, from, from + period, period / 4096};
-  stroboscopic_map(scene, start, 1, {}, samples);
-  const auto time = [&samples](std::size_t k) {
-    return samples.from + samples.every * static_cast<double>(k);
-  };
-  const auto state_at = [&](double t) {
-    return require_complete(simulate_from(scene, start, t)).state;
-  };
-  const auto rate = [&](double t) { return quantity.rate(state_at(t)); };
+  const double from = start.instant.phase, period = Clock(scene.omega).period,
+               every = std::min(period / 64.0, 0.125 / rate_of(scene));
+  MinimumRecorder nodes{scene, quantity, start.held, from, from + period, every};
+  stroboscopic_map(scene, start, 1, {}, nodes);
   std::optional<LeastValue> least;
-  const std::vector<double> &values = samples.values;
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    // False beside a NaN: only minima inside a phase count.
-    if (!(values[i] <= values[i - 1] && values[i] < values[i + 1])) continue;
-    if (!quantity.defined(state_at(time(i)))) continue;
-    if (!(rate(time(i - 1)) < 0.0 && rate(time(i + 1)) > 0.0)) continue;  // a kink, not a minimum
-    MotionState at = state_at(zero(rate, time(i - 1), time(i + 1)).value);
-    const double value = quantity.value(at);
-    if (!least || value < least->value) least = {value, std::move(at)};
+  for (const auto &[at, length] : nodes.brackets) {
+    const auto rate = [&](double time) { return quantity.rate(flown(scene, at, time)); };
+    if (!(rate(length) > 0.0)) continue;  // at the node itself, to rounding
+    MotionState lowest = flown(scene, at, zero(rate, 0.0, length).value);
+    const double value = quantity.value(lowest);
+    if (!least || value < least->value) least = {value, std::move(lowest)};
   }
   return least;
 }
@@ -80,9 +106,7 @@ std::optional<LeastValue> where_pressing_force_is_least(const Scene &scene,
   require_stop(scene, stop);
   return least_minimum(
       scene, start,
-      {[&](const Moment &moment) { return sign(stop.side) * moment.hold_force(stop.mass); },
-       // Not held at the stop across.
-       [&](const MotionState &at) { return holds(stop, at.held); },
+      {[&](const MotionState &at) { return holds(stop, at.held); },  // not at the stop across
        [&](const MotionState &at) { return pressing_force(scene, stop, at); },
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
 }
@@ -94,10 +118,7 @@ std::optional<LeastValue> where_gap_is_least(const Scene &scene, const MotionSta
   const auto p = static_cast<std::size_t>(stop.mass - 1);
   return least_minimum(
       scene, start,
-      {[&](const Moment &moment) {
-         return sigma * (stop.position - moment.displacement(stop.mass));
-       },
-       [](const MotionState &) { return true; },
+      {[p](const MotionState &at) { return at.held[p] == 0; },
        [&](const MotionState &at) { return sigma * (stop.position - at.displacement[p]); },
        [&](const MotionState &at) { return -sigma * at.velocity[p]; }});
 }

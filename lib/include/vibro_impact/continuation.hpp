@@ -27,6 +27,7 @@ struct CurvePoint {
   MotionState state;    // of the orbit, at a section
   double time = 0.0;    // after the section, of what is zero there
   int count = -1;       // of what happens on the side where the motion is followed
+  double speed = 0.0;   // of the impact that is the section of a period doubling or a fold
 };
 
 // The point of the curve on the line through `guess` in the direction of `across`, near

@@ -4,6 +4,7 @@
 #include "bifurcation_curve.hpp"
 #include "border_orbit.hpp"
 #include "continuation.hpp"
+#include "curve_end.hpp"
 #include "event_pairs.hpp"
 #include "hold_force.hpp"
 #include "impact_family.hpp"

@@ -1,0 +1,67 @@
+// A point of a bifurcation curve, kind by kind: what the correctors of bifurcation_curve.cpp are
+// made of.
+#pragma once
+
+#include "vibro_impact/bifurcation_curve.hpp"
+
+namespace vibro_impact {
+
+// Kinds followed as families by the speed of an impact.
+inline bool of_impacts(Bifurcation what) {
+  return what == Bifurcation::period_doubling || what == Bifurcation::fold;
+}
+
+// What is zero on the curve at a point beside it.
+struct Reading {
+  double value = 0.0;
+  PlanePoint gradient;
+  MotionState state;
+  double time = 0.0;
+};
+
+inline PlanePoint moved(const PlanePoint &from, const PlanePoint &direction, double by) {
+  return {from.x + by * direction.x, from.y + by * direction.y};
+}
+
+inline double along(const PlanePoint &gradient, const PlanePoint &direction) {
+  return gradient.x * direction.x + gradient.y * direction.y;
+}
+
+// The time at the same angle of the forcing in another scene.
+inline double same_angle(double time, const Scene &from, const Scene &to) {
+  return time * from.omega / to.omega;
+}
+
+// The orbit from a neighbouring motion of scene `from`: by Newton's method, or where that fails,
+// from the motion followed for a while.
+std::optional<PeriodicOrbit> orbit_in(const Scene &scene, const Scene &from, MotionState seed,
+                                      int periods, const RunOptions &run);
+
+// A reading at `read`, very near, made a point of the curve, at a section far from events.
+CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
+                      const Reading &reading, double error);
+
+// Multi-sliding and grazing (one_sided_curve.cpp): on the line through `guess`, from the side where
+// the value is positive, the direction `side` of `across`; from a motion of scene `from`. `count`:
+// of what happens on that side, any if negative.
+std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const PlanePoint &guess,
+                                        const PlanePoint &across, const Scene &from,
+                                        const MotionState &start, double side, int count);
+
+// Border orbits (border_curve.cpp): by Newton's method in the excess with the depth growing, since
+// the zero of one depth lies in the window of the next. The border lies between where the chatter
+// completes, `side` of `across`, and where it does not; `reach` is the first step that looks for
+// the other.
+std::optional<CurvePoint> by_depth(const BifurcationCurve &curve, const PlanePoint &guess,
+                                   const PlanePoint &across, Scene from, MotionState seed,
+                                   double time, double side, double reach);
+
+// Period doublings and folds (impact_curve.cpp): by Newton's method in the speed of an impact and
+// the place on the line.
+std::optional<CurvePoint> by_speed(const BifurcationCurve &curve, const PlanePoint &guess,
+                                   const PlanePoint &across, ImpactOrbit orbit);
+
+// The orbit of the family in x at a point of such a curve.
+ImpactOrbit impact_orbit_at(const BifurcationCurve &curve, const CurvePoint &point);
+
+}  // namespace vibro_impact
