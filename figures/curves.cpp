@@ -10,11 +10,11 @@
 #include "curves.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <functional>
 #include <random>
 
 #include "driver.hpp"
+#include "parallel.hpp"
 
 namespace {
 
@@ -171,19 +171,11 @@ void draw(const std::filesystem::path &output) {
   const std::vector<Work> work = work_on(planes);
   std::vector<WholeCurve> curves(work.size());
   Progress progress("curves", static_cast<double>(work.size()));
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < work.size(); ++k) {
-    try {
-      curves[k] = whole(work[k].name, *work[k].plane, work[k].start(), static_cast<unsigned>(k));
-    } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
+  figures::in_parallel(work.size(), [&](std::size_t k) {
+    curves[k] = whole(work[k].name, *work[k].plane, work[k].start(), static_cast<unsigned>(k));
 #pragma omp critical
     progress.advance();
-  }
-  if (failure) std::rethrow_exception(failure);
+  });
   Table ends("plane,curve,x,y,end,error,value");
   for (const CurvePlane &plane : planes) {
     Table points("curve,bifurcation,mass,period," + name(plane.x) + "," + name(plane.y) +

@@ -84,7 +84,7 @@ TEST(ImpactCurve, EndsOnTheGrazingCurveWhereTheFlightIsHalfAWholeNumberOfOscilla
     ASSERT_EQ(found.end, CurveEnd::lost) << due.row;
     const auto end = end_of(corrector_of(curve), end_conditions(curve), found.points, box);
     ASSERT_TRUE(end) << due.row;
-    EXPECT_EQ(end->condition, "grazing, mass 1") << due.row;
+    EXPECT_EQ(end->condition, "grazing of mass 1") << due.row;
     EXPECT_NEAR(end->at.y, due.omega, 1e-9) << due.row;
     EXPECT_NEAR(end->at.x, std::hypot(1.0 - due.omega * due.omega, 0.04 * due.omega), 1e-9);
     EXPECT_LT(end->error, 1e-9) << due.row;
@@ -117,6 +117,16 @@ TEST(ImpactCurve, OfTwoMassesHasTheMultipliersOfTheStroboscopicMap) {
       EXPECT_LT(*distance, 1e-9) << start.name;
     }
   }
+}
+
+TEST(ImpactCurve, RefusesTheStartOfAnotherKind) {
+  const VividRow &row = vivid_row("PD 1");
+  BifurcationCurve curve = curve_of(row);
+  const ImpactOrbit orbit = vivid_orbit(row);
+  EXPECT_THROW(point_of(curve, {0.3475, 0.81}, {1.0, 0.0}, orbit.state, 0.0),
+               std::invalid_argument);
+  curve.what = Bifurcation::grazing;
+  EXPECT_THROW(point_of(curve, orbit), std::invalid_argument);
 }
 
 // The right half of an ellipse ends where x = 0: x falls there as the square root of the way left.

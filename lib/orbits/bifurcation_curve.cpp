@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "chain/require.hpp"
 #include "curve_kinds.hpp"
 
 namespace vibro_impact {
@@ -73,6 +74,7 @@ Corrector corrector_of(const BifurcationCurve &curve) {
 
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoint &guess,
                                    const PlanePoint &across, const MotionState &seed, double time) {
+  require(!of_impacts(curve.what), name(curve.what), ": is found from an orbit by impact speed");
   const Scene from = curve.at(guess);
   if (curve.what == Bifurcation::border_orbit)
     return by_depth(curve, guess, across, from, seed, time, 1.0, 1e-6);
@@ -80,6 +82,7 @@ std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoi
 }
 
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const ImpactOrbit &near) {
+  require(of_impacts(curve.what), name(curve.what), ": is found from a motion near the orbit");
   return by_speed(curve, {near.parameter, get(curve.scene, curve.y)}, {1.0, 0.0}, near);
 }
 

@@ -62,7 +62,7 @@ double slowest_impact(const Beside &at, int mass) {
 }
 
 std::string grazing_of(int mass) {
-  return std::string("grazing, mass ").append(std::to_string(mass));
+  return std::string("grazing of mass ").append(std::to_string(mass));
 }
 
 double below_fold(const Beside &at) {

@@ -18,11 +18,10 @@ const char *name(Bifurcation bifurcation);
 
 struct BifurcationCurve {
   Bifurcation what = Bifurcation::multi_sliding;
-  Scene scene;     // but for the parameters x and y
-  Parameter x, y;  // as TangentRecorder takes them
-  std::size_t stop =
-      0;            // index in Scene::stops: of the phase, the chatter, the least gap, the impact
-  int periods = 1;  // of the orbit
+  Scene scene;           // but for the parameters x and y
+  Parameter x, y;        // as TangentRecorder takes them
+  std::size_t stop = 0;  // of the phase, the chatter, the gap, the impact: index in Scene::stops
+  int periods = 1;       // of the orbit
 
   Scene at(const PlanePoint &point) const;
 };
@@ -37,12 +36,13 @@ Corrector corrector_of(const BifurcationCurve &curve);
 
 // A first point of the curve on the line through `guess` in direction `across`, which points to
 // where the phase is whole, the stop not touched, the chatter complete; from a motion near the
-// orbit. `time`: of the end of the chatter of a border orbit, after the section.
+// orbit. `time`: of the end of the chatter of a border orbit, after the section. Throws
+// std::invalid_argument for a period doubling or a fold.
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoint &guess,
                                    const PlanePoint &across, const MotionState &seed, double time);
 
 // The same of a period doubling or a fold, from an orbit near it of the family in x, of
-// curve.scene: at the y of that scene.
+// curve.scene: at the y of that scene. Throws std::invalid_argument for other kinds.
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const ImpactOrbit &near);
 
 }  // namespace vibro_impact

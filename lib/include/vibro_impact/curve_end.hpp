@@ -17,7 +17,7 @@ struct EndCondition {
 };
 
 // Of a curve of bifurcations:
-//   "grazing, mass 1"         the speed of the slowest of its impacts outside complete chatters, or
+//   "grazing of mass 1"         the speed of the slowest of its impacts outside complete chatters, or
 //                             the least gap between impacts
 //   "fold"                    1 minus the largest real Floquet multiplier (not of a curve of folds)
 //   "beginning of the phase"  multi-sliding: the time of the least force after the beginning
