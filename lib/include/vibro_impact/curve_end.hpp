@@ -17,8 +17,8 @@ struct EndCondition {
 };
 
 // Of a curve of bifurcations:
-//   "grazing of mass 1"         the speed of the slowest of its impacts outside complete chatters, or
-//                             the least gap between impacts
+//   "grazing of mass 1"       the speed of the slowest of its impacts outside complete chatters,
+//                             or the least gap between impacts
 //   "fold"                    1 minus the largest real Floquet multiplier (not of a curve of folds)
 //   "beginning of the phase"  multi-sliding: the time of the least force after the beginning
 //   "end of the phase"        multi-sliding: the square of the time from there to the release,
