@@ -31,16 +31,13 @@ struct Contraction {
   void add(std::size_t section, double distance, double floor) {
     double &before = distances[section % distances.size()],
            &ratio = ratios[section % distances.size()];
-    if (before > floor && before < unknown) {
-      const double now = distance / before, mu = std::max(now, ratio);
-      to_come = mu < 1.0 ? distance * mu / (1.0 - mu) : unknown;
-      ratio = now;
-    } else if (distance > floor || before == unknown) {
-      to_come = unknown;
-    } else {  // twice below what can be told apart
-      const double mu = ratio < 1.0 ? ratio : 0.0;
-      to_come = distance * mu / (1.0 - mu);
-    }
+    if (before > floor && before < unknown)
+      ratio = distance / before;
+    else if (distance > floor || before == unknown)
+      ratio = unknown;
+    else if (ratio == unknown)  // twice below what can be told apart
+      ratio = 0.0;
+    to_come = ratio < 1.0 ? distance * ratio / (1.0 - ratio) : unknown;
     before = distance;
   }
 };
@@ -229,8 +226,8 @@ class Sections {
         if (apart <= 10.0 * options_.tolerance && repeats_after(q)) {
           return settle_on(q, p);
         }
-        // Of a motion of period p the states q apart stay so: else it is still on its way.
-        if (std::abs(apart - distance(q, p)) > 4.0 * options_.tolerance) return;
+        // Sections of one orbit are not so near each other, but at a period doubling.
+        if (apart <= 1e4 * options_.tolerance) return;
       }
       return settle_on(p, p);
     }

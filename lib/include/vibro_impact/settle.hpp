@@ -2,17 +2,19 @@
 // events of a motion counted.
 //
 // At the section of the stroboscopic map (the phase of the start) the state z_n is compared with
-// that p periods before. With the distance d_n of the two and the contraction mu, the larger of the
-// last two of d_n / d_(n-p), what is still to come is estimated by d_n mu / (1 - mu), the rest of
-// the geometric sequence. The distance is the largest over the masses of the amplitude of vibration
-// that is left: for a mass of frequency w between neighbours that stand still, the larger of
-// (x^2 + (v/w)^2)^(1/2) and w times that. A component by itself is small once in every turn of the
-// state, however far the orbit, and the more so the stiffer the chain.
+// that p periods before. With the distance d_n of the two and the contraction mu = d_n / d_(n-p),
+// what is still to come is estimated by d_n mu / (1 - mu), the rest of the geometric sequence. The
+// distance is the largest over the masses of the amplitude of vibration that is left: for a mass of
+// frequency w between neighbours that stand still, the larger of (x^2 + (v/w)^2)^(1/2) and w times
+// that. A component by itself is small once in every turn of the state, however far the orbit, and
+// the more so the stiffer the chain.
 //
 // A motion counts as settled, of period p, when the estimate lies below a tolerance, the contact
-// mode is that of p periods before, the states of shorter periods stay apart, and the events of the
-// last p periods are those of the p before them, but for the impacts of a complete chatter: of its
-// infinitely many, as many are told as it takes to find the limit.
+// mode is that of p periods before, and the events of the last p periods are those of the p before
+// them, but for the impacts of a complete chatter: of its infinitely many, as many are told as it
+// takes to find the limit. Where states q periods apart, q a divisor of p, are within ten
+// tolerances the period is q; where they are within 10,000 it is not decided yet: a motion that
+// turns around its orbit comes near to itself after some number of periods long before it is there.
 #pragma once
 
 #include <vector>
