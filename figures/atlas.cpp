@@ -46,6 +46,7 @@ RecordOptions what_is_shown() {
   RecordOptions options;
   options.settle.longest = 200;
   options.lyapunov = true;
+  options.pairs = true;
   return options;
 }
 

@@ -42,6 +42,18 @@ TEST_F(Runner, ASweepGivesTheRecordsOfTheLibrary) {
   EXPECT_EQ(result.err.find('%'), std::string::npos) << "no progress of a short sweep";
 }
 
+// Figure 5(a): one mass hits while the other is held.
+TEST_F(Runner, ASweepTellsThePairsOfTableI) {
+  const Result result =
+      run("sweep --omega 0.1769 --stop 1:upper:0.3 --stop 2:upper:0.3 --vary restitution=0.6:0.7:2 "
+          "--pairs --no-lyapunov");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto rows = lines(result.out);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_TRUE(rows[0].ends_with(",dual_sticking,pairs"));
+  EXPECT_TRUE(rows[2].ends_with(",0,SI")) << rows[2];
+}
+
 TEST_F(Runner, ASweepDoesNotDependOnThreadsOrProcesses) {
   const std::string expected = run("sweep --threads 1 " + ranges).out;
   ASSERT_EQ(lines(expected).size(), 77u);

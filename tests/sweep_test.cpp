@@ -31,7 +31,7 @@ RecordOptions everything() {
   RecordOptions options;
   options.settle.longest = 60;
   options.counted = 10;
-  options.lyapunov = options.impact_velocities = true;
+  options.lyapunov = options.impact_velocities = options.pairs = true;
   return options;
 }
 

@@ -21,9 +21,10 @@ constexpr const char *footer =
     "per\n"
     "forcing period (a mean over the period, or over --counted; impacts of a complete chatter,\n"
     "infinitely many, are not counted); dual_sticking (1: two masses are held at some time);\n"
-    "lyapunov (greatest Lyapunov exponent, per unit of time). A point at which the run is given "
-    "up\n"
-    "has empty cells. The table does not depend on the number of threads or processes. Until it "
+    "lyapunov (greatest Lyapunov exponent, per unit of time); pairs (DG, DS, DI, GS, GI, SI, or "
+    "-).\n"
+    "A point at which the run is given up has empty cells. The table does not depend on the number "
+    "of threads or processes. Until it "
     "is\n"
     "complete its rows stand in FILE.partial, from which --resume goes on.\n"
     "Exit status: 0 done, 1 a file could not be written, 2 bad input.";
@@ -103,6 +104,7 @@ SweepGiven add_sweep_options(CLI::App &app, SweepWords &words) {
   option(app, "--max-impacts", words.most_impacts, "N",
          "Give up a point beyond this many impacts in one forcing period");
   app.add_flag("--no-lyapunov", words.no_lyapunov, "Leave out the Lyapunov exponent");
+  app.add_flag("--pairs", words.pairs, "Add the pairs of events of Table I that occur");
   app.add_flag("--progress", words.progress,
                "Show progress and time left also where standard error is no terminal");
   app.footer(footer);
@@ -123,6 +125,7 @@ SweepRequest sweep_of(const CLI::App &app, const SweepWords &words, const SweepG
       count_of("--max-impacts", words.most_impacts, 1'000'000'000'000'000);
   request.records.counted = static_cast<int>(count_of("--counted", words.counted, 1000000));
   request.records.lyapunov = !words.no_lyapunov;
+  request.records.pairs = words.pairs;
   if (given.threads->count() > 0)
     request.threads = static_cast<int>(count_of("--threads", words.threads, 1024));
   if (words.table.empty()) throw BadInput("--table '': must name a file");

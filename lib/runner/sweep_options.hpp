@@ -24,7 +24,7 @@ struct SweepWords {
   std::vector<std::string> vary;
   std::string table = "-", threads, longest = "400", counted = "40", most_periods = "8",
               tolerance = "1e-10", most_impacts = "1000000";
-  bool resume = false, progress = false, no_lyapunov = false;
+  bool resume = false, progress = false, no_lyapunov = false, pairs = false;
 };
 
 struct SweepGiven {

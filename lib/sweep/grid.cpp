@@ -60,6 +60,21 @@ void check(const Grid &grid) {
   }
 }
 
+namespace {
+
+// "DS SI", "-" for none.
+std::string listed(const std::vector<EventPair> &pairs) {
+  if (pairs.empty()) return "-";
+  std::string text;
+  for (const EventPair pair : pairs) {
+    if (!text.empty()) text += ' ';
+    text += abbreviation(pair);
+  }
+  return text;
+}
+
+}  // namespace
+
 Table sweep_table(const Grid &grid, const RecordOptions &records) {
   std::string header;
   for (const Axis &axis : grid.axes) header += name(axis.parameter) + ",";
@@ -67,7 +82,8 @@ Table sweep_table(const Grid &grid, const RecordOptions &records) {
   for (const char *what : {",sticks", ",impacts"})
     for (int i = 1; i <= grid.scene.masses(); ++i) header += what + std::to_string(i);
   header += ",dual_sticking";
-  return Table(records.lyapunov ? header + ",lyapunov" : header);
+  if (records.lyapunov) header += ",lyapunov";
+  return Table(records.pairs ? header + ",pairs" : header);
 }
 
 void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::size_t point,
@@ -75,7 +91,7 @@ void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::
   for (const double value : grid.values(point)) table.cell(value);
   const EventCounts &counts = record.counts;
   if (counts.periods == 0) {
-    const int empty = 2 * grid.scene.masses() + (records.lyapunov ? 3 : 2);
+    const int empty = 2 * grid.scene.masses() + 2 + records.lyapunov + records.pairs;
     for (int k = 0; k < empty; ++k) table.cell(std::string_view());
     return table.end_row();
   }
@@ -84,6 +100,7 @@ void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::
     for (const int count : *what) table.cell(count / static_cast<double>(counts.periods));
   table.cell(counts.dual_sticking ? 1 : 0);
   if (records.lyapunov) table.cell(record.lyapunov.value_or(NAN));
+  if (records.pairs) table.cell(listed(record.pairs));
   table.end_row();
 }
 

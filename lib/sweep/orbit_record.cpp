@@ -1,5 +1,7 @@
 #include "vibro_impact/orbit_record.hpp"
 
+#include <algorithm>
+
 #include "chain/require.hpp"
 #include "vibro_impact/lyapunov.hpp"
 #include "vibro_impact/periodic_orbit.hpp"
@@ -47,6 +49,20 @@ double exponent_of(const Scene &scene, const OrbitRecord &record, const RecordOp
   return growth.exponent();
 }
 
+std::vector<EventPair> pairs_of(const Scene &scene, const OrbitRecord &record,
+                                const RecordOptions &options, RecordWork &work) {
+  const int periods = 2 * (record.period > 0 ? record.period : options.counted);
+  work.recorded += periods;
+  PressedEventRecorder recorder{scene};
+  stroboscopic_map(scene, record.state, periods, options.settle.run, recorder);
+  const std::vector<PairedEvents> pairs = event_pairs(recorder.events);
+  std::vector<EventPair> found;
+  for (const EventPair kind : all_event_pairs)
+    if (std::any_of(pairs.begin(), pairs.end(), [kind](auto &pair) { return pair.kind == kind; }))
+      found.push_back(kind);
+  return found;
+}
+
 }  // namespace
 
 OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
@@ -65,6 +81,7 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
   record.state = std::move(motion.state);
   record.state.instant.cycle = 0;
   if (options.lyapunov) record.lyapunov = exponent_of(scene, record, options, record.work);
+  if (options.pairs) record.pairs = pairs_of(scene, record, options, record.work);
   return record;
 }
 

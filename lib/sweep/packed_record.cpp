@@ -12,10 +12,12 @@ namespace {
 // The parts of a record in their order, once for both directions.
 template <class Bytes, class Record>
 void pass(Bytes &&bytes, Record &record) {
-  auto &[period, to_come, counts, lyapunov, impact_velocities, state, work, counters] = record;
+  auto &[period, to_come, counts, lyapunov, pairs, impact_velocities, state, work, counters] =
+      record;
   auto &[periods, impacts, sticks, chatters, dual] = counts;
-  bytes(period, to_come, periods, impacts, sticks, chatters, dual, lyapunov, impact_velocities,
-        state.instant, state.displacement, state.velocity, state.held, work, counters);
+  bytes(period, to_come, periods, impacts, sticks, chatters, dual, lyapunov, pairs,
+        impact_velocities, state.instant, state.displacement, state.velocity, state.held, work,
+        counters);
 }
 
 struct Packer {

@@ -37,7 +37,9 @@ struct Contraction {
       ratio = unknown;
     else if (ratio == unknown)  // twice below what can be told apart
       ratio = 0.0;
-    to_come = ratio < 1.0 ? distance * ratio / (1.0 - ratio) : unknown;
+    // A single small ratio may be chance: no less than the distance, where that can be told.
+    to_come = ratio < 1.0 ? distance * std::max(ratio / (1.0 - ratio), distance > floor ? 1.0 : 0.0)
+                          : unknown;
     before = distance;
   }
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "event_pairs.hpp"
 #include "settle.hpp"
 
 namespace vibro_impact {
@@ -14,6 +15,7 @@ struct RecordOptions {
   int counted = 40;                // forcing periods over which a motion that does not settle is
                                    // recorded, after SettleOptions::longest, >= 1
   bool lyapunov = false;           // greatest Lyapunov exponent
+  bool pairs = false;              // the pairs of Table I that occur
   bool impact_velocities = false;  // every impact faster than `slowest`
   double slowest = 1e-4;           // >= 0
 };
@@ -30,6 +32,7 @@ struct OrbitRecord {
   double to_come = 0.0;            // as in SettledMotion
   EventCounts counts;              // over one period, or RecordOptions::counted forcing periods
   std::optional<double> lyapunov;  // if asked for
+  std::vector<EventPair> pairs;    // each once, in the order of Table I; if asked for
   // Velocities just before the impacts over these periods, per mass, in the order of time; if asked
   // for.
   std::vector<std::vector<double>> impact_velocities;
@@ -42,7 +45,8 @@ struct OrbitRecord {
 // The record of the motion from `start`, or from the initial state of the scene. The Lyapunov
 // exponent of a motion that has settled is ln|mu| / (p T), mu its largest Floquet multiplier over
 // its period of p forcing periods T; that of any other the growth of tangents over
-// RecordOptions::counted forcing periods. Throws as `settle` does.
+// RecordOptions::counted forcing periods. Pairs of events are looked for over two periods, so that
+// every sticking phase is whole in one of them. Throws as `settle` does.
 OrbitRecord record_of(const Scene &scene, const MotionState &start,
                       const RecordOptions &options = {});
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});

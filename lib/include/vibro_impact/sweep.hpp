@@ -82,8 +82,9 @@ std::vector<OrbitRecord> sweep(const Grid &grid, const RecordOptions &records = 
                                const SweepOptions &options = {});
 
 // The table of a sweep: the parameters of the axes, then period, sticks1 .., impacts1 .. (per
-// forcing period), dual_sticking (0 or 1) and, with RecordOptions::lyapunov, lyapunov. The cells of
-// a record of no periods, of a point that was given up, are empty.
+// forcing period), dual_sticking (0 or 1) and, where RecordOptions asks for them, lyapunov and pairs
+// ("DS SI", "-" for none). The cells of a record of no periods, of a point that was given up, are
+// empty.
 Table sweep_table(const Grid &grid, const RecordOptions &records);
 void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::size_t point,
              const OrbitRecord &record);

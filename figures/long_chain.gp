@@ -1,0 +1,43 @@
+# Ten masses, stops on three of them, from rest: impact velocities against the forcing frequency
+# (a); in the plane of frequency and restitution the period (b) and how many masses stick (c).
+load 'figures/style.gp'
+
+map = data.'/long_chain_map.csv'
+diagram = data.'/long_chain.csv'
+# The colours of Okabe and Ito, which the colour-blind tell apart, and greys, as in the atlas.
+array colour[12] = ['#e6e6e6', '#56b4e9', '#009e73', '#f0e442', '#e69f00', '#8c8c8c', '#000000', \
+  '#e6e6e6', '#e69f00', '#56b4e9', '#009e73', '#0072b2']
+array meaning[12] = ['period 1', '2', '3', '4', '5 to 8', 'none, λ < 0', 'none, λ > 0', \
+  'no mass sticks', 'one', 'two in turn', 'three in turn', 'some at once']
+set palette defined (1 colour[1], 2 colour[2], 3 colour[3], 4 colour[4], 5 colour[5], 6 colour[6], \
+  7 colour[7], 8 colour[8], 9 colour[9], 10 colour[10], 11 colour[11], 12 colour[12]) maxcolors 12
+set cbrange [0.5:12.5]
+unset colorbox
+of_period(p, lambda) = p > 4 ? 5 : p > 0 ? p : lambda > 0 ? 7 : 6
+of_sticks(a, b, c, dual) = dual > 0 ? 5 : 1 + (a > 0) + (b > 0) + (c > 0)
+of_mass(k) = column('mass') == k ? column('v') : NaN
+
+do for [kind in 'png pdf'] {
+  eval canvas(kind, 'long_chain', 3)
+  size = kind eq 'png' ? 0.25 : 0.08
+  set multiplot layout 3,1
+  set xlabel 'Ω'
+  set xrange [0.05:0.8]; set xtics 0.05
+  eval panel('a')
+  set ylabel 'impact velocity'
+  set key at graph 0.46, graph 0.12 opaque maxrows 1 samplen 1
+  plot diagram using 'omega':(of_mass(1)) with points lt 1 pt 7 ps size title 'mass 1', \
+    '' using 'omega':(of_mass(5)) with points lt 2 pt 7 ps size title 'mass 5', \
+    '' using 'omega':(of_mass(10)) with points pt 7 ps size lc rgb '#c9952c' title 'mass 10'
+  set ylabel '{/:Italic r}'
+  set autoscale xfix; set autoscale yfix
+  set tmargin 3.2
+  do for [part = 0:1] {
+    set key above left samplen 1 width 1 maxrows (part == 0 ? 2 : 1) font kind eq 'png' ? ',18' : ',8'
+    eval panel('bc'[part + 1:part + 1])
+    plot map using 'omega':'restitution':(part == 0 ? of_period(column('period'), column('lyapunov')) : 7 + of_sticks(column('sticks1'), column('sticks5'), column('sticks10'), column('dual_sticking'))) with image notitle, \
+      for [c = part == 0 ? 1 : 8 : part == 0 ? 7 : 12] NaN with points pt 5 ps (kind eq 'png' ? 2.4 : 1) lc rgb colour[c] title meaning[c]
+  }
+  unset multiplot
+  unset output
+}
