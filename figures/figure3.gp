@@ -54,7 +54,7 @@ do for [kind in 'png pdf'] {
   eval panel('e')
   set ylabel 'λ'
   set yrange [-0.2:0.06]; set ytics 0.04
-  set key at graph 0.985, graph 0.22 noopaque
+  set key at graph 0.985, graph 0.3 noopaque
   plot 0 lt 3, \
     orbits using 'omega':(when(column('period') > 0, column('lyapunov'))) with points pt 7 ps dot lc rgb '#56b4e9' title 'periodic, up to 8 periods', \
     '' using 'omega':(when(column('period') == 0 && column('lyapunov') <= 0, column('lyapunov'))) with points pt 7 ps dot * 1.4 lc rgb '#808080' title 'none: slow, or a longer period', \
