@@ -50,7 +50,8 @@ Rules read_rules(const std::filesystem::path &file);
 const Rule &rule_for(const Rules &rules, const std::string &table);
 
 // The largest difference of two extracts relative to the largest modulus in its column, or why they
-// cannot be compared.
+// cannot be compared. A column `error` holds estimates, most at the level of rounding: they are
+// compared relative to 1, the order of the numbers they belong to.
 struct Difference {
   double largest = 0.0;
   std::string where = {};   // the row and column of the largest

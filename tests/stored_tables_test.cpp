@@ -74,6 +74,12 @@ TEST_F(StoredTables, DifferByTheirNumbersAndByAllElse) {
   EXPECT_NE(difference(of("t,x,kind\n0,4,impact\n1,nan,stick\n"), stored).reason, "");
 }
 
+TEST_F(StoredTables, DifferByTheirErrorsAsNumbersOfOrderOne) {
+  const Extract stored = of("omega,error\n0.25,1e-16\n");
+  EXPECT_NEAR(difference(of("omega,error\n0.25,3e-16\n"), stored).largest, 2e-16, 1e-30);
+  EXPECT_NEAR(difference(of("omega,error\n0.25,1e-3\n"), stored).largest, 1e-3, 1e-12);
+}
+
 TEST_F(StoredTables, FollowTheRuleOfTheLongestNameThatFits) {
   const Rules rules =
       read_rules(written("rules.csv",
