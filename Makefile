@@ -21,7 +21,7 @@
 # make dist           the source archive, build/vibro-impact-<version>.tar.gz
 # make clean          remove build/
 
-figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcations exit_boundary table1 comparison stability atlas curves basins long_chain
+figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcations exit_boundary table1 comparison stability atlas curves border_cascade basins long_chain
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 werror  := OFF
 
