@@ -5,13 +5,7 @@
 # Eigen, fmt and Boost, with which the library was built, are hidden: the package needs none.
 set(installed ${build}/installed)
 
-function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
-  if(NOT status EQUAL 0)
-    list(JOIN ARGV " " command)
-    message(FATAL_ERROR "${command}: ${status}\n${said}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${installed} ${folder})
 run(${CMAKE_COMMAND} --install ${build} --prefix ${installed})

@@ -200,6 +200,20 @@ TEST(Settle, ASlowMotionIsNotOneOfAMultiplePeriod) {
   }
 }
 
+// A ball on no spring, thrown between two stops by the force on it: nothing makes it turn.
+TEST(Settle, AFreeMassSettlesToo) {
+  Scene scene;
+  scene.mass = {1.0};
+  scene.stiffness = {0.0};
+  scene.amplitude = {1.0};
+  scene.omega = 1.0;
+  scene.restitution = 0.5;
+  scene.stops = {{1, Side::lower, -1.0}, {1, Side::upper, 1.0}};
+  const SettledMotion motion = settle(scene, start_of(scene));
+  EXPECT_GT(motion.period, 0);
+  EXPECT_EQ(motion.period, recurrence(scene, vibro_impact::settled(scene, 4000)).periods);
+}
+
 // The section is the phase of the start.
 TEST(Settle, AnyPhaseMayBeTheSection) {
   const Scene scene = paper::figure2();

@@ -116,17 +116,13 @@ std::pair<std::vector<Node>, std::size_t> falling_nodes(const EndCondition &cond
   for (std::size_t k = points.size(); k-- > 0 && k + 8 > points.size() && backwards.size() < 5;) {
     const double value = condition.value(points[k]);
     const bool usable = value > 0.0 && value < std::numeric_limits<double>::infinity();
-    if (usable && (backwards.empty() || value > backwards.back().value)) {
-      if (backwards.empty()) end = k;
-      backwards.push_back({points[k].at, value});
-    } else if (backwards.size() >= 3) {
-      break;
-    } else {
+    if (!usable || (!backwards.empty() && value <= backwards.back().value)) {
+      if (backwards.size() >= 3) break;
       backwards.clear();
-      if (!usable) continue;
-      end = k;
-      backwards.push_back({points[k].at, value});
     }
+    if (!usable) continue;
+    if (backwards.empty()) end = k;
+    backwards.push_back({points[k].at, value});
   }
   return {{backwards.rbegin(), backwards.rend()}, end};
 }

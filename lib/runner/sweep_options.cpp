@@ -21,12 +21,11 @@ constexpr const char *footer =
     "per\n"
     "forcing period (a mean over the period, or over --counted; impacts of a complete chatter,\n"
     "infinitely many, are not counted); dual_sticking (1: two masses are held at some time);\n"
-    "lyapunov (greatest Lyapunov exponent, per unit of time); pairs (DG, DS, DI, GS, GI, SI, or "
+    "lyapunov (greatest Lyapunov exponent, per unit of time); pairs (DG, DS, DI, GS, GI, SI or "
     "-).\n"
-    "A point at which the run is given up has empty cells. The table does not depend on the number "
-    "of threads or processes. Until it "
-    "is\n"
-    "complete its rows stand in FILE.partial, from which --resume goes on.\n"
+    "A point at which the run is given up has empty cells. The table does not depend on the\n"
+    "number of threads or processes. Until it is complete its rows stand in FILE.partial, from\n"
+    "which --resume goes on.\n"
     "Exit status: 0 done, 1 a file could not be written, 2 bad input.";
 
 bool is_range(const std::string &text) {

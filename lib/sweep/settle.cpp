@@ -77,12 +77,14 @@ class Sections {
   Sections(const Scene &scene, const MotionState &start, const SettleOptions &options)
       : scene_(scene), options_(options), clock_(scene.omega), first_(start.instant) {
     held_ = start.held;
+    rest_.assign(2 * scene.mass.size(), 0.0);
     for (int p = 1; p <= options.most; ++p) contractions_.emplace_back(static_cast<std::size_t>(p));
     sections_.resize(2 * static_cast<std::size_t>(options.most) + 1);
-    for (std::size_t i = 0; i < scene.mass.size(); ++i)
-      frequency_.push_back(std::sqrt(
-          (scene.stiffness[i] + (i + 1 < scene.stiffness.size() ? scene.stiffness[i + 1] : 0.0)) /
-          scene.mass[i]));
+    for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+      const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
+                   squared = (scene.stiffness[i] + right) / scene.mass[i];
+      frequency_.push_back(squared > 0.0 ? std::sqrt(squared) : 1.0);  // a ball on no spring
+    }
     enter(coordinates(start));
   }
 
@@ -99,7 +101,7 @@ class Sections {
     MotionState at = state_at(moment, held_);
     bring_to_section(at);
     enter(coordinates(at));
-    const double scale = size_of(latest(0).z);
+    const double scale = amplitude(latest(0).z, rest_);
     for (int p = 1; p <= options_.most && p < taken_; ++p)
       contractions_[index(p - 1)].add(index(taken_), distance(p), repeats * scale);
     if (options_.ends_transient || taken_ > options_.longest) judge();
@@ -134,6 +136,7 @@ class Sections {
   int period_ = 0;
   double to_come_ = unknown;
   Held held_;
+  std::vector<double> rest_;            // all coordinates zero
   std::vector<double> frequency_ = {};  // of each mass between neighbours that stand still
   std::vector<EventMark> marks_ = {};   // since the latest section
   std::vector<Section> sections_ = {};  // the latest, by number modulo their size
@@ -141,11 +144,6 @@ class Sections {
 
   static std::size_t index(int k) {
     return static_cast<std::size_t>(k);
-  }
-  static double size_of(const std::vector<double> &z) {
-    double size = 0.0;
-    for (const double value : z) size = std::max(size, std::abs(value));
-    return size;
   }
   Instant section_at(int k) const {
     return {first_.cycle + k, first_.phase};
@@ -176,10 +174,9 @@ class Sections {
     }
   }
 
-  // Of the states `back` and `back` + p periods ago: of a mass the amplitude, in displacement or
-  // velocity, whichever is larger, of the vibration that the difference is a phase of.
-  double distance(int p, int back = 0) const {
-    const std::vector<double> &now = latest(back).z, &then = latest(back + p).z;
+  // Of the vibration of which the difference of two states is a phase: the largest of a mass, in
+  // displacement or velocity, whichever is larger.
+  double amplitude(const std::vector<double> &now, const std::vector<double> &then) const {
     const std::size_t n = frequency_.size();
     double largest = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -187,6 +184,11 @@ class Sections {
       largest = std::max(largest, std::max(1.0, 1.0 / w) * std::hypot(w * x, v));
     }
     return largest;
+  }
+
+  // Of the states `back` and `back` + p periods ago.
+  double distance(int p, int back = 0) const {
+    return amplitude(latest(back).z, latest(back + p).z);
   }
 
   // The events of `p` periods, `back` periods ago.

@@ -23,7 +23,7 @@ struct RecordOptions {
 // Forcing periods integrated: counts of work.
 struct RecordWork {
   long long settling = 0;       // until the motion has settled, or to the full length
-  long long recorded = 0;       // over which counts and impact velocities were taken after that
+  long long recorded = 0;       // over which counts, velocities and pairs were taken after that
   long long with_tangents = 0;  // followed with tangents
 };
 

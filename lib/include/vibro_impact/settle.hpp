@@ -4,11 +4,11 @@
 // At the section of the stroboscopic map (the phase of the start) the state z_n is compared with
 // that p periods before. With the distance d_n of the two and the contraction mu = d_n / d_(n-p),
 // what is still to come is estimated by d_n mu / (1 - mu), the rest of the geometric sequence, and
-// by no less than d_n: a single small ratio may be chance. The
-// distance is the largest over the masses of the amplitude of vibration that is left: for a mass of
-// frequency w between neighbours that stand still, the larger of (x^2 + (v/w)^2)^(1/2) and w times
-// that. A component by itself is small once in every turn of the state, however far the orbit, and
-// the more so the stiffer the chain.
+// by no less than d_n: a single small ratio may be chance. The distance is the largest over the
+// masses of the amplitude of vibration that is left: for a mass of frequency w between neighbours
+// that stand still (1 on no spring), the larger of (x^2 + (v/w)^2)^(1/2) and w times that. A
+// component by itself is small once in every turn of the state, however far the orbit, and the more
+// so the stiffer the chain.
 //
 // A motion counts as settled, of period p, when the estimate lies below a tolerance, the contact
 // mode is that of p periods before, and the events of the last p periods are those of the p before

@@ -1,0 +1,8 @@
+# run(command ...): what it says is shown, and the script ends, where it fails.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}: ${status}\n${said}")
+  endif()
+endfunction()
