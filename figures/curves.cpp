@@ -5,11 +5,13 @@
 //                             in units of the box, of the change of a count
 // atlas_curves_omega_A1.csv   in frequency and amplitude
 // atlas_curves_5a.csv, _5b    in the positions of the stops, at the frequencies of Figure 5(a), (b)
-// atlas_codimension_two.csv   where two in frequency and restitution cross on one orbit
-// atlas_curve_ends.csv        where they end, and what is zero there, as far as it is known
+// atlas_codimension_two.csv   points of codimension two that two curves lead to
+// atlas_curve_ends.csv        where they end or have a corner, and what is zero there if it is known;
+//                             `beyond`: 1 where the curve goes on
 #include "curves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <random>
 
@@ -24,7 +26,8 @@ using figures::CurvePlane;
 struct WholeEnd {
   std::string what;
   PlanePoint at;
-  double error, value;  // NaN where what is zero is not known
+  double error, value;   // NaN where what is zero is not known
+  bool goes_on = false;  // the curve is followed beyond
 };
 
 struct WholeCurve {
@@ -32,45 +35,77 @@ struct WholeCurve {
   const CurvePlane *plane = nullptr;
   BifurcationCurve curve;
   std::vector<CurvePoint> points;
-  WholeEnd first, last;
+  std::vector<WholeEnd> ends;
   std::vector<double> checked, multiplier;  // one per point; NaN where not asked
 };
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-WholeEnd end_of(const BifurcationCurve &curve, const FollowedCurve &followed, const PlaneBox &box) {
-  const PlanePoint &last = followed.points.back().at;
-  if (followed.end == CurveEnd::lost && followed.points.size() >= 3) {
-    const auto end = end_of(corrector_of(curve), end_conditions(curve), followed.points, box);
-    if (end) return {end->condition, end->at, end->error, end->value};
+double distance(const PlanePoint &a, const PlanePoint &b, const PlaneBox &box) {
+  return std::hypot((a.x - b.x) / (box.x_to - box.x_from), (a.y - b.y) / (box.y_to - box.y_from));
+}
+
+// The curve from a point on, through the ends beyond which it goes on: a few at most, since towards
+// some meetings they are without number.
+struct WayOut {
+  std::vector<CurvePoint> points;
+  std::vector<WholeEnd> ends;
+};
+
+WayOut way_out(const WholeCurve &whole, const CurvePoint &start, int direction) {
+  constexpr int pieces = 16;
+  const BifurcationCurve &curve = whole.curve;
+  const PlaneBox &box = whole.plane->box;
+  const Corrector corrector = corrector_of(curve);
+  const EndConditions conditions = end_conditions(curve);
+  // Nearer to their ends the chatters of border orbits are lost in rounding.
+  const bool border = curve.what == Bifurcation::border_orbit;
+  const FollowOptions options{
+      .step = whole.plane->step, .least_step = border ? 1e-5 : 1e-6, .turn = 0.3, .most = 250};
+  WayOut way{{start}, {}};
+  for (int piece = 0; piece < pieces; ++piece) {
+    const FollowedCurve followed =
+        follow_curve(corrector, way.points.back(), box, direction, options, conditions);
+    way.points.insert(way.points.end(), followed.points.begin() + 1, followed.points.end());
+    const CurvePoint last = way.points.back();
+    std::optional<LocatedEnd> end;
+    if (followed.end == CurveEnd::lost && followed.points.size() >= 2)
+      end = end_of(corrector, conditions, followed, box);
+    way.ends.push_back(end ? WholeEnd{end->condition, end->at, end->error, end->value}
+                           : WholeEnd{name(followed.end), last.at, nan, nan});
+    const auto next = end ? beyond(curve, *end, last, box) : std::nullopt;
+    if (!next || std::any_of(way.points.begin(), way.points.end(), [&](const CurvePoint &known) {
+          return distance(known.at, next->point.at, box) <
+                 0.5 * distance(end->at, next->point.at, box);
+        }))
+      return way;
+    way.ends.back().goes_on = true;
+    direction = next->direction;
+    // What lies between, and no more.
+    FollowedCurve back = follow_curve(corrector, next->point, box, -direction, options, conditions);
+    const double near = 1.5 * distance(end->at, next->point.at, box);
+    back.points.erase(
+        std::find_if(back.points.begin(), back.points.end(),
+                     [&](const auto &point) { return distance(end->at, point.at, box) > near; }),
+        back.points.end());
+    way.points.insert(way.points.end(), back.points.rbegin(), back.points.rend());
   }
-  return {name(followed.end), last, nan, nan};
+  way.ends.push_back({"given up", way.points.back().at, nan, nan});
+  return way;
 }
 
 WholeCurve whole(const std::string &name, const CurvePlane &plane,
                  const figures::StartedCurve &started, unsigned seed) {
-  const Corrector corrector = corrector_of(started.curve);
-  // A border orbit, on which the orbit is no differentiable function of the parameters, is given up
-  // earlier than others.
-  const bool border = started.curve.what == Bifurcation::border_orbit;
-  const FollowOptions options{
-      .step = plane.step, .least_step = border ? 5e-5 : 1e-7, .turn = 0.3, .most = 200};
-  const PlaneBox &box = plane.box;
-  const FollowedCurve back = follow_curve(corrector, started.point, box, -1, options),
-                      forth = follow_curve(corrector, started.point, box, 1, options);
-  WholeCurve found{name,
-                   &plane,
-                   started.curve,
-                   {back.points.rbegin(), back.points.rend() - 1},
-                   end_of(started.curve, back, box),
-                   end_of(started.curve, forth, box),
-                   {},
-                   {}};
+  WholeCurve found{name, &plane, started.curve, {}, {}, {}, {}};
+  const WayOut back = way_out(found, started.point, -1), forth = way_out(found, started.point, 1);
+  found.points.assign(back.points.rbegin(), back.points.rend() - 1);
   found.points.insert(found.points.end(), forth.points.begin(), forth.points.end());
+  found.ends.assign(back.ends.rbegin(), back.ends.rend());
+  found.ends.insert(found.ends.end(), forth.ends.begin(), forth.ends.end());
   const std::size_t size = found.points.size();
   found.checked.assign(size, nan);
   for (const CurvePoint &point : found.points)
-    found.multiplier.push_back(figures::multiplier_at(found.curve, point, box));
+    found.multiplier.push_back(figures::multiplier_at(found.curve, point, plane.box));
   std::mt19937 random(seed);
   std::vector<std::size_t> asked;
   while (asked.size() < std::min<std::size_t>(10, size)) {
@@ -78,60 +113,27 @@ WholeCurve whole(const std::string &name, const CurvePlane &plane,
     if (std::find(asked.begin(), asked.end(), k) != asked.end()) continue;
     asked.push_back(k);
     found.checked[k] =
-        figures::distance_by_counting(found.curve, found.points[k], box).value_or(nan);
+        figures::distance_by_counting(found.curve, found.points[k], plane.box).value_or(nan);
   }
   return found;
 }
 
-// Where two curves cross on one orbit.
+// Ends of two curves that are one point, found in two ways.
 struct Meeting {
-  std::string one, other;
-  const CurvePlane *plane;
-  Crossing crossing;
+  const WholeCurve *one, *other;
+  const WholeEnd *end, *same;
 };
 
-// True where the ways from a to b and from c to d cross.
-bool cross(const PlanePoint &a, const PlanePoint &b, const PlanePoint &c, const PlanePoint &d) {
-  const auto left = [](const PlanePoint &p, const PlanePoint &q, const PlanePoint &r) {
-    return (q.x - p.x) * (r.y - p.y) > (q.y - p.y) * (r.x - p.x);
-  };
-  return left(a, b, c) != left(a, b, d) && left(c, d, a) != left(c, d, b);
-}
-
-// The motion of one reaches the section of the other in the state of the other.
-bool same_orbit(const WholeCurve &one, const Crossing &crossing) {
-  const Scene scene = one.curve.at(crossing.one.at);
-  const MotionState &from = crossing.one.state, &to = crossing.other.state;
-  const Clock clock(scene.omega);
-  double until = time_of(to.instant, clock);
-  if (until < time_of(from.instant, clock)) until += clock.period;
-  const MotionState there = simulate_from(scene, from, until).state;
-  if (there.held != to.held) return false;
-  const std::vector<double> a = coordinates(there), b = coordinates(to);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > 1e-6) return false;
-  return true;
-}
-
 std::vector<Meeting> meetings(const std::vector<WholeCurve> &curves) {
+  constexpr double one_point = 1e-6;
   std::vector<Meeting> found;
   for (std::size_t i = 0; i < curves.size(); ++i)
-    for (std::size_t j = i + 1; j < curves.size(); ++j) {
-      // Two chatters of one mass are often one and the same, met from two sides.
-      if (curves[i].plane != curves[j].plane || (curves[i].curve.what == curves[j].curve.what &&
-                                                 curves[i].curve.stop == curves[j].curve.stop))
-        continue;
-      const auto &a = curves[i].points, &b = curves[j].points;
-      for (std::size_t k = 0; k + 1 < a.size(); ++k)
-        for (std::size_t l = 0; l + 1 < b.size(); ++l) {
-          if (!cross(a[k].at, a[k + 1].at, b[l].at, b[l + 1].at)) continue;
-          const auto crossing =
-              crossing_of(corrector_of(curves[i].curve), corrector_of(curves[j].curve), a[k], b[l],
-                          curves[i].plane->box);
-          if (crossing && same_orbit(curves[i], *crossing))
-            found.push_back({curves[i].name, curves[j].name, curves[i].plane, *crossing});
-        }
-    }
+    for (std::size_t j = i + 1; j < curves.size(); ++j)
+      for (const WholeEnd &end : curves[i].ends)
+        for (const WholeEnd &same : curves[j].ends)
+          if (curves[i].plane == curves[j].plane && end.error < one_point &&
+              same.error < one_point && distance(end.at, same.at, curves[i].plane->box) < one_point)
+            found.push_back({&curves[i], &curves[j], &end, &same});
   return found;
 }
 
@@ -176,7 +178,7 @@ void draw(const std::filesystem::path &output) {
 #pragma omp critical
     progress.advance();
   });
-  Table ends("plane,curve,x,y,end,error,value");
+  Table ends("plane,curve,x,y,end,error,value,beyond");
   for (const CurvePlane &plane : planes) {
     Table points("curve,bifurcation,mass,period," + name(plane.x) + "," + name(plane.y) +
                  ",error,time,multiplier,checked");
@@ -187,19 +189,18 @@ void draw(const std::filesystem::path &output) {
                    static_cast<int>(curve.curve.stop) + 1, curve.curve.periods,
                    curve.points[k].at.x, curve.points[k].at.y, curve.points[k].error,
                    curve.points[k].time, curve.multiplier[k], curve.checked[k]);
-      for (const WholeEnd *end : {&curve.first, &curve.last})
-        ends.row(std::string_view(plane.name), std::string_view(curve.name), end->at.x, end->at.y,
-                 std::string_view(end->what), end->error, end->value);
+      for (const WholeEnd &end : curve.ends)
+        ends.row(std::string_view(plane.name), std::string_view(curve.name), end.at.x, end.at.y,
+                 std::string_view(end.what), end.error, end.value, end.goes_on ? 1 : 0);
     }
     const bool main = &plane == &planes.front();
     write(points, output / (main ? "atlas_curves.csv" : "atlas_curves_" + plane.name + ".csv"));
   }
-  Table two("one,other,omega,restitution,other_omega,other_restitution,error");
-  for (const Meeting &meeting : meetings(curves))
-    if (meeting.plane == &planes.front())
-      two.row(std::string_view(meeting.one), std::string_view(meeting.other),
-              meeting.crossing.one.at.x, meeting.crossing.one.at.y, meeting.crossing.other.at.x,
-              meeting.crossing.other.at.y, meeting.crossing.error);
+  Table two("plane,one,end,other,other_end,x,y,other_x,other_y");
+  for (const auto &[one, other, end, same] : meetings(curves))
+    two.row(std::string_view(one->plane->name), std::string_view(one->name),
+            std::string_view(end->what), std::string_view(other->name),
+            std::string_view(same->what), end->at.x, end->at.y, same->at.x, same->at.y);
   write(two, output / "atlas_codimension_two.csv");
   write(ends, output / "atlas_curve_ends.csv");
 }

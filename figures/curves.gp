@@ -16,7 +16,7 @@ unset colorbox
 colour(name) = strstrt(name, 'period_doubling') || strstrt(name, 'fold') ? '#7b3294' : strstrt(name, 'mass_1') ? '#12355b' : '#c8442c'
 dashes(name) = strstrt(name, 'multi_sliding') ? 2 : strstrt(name, 'fold') || strstrt(name, 'grazing') ? 3 : 1
 of(name, value) = strcol('curve') eq name ? value : NaN
-known(plane, value) = strcol('plane') eq plane && strcol('end') ne 'lost' && strcol('end') ne 'leaves the box' ? value : NaN
+known(plane, value) = strcol('plane') eq plane && strcol('end') ne 'lost' && strcol('end') ne 'leaves the box' && strcol('end') ne 'closed' ? value : NaN
 lost(plane, value) = strcol('plane') eq plane && strcol('end') eq 'lost' ? value : NaN
 
 array plane[5] = ['omega_r', 'omega_r', 'omega_A1', '5a', '5b']
@@ -50,7 +50,7 @@ do for [kind in 'png pdf'] {
       for [n in names] curves using (of(n, column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt dashes(n) lw 1.6 notitle, \
       ends using (lost(plane[k], column('x'))):'y' with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' notitle, \
       ends using (known(plane[k], column('x'))):'y' with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' notitle, \
-      two using (k < 3 ? column('omega') : NaN):'restitution' with points pt 7 ps 0.9 lc rgb '#202020' notitle, \
+      two using (strcol('plane') eq plane[k] ? column('x') : NaN):'y' with points pt 7 ps 0.9 lc rgb '#202020' notitle, \
       NaN with lines lc rgb '#12355b' dt 1 lw 1.6 title 'border orbit, mass 1', \
       NaN with lines lc rgb '#c8442c' dt 1 lw 1.6 title 'border orbit, mass 2', \
       NaN with lines lc rgb '#12355b' dt 2 lw 1.6 title 'multi-sliding, mass 1', \
@@ -58,8 +58,8 @@ do for [kind in 'png pdf'] {
       NaN with lines lc rgb '#c8442c' dt 3 lw 1.6 title 'grazing, mass 2 (e)', \
       NaN with lines lc rgb '#7b3294' dt 1 lw 1.6 title 'period doubling', \
       NaN with lines lc rgb '#7b3294' dt 3 lw 1.6 title 'fold', \
-      NaN with points pt 7 ps 0.9 lc rgb '#202020' title 'two on one orbit', \
-      NaN with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' title 'end, located', \
+      NaN with points pt 7 ps 0.9 lc rgb '#202020' title 'end of two curves', \
+      NaN with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' title 'end or corner, located', \
       NaN with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' title 'given up'
   }
   unset multiplot

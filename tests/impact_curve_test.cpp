@@ -1,4 +1,4 @@
-// Period doublings and folds as curves of two parameters, and the ends of curves: against published
+// Period doublings and folds as curves of two parameters, and where they end: against published
 // curves of a single oscillator, closed forms, and the Floquet multipliers of the stroboscopic map.
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ FollowedCurve followed(const BifurcationCurve &curve, const VividRow &start, int
   EXPECT_TRUE(point) << start.name;
   if (!point) return {};
   return follow_curve(corrector_of(curve), *point, box, direction,
-                      {.step = 0.02, .least_step = 1e-7, .most = 400});
+                      {.step = 0.02, .least_step = 1e-7, .most = 400}, end_conditions(curve));
 }
 
 // A curve started at the first row of a branch goes through all the others. The rows are off the
@@ -82,7 +82,7 @@ TEST(ImpactCurve, EndsOnTheGrazingCurveWhereTheFlightIsHalfAWholeNumberOfOscilla
     const BifurcationCurve curve = curve_of(row);
     const FollowedCurve found = followed(curve, row, due.direction);
     ASSERT_EQ(found.end, CurveEnd::lost) << due.row;
-    const auto end = end_of(corrector_of(curve), end_conditions(curve), found.points, box);
+    const auto end = end_of(corrector_of(curve), end_conditions(curve), found, box);
     ASSERT_TRUE(end) << due.row;
     EXPECT_EQ(end->condition, "grazing of mass 1") << due.row;
     EXPECT_NEAR(end->at.y, due.omega, 1e-9) << due.row;
@@ -127,53 +127,6 @@ TEST(ImpactCurve, RefusesTheStartOfAnotherKind) {
                std::invalid_argument);
   curve.what = Bifurcation::grazing;
   EXPECT_THROW(point_of(curve, orbit), std::invalid_argument);
-}
-
-// The right half of an ellipse ends where x = 0: x falls there as the square root of the way left.
-TEST(CurveEnd, IsWhereTheConditionIsZero) {
-  const Corrector half = [](const PlanePoint &guess, const PlanePoint &across,
-                            const CurvePoint &) -> std::optional<CurvePoint> {
-    double s = 0.0;
-    for (int step = 0; step < 30; ++step) {
-      const double x = guess.x + s * across.x, y = guess.y + s * across.y;
-      s -= (x * x / 4.0 + y * y - 1.0) / (x * across.x / 2.0 + 2.0 * y * across.y);
-    }
-    const PlanePoint at{guess.x + s * across.x, guess.y + s * across.y};
-    if (!(at.x > 1e-3)) return std::nullopt;
-    return CurvePoint{at, {at.x / 2.0, 2.0 * at.y}, 1e-16, {}};
-  };
-  const PlaneBox plane{-3.0, 3.0, -3.0, 3.0};
-  const FollowedCurve curve = follow_curve(half, {{2.0, 0.0}, {1.0, 0.0}, 0.0, {}}, plane, 1,
-                                           {.step = 0.02, .least_step = 1e-3});
-  const std::vector<EndCondition> conditions{
-      {"y", [](const CurvePoint &point) { return std::abs(point.at.y); }},  // rises
-      {"x", [](const CurvePoint &point) { return point.at.x; }}};
-  const auto end = end_of(half, conditions, curve.points, plane);
-  ASSERT_TRUE(end);
-  EXPECT_EQ(end->condition, "x");
-  EXPECT_NEAR(end->at.x, 0.0, 1e-9);
-  EXPECT_NEAR(std::abs(end->at.y), 1.0, 1e-9);
-  EXPECT_FALSE(end_of(half, {conditions[0]}, curve.points, plane));
-  EXPECT_THROW(end_of(half, conditions, {curve.points[0]}, plane), std::invalid_argument);
-}
-
-// Multi-sliding of mass 1 ends, upwards, where the least force comes at the beginning of the phase:
-// just before, it follows it; just beyond there is no minimum inside a phase any more.
-TEST(CurveEnd, OfMultiSlidingIsTheBeginningOfThePhase) {
-  const CurvePlane plane = omega_r_plane();
-  const StartedCurve found = started(curve_starts().front());
-  const Corrector corrector = corrector_of(found.curve);
-  const FollowedCurve curve =
-      follow_curve(corrector, found.point, plane.box, 1, {.least_step = 1e-6});
-  ASSERT_EQ(curve.end, CurveEnd::lost);
-  const auto end = end_of(corrector, end_conditions(found.curve), curve.points, plane.box);
-  ASSERT_TRUE(end);
-  EXPECT_EQ(end->condition, "beginning of the phase");
-  EXPECT_NEAR(end->at.x, 0.2560518512, 1e-8);
-  EXPECT_NEAR(end->at.y, 0.7437783424, 1e-8);
-  const CurvePoint &last = curve.points.back();
-  EXPECT_TRUE(corrector({end->at.x, end->at.y - 1e-8}, {-1.0, 0.0}, last));
-  EXPECT_FALSE(corrector({end->at.x, end->at.y + 1e-8}, {-1.0, 0.0}, last));
 }
 
 }  // namespace

@@ -245,7 +245,8 @@ TEST(BifurcationFunctions, BorderExcessEqualsDifferences) {
   const OrbitChange change = orbit_change(scene, orbit, by, every);
   std::size_t impact = 0;
   while (change.events.at(impact).event.falling != 3) ++impact;
-  const ValueChange excess = border_excess_change(scene, change, impact);
+  const ValueChange excess =
+      border_excess_change(scene, by, change.events.at(impact), change.events.at(impact + 1));
   double total = 0.0;
   for (std::size_t k = 0; k < lengths.size(); ++k) total += get(scene, by[k]) * excess.by[k];
   EXPECT_NEAR(total, 0.0, 1e-10);  // the speeds to 1e-12, of size 1e-2
@@ -260,7 +261,10 @@ TEST(BifurcationFunctions, BorderExcessEqualsDifferences) {
     };
     EXPECT_NEAR(excess.by[k], differences(value, 1e-5)[0], 1e-6) << name(by[k]);
   }
-  EXPECT_THROW(border_excess_change(scene, change, change.events.size()), std::invalid_argument);
+  EventChange release = change.events.at(impact);
+  release.event.kind = EventKind::release;
+  EXPECT_THROW(border_excess_change(scene, by, release, change.events.at(impact)),
+               std::invalid_argument);
 }
 
 // The multipliers of the orbits beside are good to 1e-12 or so: 1e-7 over h = 2e-5. They vary on a

@@ -64,7 +64,7 @@ Corrector corrector_of(const BifurcationCurve &curve) {
         return by_speed(curve, guess, across, impact_orbit_at(curve, neighbour));
       const double side = along(neighbour.gradient, across) > 0.0 ? 1.0 : -1.0;
       if (curve.what == Bifurcation::border_orbit)
-        return by_depth(curve, guess, across, from, neighbour.state, neighbour.time, side, 2e-4);
+        return by_held_chatter(curve, guess, across, neighbour);
       return from_one_side(curve, guess, across, from, neighbour.state, side, neighbour.count);
     } catch (const std::exception &) {  // outside the scene's limits, a run given up, a fold
       return std::nullopt;
@@ -77,7 +77,8 @@ std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoi
   require(!of_impacts(curve.what), name(curve.what), ": is found from an orbit by impact speed");
   const Scene from = curve.at(guess);
   if (curve.what == Bifurcation::border_orbit)
-    return by_depth(curve, guess, across, from, seed, time, 1.0, 1e-6);
+    return by_held_chatter(curve, guess, across,
+                           {.at = guess, .gradient = {}, .state = seed, .time = time});
   return from_one_side(curve, guess, across, from, seed, 1.0, -1);
 }
 

@@ -1,135 +1,127 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "curve_kinds.hpp"
-#include "fits.hpp"
-#include "vibro_impact/border_orbit.hpp"
+#include "held_chatter.hpp"
+#include "motion_state.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
-// The impacts of a chatter, numbers among the events, and the time it ends after the section.
-struct ChatterFound {
-  std::vector<std::size_t> impacts;
-  double end = 0.0;
-  bool complete = false;
+using Eigen::Index;
+
+// Where Newton's method is: the section, in the scene of a point of the plane.
+struct BorderIterate {
+  PlanePoint at;
+  MotionState section;
+  double time;
+  std::size_t least = 0;  // impact of the chatter to compare speeds at
 };
 
-// That which ends nearest to `time`, and not farther from it than `window`.
-std::optional<ChatterFound> chatter_near(const std::vector<EventChange> &events, std::size_t stop,
-                                         double start, double time, double window) {
-  std::optional<ChatterFound> nearest, now;
-  const auto close = [&](bool complete) {
-    if (now && std::abs(now->end - time) < window &&
-        (!nearest || std::abs(now->end - time) < std::abs(nearest->end - time))) {
-      nearest = now;
-      nearest->complete = complete;
-    }
-    now.reset();
-  };
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const Event &event = events[i].event;
-    if (event.stop != stop) continue;
-    if (event.kind != EventKind::impact) {
-      close(event.kind == EventKind::stick);
-      continue;
-    }
-    if (event.falling == 0) close(false);
-    if (!now) now.emplace();
-    now->impacts.push_back(i);
-    now->end = event.time - start;
+std::optional<BorderEquations> equations(const BifurcationCurve &curve, const BorderIterate &at) {
+  try {
+    return border_equations(curve, at.at, at.section, at.time, at.least);
+  } catch (const std::exception &) {  // outside the scene's limits, a run given up
+    return std::nullopt;
   }
-  close(false);
-  return nearest;
 }
 
-// The excess of a chatter at a depth, and whether the chatter completes; no value where it has no
-// impact so deep.
-struct Excess {
-  Reading reading;
-  bool complete = false, deep = false;
+// A step of Newton's method.
+struct BorderStep {
+  Eigen::VectorXd section;
+  PlanePoint place;
 };
 
-std::optional<Excess> excess_at(const BifurcationCurve &curve, const PlanePoint &at,
-                                const Scene &from, const MotionState &seed, double time,
-                                std::size_t depth) {
-  const Scene scene = curve.at(at);
-  const auto orbit = orbit_in(scene, from, seed, curve.periods, every_impact());
-  if (!orbit) return std::nullopt;
-  const OrbitChange change = orbit_change(scene, *orbit, {curve.x, curve.y}, every_impact());
-  const Clock clock(scene.omega);
-  const double start = time_of(orbit->state.instant, clock), due = same_angle(time, from, scene);
-  const auto chatter = chatter_near(change.events, curve.stop, start, due, clock.period / 16.0);
-  if (!chatter) return Excess{{0.0, {}, orbit->state, due}};
-  const bool deep = chatter->impacts.size() >= depth + 2;
-  Excess found{{0.0, {}, orbit->state, chatter->complete || deep ? chatter->end : due},
-               chatter->complete};
-  if (!deep) return found;
-  // Impacts of other masses come between: the two are looked at by themselves.
-  const OrbitChange pair{
-      change.by,
-      {},
-      {change.events[chatter->impacts[depth]], change.events[chatter->impacts[depth + 1]]}};
-  const ValueChange excess = border_excess_change(scene, pair, 0);
-  found.reading.value = excess.value;
-  found.reading.gradient = {excess.by[0], excess.by[1]};
-  found.deep = std::isfinite(excess.by[0]) && std::isfinite(excess.by[1]);
-  return found;
+// The iterate a part of a step away, at the same angle of the forcing.
+BorderIterate moved(const BifurcationCurve &curve, const BorderIterate &from,
+                    const BorderStep &step, double part) {
+  BorderIterate to = from;
+  to.at = moved(from.at, step.place, part);
+  const Scene before = curve.at(from.at), after = curve.at(to.at);
+  to.section.instant.phase = same_angle(from.section.instant.phase, before, after);
+  to.time = same_angle(from.time, before, after);
+  Index k = 0;
+  for (const std::size_t row : free_coordinates(from.section.held))
+    coordinate(to.section, row) += part * step.section(k++);
+  hold_at_stops(after, to.section);
+  return to;
+}
+
+// The step of Newton's method for the section and the place together, to where the excess is `aim`
+// on the line through `guess`. Nothing where there is none, or it leads far away.
+std::optional<BorderStep> newton_step(const BorderEquations &eq, const PlanePoint &from,
+                                      const PlanePoint &guess, const PlanePoint &across,
+                                      double aim) {
+  constexpr double farthest = 0.1;
+  const Index n = eq.residual.size();
+  const Eigen::Vector2d to_guess{guess.x - from.x, guess.y - from.y}, line{across.x, across.y};
+  Eigen::MatrixXd matrix(n + 1, n + 1);
+  matrix << eq.residual_by.leftCols(n), eq.residual_by.rightCols(2) * line, eq.excess_by.head(n),
+      eq.excess_by.tail(2) * line;
+  Eigen::VectorXd residual(n + 1);
+  residual << eq.residual + eq.residual_by.rightCols(2) * to_guess,
+      eq.excess - aim + eq.excess_by.tail(2) * to_guess;
+  const Eigen::VectorXd step = -matrix.partialPivLu().solve(residual);
+  const Eigen::Vector2d place = to_guess + step(n) * line;
+  if (!step.allFinite() || place.norm() > farthest) return std::nullopt;
+  return BorderStep{step.head(n), {place(0), place(1)}};
+}
+
+// How the excess changes with the place, the orbit moving along.
+PlanePoint gradient_of(const BorderEquations &eq) {
+  const Index n = eq.residual.size();
+  const Eigen::MatrixXd section =
+      -eq.residual_by.leftCols(n).partialPivLu().solve(eq.residual_by.rightCols(2));
+  const Eigen::RowVectorXd gradient = eq.excess_by.tail(2) + eq.excess_by.head(n) * section;
+  return {gradient(0), gradient(1)};
 }
 
 }  // namespace
 
-std::optional<CurvePoint> by_depth(const BifurcationCurve &curve, const PlanePoint &guess,
-                                   const PlanePoint &across, Scene from, MotionState seed,
-                                   double time, double side, double reach) {
-  constexpr std::size_t deepest = 90;
-  constexpr double farthest = 0.05, enough = 2e-14;
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  double s = 0.0, complete = unknown, incomplete = unknown;
-  double last_step = std::numeric_limits<double>::infinity();
-  std::optional<Reading> best;
-  double best_s = 0.0;
-  // Not as deep where the speeds fall fast: they must not fall below rounding.
-  const double r = law_of(from, from.stops[curve.stop]).at_rest();
-  std::size_t depth = static_cast<std::size_t>(
-      std::clamp(std::log(1e-4) / std::log(border_chatter(r).speed_ratio), 1.0, 5.0));
-  for (int iteration = 0; iteration < 70 && depth <= deepest; ++iteration) {
-    const auto found = excess_at(curve, moved(guess, across, s), from, seed, time, depth);
-    if (!found) {  // no orbit: nearer to where there was one
-      if (!std::isfinite(complete) || s == complete) return std::nullopt;
-      s = 0.5 * (s + complete);
-      continue;
+std::optional<OnBorder> on_border(const BifurcationCurve &curve, const CurvePoint &point) {
+  const auto eq = equations(curve, {point.at, point.state, point.time});
+  if (!eq) return std::nullopt;
+  const std::vector<std::size_t> free = free_coordinates(point.state.held);
+  Matrix map(2 * point.state.held.size(), 2 * point.state.held.size());
+  for (std::size_t i = 0; i < free.size(); ++i)
+    for (std::size_t j = 0; j < free.size(); ++j)
+      map(free[i], free[j]) =
+          eq->residual_by(static_cast<Index>(i), static_cast<Index>(j)) + (i == j ? 1.0 : 0.0);
+  return OnBorder{eq->others, floquet_multipliers(map, point.state.held), eq->end, eq->press_rate};
+}
+
+std::optional<CurvePoint> by_held_chatter(const BifurcationCurve &curve, const PlanePoint &guess,
+                                          const PlanePoint &across, const CurvePoint &from) {
+  BorderIterate at{from.at, from.state, from.time};
+  auto eq = equations(curve, at);
+  double last = std::numeric_limits<double>::infinity(), aim = 0.0;
+  for (int iteration = 0; eq && iteration < 20; ++iteration) {
+    const bool deeper = iteration > 0 && eq->compared.impact >= at.least;
+    // A chatter that does not complete may end before it can be told from one that does: back then
+    // to where one has.
+    aim = deeper || iteration == 0 ? 0.0 : std::max(2.0 * aim, eq->compared.next);
+    const auto step = newton_step(*eq, at.at, guess, across, aim);
+    if (!step) return std::nullopt;
+    const double size = std::hypot(step->place.x, step->place.y);
+    if (deeper && eq->compared.similar && (size < 1e-14 || (size < 1e-11 && size > 0.5 * last))) {
+      const Reading reading{eq->excess, gradient_of(*eq), at.section, eq->end};
+      return point_from(curve, at.at, at.at, reading, std::max(size, 1e-16));
     }
-    (found->complete ? complete : incomplete) = s;
-    from = curve.at(moved(guess, across, s));
-    seed = found->reading.state;
-    time = found->reading.time;
-    double next = unknown;
-    if (found->deep) {
-      best = found->reading;
-      best_s = s;
-      next = s - best->value / along(best->gradient, across);
+    last = size;
+    const std::size_t least = eq->compared.impact + 1;
+    BorderIterate next = at;
+    eq.reset();
+    for (double part = 1.0; !eq && part > 0.05; part /= 2.0) {
+      next = moved(curve, at, *step, part);
+      eq = equations(curve, next);
     }
-    const double width = std::abs(complete - incomplete);
-    if (!std::isfinite(width)) {  // not between yet
-      if (!(std::abs(next - s) <= reach)) next = s + (found->complete ? -side : side) * reach;
-      reach *= 2.0;
-    } else if (!((next - complete) * (next - incomplete) < 0.0)) {
-      next = 0.5 * (complete + incomplete);
-    }
-    if (std::abs(next) > farthest) return std::nullopt;
-    const double step = std::abs(next - s);
-    s = next;
-    if (width < enough || (depth >= 10 && std::max(step, last_step) < enough)) break;
-    last_step = step;
-    if (found->deep) depth += step < 1e-3 ? 2 : 1;
+    at = next;
+    at.least = least;
+    if (eq) at.time = eq->end;
   }
-  const double error = std::fmin(last_step, std::abs(complete - incomplete));
-  if (!best || !(error < 1e-11)) return std::nullopt;
-  return point_from(curve, moved(guess, across, s), moved(guess, across, best_s), *best,
-                    std::max(error, 1e-16));
+  return std::nullopt;
 }
 
 }  // namespace vibro_impact

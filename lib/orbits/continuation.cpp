@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "fits.hpp"
 #include "units.hpp"
@@ -30,6 +32,21 @@ Exit exit_of(const PlaneBox &box, const PlanePoint &from, const PlanePoint &to) 
   return exit;
 }
 
+// True where a condition that falls towards zero, and may have reached it within the step, has
+// changed by more than a factor of three or means nothing any more. (One that cannot have, or has
+// only just become so small, is another one now: of two impacts the other is the slower, or a
+// minimum has met a maximum.)
+bool leaps(const std::vector<std::vector<double>> &before, const std::vector<double> &to,
+           double step) {
+  const double small = std::min(0.05, 30.0 * step);
+  const std::vector<double> &from = before.back(), &earlier = before[before.size() - 2];
+  for (std::size_t k = 0; k < to.size(); ++k)
+    if (from[k] < small && from[k] < earlier[k] && earlier[k] < 100.0 * from[k] &&
+        !(to[k] < 3.0 * from[k] && from[k] < 3.0 * to[k]))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 const char *name(CurveEnd end) {
@@ -47,7 +64,8 @@ const char *name(CurveEnd end) {
 }
 
 FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, const PlaneBox &box,
-                           int direction, const FollowOptions &options) {
+                           int direction, const FollowOptions &options,
+                           const EndConditions &conditions) {
   require(box.x_from < box.x_to && box.y_from < box.y_to, "box from (", box.x_from, ", ",
           box.y_from, ") to (", box.x_to, ", ", box.y_to, "): must not be empty");
   require(inside(box, start.at), "start (", start.at.x, ", ", start.at.y, "): outside the box");
@@ -56,8 +74,12 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
           options.least_step, " to ", options.step, ": must be positive and in this order");
   require(options.turn > 0.0, "turn = ", options.turn, ": must be positive");
   const Units units(box);
-  FollowedCurve curve{{start}, CurveEnd::lost};
+  FollowedCurve curve{{start}, {}, CurveEnd::lost};
   double step = options.step / 4.0, length = 0.0;
+  const auto values_at = [&](const CurvePoint &point) {
+    return conditions.values ? conditions.values(point) : std::vector<double>{};
+  };
+  curve.values.push_back(values_at(start));
   while (step >= options.least_step) {
     if (curve.points.size() >= options.most) {
       curve.end = CurveEnd::most;
@@ -75,6 +97,7 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
       const auto end = corrector(border, exit.side, last);
       if (end && units.distance(end->at, border) < step) {
         curve.points.push_back(*end);
+        curve.values.push_back(values_at(*end));
         curve.end = CurveEnd::box;
         return curve;
       }
@@ -82,6 +105,7 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
       continue;
     }
     if (!found) {
+      if (getenv("DBG")) printf("## none step %g\n", step);
       step /= 2.0;
       continue;
     }
@@ -89,11 +113,26 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
     const double turn = std::acos(std::clamp(tangent.x * next.x + tangent.y * next.y, -1.0, 1.0));
     const double off = units.distance(found->at, guess);
     if (turn > options.turn || off > 0.5 * step) {
+      if (getenv("DBG"))
+        printf("## turn %g off %g step %g (%.12g,%.12g)\n", turn, off, step, found->at.x,
+               found->at.y);
+      step /= 2.0;
+      continue;
+    }
+    std::vector<double> now = values_at(*found);
+    if (curve.values.size() > 1 && leaps(curve.values, now, step)) {
+      if (getenv("DBG")) {
+        printf("## leap step %g:", step);
+        for (size_t k = 0; k < now.size(); ++k)
+          printf(" %.3g->%.3g", curve.values.back()[k], now[k]);
+        printf("\n");
+      }
       step /= 2.0;
       continue;
     }
     length += units.distance(found->at, last.at);
     curve.points.push_back(*found);
+    curve.values.push_back(std::move(now));
     if (turn < options.turn / 3.0) step = std::min(1.5 * step, options.step);
     if (length > 4.0 * options.step &&
         units.distance(curve.points.back().at, start.at) < 0.75 * step) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "chain/require.hpp"
 #include "curve_kinds.hpp"
 #include "units.hpp"
-#include "vibro_impact/multi_sliding.hpp"
 
 namespace vibro_impact {
 
@@ -16,77 +16,10 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The orbit beside a point of the curve, on the side where what happens is whole.
-struct Beside {
-  Scene scene;
-  PeriodicOrbit orbit;
-  std::vector<Event> events = {};
-};
-
-std::optional<Beside> beside(const BifurcationCurve &curve, const CurvePoint &point) {
-  constexpr double away = 1e-9;
-  const bool on_it = of_impacts(curve.what);
-  const double length = std::hypot(point.gradient.x, point.gradient.y);
-  Beside found{
-      on_it ? curve.at(point.at) : curve.at(moved(point.at, point.gradient, away / length)), {}};
-  if (on_it) {
-    found.orbit.state = at_quiet_phase(found.scene, point.state);
-  } else {
-    const auto orbit =
-        orbit_in(found.scene, curve.at(point.at), point.state, curve.periods, RunOptions{});
-    if (!orbit) return std::nullopt;
-    found.orbit = *orbit;
-  }
-  EventRecorder recorder;
-  recorder.from = -std::numeric_limits<double>::infinity();
-  stroboscopic_map(found.scene, found.orbit.state, curve.periods, {}, recorder);
-  found.events = std::move(recorder.events);
-  return found;
-}
-
-// The slowest impact of a mass outside complete chatters.
-double slowest_impact(const Beside &at, int mass) {
-  double slowest = std::numeric_limits<double>::infinity();
-  bool completes = false;
-  for (std::size_t k = at.events.size(); k-- > 0;) {
-    const Event &event = at.events[k];
-    if (event.mass != mass) continue;
-    if (event.kind != EventKind::impact) {
-      completes = event.kind == EventKind::stick;
-      continue;
-    }
-    if (!completes) slowest = std::min(slowest, std::abs(event.velocity_before));
-    if (event.falling == 0) completes = false;
-  }
-  return slowest;
-}
-
-std::string grazing_of(int mass) {
-  return std::string("grazing of mass ").append(std::to_string(mass));
-}
-
-double below_fold(const Beside &at) {
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const auto &multiplier : at.orbit.multipliers)
-    if (multiplier.imag() == 0.0) largest = std::max(largest, multiplier.real());
-  return 1.0 - largest;
-}
-
-// The time from the latest event of this kind at the stop to the least force, or to the next one.
-double time_to(const Beside &at, std::size_t stop, EventKind kind) {
-  const auto least = where_pressing_force_is_least(at.scene, at.orbit.state, at.scene.stops[stop]);
-  if (!least) return unknown;
-  const Clock clock(at.scene.omega);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Event &event : at.events) {
-    if (event.stop != stop || event.kind != kind) continue;
-    double apart = elapsed(event.instant, least->at.instant, clock);
-    if (kind == EventKind::release) apart = -apart;
-    apart -= clock.period * std::floor(apart / clock.period);
-    nearest = std::min(nearest, apart);
-  }
-  return nearest;
-}
+constexpr double well_known = 1e-11;  // of a point of the curve, its error
+// Speeds and gaps below this tell less of where they are zero: next to a grazing their error grows
+// as one divided by them.
+constexpr double slow = 1e-6;
 
 struct Node {
   PlanePoint at;
@@ -107,96 +40,101 @@ PlanePoint at_zero(const std::vector<Node> &nodes, std::size_t count) {
   return sum;
 }
 
-// The values at the last points from which it falls, five at most; a few at the end, where it may
-// be past zero or another motion, are left out. And the number of the last point that counts.
-std::pair<std::vector<Node>, std::size_t> falling_nodes(const EndCondition &condition,
-                                                        const std::vector<CurvePoint> &points) {
+// The same through as many, up to five, as agree best with one less and one more, and how well;
+// none that lies behind the last node.
+std::pair<PlanePoint, double> zero_of(const std::vector<Node> &nodes, const Units &units) {
+  const PlanePoint &last = nodes.back().at, &previous = nodes[nodes.size() - 2].at;
+  const auto ahead = [&](const PlanePoint &at) {
+    return (at.x - last.x) * (last.x - previous.x) / (units.width * units.width) +
+               (at.y - last.y) * (last.y - previous.y) / (units.height * units.height) >
+           0.0;
+  };
+  PlanePoint best = last, before = last;
+  double least = std::numeric_limits<double>::infinity(), off_before = least;
+  for (std::size_t count = 2; count <= std::min<std::size_t>(5, nodes.size()); ++count) {
+    const PlanePoint at = at_zero(nodes, count);
+    const double off = units.distance(at, before), both = std::max(off, off_before);
+    if (both < least && ahead(off < off_before ? at : before)) {
+      least = both;
+      best = off < off_before ? at : before;
+    }
+    if (count == 2) best = at;
+    off_before = off;
+    before = at;
+  }
+  return {best, least};
+}
+
+// The values at points from which it falls towards the end, each by a fifth at least, five at most;
+// a few at the end, where it may be past zero or another motion, are left out, and values below
+// `least`. And the number of the last point that counts.
+std::pair<std::vector<Node>, std::size_t> falling_nodes(const FollowedCurve &curve,
+                                                        std::size_t condition, double least) {
+  constexpr std::size_t left_out = 5;
   std::vector<Node> backwards;
   std::size_t end = 0;
-  for (std::size_t k = points.size(); k-- > 0 && k + 8 > points.size() && backwards.size() < 5;) {
-    const double value = condition.value(points[k]);
-    const bool usable = value > 0.0 && value < std::numeric_limits<double>::infinity();
+  for (std::size_t k = curve.points.size(); k-- > 0 && backwards.size() < 5;) {
+    const double value = curve.values[k][condition];
+    if (value > 0.0 && value < least) continue;
+    const bool usable = value > 0.0 && value < std::numeric_limits<double>::infinity() &&
+                        curve.points[k].error < well_known;
     if (!usable || (!backwards.empty() && value <= backwards.back().value)) {
-      if (backwards.size() >= 3) break;
+      if (backwards.size() >= 3 || k + left_out < curve.points.size()) break;
       backwards.clear();
     }
-    if (!usable) continue;
+    if (!usable || (!backwards.empty() && value < 1.2 * backwards.back().value)) continue;
     if (backwards.empty()) end = k;
-    backwards.push_back({points[k].at, value});
+    backwards.push_back({curve.points[k].at, value});
   }
   return {{backwards.rbegin(), backwards.rend()}, end};
 }
 
 }  // namespace
 
-std::vector<EndCondition> end_conditions(const BifurcationCurve &curve) {
-  std::vector<EndCondition> conditions;
-  const auto add = [&](std::string name, auto value) {
-    conditions.push_back({std::move(name), [curve, value](const CurvePoint &point) {
-                            const auto at = beside(curve, point);
-                            return at ? value(*at) : unknown;
-                          }});
-  };
-  for (int mass = 1; mass <= curve.scene.masses(); ++mass)
-    add(grazing_of(mass), [mass](const Beside &at) { return slowest_impact(at, mass); });
-  for (std::size_t stop = 0; stop < curve.scene.stops.size(); ++stop)
-    if (curve.what != Bifurcation::grazing)
-      add(grazing_of(curve.scene.stops[stop].mass), [stop](const Beside &at) {
-        return least_gap(at.scene, at.orbit.state, at.scene.stops[stop]).value_or(unknown);
-      });
-  if (curve.what == Bifurcation::fold)
-    conditions.push_back(
-        {"cusp", [](const CurvePoint &point) { return std::abs(point.gradient.x); }});
-  if (!of_impacts(curve.what)) add("fold", below_fold);
-  if (curve.what != Bifurcation::multi_sliding) return conditions;
-  const std::size_t stop = curve.stop;
-  add("beginning of the phase",
-      [stop](const Beside &at) { return time_to(at, stop, EventKind::stick); });
-  add("end of the phase", [stop](const Beside &at) {
-    const double time = time_to(at, stop, EventKind::release);
-    return time * time;
-  });
-  return conditions;
-}
-
-std::optional<LocatedEnd> end_of(const Corrector &corrector,
-                                 const std::vector<EndCondition> &conditions,
-                                 const std::vector<CurvePoint> &points, const PlaneBox &box) {
+std::optional<LocatedEnd> end_of(const Corrector &corrector, const EndConditions &conditions,
+                                 const FollowedCurve &curve, const PlaneBox &box) {
+  const std::vector<CurvePoint> &points = curve.points;
   require(points.size() >= 2, "points: ", points.size(), " given, an end needs 2");
+  require(
+      curve.values.size() == points.size() && curve.values.back().size() == conditions.names.size(),
+      "curve: must have been followed with these ", conditions.names.size(), " conditions");
   const Units units(box);
   std::vector<Node> nodes;
   CurvePoint last;
-  const EndCondition *zero_there = nullptr;
+  std::optional<std::size_t> zero_there;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const EndCondition &condition : conditions) {
-    const auto [falling, end] = falling_nodes(condition, points);
-    if (falling.size() < 3) continue;
-    const double ahead = units.distance(at_zero(falling, falling.size()), points[end].at);
+  for (std::size_t condition = 0; condition < conditions.names.size(); ++condition) {
+    const double least = conditions.names[condition].starts_with("grazing") ? slow : 0.0;
+    auto [falling, end] = falling_nodes(curve, condition, least);
+    if (falling.size() < 2) std::tie(falling, end) = falling_nodes(curve, condition, 0.0);
+    if (falling.size() < 2) continue;
+    const double ahead = units.distance(zero_of(falling, units).first, points[end].at);
     // Where a speed and a gap are zero together the speed: the gap may be its square.
-    const bool again = zero_there && zero_there->name == condition.name;
+    const bool again = zero_there && conditions.names[*zero_there] == conditions.names[condition];
     if (!(ahead < (again ? 0.02 : 1.0) * nearest)) continue;
     nearest = ahead;
     nodes = falling;
     last = points[end];
-    zero_there = &condition;
+    zero_there = condition;
   }
   if (!zero_there) return std::nullopt;
-  LocatedEnd end{zero_there->name, {}, std::numeric_limits<double>::infinity(), 0.0};
+  LocatedEnd end{conditions.names[*zero_there], {}, std::numeric_limits<double>::infinity(), 0.0};
   for (int step = 0; step < 20 && !(end.error < 1e-10); ++step) {
-    const std::size_t count = std::min<std::size_t>(5, nodes.size());
-    const PlanePoint at = at_zero(nodes, count);
-    const double error = units.distance(at, at_zero(nodes, count - 1));
+    if (nodes.back().value < slow && end.error < 1e-8 && end.condition.starts_with("grazing"))
+      break;
+    const auto [at, error] = zero_of(nodes, units);
     if (error < end.error) end = {end.condition, at, error, nodes.back().value};
     std::optional<CurvePoint> next;
     double value = unknown;
-    for (double part = 0.75; part > 0.15 && !next; part /= 2.0) {
+    for (double part = 0.75; part > 0.01 && !next; part /= 2.0) {
       const PlanePoint guess{last.at.x + part * (at.x - last.at.x),
                              last.at.y + part * (at.y - last.at.y)};
       if (!inside(box, guess)) break;
       next = corrector(guess, units.across(last), last);
-      if (next && units.distance(next->at, guess) > 0.5 * units.distance(guess, last.at))
+      if (next && (units.distance(next->at, guess) > 0.5 * units.distance(guess, last.at) ||
+                   !(next->error < well_known)))
         next.reset();
-      if (next) value = zero_there->value(*next);
+      if (next) value = conditions.values(*next)[*zero_there];
       if (!(value > 0.0 && value < nodes.back().value)) next.reset();
     }
     if (!next) break;
@@ -205,6 +143,44 @@ std::optional<LocatedEnd> end_of(const Corrector &corrector,
   }
   if (!(end.error < 1e-5)) return std::nullopt;
   return end;
+}
+
+std::optional<Beyond> beyond(const BifurcationCurve &curve, const LocatedEnd &end,
+                             const CurvePoint &last, const PlaneBox &box) {
+  const bool goes_on =
+      end.condition.starts_with("grazing") || end.condition.starts_with("border orbit");
+  if (of_impacts(curve.what) || !goes_on) return std::nullopt;
+  const Units units(box);
+  const Scene before = curve.at(last.at);
+  const auto found_at = [&](const PlanePoint &way, double far) -> std::optional<CurvePoint> {
+    const PlanePoint guess = units.moved(end.at, way, far);
+    if (!inside(box, guess)) return std::nullopt;
+    // To where the phase is whole, as far as the curve before tells.
+    PlanePoint across{-way.y * units.width, way.x * units.height};
+    if (along(last.gradient, across) < 0.0) across = {-across.x, -across.y};
+    const Scene scene = curve.at(guess);
+    MotionState seed = last.state;
+    seed.instant.phase = same_angle(seed.instant.phase, before, scene);
+    try {
+      const auto found =
+          point_of(curve, guess, across, orbit_near(scene, seed, curve.periods, {}, 400),
+                   same_angle(last.time, before, scene));
+      if (found && units.distance(found->at, guess) < 0.4 * far) return found;
+    } catch (const std::exception &) {  // no such motion here
+    }
+    return std::nullopt;
+  };
+  const double came =
+      std::atan2((end.at.y - last.at.y) / units.height, (end.at.x - last.at.x) / units.width);
+  for (double far = 5e-4; far < 0.01; far *= 4.0)
+    for (const double turn : {0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8}) {
+      const PlanePoint way{std::cos(came + turn), std::sin(came + turn)};
+      const auto found = found_at(way, far);
+      if (!found) continue;
+      const PlanePoint tangent = units.tangent(*found);
+      return Beyond{*found, tangent.x * way.x + tangent.y * way.y > 0.0 ? 1 : -1};
+    }
+  return std::nullopt;
 }
 
 }  // namespace vibro_impact

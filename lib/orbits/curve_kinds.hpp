@@ -48,13 +48,20 @@ std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const Pla
                                         const PlanePoint &across, const Scene &from,
                                         const MotionState &start, double side, int count);
 
-// Border orbits (border_curve.cpp): by Newton's method in the excess with the depth growing, since
-// the zero of one depth lies in the window of the next. The border lies between where the chatter
-// completes, `side` of `across`, and where it does not; `reach` is the first step that looks for
-// the other.
-std::optional<CurvePoint> by_depth(const BifurcationCurve &curve, const PlanePoint &guess,
-                                   const PlanePoint &across, Scene from, MotionState seed,
-                                   double time, double side, double reach);
+// Border orbits (border_curve.cpp): orbit and place on the line together, by Newton's method from a
+// motion near the border orbit; `from.at` is that of its scene.
+std::optional<CurvePoint> by_held_chatter(const BifurcationCurve &curve, const PlanePoint &guess,
+                                          const PlanePoint &across, const CurvePoint &from);
+
+// A point of a curve of border orbits: the events of the orbit but for the impacts of the chatter,
+// its multipliers with that chatter complete, when it ends after the section, and the rate of the
+// pressing force there, which falls.
+struct OnBorder {
+  std::vector<Event> events;
+  std::vector<std::complex<double>> multipliers;
+  double end = 0.0, press_rate = 0.0;
+};
+std::optional<OnBorder> on_border(const BifurcationCurve &curve, const CurvePoint &point);
 
 // Period doublings and folds (impact_curve.cpp): by Newton's method in the speed of an impact and
 // the place on the line.

@@ -23,8 +23,8 @@ struct Quantity {
   std::function<double(const MotionState &)> value, rate;
 };
 
-// Where the quantity falls and, at the next node, rises. Nodes are the events, on both sides of
-// which the motion is looked at, and uniform times close enough for the fastest mode.
+// Where the quantity falls, and whether it rises at the next node. Nodes are the events, on both
+// sides of which the motion is looked at, and uniform times close enough for the fastest mode.
 struct MinimumRecorder {
   const Scene &scene;
   const Quantity &quantity;
@@ -35,6 +35,7 @@ struct MinimumRecorder {
   struct Bracket {
     MotionState start;
     double length;
+    bool rises;  // at its end
   };
   std::vector<Bracket> brackets = {};
 
@@ -54,8 +55,9 @@ struct MinimumRecorder {
     node(before, state_at(moment, held));
   }
   void node(const MotionState &before, const MotionState &after) {
-    if (falling && quantity.defined(before) && quantity.rate(before) > 0.0)
-      brackets.push_back({*falling, elapsed(falling->instant, before.instant, Clock(scene.omega))});
+    if (falling && quantity.defined(before))
+      brackets.push_back({*falling, elapsed(falling->instant, before.instant, Clock(scene.omega)),
+                          quantity.rate(before) > 0.0});
     falling.reset();
     if (quantity.defined(after) && quantity.rate(after) < 0.0) falling = after;
   }
@@ -72,6 +74,15 @@ MotionState flown(const Scene &scene, const MotionState &from, double time) {
           from.held};
 }
 
+// Where the rate is largest between two nodes at which it is negative, if there: a minimum and a
+// maximum may lie between them.
+std::optional<double> largest_between(const std::function<double(double)> &rate, double length) {
+  const double step = 1e-3 * length;
+  const auto bend = [&](double time) { return rate(time + step) - rate(time); };
+  if (!(bend(0.0) > 0.0 && bend(length - step) < 0.0)) return std::nullopt;
+  return zero(bend, 0.0, length - step).value + 0.5 * step;
+}
+
 // Least interior local minimum over one period from `start`: the zero of the rate between nodes.
 std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
                                         const Quantity &quantity) {
@@ -81,10 +92,12 @@ std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
   MinimumRecorder nodes{scene, quantity, start.held, from, from + period, every};
   stroboscopic_map(scene, start, 1, {}, nodes);
   std::optional<LeastValue> least;
-  for (const auto &[at, length] : nodes.brackets) {
+  for (const auto &[at, length, rises] : nodes.brackets) {
     const auto rate = [&](double time) { return quantity.rate(flown(scene, at, time)); };
-    if (!(rate(length) > 0.0)) continue;  // at the node itself, to rounding
-    MotionState lowest = flown(scene, at, zero(rate, 0.0, length).value);
+    const std::optional<double> until =
+        rises ? std::optional(length) : largest_between(rate, length);
+    if (!until || !(rate(*until) > 0.0)) continue;  // at the node itself, to rounding
+    MotionState lowest = flown(scene, at, zero(rate, 0.0, *until).value);
     const double value = quantity.value(lowest);
     if (!least || value < least->value) least = {value, std::move(lowest)};
   }

@@ -41,7 +41,7 @@ std::optional<Reading> least_value(const BifurcationCurve &curve, const PlanePoi
 std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const PlanePoint &guess,
                                         const PlanePoint &across, const Scene &from,
                                         const MotionState &start, double side, int count) {
-  constexpr double near = 1e-8, farthest = 2e-3;
+  constexpr double near = 1e-10, farthest = 2e-3;
   double s = 0.0;
   std::optional<Reading> reading = least_value(curve, guess, from, start, count);
   for (double margin = 1e-9; !reading && margin < farthest; margin *= 8.0) {

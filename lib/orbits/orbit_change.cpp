@@ -124,14 +124,15 @@ std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
                                      least->at.instant.phase, moved.motion, moved.changes));
 }
 
-ValueChange border_excess_change(const Scene &scene, const OrbitChange &change,
-                                 std::size_t impact) {
-  require(impact + 1 < change.events.size(), "impact ", impact, ": the orbit has ",
-          change.events.size(), " events");
-  const EventChange &one = change.events[impact], &next = change.events[impact + 1];
+ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter> &by,
+                                 const EventChange &one, const EventChange &next) {
   require(one.event.kind == EventKind::impact && next.event.kind == EventKind::impact &&
               one.event.stop == next.event.stop,
-          "events ", impact, " and ", impact + 1, ": must be impacts at one stop");
+          "events: must be impacts at one stop");
+  require(by.size() <= one.velocity_before.size() &&
+              one.velocity_before.size() == next.velocity_before.size(),
+          "events: ", one.velocity_before.size(), " and ", next.velocity_before.size(),
+          " changes given, by ", by.size(), " parameters");
   const double r = law_of(scene, scene.stops[one.event.stop]).at_rest();
   const BorderChatter border = border_chatter(r);
   // (3 - s) (1 - s)^2 = r (3 - 2 s) differentiated; the ratio is (1 - s)^2.
@@ -139,8 +140,10 @@ ValueChange border_excess_change(const Scene &scene, const OrbitChange &change,
   const double by_r = 2.0 * q * (3.0 - 2.0 * s) / (q * q + 2.0 * (3.0 - s) * q - 2.0 * r);
   const double ratio = next.event.velocity_before / one.event.velocity_before;
   ValueChange excess{ratio - border.speed_ratio, {}};
-  for (std::size_t k = 0; k < change.by.size(); ++k) {
-    const bool of_stop = is_of_stop(scene, change.by[k], Kind::restitution, one.event.stop);
+  const std::size_t first = one.velocity_before.size() - by.size();
+  for (std::size_t k = 0; k < one.velocity_before.size(); ++k) {
+    const bool of_stop =
+        k >= first && is_of_stop(scene, by[k - first], Kind::restitution, one.event.stop);
     excess.by.push_back((next.velocity_before[k] - ratio * one.velocity_before[k]) /
                             one.event.velocity_before -
                         (of_stop ? by_r : 0.0));

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "simulate.hpp"
@@ -35,6 +36,12 @@ struct CurvePoint {
 using Corrector = std::function<std::optional<CurvePoint>(
     const PlanePoint &guess, const PlanePoint &across, const CurvePoint &neighbour)>;
 
+// Quantities positive on a curve that may be zero at its end, by name; NaN where one means nothing.
+struct EndConditions {
+  std::vector<std::string> names = {};
+  std::function<std::vector<double>(const CurvePoint &)> values = {};
+};
+
 struct FollowOptions {
   double step = 0.01;        // longest, in units of the box, > 0
   double least_step = 1e-6;  // below which the curve is given up, > 0
@@ -48,15 +55,21 @@ enum class CurveEnd { box, lost, closed, most };
 const char *name(CurveEnd end);
 
 struct FollowedCurve {
-  std::vector<CurvePoint> points;  // the start first
+  std::vector<CurvePoint> points;           // the start first
+  std::vector<std::vector<double>> values;  // of the conditions, one row per point
   CurveEnd end = CurveEnd::lost;
 };
 
 // The curve from `start` on, with its gradient to the left (`direction` +1) or to the right (-1) of
 // the way. A last point on the side of the box where it leaves it. Throws std::invalid_argument for
 // an empty box, a start outside it, and options out of range.
+//
+// A condition that falls and is small, below 0.05 and 30 steps, may not change by more than a
+// factor of three in one step: towards its zero the steps grow shorter, and none leads to what lies
+// behind.
 FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, const PlaneBox &box,
-                           int direction, const FollowOptions &options = {});
+                           int direction, const FollowOptions &options = {},
+                           const EndConditions &conditions = {});
 
 // The point where two curves cross, near points of both, by Newton's method; nothing where a
 // corrector finds none or it does not converge to `tolerance` within 12 steps. The two points are

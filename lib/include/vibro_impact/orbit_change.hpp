@@ -50,11 +50,12 @@ std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
                                                        const PeriodicOrbit &orbit,
                                                        const OrbitChange &change, const Stop &stop);
 
-// What find_border_orbit takes to zero: by how much the ratio of the speeds of two consecutive
-// impacts, `impact` and the next (numbers in OrbitChange::events), exceeds that of a border orbit.
-// Throws std::invalid_argument unless both are impacts at one stop of which the restitution lies in
-// (0, 1).
-ValueChange border_excess_change(const Scene &scene, const OrbitChange &change, std::size_t impact);
+// What is zero on a border orbit: by how much the ratio of the speeds of two consecutive impacts of
+// a chatter exceeds that of a border orbit. Its last by.size() derivatives are by these parameters,
+// the ones before by what the others of the changes go with. Throws std::invalid_argument unless
+// both are impacts at one stop of which the restitution lies in (0, 1), and of as many changes.
+ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter> &by,
+                                 const EventChange &one, const EventChange &next);
 
 // The derivatives of the Floquet multipliers, in the order of orbit.multipliers. They need the
 // second derivatives of the map: taken as central differences, of fourth order in `step`, of its
