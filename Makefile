@@ -2,7 +2,7 @@
 # make figure2 ...    one figure
 # make error-vs-runtime  error against run time, beside other methods (under a minute)
 # make peers          install SUNDIALS and Siconos, and draw that with them in it
-# make atlas-full     the (Omega, r) atlas at 2000 x 1500 points (hours; ended, it goes on when called again)
+# make atlas-full     the (Omega, r) atlas at 2000 x 1500 points (20 minutes on two processors; ended, it goes on when called again)
 # make build          the library and the scene runner, nothing else
 # make test           build and run every test
 # make check          the key numbers (paper, computed, error, verdict) and what others published

@@ -4,9 +4,11 @@
 //                             along it; `checked`, at ten points of each at random: the distance,
 //                             in units of the box, of the change of a count
 // atlas_curves_omega_A1.csv   in frequency and amplitude
-// atlas_curves_5a.csv, _5b    in the positions of the stops, at the frequencies of Figure 5(a), (b)
+// atlas_curves_5a.csv, _5b, _5c  in the positions of the stops, at the frequencies of Figure 5
+// atlas_curves_5b_omega_r.csv in frequency and restitution, at the stops of Figure 5(b)
 // atlas_codimension_two.csv   points of codimension two that two curves lead to
-// atlas_curve_ends.csv        where they end or have a corner, and what is zero there if it is known;
+// atlas_curve_ends.csv        where they end or have a corner, and what is zero there if it is
+// known;
 //                             `beyond`: 1 where the curve goes on
 #include "curves.hpp"
 
@@ -151,25 +153,38 @@ std::vector<Work> work_on(const std::vector<CurvePlane> &planes) {
       work.push_back(
           {start.name, &plane, [start, &plane] { return figures::started(start, plane); }});
   };
+  const auto add_one = [&](const CurvePlane &plane, const std::string &name, const auto &start) {
+    work.push_back({name, &plane, start});
+  };
   std::vector<figures::CurveStart> starts = figures::curve_starts();
   // Further starts on two of the curves.
   std::erase_if(starts, [](const auto &start) {
     return start.name == "border_mass_1_3" || start.name == "border_mass_2_3";
   });
-  add(planes[0], starts);
+  const CurvePlane &omega_r = planes[0], &omega_A1 = planes[1], &at_5a = planes[2],
+                   &at_5b = planes[3], &at_5c = planes[4], &omega_r_5b = planes[5];
+  add(omega_r, starts);
+  add(omega_r, figures::high_frequency_starts());
   for (const figures::FamilyStart &start : figures::family_starts())
-    work.push_back({start.name, &planes[0], [start] { return figures::started(start); }});
-  add(planes[1], figures::amplitude_starts());
-  add(planes[2], figures::stops_starts());
-  work.push_back({"grazing_mass_2", &planes[3],
-                  [&plane = planes[3]] { return figures::started_grazing(plane); }});
+    add_one(omega_r, start.name, [start] { return figures::started(start); });
+  add(omega_A1, figures::amplitude_starts());
+  add(at_5a, figures::stops_starts());
+  add_one(at_5b, "grazing_mass_2", [&] { return figures::started_grazing(at_5b, {0.0, 1.0}); });
+  add(at_5c, figures::dual_sticking_starts());
+  add_one(omega_r_5b, "grazing_mass_2", [&] {
+    return figures::started_grazing(omega_r_5b, {-1.0, 0.0});
+  });
+  add_one(omega_r_5b, "fold_2", figures::started_end_of_impacts);
   return work;
 }
 
 void draw(const std::filesystem::path &output) {
-  const std::vector<CurvePlane> planes{figures::omega_r_plane(), figures::omega_A1_plane(),
+  const std::vector<CurvePlane> planes{figures::omega_r_plane(),
+                                       figures::omega_A1_plane(),
                                        figures::stops_plane("5a", paper::figure5a()),
-                                       figures::stops_plane("5b", paper::figure5b())};
+                                       figures::stops_plane("5b", paper::figure5b()),
+                                       figures::stops_plane("5c", paper::figure5c()),
+                                       figures::omega_r_plane_5b()};
   const std::vector<Work> work = work_on(planes);
   std::vector<WholeCurve> curves(work.size());
   Progress progress("curves", static_cast<double>(work.size()));

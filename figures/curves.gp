@@ -1,6 +1,7 @@
 # Bifurcations as curves over maps of who sticks (the tables of the atlas, where it has been drawn):
 # in frequency and restitution, whole and around the range of Figure 3, in frequency and amplitude,
-# and in the positions of the stops at the frequencies of Figures 5(a) and (b).
+# in the positions of the stops at the frequencies of Figure 5, and in frequency and restitution at
+# the stops of Figure 5(b).
 load 'figures/style.gp'
 
 two = data.'/atlas_codimension_two.csv'
@@ -19,27 +20,30 @@ of(name, value) = strcol('curve') eq name ? value : NaN
 known(plane, value) = strcol('plane') eq plane && strcol('end') ne 'lost' && strcol('end') ne 'leaves the box' && strcol('end') ne 'closed' ? value : NaN
 lost(plane, value) = strcol('plane') eq plane && strcol('end') eq 'lost' ? value : NaN
 
-array plane[5] = ['omega_r', 'omega_r', 'omega_A1', '5a', '5b']
-array table[5] = ['', '', '_omega_A1', '_5a', '_5b']
-array x_name[5] = ['Ω', 'Ω', 'Ω', '{/:Italic s}_1 at the frequency of Figure 5(a)', '{/:Italic s}_1 at the frequency of Figure 5(b)']
-array y_name[5] = ['{/:Italic r}', '{/:Italic r}', '{/:Italic A}_1', '{/:Italic s}_2', '{/:Italic s}_2']
-array x_column[5] = ['omega', 'omega', 'omega', 'stop1', 'stop1']
-array y_column[5] = ['restitution', 'restitution', 'amplitude1', 'stop2', 'stop2']
-array x_from[5] = [0.2, 0.25, 0.2, 0.0, 0.0]
-array x_to[5] = [0.8, 0.5, 0.8, 0.6, 0.6]
-array y_from[5] = [0.0, 0.64, 0.02, 0.0, 0.0]
-array y_to[5] = [0.98, 0.78, 1.2, 0.6, 0.6]
+panels = 7
+array plane[panels] = ['omega_r', 'omega_r', 'omega_A1', '5a', '5b', '5c', '5b_omega_r']
+array table[panels] = ['', '', '_omega_A1', '_5a', '_5b', '_5c', '_5b_omega_r']
+array x_name[panels] = ['Ω', 'Ω', 'Ω', '{/:Italic s}_1 at the frequency of Figure 5(a)', '{/:Italic s}_1 at the frequency of Figure 5(b)', '{/:Italic s}_1 at the frequency of Figure 5(c)', 'Ω at the stops of Figure 5(b)']
+array y_name[panels] = ['{/:Italic r}', '{/:Italic r}', '{/:Italic A}_1', '{/:Italic s}_2', '{/:Italic s}_2', '{/:Italic s}_2', '{/:Italic r}']
+array x_column[panels] = ['omega', 'omega', 'omega', 'stop1', 'stop1', 'stop1', 'omega']
+array y_column[panels] = ['restitution', 'restitution', 'amplitude1', 'stop2', 'stop2', 'stop2', 'restitution']
+array x_from[panels] = [0.2, 0.25, 0.2, 0.0, 0.0, 0.0, 0.298]
+array x_to[panels] = [0.8, 0.5, 0.8, 0.6, 0.6, 0.6, 0.308]
+array y_from[panels] = [0.0, 0.64, 0.02, 0.0, 0.0, 0.0, 0.0]
+array y_to[panels] = [0.98, 0.78, 1.2, 0.6, 0.6, 0.6, 0.98]
+row = 0.188
 
 do for [kind in 'png pdf'] {
-  eval canvas(kind, 'curves', 4)
+  eval canvas(kind, 'curves', 5)
   set multiplot
   set tmargin 1.2
-  do for [k = 1:5] {
-    set label 1 '('.substr('abcde', k, k).')' at graph (k > 3 ? -0.2 : -0.1), graph 1.02
+  do for [k = 1:panels] {
+    set label 1 '('.substr('abcdefg', k, k).')' at graph (k > 3 ? -0.2 : -0.1), graph 1.02
     set xlabel x_name[k]; set ylabel y_name[k]
     set xrange [x_from[k]:x_to[k]]; set yrange [y_from[k]:y_to[k]]
-    set origin k == 5 ? 0.5 : 0.0, k > 3 ? 0.0 : 0.94 - 0.235 * k
-    set size k > 3 ? 0.5 : 1.0, 0.235
+    set origin k == 5 || k == 7 ? 0.5 : 0.0, k > 5 ? 0.0 : k > 3 ? row : 0.95 - row * k
+    set size k > 3 ? 0.5 : 1.0, row
+    set xtics autofreq; if (k == 7) { set xtics 0.004 }
     if (k == 1) { set key at screen 0.97, screen 0.995 right top samplen 3 width 0 maxrows 4 font kind eq 'png' ? ',18' : ',8' } else { unset key }
     map = data.'/atlas_'.plane[k].'.csv'
     curves = data.'/atlas_curves'.table[k].'.csv'
@@ -51,13 +55,15 @@ do for [kind in 'png pdf'] {
       ends using (lost(plane[k], column('x'))):'y' with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' notitle, \
       ends using (known(plane[k], column('x'))):'y' with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' notitle, \
       two using (strcol('plane') eq plane[k] ? column('x') : NaN):'y' with points pt 7 ps 0.9 lc rgb '#202020' notitle, \
+      (k == 5 || k == 6 ? x : NaN) with lines lc rgb '#202020' dt 4 lw 1.2 notitle, \
       NaN with lines lc rgb '#12355b' dt 1 lw 1.6 title 'border orbit, mass 1', \
       NaN with lines lc rgb '#c8442c' dt 1 lw 1.6 title 'border orbit, mass 2', \
       NaN with lines lc rgb '#12355b' dt 2 lw 1.6 title 'multi-sliding, mass 1', \
       NaN with lines lc rgb '#c8442c' dt 2 lw 1.6 title 'multi-sliding, mass 2', \
-      NaN with lines lc rgb '#c8442c' dt 3 lw 1.6 title 'grazing, mass 2 (e)', \
+      NaN with lines lc rgb '#c8442c' dt 3 lw 1.6 title 'grazing, mass 2', \
       NaN with lines lc rgb '#7b3294' dt 1 lw 1.6 title 'period doubling', \
       NaN with lines lc rgb '#7b3294' dt 3 lw 1.6 title 'fold', \
+      NaN with lines lc rgb '#202020' dt 4 lw 1.2 title '{/:Italic s}_1 = {/:Italic s}_2', \
       NaN with points pt 7 ps 0.9 lc rgb '#202020' title 'end of two curves', \
       NaN with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' title 'end or corner, located', \
       NaN with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' title 'given up'

@@ -131,6 +131,39 @@ TEST(BifurcationCurves, AreWhereTheCountsChange) {
   EXPECT_EQ(checked, 10);
 }
 
+// The edges of sticking that are found by a bisection of their own, in two planes: on the curve,
+// and a few steps on.
+TEST(BifurcationCurves, StartOnTheEdgesOfSticking) {
+  const auto hold = [](const EdgeStart &start, const CurvePlane &plane) {
+    const StartedCurve found = started(start, plane);
+    const FollowedCurve curve = follow_curve(corrector_of(found.curve), found.point, plane.box, 1,
+                                             {.step = 0.01, .turn = 0.3, .most = 4});
+    ASSERT_EQ(curve.points.size(), 4u) << start.name;
+    for (const CurvePoint &point : {curve.points.front(), curve.points.back()}) {
+      const auto distance = distance_by_counting(found.curve, point, plane.box);
+      ASSERT_TRUE(distance) << start.name;
+      EXPECT_LT(*distance, 1e-9) << start.name;
+    }
+  };
+  for (const EdgeStart &start : high_frequency_starts()) hold(start, omega_r_plane());
+  for (const EdgeStart &start : dual_sticking_starts())
+    hold(start, stops_plane("5c", paper::figure5c()));
+}
+
+// Dual sticking at the frequencies of Figures 5(b) and (c) begins where s1 = s2: the force on mass
+// 2 at rest beside mass 1 at rest is k2 (s1 - s2). Counted, to the width of the bisection.
+TEST(BifurcationCurves, DualStickingBeginsWhereTheStopsAreAlike) {
+  for (const Scene &panel : {paper::figure5b(), paper::figure5c()}) {
+    const auto sticks = [&](double s1) {
+      Scene scene = with(with(panel, parameter_named("stop1"), s1), parameter_named("stop2"), 0.2);
+      ShortestStick stick{2};
+      stroboscopic_map(scene, at_quiet_phase(scene, settled(scene, 100)), 2, {}, stick);
+      return std::isfinite(stick.shortest) ? 1 : 0;
+    };
+    EXPECT_NEAR(bisect(sticks, 0.15, 0.25, 1e-8).above, 0.2, 1e-7);
+  }
+}
+
 // The direction of a curve is that of the derivatives of what is zero on it: against the secant of
 // two points of it, 2 h apart around it (an error of h^2).
 TEST(BifurcationCurves, RunAsTheDerivativesSay) {
