@@ -182,8 +182,6 @@ inline std::vector<CurveStart> borders_to_unfold() {
   std::vector<CurveStart> borders;
   for (const CurveStart &start : curve_starts())
     if (start.what == Bifurcation::border_orbit) borders.push_back(start);
-  // Not the start of a curve: only the orbit followed, not the motion from rest, comes to it.
-  borders.push_back({"border_mass_1_5", Bifurcation::border_orbit, 1, 0.3678229909, -1.0});
   std::sort(borders.begin(), borders.end(),
             [](const CurveStart &a, const CurveStart &b) { return a.x < b.x; });
   return borders;

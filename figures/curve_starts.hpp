@@ -72,6 +72,7 @@ inline std::vector<CurveStart> curve_starts() {
           {"border_mass_1_3", border_orbit, 1, 0.3309823529, 1.0},
           {"border_mass_2_2", border_orbit, 2, 0.3670049140, -1.0},
           {"border_mass_1_4", border_orbit, 1, 0.3678202574, -1.0},
+          {"border_mass_1_5", border_orbit, 1, 0.3678229909, -1.0},
           {"border_mass_2_3", border_orbit, 2, 0.4038279286, 1.0},
           {"border_mass_1_6", border_orbit, 1, 0.4038337212, 1.0},
           {"border_mass_1_7", border_orbit, 1, 0.4642151872, -1.0},

@@ -52,16 +52,17 @@ inline int count_beside(const BifurcationCurve &curve, const BesideCurve &at) {
 }
 
 // How far from a point of a curve, across it and in units of the box, this count changes: by
-// bisection within 1e-9, or where the counts at both ends agree, 1e-7. (Other curves may be as
-// near: two chatters that hardly fail to complete lie between each other's.) Nothing where they
-// agree there, too, and for a fold, on one side of which there is no orbit to count on.
+// bisection within 1e-11 or, where the counts at both ends agree, ever farther, up to 1e-7. (Other
+// changes may be as near: two chatters that hardly fail to complete lie between each other's, and
+// beside an unstable orbit the count is soon another's.) Nothing where they agree there, too, and
+// for a fold, on one side of which there is no orbit to count on.
 inline std::optional<double> distance_by_counting(const BifurcationCurve &curve,
                                                   const CurvePoint &point, const PlaneBox &box) {
   if (curve.what == Bifurcation::fold) return std::nullopt;
   const auto count = [&](double s) { return count_beside(curve, beside(curve, point, box, s)); };
-  for (const double reach : {1e-9, 1e-7}) {
+  for (const double reach : {1e-11, 1e-10, 1e-9, 1e-7}) {
     if (count(-reach) == count(reach)) continue;
-    const Change change = bisect(count, -reach, reach, 1e-12);
+    const Change change = bisect(count, -reach, reach, std::min(1e-12, 0.01 * reach));
     return 0.5 * std::abs(change.below + change.above);
   }
   return std::nullopt;
