@@ -1,5 +1,7 @@
 #include "vibro_impact/bifurcation_curve.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "chain/require.hpp"
@@ -33,6 +35,18 @@ CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const
   point.time -= later;
   if (point.time < 0.0) point.time += period;
   return point;
+}
+
+double time_apart(const std::vector<Event> &events) {
+  double least = std::numeric_limits<double>::infinity();
+  const Event *last = nullptr;
+  for (const Event &event : events) {
+    if (event.kind != EventKind::impact) continue;
+    if (last != nullptr && last->mass != event.mass)
+      least = std::min(least, event.time - last->time);
+    last = &event;
+  }
+  return least;
 }
 
 const char *name(Bifurcation bifurcation) {

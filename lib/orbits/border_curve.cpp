@@ -89,7 +89,8 @@ std::optional<OnBorder> on_border(const BifurcationCurve &curve, const CurvePoin
     for (std::size_t j = 0; j < free.size(); ++j)
       map(free[i], free[j]) =
           eq->residual_by(static_cast<Index>(i), static_cast<Index>(j)) + (i == j ? 1.0 : 0.0);
-  return OnBorder{eq->others, floquet_multipliers(map, point.state.held), eq->end, eq->press_rate};
+  return OnBorder{eq->others, floquet_multipliers(map, point.state.held), eq->end, eq->press_rate,
+                  eq->apart};
 }
 
 std::optional<CurvePoint> by_held_chatter(const BifurcationCurve &curve, const PlanePoint &guess,

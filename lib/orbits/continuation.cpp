@@ -37,10 +37,10 @@ Exit exit_of(const PlaneBox &box, const PlanePoint &from, const PlanePoint &to) 
 // only just become so small, is another one now: of two impacts the other is the slower, or a
 // minimum has met a maximum.)
 bool leaps(const std::vector<std::vector<double>> &before, const std::vector<double> &to,
-           double step) {
+           std::size_t passable, double step) {
   const double small = std::min(0.05, 30.0 * step);
   const std::vector<double> &from = before.back(), &earlier = before[before.size() - 2];
-  for (std::size_t k = 0; k < to.size(); ++k)
+  for (std::size_t k = 0; k + passable < to.size(); ++k)
     if (from[k] < small && from[k] < earlier[k] && earlier[k] < 100.0 * from[k] &&
         !(to[k] < 3.0 * from[k] && from[k] < 3.0 * to[k]))
       return true;
@@ -120,7 +120,7 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
       continue;
     }
     std::vector<double> now = values_at(*found);
-    if (curve.values.size() > 1 && leaps(curve.values, now, step)) {
+    if (curve.values.size() > 1 && leaps(curve.values, now, conditions.passable, step)) {
       if (getenv("DBG")) {
         printf("## leap step %g:", step);
         for (size_t k = 0; k < now.size(); ++k)

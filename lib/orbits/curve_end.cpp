@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -89,41 +90,37 @@ std::pair<std::vector<Node>, std::size_t> falling_nodes(const FollowedCurve &cur
   return {{backwards.rbegin(), backwards.rend()}, end};
 }
 
-}  // namespace
-
-std::optional<LocatedEnd> end_of(const Corrector &corrector, const EndConditions &conditions,
-                                 const FollowedCurve &curve, const PlaneBox &box) {
-  const std::vector<CurvePoint> &points = curve.points;
-  require(points.size() >= 2, "points: ", points.size(), " given, an end needs 2");
-  require(
-      curve.values.size() == points.size() && curve.values.back().size() == conditions.names.size(),
-      "curve: must have been followed with these ", conditions.names.size(), " conditions");
-  const Units units(box);
+// A condition that falls, how far ahead its zero seems, and the last point that tells of it.
+struct Falling {
+  std::size_t condition;
   std::vector<Node> nodes;
   CurvePoint last;
-  std::optional<std::size_t> zero_there;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t condition = 0; condition < conditions.names.size(); ++condition) {
-    const double least = conditions.names[condition].starts_with("grazing") ? slow : 0.0;
-    auto [falling, end] = falling_nodes(curve, condition, least);
-    if (falling.size() < 2) std::tie(falling, end) = falling_nodes(curve, condition, 0.0);
-    if (falling.size() < 2) continue;
-    const double ahead = units.distance(zero_of(falling, units).first, points[end].at);
-    // Where a speed and a gap are zero together the speed: the gap may be its square.
-    const bool again = zero_there && conditions.names[*zero_there] == conditions.names[condition];
-    if (!(ahead < (again ? 0.02 : 1.0) * nearest)) continue;
-    nearest = ahead;
-    nodes = falling;
-    last = points[end];
-    zero_there = condition;
-  }
-  if (!zero_there) return std::nullopt;
-  LocatedEnd end{conditions.names[*zero_there], {}, std::numeric_limits<double>::infinity(), 0.0};
+  double ahead;
+};
+
+std::optional<Falling> falling_to_zero(const FollowedCurve &curve, const EndConditions &conditions,
+                                       std::size_t condition, const Units &units) {
+  const double least = conditions.names[condition].starts_with("grazing") ? slow : 0.0;
+  auto [nodes, end] = falling_nodes(curve, condition, least);
+  if (nodes.size() < 2) std::tie(nodes, end) = falling_nodes(curve, condition, 0.0);
+  if (nodes.size() < 2) return std::nullopt;
+  const CurvePoint &last = curve.points[end];
+  const double ahead = units.distance(zero_of(nodes, units).first, last.at);
+  return Falling{condition, std::move(nodes), last, ahead};
+}
+
+// The zero of a condition through ever nearer points of the curve.
+std::optional<LocatedEnd> approached(const Corrector &corrector, const EndConditions &conditions,
+                                     Falling falling, const PlaneBox &box) {
+  const Units units(box);
+  const std::string &name = conditions.names[falling.condition];
+  CurvePoint &last = falling.last;
+  std::vector<Node> &nodes = falling.nodes;
+  LocatedEnd end{name, {}, std::numeric_limits<double>::infinity(), 0.0};
   for (int step = 0; step < 20 && !(end.error < 1e-10); ++step) {
-    if (nodes.back().value < slow && end.error < 1e-8 && end.condition.starts_with("grazing"))
-      break;
+    if (nodes.back().value < slow && end.error < 1e-8 && name.starts_with("grazing")) break;
     const auto [at, error] = zero_of(nodes, units);
-    if (error < end.error) end = {end.condition, at, error, nodes.back().value};
+    if (error < end.error) end = {name, at, error, nodes.back().value};
     std::optional<CurvePoint> next;
     double value = unknown;
     for (double part = 0.75; part > 0.01 && !next; part /= 2.0) {
@@ -134,7 +131,7 @@ std::optional<LocatedEnd> end_of(const Corrector &corrector, const EndConditions
       if (next && (units.distance(next->at, guess) > 0.5 * units.distance(guess, last.at) ||
                    !(next->error < well_known)))
         next.reset();
-      if (next) value = conditions.values(*next)[*zero_there];
+      if (next) value = conditions.values(*next)[falling.condition];
       if (!(value > 0.0 && value < nodes.back().value)) next.reset();
     }
     if (!next) break;
@@ -145,10 +142,36 @@ std::optional<LocatedEnd> end_of(const Corrector &corrector, const EndConditions
   return end;
 }
 
+}  // namespace
+
+std::optional<LocatedEnd> end_of(const Corrector &corrector, const EndConditions &conditions,
+                                 const FollowedCurve &curve, const PlaneBox &box) {
+  require(curve.points.size() >= 2, "points: ", curve.points.size(), " given, an end needs 2");
+  require(curve.values.size() == curve.points.size() &&
+              curve.values.back().size() == conditions.names.size(),
+          "curve: must have been followed with these ", conditions.names.size(), " conditions");
+  const Units units(box);
+  std::vector<Falling> candidates;
+  for (std::size_t condition = 0; condition < conditions.names.size(); ++condition) {
+    auto found = falling_to_zero(curve, conditions, condition, units);
+    if (!found) continue;
+    // Where a speed and a gap are zero together the speed: the gap may be its square.
+    for (const Falling &before : candidates)
+      if (conditions.names[before.condition] == conditions.names[condition]) found->ahead *= 50.0;
+    candidates.push_back(std::move(*found));
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Falling &a, const Falling &b) { return a.ahead < b.ahead; });
+  for (const Falling &candidate : candidates)
+    if (auto end = approached(corrector, conditions, candidate, box)) return end;
+  return std::nullopt;
+}
+
 std::optional<Beyond> beyond(const BifurcationCurve &curve, const LocatedEnd &end,
                              const CurvePoint &last, const PlaneBox &box) {
-  const bool goes_on =
-      end.condition.starts_with("grazing") || end.condition.starts_with("border orbit");
+  const bool goes_on = end.condition.starts_with("grazing") ||
+                       end.condition.starts_with("border orbit") ||
+                       end.condition == "double impact";
   if (of_impacts(curve.what) || !goes_on) return std::nullopt;
   const Units units(box);
   const Scene before = curve.at(last.at);

@@ -37,6 +37,9 @@ inline double same_angle(double time, const Scene &from, const Scene &to) {
 std::optional<PeriodicOrbit> orbit_in(const Scene &scene, const Scene &from, MotionState seed,
                                       int periods, const RunOptions &run);
 
+// The least time between impacts of two masses, of events in their order.
+double time_apart(const std::vector<Event> &events);
+
 // A reading at `read`, very near, made a point of the curve, at a section far from events.
 CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
                       const Reading &reading, double error);
@@ -60,6 +63,8 @@ struct OnBorder {
   std::vector<Event> events;
   std::vector<std::complex<double>> multipliers;
   double end = 0.0, press_rate = 0.0;
+  double apart =
+      0.0;  // the least time between impacts of two masses, the first of the chatter, too
 };
 std::optional<OnBorder> on_border(const BifurcationCurve &curve, const CurvePoint &point);
 

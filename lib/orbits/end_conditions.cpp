@@ -23,6 +23,7 @@ struct Beside {
   std::vector<std::complex<double>> multipliers = {};
   std::vector<Event> events = {};  // of a border orbit without the impacts of the chatter
   double limit = unknown, press_rate = unknown;  // of a border orbit: as in OnBorder
+  double apart = unknown;                        // the least time between impacts of two masses
 };
 
 std::optional<Beside> beside(const BifurcationCurve &curve, const CurvePoint &point) {
@@ -36,6 +37,7 @@ std::optional<Beside> beside(const BifurcationCurve &curve, const CurvePoint &po
     found.events = on->events;
     found.limit = on->end;
     found.press_rate = on->press_rate;
+    found.apart = on->apart;
     // Where the chatter just completes, so that it leaves no gap.
     found.scene = curve.at(moved(point.at, point.gradient, away / length));
     found.state.instant.phase =
@@ -57,6 +59,7 @@ std::optional<Beside> beside(const BifurcationCurve &curve, const CurvePoint &po
   recorder.from = -std::numeric_limits<double>::infinity();
   stroboscopic_map(found.scene, found.state, curve.periods, {}, recorder);
   found.events = std::move(recorder.events);
+  found.apart = time_apart(found.events);
   return found;
 }
 
@@ -180,6 +183,9 @@ EndConditions end_conditions(const BifurcationCurve &curve) {
     default:
       break;
   }
+  // Mostly too slight a corner to be seen.
+  add("double impact", [](const Beside &at) { return at.apart; });
+  conditions.passable = 1;
   conditions.values = [curve, values](const CurvePoint &point) {
     const auto at = beside(curve, point);
     std::vector<double> now;

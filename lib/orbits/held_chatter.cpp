@@ -70,14 +70,28 @@ void take_out(const ChatterFound &chatter, std::vector<Event> &events) {
   events = std::move(others);
 }
 
+// The least time between impacts of two masses. Of the chatter the first ones count only: where an
+// impact of another mass meets its limit, it has met all the late ones in a row.
+double time_apart(std::vector<Event> others, const ChatterFound &chatter,
+                  const std::vector<Event> &events) {
+  constexpr std::size_t first = 3;
+  for (std::size_t k = 0; k < std::min(first, chatter.events.size()); ++k)
+    others.push_back(events[chatter.events[k]]);
+  std::sort(others.begin(), others.end(),
+            [](const Event &a, const Event &b) { return a.time < b.time; });
+  return time_apart(others);
+}
+
 // The last impact that leaves in proportion to how far the motion is from the border orbit: by how
 // much the speed falls to the next is then nearly what it is there. Impacts before it know less of
 // the border, those after it are carried away from it. Number `least`, if that is later and not yet
 // far away.
 std::optional<Compared> last_near_border(const ChatterFound &chatter, const ImpactLaw &law,
                                          std::size_t least) {
+  // At r the ratio of a chatter that completes, at 0 that of one which is over: of the way there.
+  constexpr double near = 0.2, not_far = 0.5;
   const BorderChatter border = border_chatter(law.at_rest());
-  const double ratio = border.speed_ratio, small = 0.2 * std::min(ratio, law.at_rest() - ratio);
+  const double ratio = border.speed_ratio, way = std::min(ratio, law.at_rest() - ratio);
   const auto off = [&](std::size_t n) {
     return std::abs(chatter.speeds[n + 1] / chatter.speeds[n] - ratio);
   };
@@ -86,12 +100,12 @@ std::optional<Compared> last_near_border(const ChatterFound &chatter, const Impa
   std::size_t best = 0;
   for (std::size_t n = 1; n + 1 < ratios; ++n)
     if (std::max(off(n), off(n + 1)) < std::max(off(best), off(best + 1))) best = n;
-  while (best + 1 < ratios && off(best + 1) < small) ++best;
-  if (best < least && least < ratios && off(least) < 2.5 * small) best = least;
+  while (best + 1 < ratios && off(best + 1) < near * way) ++best;
+  if (best < least && least < ratios && off(least) < not_far * way) best = least;
   bool similar = best > 0;
   for (std::size_t back = 1; back <= 3 && back < best; ++back)
-    similar = similar && off(best - back) < small;
-  return Compared{best, similar, small / border.escape};
+    similar = similar && off(best - back) < near * way;
+  return Compared{best, similar, near * way / border.escape};
 }
 
 // Ends the run right after an event of a kind at a stop, counted from 0.
@@ -157,8 +171,9 @@ class HeldChatter {
                           chatter->end,
                           *n,
                           press_rate,
-                          std::move(told.events)};
+                          told.events};
     take_out(*chatter, found.others);
+    found.apart = time_apart(found.others, *chatter, told.events);
     for (std::size_t k = 0; k < free.size(); ++k)
       found.residual_by(static_cast<Index>(k), static_cast<Index>(k)) -= 1.0;
     if (!found.residual_by.allFinite() || !found.excess_by.allFinite()) return std::nullopt;

@@ -40,6 +40,7 @@ using Corrector = std::function<std::optional<CurvePoint>(
 struct EndConditions {
   std::vector<std::string> names = {};
   std::function<std::vector<double>(const CurvePoint &)> values = {};
+  std::size_t passable = 0;  // of them, the last: the curve may go on smoothly, or nearly so
 };
 
 struct FollowOptions {
@@ -64,9 +65,9 @@ struct FollowedCurve {
 // the way. A last point on the side of the box where it leaves it. Throws std::invalid_argument for
 // an empty box, a start outside it, and options out of range.
 //
-// A condition that falls and is small, below 0.05 and 30 steps, may not change by more than a
-// factor of three in one step: towards its zero the steps grow shorter, and none leads to what lies
-// behind.
+// A condition that is not passable, falls and is small, below 0.05 and 30 steps, may not change by
+// more than a factor of three in one step: towards its zero the steps grow shorter, and none leads
+// to what lies behind.
 FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, const PlaneBox &box,
                            int direction, const FollowOptions &options = {},
                            const EndConditions &conditions = {});

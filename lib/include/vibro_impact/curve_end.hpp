@@ -23,6 +23,7 @@ namespace vibro_impact {
 //                             nearest impact of another mass
 //   "force without rate"      border orbit: how fast the pressing force falls at the limit
 //   "no restitution"          border orbit: the square root of r, with which the place goes
+//   "double impact"           the least time between impacts of two masses; passable
 EndConditions end_conditions(const BifurcationCurve &curve);
 
 struct LocatedEnd {
