@@ -21,7 +21,10 @@
 # make dist           the source archive, build/vibro-impact-<version>.tar.gz
 # make clean          remove build/
 
-figures := figure2 figure3 figure4 figure5 reconstruction multi_sliding bifurcations exit_boundary table1 comparison stability atlas curves border_cascade basins long_chain
+paper   := figure2 figure3 figure4 figure5
+methods := comparison stability
+beyond  := reconstruction multi_sliding bifurcations exit_boundary table1 atlas curves border_cascade basins long_chain
+figures := $(paper) $(methods) $(beyond)
 jobs    := $(shell nproc 2>/dev/null || echo 1)
 werror  := OFF
 
@@ -60,13 +63,13 @@ computed-%: configured-figures
 	@build/bin/$* --output build/figures
 
 drawn-%: configured-figures
-	@gnuplot -e "data='build/figures'" figures/$*.gp
+	@gnuplot -e "data='build/figures'" $(wildcard figures/$*.gp figures/*/$*.gp)
 	@echo "drawn: build/figures/$*.png"
 
 error-vs-runtime: configured-figures
 	$(make_target) error_vs_runtime
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 build/bin/error_vs_runtime --output build/figures
-	@gnuplot -e "data='build/figures'" figures/error_vs_runtime.gp
+	@gnuplot -e "data='build/figures'" figures/methods/error_vs_runtime.gp
 	@echo "drawn: build/figures/error_vs_runtime.png"
 
 # What a fresh machine does not have; CMake looks for them again.

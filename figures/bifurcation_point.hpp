@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "vibro_impact/locate.hpp"
+#include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/table.hpp"
 
 namespace vibro_impact::figures {

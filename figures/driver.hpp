@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "paper_scenes.hpp"
-#include "progress.hpp"
+#include "program/progress.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/scenes/true_event.hpp"
 #include "table_reader.hpp"
-#include "true_event.hpp"
 #include "vibro_impact/record.hpp"
 
 namespace vibro_impact::figures {

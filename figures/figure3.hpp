@@ -8,7 +8,8 @@
 #include <functional>
 #include <vector>
 
-#include "paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {

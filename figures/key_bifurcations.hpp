@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "bifurcations.hpp"
-#include "grazing.hpp"
+#include "figures/beyond/bifurcations.hpp"
+#include "figures/beyond/grazing.hpp"
+#include "figures/beyond/table1_scenes.hpp"
 #include "key_numbers.hpp"
-#include "table1_scenes.hpp"
 
 namespace vibro_impact::figures {
 

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "paper_scenes.hpp"
-#include "table1_scenes.hpp"
+#include "figures/beyond/table1_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {

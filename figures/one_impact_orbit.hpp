@@ -7,7 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "vibro_impact/impact_family.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/analysis/impact_family.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {

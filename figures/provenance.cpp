@@ -7,7 +7,7 @@
 #include "platform.hpp"
 #include "stored_tables.hpp"
 #include "table_reader.hpp"
-#include "vibro_impact/parameter.hpp"
+#include "vibro_impact/analysis/parameter.hpp"
 
 namespace {
 

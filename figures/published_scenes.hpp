@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "extreme_scenes.hpp"
 #include "one_impact_orbit.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures::published {

@@ -1,10 +1,10 @@
-// The extreme and the degenerate cases: the scenes of figures/extreme_cases.hpp and
-// figures/degenerate_cases.hpp (numbers only), simulated by the generator.
+// The extreme and the degenerate cases: the scenes of reference/scenes/extreme_cases.hpp and
+// reference/scenes/degenerate_cases.hpp (numbers only), simulated by the generator.
 #pragma once
 
-#include "../figures/degenerate_cases.hpp"
-#include "../figures/extreme_cases.hpp"
 #include "event_driven.hpp"
+#include "reference/scenes/degenerate_cases.hpp"
+#include "reference/scenes/extreme_cases.hpp"
 
 #include <string>
 #include <vector>

@@ -36,7 +36,7 @@ inline Flow free_flow(const Real &frequency) {
 }
 
 /// The scenes of Table I that are solved for: the same conditions and brackets as in
-/// figures/table1_scenes.hpp, on the closed form of the motion before the event.
+/// figures/beyond/table1_scenes.hpp, on the closed form of the motion before the event.
 inline std::vector<PairNumber> table1_numbers(const Resolution &resolution) {
   std::vector<PairNumber> rows;
   const auto add = [&](const char *symbol, const Real &value, const char *meaning) {

@@ -3,7 +3,8 @@
 // the counters beside them say what that took.
 #include <benchmark/benchmark.h>
 
-#include "paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

@@ -17,7 +17,7 @@ project(user LANGUAGES CXX)
 add_library(project_options INTERFACE)
 add_subdirectory(${source} vibro_impact)
 add_executable(program ${program})
-target_link_libraries(program PRIVATE vibro_impact::vibro_impact)
+target_link_libraries(program PRIVATE vibro_impact::simulation)
 ")
 run(${CMAKE_COMMAND} -S ${folder}/user -B ${folder}/build -DCMAKE_CXX_COMPILER=${compiler}
     ${without})

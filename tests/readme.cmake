@@ -62,7 +62,7 @@ text_of_block(cpp program)
 file(WRITE ${folder}/program.cpp "${program}")
 separate_arguments(flags)
 execute_process(COMMAND ${compiler} -std=c++20 ${flags} -I${source}/lib/include program.cpp
-                        ${build}/libvibro_impact.a -o program
+                        ${build}/lib/libvibro_impact_simulation.a -o program
                 WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "the program of README.md does not compile")

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "paper_scene.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 int main() {

@@ -46,8 +46,8 @@ struct RunState {
     int zeros = 0;
     double leading = 0.0;
     bool below_rounding = false;  // the gap, of what the modal coordinates tell
-    double last_speed = 0.0;  // of the latest impact
-    int falling = 0;          // as in Event
+    double last_speed = 0.0;      // of the latest impact
+    int falling = 0;              // as in Event
   };
   Instant instant;
   Held held;

@@ -1,22 +1,10 @@
-// Everything a user of the library includes.
+// The simulation, whole. The analysis of many runs stands beside it: analysis/analysis.hpp.
 #pragma once
 
-#include "bifurcation_curve.hpp"
-#include "border_orbit.hpp"
-#include "continuation.hpp"
-#include "curve_end.hpp"
-#include "event_pairs.hpp"
-#include "hold_force.hpp"
-#include "impact_family.hpp"
-#include "locate.hpp"
-#include "lyapunov.hpp"
-#include "multi_sliding.hpp"
-#include "orbit_change.hpp"
-#include "orbit_record.hpp"
-#include "parameter.hpp"
-#include "periodic_orbit.hpp"
-#include "settle.hpp"
+#include "counters.hpp"
+#include "impact_law.hpp"
+#include "instant.hpp"
+#include "record.hpp"
+#include "scene.hpp"
 #include "simulate.hpp"
-#include "sweep.hpp"
 #include "table.hpp"
-#include "tangent.hpp"

@@ -1,0 +1,103 @@
+// The atlas of settled motions from rest, in the planes of two parameters.
+//
+// atlas_omega_r.csv    forcing frequency and restitution, at the stops of Figures 2 to 4
+// atlas_omega_A1.csv   forcing frequency and amplitude, likewise
+// atlas_5a.csv ..      positions of the two stops, at the frequencies of Figures 5(a) to (c)
+// atlas_scenes.csv     where the paper's scenes stand in these planes
+#include <array>
+#include <string>
+
+#include "figures/driver.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+struct Plane {
+  std::string name;
+  Grid grid;
+};
+
+Axis axis(const char *parameter, double from, double to, int count) {
+  return {parameter_named(parameter), from, to, static_cast<std::size_t>(count)};
+}
+
+// `width` x `height` points in the planes of the frequency, fewer in those of the stops: a long
+// period takes long.
+std::array<Plane, 5> planes(int width, int height) {
+  const Axis omega = axis("omega", 0.2, 0.8, width);
+  const auto stops = [&](const Scene &scene, int part) {
+    return Grid{
+        scene,
+        {axis("stop1", 0.0, 0.6, width * part / 10), axis("stop2", 0.0, 0.6, height * part / 10)}};
+  };
+  return {{{"omega_r", {paper::figure2(), {omega, axis("restitution", 0.0, 0.98, height)}}},
+           {"omega_A1", {paper::figure2(), {omega, axis("amplitude1", 0.02, 1.2, height)}}},
+           {"5a", stops(paper::figure5a(), 5)},
+           {"5b", stops(paper::figure5b(), 5)},
+           {"5c", stops(paper::figure5c(), 2)}}};
+}
+
+// A motion that has not settled after 200 periods is one of the few per cent that do not within
+// 400 either, or near a bifurcation.
+RecordOptions what_is_shown() {
+  RecordOptions options;
+  options.settle.longest = 200;
+  options.lyapunov = true;
+  options.pairs = true;
+  return options;
+}
+
+Table scenes() {
+  Table table("plane,x,y,figure");
+  const auto both = [&](const Scene &scene, const char *figure) {
+    table.row(std::string_view("omega_r"), scene.omega, scene.restitution,
+              std::string_view(figure));
+    table.row(std::string_view("omega_A1"), scene.omega, scene.amplitude[0],
+              std::string_view(figure));
+  };
+  both(paper::figure2(), "2");
+  both(paper::figure4a(), "4");
+  const auto stops = [&](const char *plane, const Scene &scene, const char *figure) {
+    table.row(std::string_view(plane), scene.stops[0].position, scene.stops[1].position,
+              std::string_view(figure));
+  };
+  stops("5a", paper::figure5a(), "5(a)");
+  stops("5b", paper::figure5b(), "5(b)");
+  stops("5c", paper::figure5c(), "5(c)");
+  return table;
+}
+
+void draw(const std::filesystem::path &output, int width, int height) {
+  const auto all = planes(width, height);
+  const RecordOptions options = what_is_shown();
+  double points = 0.0;
+  for (const Plane &plane : all) points += static_cast<double>(plane.grid.points());
+  Progress progress("atlas", points);
+  for (const Plane &plane : all) {
+    check(plane.grid);
+    Table table = sweep_table(plane.grid, options);
+    sweep(
+        plane.grid.points(),
+        [&](std::size_t point) { return record_of(plane.grid.scene_at(point), options); },
+        [&](std::size_t point, const OrbitRecord &record) {
+          add_row(table, plane.grid, options, point, record);
+          progress.advance();
+        });
+    write(table, output / ("atlas_" + plane.name + ".csv"));
+  }
+  write(scenes(), output / "atlas_scenes.csv");
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  int width = 400, height = 300;
+  return figures::drive(argc, argv, "Atlas of settled motions in the planes of two parameters",
+                        [&](const std::filesystem::path &output) { draw(output, width, height); },
+                        {{"--width", "Points of the abscissa", &width},
+                         {"--height", "Points of the ordinate", &height}});
+}

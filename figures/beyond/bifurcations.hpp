@@ -1,0 +1,217 @@
+// The bifurcation points of the Figure 2 scene for forcing frequencies from 0.25 to 0.5: where they
+// are, found in two ways each.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "figures/bifurcation_point.hpp"
+#include "figures/parallel.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/border_orbit.hpp"
+#include "vibro_impact/analysis/multi_sliding.hpp"
+
+namespace vibro_impact::figures {
+
+inline int sticks_from_rest(double omega, int mass) {
+  return sticking_phases(paper::stops_of_different_sign(omega), mass, settling, counted);
+}
+
+// Every place in [below, above] where the count of a mass changes, by repeated bisection (to 2e-14:
+// closer to a tangency the motion is decided by rounding, and takes long to decide); those
+// closer together than 1e-11 are one, blurred by the settling.
+inline std::vector<Change> changes_between(int mass, double below, double above) {
+  const auto count = [mass](double omega) { return sticks_from_rest(omega, mass); };
+  std::vector<Change> changes;
+  const int at_end = count(above);
+  while (count(below) != at_end) {
+    const Change change = bisect(count, below, above, 2e-14);
+    below = std::min(change.above + 1e-11, above);
+    changes.push_back(change);
+    changes.back().count_above = count(below);
+  }
+  return changes;
+}
+
+// The zero of the least pressing force, when the change is a multi-sliding bifurcation: on the side
+// with fewer sticking phases the force on `mass` is about to touch zero inside one.
+inline std::optional<Located> multi_sliding(const Change &change, int mass) {
+  const double side = change.count_below < change.count_above ? -1.0 : 1.0;
+  const double near = change.below + side * 1e-6;
+  const Scene scene = paper::stops_of_different_sign(near);
+  const MotionState seed = at_quiet_phase(scene, settled(scene, settling));
+  const auto force = [&](double omega) -> std::optional<double> {
+    const Scene at = paper::stops_of_different_sign(omega);
+    return least_pressing_force(at, orbit_near(at, seed, 1, {}),
+                                at.stops[static_cast<std::size_t>(mass - 1)]);
+  };
+  const auto touching = force(near);
+  if (!touching || *touching > 1e-5) return std::nullopt;
+  return zero_from_one_side([&](double omega) { return force(omega).value(); },
+                            change.below + side * 1e-4, change.below + side * 2e-5);
+}
+
+// A border orbit with the orbit it was found from.
+struct FollowedBorder {
+  BorderOrbit border;
+  MotionState seed;  // on the orbit, where the chatter still completes
+  int periods = 1;
+  double complete = 0.0, incomplete = 0.0;
+};
+
+// The border orbit at the change: one of the chatters that complete on the side with more sticking
+// phases does not on the other.
+inline std::optional<FollowedBorder> border_orbit(const Change &change, int mass) {
+  const double side = change.count_below > change.count_above ? -1.0 : 1.0;
+  FollowedBorder found;
+  found.complete = change.below + side * 3e-7;
+  found.incomplete = change.below - side * 3e-7;
+  const Scene scene = paper::stops_of_different_sign(found.complete);
+  found.seed = at_quiet_phase(scene, settled(scene, 4 * settling));
+  found.periods = recurrence(scene, found.seed).periods;
+  if (found.periods == 0) return std::nullopt;  // no periodic orbit to follow
+  found.seed = orbit_near(scene, found.seed, found.periods, {});
+  for (const FallingSequence &chatter : falling_sequences(scene, found.seed, mass, found.periods)) {
+    if (!chatter.complete) continue;
+    const auto border =
+        find_border_orbit(paper::stops_of_different_sign, mass, found.seed, chatter.begin,
+                          found.periods, found.complete, found.incomplete);
+    if (!border) continue;
+    found.border = *border;
+    return found;
+  }
+  return std::nullopt;
+}
+
+// The same border by bisection on the sticking phases of the orbit itself, followed from the side
+// where the chatter completes. Needed where another attractor lives beside the orbit and the motion
+// from rest goes there.
+inline double border_by_following(const FollowedBorder &found, int mass) {
+  const auto count = [&](double omega) {
+    const Scene scene = paper::stops_of_different_sign(omega);
+    const MotionState at = orbit_near(scene, found.seed, found.periods, {});
+    EventRecorder recorder;
+    stroboscopic_map(scene, at, found.periods, {}, recorder);
+    return static_cast<int>(
+        std::count_if(recorder.events.begin(), recorder.events.end(), [mass](const Event &event) {
+          return event.kind == EventKind::stick && event.mass == mass;
+        }));
+  };
+  const Change change = bisect(count, std::min(found.complete, found.incomplete),
+                               std::max(found.complete, found.incomplete));
+  return 0.5 * (change.below + change.above);
+}
+
+// The points behind a change of the count from rest: a multi-sliding bifurcation or a border orbit;
+// and, where the motion from rest leaves the orbit for another attractor before its border, the
+// place where it does. Throws std::runtime_error when it is none of them.
+inline std::vector<BifurcationPoint> locate(const Change &change, int mass) {
+  const double check = 0.5 * (change.below + change.above);
+  const std::string counting = "bisection on sticking phases from rest";
+  if (const auto tangent = multi_sliding(change, mass))
+    return {{fmt::format("multi_sliding_mass_{}", mass), *tangent,
+             "hold force on the periodic orbit touches zero", check, counting}};
+  const auto found = border_orbit(change, mass);
+  if (!found)
+    throw std::runtime_error(fmt::format(
+        "mass {} at omega = {}: neither multi-sliding nor a border orbit", mass, check));
+  BifurcationPoint point{fmt::format("border_mass_{}", mass), found->border.parameter,
+                         "impact speeds on the periodic orbit keep the ratio of the border orbit",
+                         check, counting};
+  if (std::abs(point.omega.value - check) < 1e-11) return {point};
+  point.check = border_by_following(*found, mass);
+  point.checked_by = "bisection on sticking phases of the orbit followed";
+  const int m = mass;
+  const Change again = bisect(
+      [m](double omega) {
+        return sticking_phases(paper::stops_of_different_sign(omega), m, 4 * settling, counted);
+      },
+      change.below - 1e-9, change.above + 1e-9);
+  return {{fmt::format("from_rest_leaves_orbit_mass_{}", mass),
+           {check, change.above - change.below},
+           counting,
+           0.5 * (again.below + again.above),
+           "the same after four times as many periods"},
+          point};
+}
+
+// Sticking phases of both masses in `counted` periods at every frequency of a grid.
+using Counts = std::vector<std::array<int, 2>>;
+
+inline std::vector<double> sticking_grid(int intervals) {
+  std::vector<double> omegas;
+  for (int i = 0; i <= intervals; ++i) omegas.push_back(0.25 + 0.25 * i / intervals);
+  return omegas;
+}
+
+inline Counts scan_from_rest(const std::vector<double> &omegas) {
+  Counts counts(omegas.size());
+  in_parallel(omegas.size(), [&](std::size_t i) {
+    counts[i] = {sticks_from_rest(omegas[i], 1), sticks_from_rest(omegas[i], 2)};
+  });
+  return counts;
+}
+
+// The same along a branch: every frequency, in the order given, starts from the motion at the one
+// before and settles for `periods` periods.
+inline Counts scan_following(const std::vector<double> &omegas, int periods) {
+  Counts counts;
+  MotionState state = settled(paper::stops_of_different_sign(omegas.front()), settling);
+  for (double omega : omegas) {
+    const Scene scene = paper::stops_of_different_sign(omega);
+    EventRecorder recorder;
+    state = stroboscopic_map(scene, state, periods, {}).state;
+    state = stroboscopic_map(scene, state, counted, {}, recorder).state;
+    counts.push_back({0, 0});
+    for (const Event &event : recorder.events)
+      if (event.kind == EventKind::stick) ++counts.back()[static_cast<std::size_t>(event.mass - 1)];
+  }
+  return counts;
+}
+
+// Every change of the counts of a scan, located, in the order of the frequency; the orbits of one
+// kind and mass are numbered from 1.
+inline std::vector<BifurcationPoint> locate_all(const std::vector<double> &omegas,
+                                                const Counts &counts) {
+  struct Interval {
+    int mass;
+    std::size_t left;
+    std::vector<BifurcationPoint> points = {};
+  };
+  std::vector<Interval> intervals;
+  for (std::size_t i = 0; i + 1 < omegas.size(); ++i)
+    for (int mass : {1, 2}) {
+      const auto m = static_cast<std::size_t>(mass - 1);
+      if (counts[i][m] != counts[i + 1][m]) intervals.push_back({mass, i});
+    }
+  in_parallel(intervals.size(), [&](std::size_t k) {
+    const auto [mass, left] = std::pair(intervals[k].mass, intervals[k].left);
+    for (const Change &change : changes_between(mass, omegas[left], omegas[left + 1]))
+      for (BifurcationPoint &point : locate(change, mass))
+        intervals[k].points.push_back(std::move(point));
+  });
+  std::vector<BifurcationPoint> points;
+  for (const Interval &interval : intervals)
+    points.insert(points.end(), interval.points.begin(), interval.points.end());
+  std::sort(points.begin(), points.end(),
+            [](const auto &a, const auto &b) { return a.omega.value < b.omega.value; });
+  for (std::size_t i = points.size(); i-- > 0;) {
+    const auto same = [&](const BifurcationPoint &other) {
+      return other.symbol == points[i].symbol;
+    };
+    const auto index =
+        std::count_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i), same);
+    if (points[i].symbol.starts_with("border")) points[i].symbol += fmt::format("_{}", index + 1);
+  }
+  return points;
+}
+
+}  // namespace vibro_impact::figures

@@ -1,0 +1,144 @@
+// The grazing of mass 2 in the scene of Figure 5(b), and the motion with impacts that lives on
+// beside the one without.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "figures/bifurcation_point.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/border_orbit.hpp"
+#include "vibro_impact/analysis/multi_sliding.hpp"
+
+namespace vibro_impact::figures {
+
+inline Scene figure5b_at(double omega) {
+  Scene scene = paper::figure5b();
+  scene.omega = omega;
+  return scene;
+}
+
+// The motion of mass 2 that does not touch its stop, with that stop taken away: it goes on
+// existing, and its least gap passes smoothly through zero, where the real motion grazes.
+inline MotionState motion_without_second_stop(double omega) {
+  Scene scene = figure5b_at(omega);
+  scene.stops.pop_back();
+  const MotionState seed = at_quiet_phase(scene, settled(scene, settling));
+  return orbit_near(scene, seed, 1, {});
+}
+
+// Impacts of mass 2 in the `counted` periods that come `after` periods after `start`.
+inline int impacts_of_mass_2(double omega, const MotionState &start, int after, MotionState *end) {
+  const Scene scene = figure5b_at(omega);
+  const MotionState settled_state =
+      after > 0 ? stroboscopic_map(scene, start, after, {}).state : start;
+  ImpactSpeedRecorder impacts{2, -1.0};
+  const MotionState last = stroboscopic_map(scene, settled_state, counted, {}, impacts).state;
+  if (end != nullptr) *end = last;
+  return static_cast<int>(impacts.velocities.size());
+}
+
+inline BifurcationPoint grazing() {
+  const Stop second = paper::figure5b().stops[1];
+  const auto gap = [&](double omega) {
+    Scene scene = figure5b_at(omega);
+    scene.stops.pop_back();
+    return least_gap(scene, motion_without_second_stop(omega), second).value();
+  };
+  const Change change = bisect(
+      [](double omega) {
+        return impacts_of_mass_2(omega, motion_without_second_stop(omega), 0, nullptr) > 0 ? 1 : 0;
+      },
+      0.2995, 0.2996);
+  return {"grazing_mass_2_figure5b", zero(gap, 0.2995, 0.2996),
+          "gap of mass 2 on the periodic orbit without impact touches zero",
+          0.5 * (change.below + change.above), "bisection on impacts from that orbit"};
+}
+
+// Below the grazing the motion with impacts of mass 2 lives on beside the one without. From rest it
+// is reached from here on.
+inline BifurcationPoint impacts_from_rest() {
+  const auto located = [](int periods) {
+    const Change change = bisect(
+        [periods](double at) {
+          return impacts_of_mass_2(at, start_of(figure5b_at(at)), periods, nullptr) > 0 ? 1 : 0;
+        },
+        0.2995, 0.2996);
+    return 0.5 * (change.below + change.above);
+  };
+  return {"impacts_of_mass_2_from_rest_figure5b",
+          {located(settling), 1e-16},
+          "bisection on impacts from rest",
+          located(4 * settling),
+          "the same after four times as many periods"};
+}
+
+// Followed downwards by ever smaller steps of `periods` periods each, the motion with impacts is
+// lost here. It ends in a fold, where the approach to it slows down: the error falls as the square
+// of the periods only. `state` is the last motion found.
+inline double end_of_impacting_motion(int periods, MotionState &state) {
+  double omega = 0.2996, step = 1e-5;
+  state = settled(figure5b_at(omega), settling);
+  MotionState next = state;
+  while (step > 1e-12) {
+    if (impacts_of_mass_2(omega - step, state, periods, &next) > 0) {
+      omega -= step;
+      state = next;
+    } else {
+      step /= 2;
+    }
+  }
+  return omega;
+}
+
+// At the fold a Floquet multiplier mu reaches 1, as the square root of the distance to it:
+// (1 - mu)^2 is smooth and falls to zero there.
+inline BifurcationPoint end_of_impacts() {
+  MotionState last;
+  const double followed = end_of_impacting_motion(300, last);
+  const MotionState seed = at_quiet_phase(figure5b_at(followed), last);
+  const auto distance = [&](double omega) {
+    const PeriodicOrbit orbit = find_periodic_orbit(figure5b_at(omega), seed, 2);
+    if (!orbit.converged)
+      throw std::runtime_error(
+          fmt::format("omega = {}: the motion with impacts of mass 2 was not found", omega));
+    return std::pow(1.0 - orbit.multipliers.at(0).real(), 2);
+  };
+  return {"impacts_of_mass_2_end_figure5b",
+          zero_from_one_side(distance, followed + 4e-8, followed + 2e-8),
+          "multiplier of the orbit with impacts reaches 1", followed,
+          "motion with impacts followed downwards by 300 periods a step"};
+}
+
+// Speed of the last impact of mass 2 in two periods of the settled motion, which may have period
+// two (0: it does not reach its stop), at each of `omegas`: from rest, and along a branch, every
+// motion starting from the one before and settling for `periods` periods.
+inline std::vector<double> speeds_from_rest(const std::vector<double> &omegas, int periods) {
+  std::vector<double> speeds;
+  for (double omega : omegas) {
+    const Scene scene = figure5b_at(omega);
+    ImpactSpeedRecorder impacts{2, -1.0};
+    stroboscopic_map(scene, settled(scene, periods), 2, {}, impacts);
+    speeds.push_back(impacts.velocities.empty() ? 0.0 : impacts.velocities.back());
+  }
+  return speeds;
+}
+
+inline std::vector<double> speeds_followed(const std::vector<double> &omegas, int periods) {
+  std::vector<double> speeds;
+  MotionState state = settled(figure5b_at(omegas.front()), settling);
+  for (double omega : omegas) {
+    const Scene scene = figure5b_at(omega);
+    ImpactSpeedRecorder impacts{2, -1.0};
+    state = stroboscopic_map(scene, state, periods, {}).state;
+    state = stroboscopic_map(scene, state, 2, {}, impacts).state;
+    speeds.push_back(impacts.velocities.empty() ? 0.0 : impacts.velocities.back());
+  }
+  return speeds;
+}
+
+}  // namespace vibro_impact::figures

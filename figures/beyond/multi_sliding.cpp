@@ -1,0 +1,27 @@
+// The multi-sliding bifurcation of Figure 4 at its located frequency: the hold force on mass 1 just
+// before, at and just after it.
+#include "bifurcations.hpp"
+#include "figures/driver.hpp"
+#include "figures/hold_force.hpp"
+
+int main(int argc, char **argv) {
+  using namespace vibro_impact;
+  return figures::drive(
+      argc, argv, "The hold force on mass 1 before, at and after the multi-sliding bifurcation",
+      [](const std::filesystem::path &output) {
+        const auto changes = figures::changes_between(1, 0.256, 0.2561);
+        const auto found = figures::multi_sliding(changes.at(0), 1);
+        if (!found)
+          throw std::runtime_error("no multi-sliding bifurcation between 0.256 and 0.2561");
+        const double before = 0.256, at = found->value, after = 0.2561;
+        Table omegas("omega,error,checked_by_counting");
+        omegas.row(at, found->error, changes.front().below);
+        write(omegas, output / "multi_sliding.csv");
+        write(figures::hold_force(paper::stops_of_different_sign(before)),
+              output / "multi_sliding_before.csv");
+        write(figures::hold_force(paper::stops_of_different_sign(at)),
+              output / "multi_sliding_at.csv");
+        write(figures::hold_force(paper::stops_of_different_sign(after)),
+              output / "multi_sliding_after.csv");
+      });
+}

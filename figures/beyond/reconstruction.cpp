@@ -1,0 +1,87 @@
+// The frequencies the paper's text does not give, inferred from its axis boxes and its text: every
+// value of four digits tried for Figures 2, 5(a) and 5(b), and the rule held against the figures
+// whose parameters are printed.
+//
+// reconstruction_2.csv, _5a.csv, _5b.csv  one row per frequency tried: does it fill the boxes, do
+//                                         what the text says, is it left, is it chosen
+// reconstruction_axes.csv                 every axis the rule is applied to
+#include "reconstruction.hpp"
+
+#include <fmt/format.h>
+
+#include <tuple>
+
+#include "axis_checks.hpp"
+#include "figures/driver.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::figures;
+
+// The range scanned, row by row: the columns of a figure and what the rule says of them. Returns
+// the frequency chosen.
+template <class Trial, class Row>
+double scan_to(const std::filesystem::path &file, Trial (*attempt)(double omega),
+               const Range &range, const std::string &columns, const Row &row) {
+  const std::vector<Trial> trials = scan(scanned, attempt);
+  const double choice = chosen(trials, range);
+  Table table("omega,lowest,highest," + columns + ",boxes,text,left,chosen");
+  for (const Trial &t : trials)
+    std::apply(
+        [&](auto... cells) {
+          table.row(t.omega, t.shown.lowest, t.shown.highest, cells..., int{t.verdict.boxes},
+                    int{t.verdict.text}, int{is_left(t, range)}, int{t.omega == choice});
+        },
+        row(t));
+  write(table, file);
+  return choice;
+}
+
+// `kind`: printed, chosen by the rule, or refused by it.
+void add(Table &table, const std::string &kind, const std::vector<AxisCheck> &checks) {
+  for (const AxisCheck &check : checks) {
+    const TicksInside inside = ticks_inside(check.data, check.axis, check.tick);
+    table.row(check.panel, check.quantity, kind, check.axis.lowest, check.axis.highest, check.tick,
+              check.data.lowest, check.data.highest, inside.at_lowest, inside.at_highest,
+              int{check.passes()});
+  }
+}
+
+void draw(const std::filesystem::path &output) {
+  Progress progress("reconstruction", 4);
+  const double figure2 =
+      scan_to(output / "reconstruction_2.csv", try_figure2, scanned_of_figure2,
+              "lowest_x2_in_b,begins,complete,unevenness", [](const Figure2Trial &t) {
+                return std::tuple(t.close_up.lowest, t.begins, t.complete, t.verdict.apart);
+              });
+  progress.advance();
+  const double figure5a = scan_to(output / "reconstruction_5a.csv", try_figure5a, scanned,
+                                  "begins,complete,released,impacts", [](const Figure5aTrial &t) {
+                                    return std::tuple(t.begins, t.complete, t.released, t.impacts);
+                                  });
+  progress.advance();
+  const double figure5b =
+      scan_to(output / "reconstruction_5b.csv", try_figure5b, scanned, "nearest_time,gap",
+              [](const Figure5bTrial &t) { return std::tuple(t.nearest_time, t.gap); });
+  progress.advance();
+  Table axes(
+      "panel,quantity,kind,axis_from,axis_to,tick,lowest,highest,ticks_at_lowest,ticks_at_highest,"
+      "fills");
+  add(axes, "printed", checks_of_figure3(181));
+  add(axes, "printed", checks_of_figure4("4(a)", paper::figure4a()));
+  add(axes, "printed", checks_of_figure4("4(b)", paper::figure4b()));
+  add(axes, "printed", {check_of_figure5c()});
+  add(axes, "chosen", checks_of_figure2(figure2));
+  add(axes, "chosen", {check_of_figure5a(figure5a), check_of_figure5b(figure5b)});
+  add(axes, "refused", {checks_of_figure2(0.28).at(1), check_of_figure5b(0.2996)});
+  write(axes, output / "reconstruction_axes.csv");
+  progress.advance();
+  fmt::print("Omega of Figure 2: {}, 5(a): {}, 5(b): {}\n", figure2, figure5a, figure5b);
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  return figures::drive(argc, argv, "The frequencies the paper's text does not give", draw);
+}

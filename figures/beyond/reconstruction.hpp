@@ -1,0 +1,261 @@
+// The frequencies that the paper's text does not give: which values of four digits, as many as the
+// printed ones have, fill the printed axis boxes (axis_rule.hpp) and do what the text says of the
+// figure, and by what number those left are told apart.
+//
+// The boxes and the text are the rule. Where they leave more than one value the rest is a choice,
+// and said to be one.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "axis_rule.hpp"
+#include "figures/parallel.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace vibro_impact::figures {
+
+// Scanned: from where a forcing period is longer than any window but Figure 5(c)'s up to the end of
+// the sticking region (printed: 0.5).
+constexpr Range scanned{0.1, 0.5};
+
+// Figure 2 is the paper's example of low forcing frequencies, before the chatter of mass 1 becomes
+// incomplete at about 0.3 (printed, Section 3.2).
+constexpr Range scanned_of_figure2{0.1, 0.3};
+
+struct Verdict {
+  bool boxes = false, text = false;
+  // Of those left the one with the least is chosen.
+  double apart = std::numeric_limits<double>::infinity();
+
+  bool passes() const {
+    return boxes && text;
+  }
+};
+
+constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
+// A window has 2000 samples: an extreme is missed by (50 / 2000)^2 x'' / 8 at most, a thousandth of
+// a tick.
+inline double scan_step(const paper::AxisBox &box) {
+  return (box.to - box.from) / 2000.0;
+}
+
+inline SampleRecorder scan_samples(const paper::AxisBox &box) {
+  return {.from = box.from, .to = box.to, .every = scan_step(box)};
+}
+
+inline RunOptions scan_options() {
+  return {.resolve_chatter = paper::slowest_impact_shown};
+}
+
+// Of the given mass, or of both (0).
+inline Range range_of(const SampleRecorder &samples, int mass = 0) {
+  Range range;
+  for (std::size_t i = 0; i < samples.displacements.size(); ++i)
+    if (mass == 0 || static_cast<int>(i % 2) == mass - 1) range.include(samples.displacements[i]);
+  return range;
+}
+
+// A chatter that ends in sticking: the times of its impacts, and of the stick (`never`: there is
+// none).
+struct StickingChatter {
+  std::vector<double> impacts = {};
+  double complete = never;
+  std::size_t stick = 0;  // its place among the events
+
+  double begins() const {
+    return impacts.empty() ? never : impacts.front();
+  }
+};
+
+// The chatter of `mass` that ends first in [from, to]: all impacts since the mass was let go.
+inline StickingChatter chatter_in(const std::vector<Event> &events, int mass, double from,
+                                  double to) {
+  StickingChatter chatter;
+  for (std::size_t i = 0; i < events.size() && events[i].time <= to; ++i) {
+    if (events[i].mass != mass) continue;
+    if (events[i].kind == EventKind::release) chatter.impacts.clear();
+    if (events[i].kind == EventKind::impact) chatter.impacts.push_back(events[i].time);
+    if (events[i].kind != EventKind::stick || events[i].time < from) continue;
+    chatter.complete = events[i].time;
+    chatter.stick = i;
+    return chatter;
+  }
+  return {};
+}
+
+// How far the peaks of a chatter of mass 2 are from falling as the powers of r^2, which is their
+// law near the limit: the largest |log| of the ratio of two consecutive ones over r^2. Peaks lower
+// than `visible` do not count.
+inline double unevenness(const Scene &scene, const StickingChatter &chatter,
+                         const SampleRecorder &samples, double visible) {
+  const double law = scene.restitution * scene.restitution, stop = scene.stops[1].position;
+  double previous = 0.0, most = 0.0;
+  std::size_t sample = 0;
+  for (std::size_t k = 0; k + 1 < chatter.impacts.size(); ++k) {
+    double peak = 0.0;
+    for (; sample < samples.times.size() && samples.times[sample] < chatter.impacts[k + 1];
+         ++sample)
+      if (samples.times[sample] > chatter.impacts[k])
+        peak = std::max(peak, stop - samples.displacements[2 * sample + 1]);
+    if (peak < visible) break;
+    if (k > 0) most = std::max(most, std::abs(std::log(peak / previous / law)));
+    previous = peak;
+  }
+  return most;
+}
+
+// Figure 2. The text: each mass has one complete chatter and sticking period in every forcing
+// period; (b) is a close-up of the chatter of mass 2, its peaks diminishing approximately
+// exponentially. So the window of (b) ends at the first ticks beyond that chatter, and of those
+// left the one whose peaks are nearest to exponential is chosen.
+struct Figure2Trial {
+  double omega;
+  Range shown, close_up;    // displacement: of both masses in (a), of mass 2 in (b)
+  double begins, complete;  // the chatter of mass 2 in (b)
+  int sticks[2];            // of each mass in the last ten forcing periods
+  Verdict verdict;
+};
+
+inline Figure2Trial try_figure2(double omega) {
+  const Scene scene = paper::stops_of_different_sign(omega);
+  const paper::AxisBox &a = paper::figure2a_box, &b = paper::figure2b_box;
+  SampleRecorder samples = scan_samples(a), close_up = scan_samples(b);
+  EventRecorder events{a.to - 10.0 * Clock(omega).period};
+  require_complete(simulate(scene, a.to, scan_options(), samples, close_up, events));
+
+  Figure2Trial trial{omega, range_of(samples), range_of(close_up, 2), never, never, {0, 0}, {}};
+  for (const Event &event : events.events)
+    if (event.kind == EventKind::stick) ++trial.sticks[event.mass - 1];
+  const StickingChatter chatter = chatter_in(events.events, 2, b.from, b.to);
+  trial.begins = chatter.begins();
+  trial.complete = chatter.complete;
+  trial.verdict.boxes =
+      fills(trial.shown, ordinate(a), a.tick) && fills(trial.close_up, ordinate(b), b.tick);
+  trial.verdict.text = trial.sticks[0] == 10 && trial.sticks[1] == 10 &&
+                       fills({trial.begins, trial.complete}, abscissa(b), b.tick_across);
+  if (trial.verdict.text)
+    trial.verdict.apart = unevenness(scene, chatter, close_up, (b.highest - b.lowest) / 500.0);
+  return trial;
+}
+
+// Figure 5(a). The text: mass 1 has a complete chatter and sticking sequence, mass 2 has two
+// impacts during its sticking phase. All of that is shown; of those left the one whose sticking
+// phase ends nearest to the end of the window is chosen.
+struct Figure5aTrial {
+  double omega;
+  Range shown;
+  double begins, complete, released;  // chatter and sticking phase of mass 1
+  int impacts;                        // of mass 2 in that phase
+  double last_impact;                 // of these
+  Verdict verdict;
+};
+
+inline Figure5aTrial try_figure5a(double omega) {
+  Scene scene = paper::figure5a();
+  scene.omega = omega;
+  const paper::AxisBox &box = paper::figure5a_box;
+  const double period = Clock(omega).period;
+  SampleRecorder samples = scan_samples(box);
+  EventRecorder events{box.from - period};
+  require_complete(simulate(scene, box.to + period, scan_options(), samples, events));
+
+  Figure5aTrial trial{omega, range_of(samples), never, never, never, 0, never, {}};
+  trial.verdict.boxes = fills(trial.shown, ordinate(box), box.tick);
+  const StickingChatter chatter = chatter_in(events.events, 1, box.from, box.to);
+  if (std::isnan(chatter.complete)) return trial;
+  trial.begins = chatter.begins();
+  trial.complete = chatter.complete;
+  for (std::size_t i = chatter.stick + 1; i < events.events.size(); ++i) {
+    const Event &event = events.events[i];
+    if (event.mass == 1) {
+      trial.released = event.time;
+      break;
+    }
+    ++trial.impacts;
+    trial.last_impact = event.time;
+  }
+  trial.verdict.text =
+      trial.begins >= box.from && trial.impacts == 2 && trial.last_impact <= box.to;
+  if (trial.verdict.text) trial.verdict.apart = std::abs(trial.released - box.to);
+  return trial;
+}
+
+// Where mass 2 is highest while mass 1 sticks, among samples of a window.
+struct HighestWhileHeld {
+  double from, to, every;
+  std::size_t asked = 0;
+  double time = never, place = -std::numeric_limits<double>::infinity();
+
+  double next_time() const {
+    return sample_time(from, to, every, asked);
+  }
+  void sample(const Moment &moment) {
+    ++asked;
+    if (std::isnan(moment.hold_force(1)) || moment.displacement(2) <= place) return;
+    time = moment.time;
+    place = moment.displacement(2);
+  }
+};
+
+// Figure 5(b). The text: at t of about 920 mass 2 grazes its stop while mass 1 is stuck. Grazing is
+// to come within what a plot can show, a thousandth of the box; about 920 is nearer to 920 than to
+// 919 or 921.
+struct Figure5bTrial {
+  double omega;
+  Range shown;
+  double nearest_time, gap;  // mass 2 nearest its stop while mass 1 is stuck
+  Verdict verdict;
+};
+
+inline Figure5bTrial try_figure5b(double omega) {
+  Scene scene = paper::figure5b();
+  scene.omega = omega;
+  const paper::AxisBox &box = paper::figure5b_box;
+  SampleRecorder samples = scan_samples(box);
+  HighestWhileHeld highest{box.from, box.to, scan_step(box)};
+  require_complete(simulate(scene, box.to, scan_options(), samples, highest));
+
+  Figure5bTrial trial{
+      omega, range_of(samples), highest.time, scene.stops[1].position - highest.place, {}};
+  trial.verdict.boxes = fills(trial.shown, ordinate(box), box.tick);
+  trial.verdict.apart = std::abs(trial.nearest_time - 920.0);
+  trial.verdict.text =
+      trial.gap <= (box.highest - box.lowest) / 1000.0 && trial.verdict.apart <= 0.5;
+  return trial;
+}
+
+// Tries every multiple of 1e-4 in the range; in order.
+template <class Trial>
+std::vector<Trial> scan(const Range &range, Trial (*attempt)(double omega)) {
+  const long first = std::lround(range.lowest * 1e4), last = std::lround(range.highest * 1e4);
+  std::vector<Trial> trials(static_cast<std::size_t>(last - first + 1));
+  in_parallel(trials.size(), [&](std::size_t i) {
+    trials[i] = attempt(static_cast<double>(first + static_cast<long>(i)) / 1e4);
+  });
+  return trials;
+}
+
+// Whether a frequency is left by boxes and text, within the range in question.
+template <class Trial>
+bool is_left(const Trial &trial, const Range &range) {
+  return trial.verdict.passes() && trial.omega >= range.lowest && trial.omega < range.highest;
+}
+
+// The frequency chosen among those left (`never` where there is none).
+template <class Trial>
+double chosen(const std::vector<Trial> &trials, const Range &range) {
+  const Trial *best = nullptr;
+  for (const Trial &trial : trials)
+    if (is_left(trial, range) && (best == nullptr || trial.verdict.apart < best->verdict.apart))
+      best = &trial;
+  return best == nullptr ? never : best->omega;
+}
+
+}  // namespace vibro_impact::figures

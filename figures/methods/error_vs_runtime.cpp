@@ -1,0 +1,145 @@
+// Error against run time: this library beside what one would otherwise pick, every method over its
+// own tolerance or step. See README and error_vs_runtime/ for how each is used.
+#include "figures/methods/error_vs_runtime/method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "figures/driver.hpp"
+#include "figures/methods/error_vs_runtime/problem.hpp"
+#include "figures/platform.hpp"
+#include "figures/table_reader.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::comparison;
+
+// One method at one setting on one problem.
+struct Trial {
+  const Problem *problem;
+  const Method *method;
+  double setting;
+  Result result = {};
+  Errors errors = {};
+  long long runs_per_sample = 1;
+  std::vector<double> microseconds = {};  // per forcing period, one entry per repeat
+};
+
+// A sample lasts at least this long, in seconds: the methods take turns, and what the first run
+// after another method pays for cold caches (some 0.1 ms) should not count for any of them.
+constexpr double shortest_sample = 5e-3;
+
+// Processor time of this thread: it leaves out what others do on the machine meanwhile, among them
+// the idle threads of OpenBLAS (behind Siconos), which spin. All methods run in one thread.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double seconds_of(const Trial &trial) {
+  const double begin = processor_seconds();
+  for (long long i = 0; i < trial.runs_per_sample; ++i)
+    trial.method->run(*trial.problem, trial.setting);
+  return processor_seconds() - begin;
+}
+
+std::vector<Trial> trials_of(const std::vector<Problem> &problems,
+                             const std::vector<Method> &methods) {
+  std::vector<Trial> trials;
+  for (const Problem &problem : problems)
+    for (const Method &method : methods)
+      for (const double setting : method.settings) trials.push_back({&problem, &method, setting});
+  return trials;
+}
+
+// First run of each trial, untimed: its errors, and how many runs make a sample.
+void try_out(Trial &trial) {
+  trial.result = trial.method->run(*trial.problem, trial.setting);
+  trial.errors = errors_of(trial.result, *trial.problem);
+  double seconds = seconds_of(trial);
+  while (seconds < shortest_sample) {
+    trial.runs_per_sample *= 2;
+    seconds = seconds_of(trial);
+  }
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+Table table_of(const std::vector<Trial> &trials) {
+  Table table(
+      "problem,method,setting,error_time,error_state,median_us_per_period,low,high,"
+      "rhs_or_expansions,impacts,failure");
+  for (const Trial &trial : trials) {
+    const auto [low, high] =
+        std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
+    std::string failure = trial.errors.failure;
+    std::replace(failure.begin(), failure.end(), ',', ';');
+    table.row(trial.problem->name, figures::in_quotes(trial.method->name), trial.setting,
+              trial.errors.time, trial.errors.state, median(trial.microseconds), *low, *high,
+              trial.result.work, trial.result.impacts, figures::in_quotes(failure));
+  }
+  return table;
+}
+
+// What was measured where, what the columns of the first table mean for each method, and who is
+// missing.
+Table conditions(const Methods &all, int repeats) {
+  Table table("what,value");
+  table.row("processor", figures::in_quotes(figures::processor()));
+  table.row("compiler", figures::in_quotes(figures::compiler()));
+  table.row("repeats", repeats);
+  table.row("time", figures::in_quotes("processor time of the thread"));
+  table.row("low; high", figures::in_quotes("fastest and slowest of the repeats"));
+  for (const Method &method : all.methods)
+    table.row(figures::in_quotes(method.name),
+              figures::in_quotes("setting: " + method.setting + "; work: " + method.work));
+  for (const std::string &line : all.left_out) table.row("missing", figures::in_quotes(line));
+  return table;
+}
+
+void compare(const std::filesystem::path &output, const std::string &reference, int repeats) {
+  const std::vector<Problem> cases = problems(reference);
+  const Methods all = all_methods();
+  for (const std::string &line : all.left_out)
+    fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
+  std::vector<Trial> trials = trials_of(cases, all.methods);
+  Progress progress("error_vs_runtime", static_cast<double>(trials.size()) * (repeats + 1));
+  for (Trial &trial : trials) {
+    try_out(trial);
+    progress.advance();
+  }
+  // Round robin: what disturbs the machine for a while disturbs all methods alike.
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    for (Trial &trial : trials) {
+      trial.microseconds.push_back(1e6 * seconds_of(trial) /
+                                   static_cast<double>(trial.runs_per_sample) /
+                                   trial.problem->periods());
+      progress.advance();
+    }
+  write(table_of(trials), output / "error_vs_runtime.csv");
+  write(conditions(all, repeats), output / "error_vs_runtime_conditions.csv");
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  std::string reference = "reference";
+  int repeats = 7;
+  return figures::drive(
+      argc, argv, "Error against run time of this library and other methods",
+      [&](const std::filesystem::path &output) { compare(output, reference, repeats); },
+      {{"--reference", "Folder of the 50-digit reference tables", &reference},
+       {"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats}});
+}

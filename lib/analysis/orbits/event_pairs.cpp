@@ -1,0 +1,187 @@
+#include "vibro_impact/analysis/event_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "fits.hpp"
+#include "simulation/chain/forces.hpp"
+#include "vibro_impact/analysis/hold_force.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A sticking phase of one mass, and a contact that either grazes or hits.
+struct HeldPhase {
+  int mass;
+  double from, to;
+};
+struct TimedContact {
+  int mass;
+  double time;
+  bool grazing;
+};
+
+// Masses that stick as the record begins.
+std::vector<HeldPhase> phases_at_the_start(const std::vector<PressedEvent> &events) {
+  std::vector<HeldPhase> phases;
+  if (events.empty()) return phases;
+  const Event &first = events.front().event;
+  for (std::size_t i = 0; i < first.held.size(); ++i)
+    if (first.held[i] != 0) phases.push_back({static_cast<int>(i) + 1, -infinity, infinity});
+  if (first.kind == EventKind::release) phases.push_back({first.mass, -infinity, infinity});
+  return phases;
+}
+
+std::vector<HeldPhase> held_phases(const std::vector<PressedEvent> &events) {
+  std::vector<HeldPhase> phases = phases_at_the_start(events);
+  for (const PressedEvent &pressed : events) {
+    const Event &event = pressed.event;
+    const auto open = std::find_if(phases.begin(), phases.end(), [&](const HeldPhase &phase) {
+      return phase.mass == event.mass && phase.to == infinity;
+    });
+    if (event.kind == EventKind::stick) {
+      if (open == phases.end())
+        phases.push_back({event.mass, event.time, infinity});
+      else  // it came to stick with the first event
+        open->from = event.time;
+    } else if (event.kind == EventKind::release && open != phases.end()) {
+      open->to = event.time;
+    }
+  }
+  return phases;
+}
+
+// A slow contact is grazing only when the mass is pulled off the stop: the slow impacts of a late
+// chatter are pressed into it, those about an equilibrium at the stop (Figure 5(c)) are neither.
+std::vector<TimedContact> timed_contacts(const std::vector<PressedEvent> &events,
+                                         const PairTolerances &tolerances) {
+  std::vector<TimedContact> contacts;
+  for (const auto &[event, press] : events)
+    if (event.kind == EventKind::impact)
+      contacts.push_back(
+          {event.mass, event.time,
+           std::abs(event.velocity_before) <= tolerances.speed && press < -tolerances.force});
+  return contacts;
+}
+
+bool contains(const HeldPhase &phase, double time, double tolerance) {
+  return phase.from - time <= tolerance && time - phase.to <= tolerance;
+}
+
+bool sticks_at(int mass, double time, const std::vector<HeldPhase> &phases, double tolerance) {
+  return std::any_of(phases.begin(), phases.end(), [&](const HeldPhase &phase) {
+    return phase.mass == mass && contains(phase, time, tolerance);
+  });
+}
+
+// A pair of equals: the masses in order.
+PairedEvents pair_of(EventPair kind, int one, int another, double from, double to) {
+  return {kind, std::min(one, another), std::max(one, another), from, to};
+}
+
+void pair_phases(const std::vector<HeldPhase> &phases, double tolerance,
+                 std::vector<PairedEvents> &pairs) {
+  for (auto a = phases.begin(); a != phases.end(); ++a)
+    for (auto b = a + 1; b != phases.end(); ++b) {
+      const double from = std::max(a->from, b->from), to = std::min(a->to, b->to);
+      if (a->mass != b->mass && to - from > tolerance)
+        pairs.push_back(pair_of(EventPair::dual_sticking, a->mass, b->mass, from, to));
+    }
+}
+
+void pair_contacts_with_phases(const std::vector<TimedContact> &contacts,
+                               const std::vector<HeldPhase> &phases, double tolerance,
+                               std::vector<PairedEvents> &pairs) {
+  for (const auto &[mass, time, grazing] : contacts)
+    for (const HeldPhase &phase : phases) {
+      if (phase.mass == mass || !contains(phase, time, tolerance)) continue;
+      if (grazing)
+        pairs.push_back({EventPair::grazing_sticking, mass, phase.mass, time, time});
+      else
+        pairs.push_back({EventPair::sticking_impact, phase.mass, mass, time, time});
+    }
+}
+
+PairedEvents pair_of(const TimedContact &a, const TimedContact &b) {
+  if (a.grazing == b.grazing)
+    return pair_of(a.grazing ? EventPair::dual_grazing : EventPair::double_impact, a.mass, b.mass,
+                   a.time, b.time);
+  const auto [grazing, hitting] = a.grazing ? std::pair(a.mass, b.mass) : std::pair(b.mass, a.mass);
+  return {EventPair::grazing_impact, grazing, hitting, a.time, b.time};
+}
+
+void pair_contacts(const std::vector<TimedContact> &contacts, const std::vector<HeldPhase> &phases,
+                   double tolerance, std::vector<PairedEvents> &pairs) {
+  for (auto a = contacts.begin(); a != contacts.end(); ++a)
+    for (auto b = a + 1; b != contacts.end() && b->time - a->time <= tolerance; ++b)
+      if (a->mass != b->mass && !sticks_at(a->mass, b->time, phases, tolerance) &&
+          !sticks_at(b->mass, a->time, phases, tolerance))
+        pairs.push_back(pair_of(*a, *b));
+}
+
+// In order of time; a contact within the tolerance of two phases of one mass pairs with that mass
+// once.
+void sort_once_each(std::vector<PairedEvents> &pairs) {
+  const auto key = [](const PairedEvents &pair) {
+    return std::tuple(pair.from, pair.to, pair.kind, pair.mass, pair.other);
+  };
+  std::sort(pairs.begin(), pairs.end(),
+            [&key](const PairedEvents &a, const PairedEvents &b) { return key(a) < key(b); });
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+}  // namespace
+
+const char *abbreviation(EventPair kind) {
+  constexpr std::array<const char *, 6> names{"DG", "DS", "DI", "GS", "GI", "SI"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+void PressedEventRecorder::event(const Event &event, const Moment &moment) {
+  if (event.time < from) return;
+  if (event.kind != EventKind::impact) return events.push_back({event, 0.0});
+  require(event.stop < scene.stops.size(), "stop ", event.stop, ": the scene has ",
+          scene.stops.size(), " stops");
+  events.push_back({event, pressing_force(scene, scene.stops[event.stop], moment)});
+}
+
+std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
+                                      const PairTolerances &tolerances) {
+  for (const double tolerance : {tolerances.time, tolerances.speed, tolerances.force})
+    require(std::isfinite(tolerance) && tolerance >= 0.0, "tolerance = ", tolerance,
+            ": must be non-negative and finite");
+  const std::vector<HeldPhase> phases = held_phases(events);
+  const std::vector<TimedContact> contacts = timed_contacts(events, tolerances);
+  std::vector<PairedEvents> pairs;
+  pair_phases(phases, tolerances.time, pairs);
+  pair_contacts_with_phases(contacts, phases, tolerances.time, pairs);
+  pair_contacts(contacts, phases, tolerances.time, pairs);
+  sort_once_each(pairs);
+  return pairs;
+}
+
+double greatest_common_press(const Scene &scene, const Stop &first, const Stop &second) {
+  require(scene.masses() == 2, "masses = ", scene.masses(), ": the condition is for two masses");
+  require(first.mass == 1 && second.mass == 2, "stops on masses ", first.mass, " and ", second.mass,
+          ": must be on 1 and 2");
+  check(scene);
+  const auto place = [&](std::size_t i) { return i == 0 ? first.position : second.position; };
+  // The pressing forces are press + slope u.
+  const double sigma1 = sign(first.side), sigma2 = sign(second.side);
+  const double press1 = sigma1 * link_force(scene, 0, first.position, place),
+               press2 = sigma2 * link_force(scene, 1, second.position, place);
+  const double slope1 = sigma1 * amplitude_on(scene, 0), slope2 = sigma2 * amplitude_on(scene, 1);
+  const auto smaller = [&](double u) { return std::min(press1 + slope1 * u, press2 + slope2 * u); };
+  if (scene.omega == 0.0) return smaller(1.0);
+  // The smaller of two straight lines is greatest at an end of [-1, 1] or where they cross.
+  const double ends = std::max(smaller(1.0), smaller(-1.0));
+  const double crossing = (press2 - press1) / (slope1 - slope2);
+  return std::abs(crossing) <= 1.0 ? std::max(ends, smaller(crossing)) : ends;
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,38 @@
+// What the analysis asks of its arguments beyond `check`: masses that the chain has, states of its
+// size.
+#pragma once
+
+#include "simulation/chain/require.hpp"
+#include "vibro_impact/simulate.hpp"
+
+namespace vibro_impact {
+
+inline void require_mass(const Scene &scene, int mass) {
+  require(mass >= 1 && mass <= scene.masses(), "mass = ", mass, ": the chain has masses 1 to ",
+          scene.masses());
+}
+
+inline void require_held(const Scene &scene, const Held &held) {
+  require(held.size() == scene.mass.size(), "held: ", held.size(), " values given, the chain has ",
+          scene.mass.size(), " masses");
+  for (const int how : held) require(how >= -1 && how <= 1, "held = ", how, ": must be -1, 0 or 1");
+}
+
+// Of what is worked out from a state itself; a run checks its start.
+inline void require_fits(const Scene &scene, const MotionState &at) {
+  const std::size_t n = scene.mass.size();
+  require(at.displacement.size() == n, "displacement: ", at.displacement.size(),
+          " values given, the chain has ", n, " masses");
+  require(at.velocity.size() == n, "velocity: ", at.velocity.size(),
+          " values given, the chain has ", n, " masses");
+  require_held(scene, at.held);
+}
+
+// A run that resolves every chatter until what is left of it lies below rounding.
+inline RunOptions every_impact() {
+  RunOptions options;
+  options.resolve_chatter = 0.0;
+  return options;
+}
+
+}  // namespace vibro_impact

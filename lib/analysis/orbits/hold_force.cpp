@@ -1,0 +1,99 @@
+#include "vibro_impact/analysis/hold_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "fits.hpp"
+#include "simulation/chain/contact_mode.hpp"
+#include "simulation/chain/forces.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+std::size_t index_of(const Stop &stop) {
+  return static_cast<std::size_t>(stop.mass - 1);
+}
+
+// The coordinate j (from 0) that link_force asks for.
+auto of(const std::vector<double> &values) {
+  return [&values](std::size_t j) { return values[j]; };
+}
+
+}  // namespace
+
+NaturalModes natural_modes(const Scene &scene, const Held &held) {
+  check(scene);
+  require_held(scene, held);
+  // Neither the stops, which only shift the static positions, nor damping or forcing have a part in
+  // the modes; without them every lane of the contact mode is one mode.
+  Scene bare = scene;
+  bare.beta = 0.0;
+  bare.stops.clear();
+  bare.amplitude.clear();
+  const auto mode = build_contact_mode<Eigen::Dynamic>(bare, held);
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(mode.lanes()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::sort(order.begin(), order.end(), [&mode](Eigen::Index a, Eigen::Index b) {
+    return std::pair(mode.lambda(a), a) < std::pair(mode.lambda(b), b);
+  });
+  NaturalModes modes{{}, Matrix(held.size(), order.size())};
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    modes.lambda.push_back(mode.lambda(order[k]));
+    for (std::size_t i = 0; i < held.size(); ++i)
+      modes.shape(i, k) = mode.shape(static_cast<Eigen::Index>(i), order[k]);
+  }
+  return modes;
+}
+
+std::vector<double> acceleration(const Scene &scene, const MotionState &at) {
+  check(scene);
+  require_fits(scene, at);
+  const double forcing = std::cos(scene.omega * at.instant.phase);
+  std::vector<double> a(scene.mass.size(), 0.0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (at.held[i] == 0)
+      a[i] = (link_force(scene, i, at.displacement[i], of(at.displacement)) +
+              scene.beta * link_force(scene, i, at.velocity[i], of(at.velocity)) +
+              amplitude_on(scene, i) * forcing) /
+             scene.mass[i];
+  return a;
+}
+
+double pressing_force(const Scene &scene, const Stop &stop, const MotionState &at) {
+  check(scene);
+  require_mass(scene, stop.mass);
+  require_fits(scene, at);
+  return sign(stop.side) * force_at_rest(scene, index_of(stop), stop.position, at.instant.phase,
+                                         of(at.displacement), of(at.velocity));
+}
+
+double pressing_force(const Scene &scene, const Stop &stop, const Moment &at) {
+  require_mass(scene, stop.mass);
+  require(at.masses() == scene.masses(), "motion of ", at.masses(), " masses: the chain has ",
+          scene.masses());
+  const auto mass = [](std::size_t j) { return static_cast<int>(j) + 1; };
+  return sign(stop.side) * force_at_rest(
+                               scene, index_of(stop), stop.position, at.instant.phase,
+                               [&](std::size_t j) { return at.displacement(mass(j)); },
+                               [&](std::size_t j) { return at.velocity(mass(j)); });
+}
+
+double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &at) {
+  require_mass(scene, stop.mass);
+  require_fits(scene, at);
+  const std::size_t p = index_of(stop);
+  MotionState resting = at;  // the neighbours are pulled by the mass as it stands at its stop
+  resting.displacement[p] = stop.position;
+  resting.velocity[p] = 0.0;
+  const std::vector<double> a = acceleration(scene, resting);
+  const double links = link_force(scene, p, 0.0, of(at.velocity)),
+               dampers = scene.beta * link_force(scene, p, 0.0, of(a)),
+               forcing =
+                   -amplitude_on(scene, p) * scene.omega * std::sin(scene.omega * at.instant.phase);
+  return sign(stop.side) * (links + dampers + forcing);
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,41 @@
+// Changes of a motion by parameters of its scene, between events, at a fixed phase of the forcing:
+// the linear equations of the contact mode with an inhomogeneous term that the motion itself, or
+// its forcing, supplies.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "vibro_impact/analysis/parameter.hpp"
+#include "vibro_impact/record.hpp"
+
+namespace vibro_impact {
+
+// Throws std::invalid_argument for a parameter that the scene does not have, for initial values (to
+// a motion with a start of its own they mean nothing), and for omega where there is no forcing
+// period.
+void require_differentiable(const Scene &scene, const std::vector<Parameter> &by);
+
+// True when the parameter is that of this stop (an index): its position, or its restitution, which
+// may be the scene's.
+bool is_of_stop(const Scene &scene, const Parameter &parameter, Parameter::Kind kind,
+                std::size_t stop);
+
+// Displacements and velocities of all masses.
+struct PlainMotion {
+  Eigen::VectorXd displacement, velocity;
+};
+
+// Carries a motion that is at this phase (a time) of the forcing, and its changes (2N rows, one
+// column per parameter; rows of held masses: the change of their stops), through a time tau in the
+// contact mode `held`.
+void carry(const Scene &scene, const std::vector<Parameter> &by, const Held &held, double phase,
+           double tau, PlainMotion &motion, Eigen::MatrixXd &changes);
+
+// The change of the force on mass p (from 0) at rest (Eqs. 12-13, towards +x) by the same
+// parameters, the changes of the motion given.
+Eigen::RowVectorXd force_change(const Scene &scene, const std::vector<Parameter> &by, std::size_t p,
+                                double phase, const PlainMotion &motion,
+                                const Eigen::MatrixXd &changes);
+
+}  // namespace vibro_impact

@@ -1,0 +1,240 @@
+#include "vibro_impact/analysis/periodic_orbit.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fits.hpp"
+#include "motion_state.hpp"
+#include "vibro_impact/analysis/tangent.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+// The guess in this scene, which may not be quite the one it was found in: its phase within the
+// period, and held masses at rest at their stops.
+MotionState moved_into(const Scene &scene, MotionState guess) {
+  check(scene);
+  require_fits(scene, guess);
+  guess.instant = later({guess.instant.cycle, 0.0}, guess.instant.phase, Clock(scene.omega));
+  hold_at_stops(scene, guess);
+  return guess;
+}
+
+// The rows and columns of the free coordinates.
+Eigen::MatrixXd on_free(const Matrix &derivative, const std::vector<std::size_t> &free) {
+  return view(derivative)(free, free);
+}
+
+double largest_component(const Eigen::VectorXd &vector) {
+  return vector.size() == 0 ? 0.0 : vector.cwiseAbs().maxCoeff();
+}
+
+// The coordinates of `to` minus those of `from`.
+Eigen::VectorXd difference(const MotionState &to, const MotionState &from) {
+  return view(coordinates(to)) - view(coordinates(from));
+}
+
+// One iterate of Newton's method: the map there, P(z) - z, and the step to the next iterate.
+struct Iterate {
+  StroboscopicImage image;
+  Eigen::VectorXd residual, step;
+  bool usable = false;  // it returns in the contact mode it has, with finite numbers
+};
+
+Iterate evaluate(const Scene &scene, const MotionState &at, int periods,
+                 const RunOptions &options) {
+  Iterate iterate{stroboscopic_map_and_derivative(scene, at, periods, options), {}, {}};
+  if (iterate.image.state.held != at.held) return iterate;
+  const std::vector<std::size_t> free = free_coordinates(at.held);
+  const auto unknowns = static_cast<Eigen::Index>(free.size());
+  iterate.residual = difference(iterate.image.state, at)(free);
+  const Eigen::MatrixXd derivative = on_free(iterate.image.derivative, free);
+  iterate.usable = iterate.residual.allFinite() && derivative.allFinite();
+  if (!iterate.usable || unknowns == 0) return iterate;
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(unknowns, unknowns) - derivative;
+  iterate.step = matrix.partialPivLu().solve(iterate.residual);
+  return iterate;
+}
+
+// Enters an iterate as the orbit found so far.
+void accept(PeriodicOrbit &orbit, const MotionState &at, const Iterate &iterate) {
+  const StroboscopicImage &image = iterate.image;
+  orbit.state = at;
+  orbit.derivative = image.derivative;
+  orbit.multipliers = floquet_multipliers(image.derivative, at.held);
+  orbit.error = largest_component(iterate.step);
+  orbit.differentiable = image.differentiable;
+  orbit.chatter_error = image.chatter_error;
+  orbit.counters = image.counters;
+}
+
+void move(MotionState &at, const Eigen::VectorXd &step) {
+  Eigen::Index k = 0;
+  for (const std::size_t row : free_coordinates(at.held)) coordinate(at, row) += step(k++);
+}
+
+// True when every free mass stands clear of its stops.
+bool admissible(const Scene &scene, const MotionState &at) {
+  return std::all_of(scene.stops.begin(), scene.stops.end(), [&at](const Stop &stop) {
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    return at.held[i] != 0 || sign(stop.side) * (stop.position - at.displacement[i]) > 0.0;
+  });
+}
+
+}  // namespace
+
+std::vector<std::size_t> free_coordinates(const Held &held) {
+  std::vector<std::size_t> rows;
+  for (const std::size_t part : {std::size_t{0}, held.size()})
+    for (std::size_t i = 0; i < held.size(); ++i)
+      if (held[i] == 0) rows.push_back(part + i);
+  return rows;
+}
+
+std::vector<double> coordinates(const MotionState &motion) {
+  std::vector<double> z = motion.displacement;
+  z.insert(z.end(), motion.velocity.begin(), motion.velocity.end());
+  return z;
+}
+
+double time_after(const Scene &scene, const MotionState &start, int periods) {
+  require(scene.omega > 0.0, "omega = ", scene.omega,
+          ": a stroboscopic map needs a forcing period");
+  require(periods >= 1, "periods = ", periods, ": must be at least 1");
+  return time_of({start.instant.cycle + periods, start.instant.phase}, Clock(scene.omega));
+}
+
+StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
+                                                  int periods, const RunOptions &options,
+                                                  const std::vector<Parameter> &by) {
+  const double until = time_after(scene, start, periods);
+  const std::vector<std::size_t> free = free_coordinates(start.held);
+  const std::size_t n = start.held.size();
+  Matrix columns(2 * n, free.size() + by.size());
+  for (std::size_t k = 0; k < free.size(); ++k) columns(free[k], k) = 1.0;
+  TangentRecorder tangents(scene, start, columns, {.by = by});
+  const Outcome end = simulate_from(scene, start, until, options, tangents);
+  tangents.finish(require_complete(end).state.instant);
+  StroboscopicImage image{end.state,
+                          Matrix(2 * n, 2 * n),
+                          Matrix(2 * n, by.size()),
+                          tangents.differentiable(),
+                          tangents.chatter_error(),
+                          end.counters};
+  image.state.instant = start.instant;
+  const Matrix tangent = tangents.tangent();
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    for (std::size_t k = 0; k < free.size(); ++k) image.derivative(i, free[k]) = tangent(i, k);
+    for (std::size_t k = 0; k < by.size(); ++k)
+      image.by_parameters(i, k) = tangent(i, free.size() + k);
+  }
+  return image;
+}
+
+MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
+                           const RunOptions &options) {
+  const Clock clock(scene.omega);
+  EventRecorder recorder;
+  recorder.from = -std::numeric_limits<double>::infinity();
+  stroboscopic_map(scene, start, 1, options, recorder);
+  std::vector<double> times;
+  for (const Event &event : recorder.events)
+    times.push_back(elapsed(start.instant, event.instant, clock));
+  // The motion need not be periodic: only intervals inside the period count.
+  times.push_back(clock.period);
+  double after = 0.0, widest = 0.0, last = 0.0;
+  for (const double time : times) {
+    if (time - last > widest) {
+      widest = time - last;
+      after = 0.5 * (last + time);
+    }
+    last = time;
+  }
+  const double until = time_of(start.instant, clock) + after;
+  MotionState state = require_complete(simulate_from(scene, start, until, options)).state;
+  state.instant.cycle = 0;
+  return state;
+}
+
+MotionState settled(const Scene &scene, int periods, const RunOptions &options) {
+  check(scene);
+  return stroboscopic_map(scene, start_of(scene), periods, options).state;
+}
+
+std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, const Held &held) {
+  const std::size_t size = 2 * held.size();
+  require(derivative.rows == size && derivative.columns == size &&
+              derivative.values.size() == size * size,
+          "derivative: ", derivative.rows, " x ", derivative.columns,
+          " values given, the chain has ", size, " coordinates and velocities");
+  const std::vector<std::size_t> free = free_coordinates(held);
+  if (free.empty()) return {};
+  const Eigen::MatrixXd map = on_free(derivative, free);
+  require(map.allFinite(), "derivative: all values must be finite");
+  const Eigen::VectorXcd found = Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues();
+  std::vector<std::complex<double>> multipliers(found.begin(), found.end());
+  std::sort(multipliers.begin(), multipliers.end(),
+            [](const auto &a, const auto &b) { return std::abs(a) > std::abs(b); });
+  return multipliers;
+}
+
+PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods,
+                                  const NewtonOptions &options) {
+  require(options.max_iterations >= 0, "max_iterations = ", options.max_iterations,
+          ": must be non-negative");
+  require(options.tolerance >= 0.0, "tolerance = ", options.tolerance, ": must be non-negative");
+  PeriodicOrbit orbit;
+  orbit.periods = periods;
+  MotionState at = orbit.state = moved_into(scene, guess);
+  double best = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration <= options.max_iterations; ++iteration) {
+    const Iterate iterate = evaluate(scene, at, periods, options.run);
+    orbit.expansions += iterate.image.counters.expansions;
+    if (iterate.image.state.held != guess.held) return orbit;
+    const double size = largest_component(iterate.residual);
+    orbit.residuals.push_back(size);
+    if (!iterate.usable) return orbit;
+    if (size < best) {
+      best = size;
+      accept(orbit, at, iterate);
+    }
+    const double scale = std::max(1.0, largest_component(view(coordinates(at))));
+    orbit.converged = size <= options.tolerance * scale;
+    if (orbit.converged) return orbit;
+    if (!iterate.step.allFinite()) return orbit;  // a multiplier of 1: no step leads on
+    move(at, iterate.step);
+    if (!admissible(scene, at)) return orbit;
+  }
+  return orbit;
+}
+
+MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods,
+                       const RunOptions &options, int settling) {
+  NewtonOptions newton;
+  newton.run = options;
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods, newton);
+  if (orbit.converged) return orbit.state;
+  const int whole = std::max(periods, settling - settling % periods);
+  return stroboscopic_map(scene, moved_into(scene, seed), whole, options).state;
+}
+
+Recurrence recurrence(const Scene &scene, const MotionState &state, int most, double tolerance,
+                      const RunOptions &options) {
+  require(most >= 1, "most = ", most, ": must be at least 1");
+  require(tolerance >= 0.0, "tolerance = ", tolerance, ": must be non-negative");
+  MotionState at = state;
+  double least = std::numeric_limits<double>::infinity();
+  for (int n = 1; n <= most; ++n) {
+    at = stroboscopic_map(scene, at, 1, options).state;
+    const double distance = largest_component(difference(at, state));
+    if (at.held == state.held && distance <= tolerance) return {n, distance};
+    least = std::min(least, distance);
+  }
+  return {0, least};
+}
+
+}  // namespace vibro_impact

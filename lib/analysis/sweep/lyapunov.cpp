@@ -1,0 +1,87 @@
+#include "vibro_impact/analysis/lyapunov.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/orbits/motion_state.hpp"
+#include "simulation/chain/require.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+constexpr long long periods_between = 8;  // two scalings: no change leaves double precision by then
+
+double length_of(const Matrix &column) {
+  double largest = 0.0, sum = 0.0;
+  for (const double value : column.values) largest = std::max(largest, std::abs(value));
+  if (largest == 0.0) return 0.0;
+  for (const double value : column.values) sum += (value / largest) * (value / largest);
+  return largest * std::sqrt(sum);
+}
+
+}  // namespace
+
+double greatest_exponent(const std::vector<std::complex<double>> &multipliers, double duration) {
+  require(duration > 0.0, "duration = ", duration, ": must be positive");
+  double largest = 0.0;
+  for (const std::complex<double> &mu : multipliers) largest = std::max(largest, std::abs(mu));
+  return std::log(largest) / duration;
+}
+
+GrowthRecorder::GrowthRecorder(const Scene &scene, const MotionState &start)
+    : scene_(scene),
+      clock_(scene.omega),
+      started_(start.instant),
+      next_{start.instant.cycle + periods_between, start.instant.phase},
+      held_(start.held) {
+  require(scene.omega > 0.0, "omega = ", scene.omega,
+          ": the growth of tangents is told by forcing periods");
+  // A change in all directions that the masses are free to go.
+  const std::size_t n = scene.mass.size();
+  Matrix column(2 * n, 1);
+  for (std::size_t i = 0; i < 2 * n && i % n < held_.size(); ++i)
+    column(i, 0) = held_[i % n] == 0 ? 1.0 : 0.0;
+  follow(start, std::move(column));
+  logarithm_ = 0.0;
+}
+
+// Enters the length of the column in the sum, and goes on with length 1.
+void GrowthRecorder::follow(const MotionState &from, Matrix column) {
+  const double length = length_of(column);
+  logarithm_ += std::log(length);
+  if (length > 0.0)
+    for (double &value : column.values) value /= length;
+  tangents_.emplace(scene_, from, column);
+}
+
+void GrowthRecorder::event(const Event &event, const Moment &moment) {
+  held_ = event.held;
+  in_chatter_ = event.kind == EventKind::impact && event.falling > 0;
+  tangents_->event(event, moment);
+}
+
+double GrowthRecorder::next_time() const {
+  return time_of(next_, clock_);
+}
+
+void GrowthRecorder::sample(const Moment &moment) {
+  next_.cycle += in_chatter_ ? 1 : periods_between;
+  if (in_chatter_) return;
+  const MotionState at = state_at(moment, held_);
+  tangents_->finish(at.instant);
+  follow(at, tangents_->tangent());
+}
+
+void GrowthRecorder::finish(const Instant &end) {
+  tangents_->finish(end);
+  logarithm_ += std::log(length_of(tangents_->tangent()));
+  exponent_ = logarithm_ / elapsed(started_, end, clock_);
+}
+
+double GrowthRecorder::exponent() const {
+  return exponent_;
+}
+
+}  // namespace vibro_impact

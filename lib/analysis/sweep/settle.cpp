@@ -1,0 +1,281 @@
+#include "vibro_impact/analysis/settle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/orbits/motion_state.hpp"
+#include "simulation/chain/require.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+// Distances below this, relative to the state, are what rounding and the limits of chatter make of
+// a motion that repeats exactly.
+constexpr double repeats = 1e-12;
+
+// The distances of one period p, section by section.
+struct Contraction {
+  std::vector<double> distances = {};  // the last p of them, by section modulo p
+  std::vector<double> ratios = {};     // d_n / d_(n-p) before those
+  double to_come = unknown;
+
+  explicit Contraction(std::size_t p) : distances(p, unknown), ratios(p, unknown) {
+  }
+  void add(std::size_t section, double distance, double floor) {
+    double &before = distances[section % distances.size()],
+           &ratio = ratios[section % distances.size()];
+    if (before > floor && before < unknown)
+      ratio = distance / before;
+    else if (distance > floor || before == unknown)
+      ratio = unknown;
+    else if (ratio == unknown)  // twice below what can be told apart
+      ratio = 0.0;
+    // A single small ratio may be chance: no less than the distance, where that can be told.
+    to_come = ratio < 1.0 ? distance * std::max(ratio / (1.0 - ratio), distance > floor ? 1.0 : 0.0)
+                          : unknown;
+    before = distance;
+  }
+};
+
+// The state at a section, and the events of the period before it.
+struct Section {
+  std::vector<double> z = {};  // displacements, velocities
+  Held held = {};
+  std::vector<EventMark> marks = {};
+};
+
+bool chatters(const Scene &scene, std::size_t stop) {
+  return law_of(scene, scene.stops[stop]).at_rest() > 0.0;
+}
+
+// The events of the marks but for the impacts of complete chatters, from a motion that repeats.
+template <class Take>
+void pass_events(const Scene &scene, const std::vector<EventMark> &marks, Take &&take) {
+  // Backwards, and twice: who of the last impacts belongs to a chatter is seen at the beginning.
+  std::vector<char> completing(scene.stops.size(), 0);
+  for (const bool telling : {false, true})
+    for (std::size_t k = marks.size(); k-- > 0;) {
+      const EventMark &mark = marks[k];
+      const bool of_chatter = mark.kind == EventKind::impact && completing[mark.stop] != 0;
+      if (mark.kind == EventKind::stick) completing[mark.stop] = chatters(scene, mark.stop) ? 1 : 0;
+      if (mark.kind == EventKind::release || (mark.kind == EventKind::impact && mark.falling == 0))
+        completing[mark.stop] = 0;
+      if (telling && !of_chatter) take(mark);
+    }
+}
+
+// A recorder that compares the sections.
+class Sections {
+ public:
+  Sections(const Scene &scene, const MotionState &start, const SettleOptions &options)
+      : scene_(scene), options_(options), clock_(scene.omega), first_(start.instant) {
+    held_ = start.held;
+    rest_.assign(2 * scene.mass.size(), 0.0);
+    for (int p = 1; p <= options.most; ++p) contractions_.emplace_back(static_cast<std::size_t>(p));
+    sections_.resize(2 * static_cast<std::size_t>(options.most) + 1);
+    for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+      const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
+                   squared = (scene.stiffness[i] + right) / scene.mass[i];
+      frequency_.push_back(squared > 0.0 ? std::sqrt(squared) : 1.0);  // a ball on no spring
+    }
+    enter(coordinates(start));
+  }
+
+  void event(const Event &event, const Moment &) {
+    held_ = event.held;
+    marks_.push_back({event.kind, event.stop, event.falling, dual_sticking(held_)});
+  }
+
+  double next_time() const {
+    return taken_ > options_.longest ? unknown : time_of(section_at(taken_), clock_);
+  }
+
+  void sample(const Moment &moment) {
+    MotionState at = state_at(moment, held_);
+    bring_to_section(at);
+    enter(coordinates(at));
+    const double scale = amplitude(latest(0).z, rest_);
+    for (int p = 1; p <= options_.most && p < taken_; ++p)
+      contractions_[index(p - 1)].add(index(taken_), distance(p), repeats * scale);
+    if (options_.ends_transient || taken_ > options_.longest) judge();
+  }
+
+  bool done() const {
+    return period_ > 0 || taken_ > options_.longest;
+  }
+
+  int periods_run() const {
+    return taken_ - 1;
+  }
+  void tell(SettledMotion &motion) const {
+    const std::size_t n = scene_.mass.size();
+    const Section &now = latest(0);
+    motion.period = period_;
+    motion.periods_run = periods_run();
+    motion.to_come = to_come_;
+    const auto middle = now.z.begin() + static_cast<std::ptrdiff_t>(n);
+    motion.state = {
+        section_at(taken_ - 1), {now.z.begin(), middle}, {middle, now.z.end()}, now.held};
+    if (period_ > 0)
+      motion.counts = counts_of(scene_, marks_of(period_, 0), period_, dual_sticking(now.held));
+  }
+
+ private:
+  const Scene &scene_;
+  const SettleOptions &options_;
+  Clock clock_;
+  Instant first_;
+  int taken_ = 0;  // sections entered, that of the start included
+  int period_ = 0;
+  double to_come_ = unknown;
+  Held held_;
+  std::vector<double> rest_;            // all coordinates zero
+  std::vector<double> frequency_ = {};  // of each mass between neighbours that stand still
+  std::vector<EventMark> marks_ = {};   // since the latest section
+  std::vector<Section> sections_ = {};  // the latest, by number modulo their size
+  std::vector<Contraction> contractions_ = {};
+
+  static std::size_t index(int k) {
+    return static_cast<std::size_t>(k);
+  }
+  Instant section_at(int k) const {
+    return {first_.cycle + k, first_.phase};
+  }
+  // The section `back` periods ago.
+  const Section &latest(int back) const {
+    return sections_[index(taken_ - 1 - back) % sections_.size()];
+  }
+
+  void enter(std::vector<double> z) {
+    Section &section = sections_[index(taken_++) % sections_.size()];
+    section.z = std::move(z);
+    section.held = held_;
+    std::swap(section.marks, marks_);
+    marks_.clear();
+  }
+
+  // A sample is asked for by its time, which is the section's to the rounding of a long time only:
+  // along the motion to the section itself.
+  void bring_to_section(MotionState &at) const {
+    const double tau = elapsed(at.instant, section_at(taken_), clock_);
+    if (tau == 0.0) return;
+    const std::vector<double> a = acceleration(scene_, at);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (held_[i] != 0) continue;
+      at.displacement[i] += tau * at.velocity[i];
+      at.velocity[i] += tau * a[i];
+    }
+  }
+
+  // Of the vibration of which the difference of two states is a phase: the largest of a mass, in
+  // displacement or velocity, whichever is larger.
+  double amplitude(const std::vector<double> &now, const std::vector<double> &then) const {
+    const std::size_t n = frequency_.size();
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double w = frequency_[i], x = now[i] - then[i], v = now[n + i] - then[n + i];
+      largest = std::max(largest, std::max(1.0, 1.0 / w) * std::hypot(w * x, v));
+    }
+    return largest;
+  }
+
+  // Of the states `back` and `back` + p periods ago.
+  double distance(int p, int back = 0) const {
+    return amplitude(latest(back).z, latest(back + p).z);
+  }
+
+  // The events of `p` periods, `back` periods ago.
+  std::vector<EventMark> marks_of(int p, int back) const {
+    std::vector<EventMark> marks;
+    for (int k = p; k-- > 0;) {
+      const std::vector<EventMark> &of = latest(back + k).marks;
+      marks.insert(marks.end(), of.begin(), of.end());
+    }
+    return marks;
+  }
+
+  bool same_events(int p) const {
+    std::array<std::vector<std::pair<EventKind, std::size_t>>, 2> events;
+    for (const int part : {0, 1})
+      pass_events(scene_, marks_of(p, part * p), [&](const EventMark &mark) {
+        events[index(part)].emplace_back(mark.kind, mark.stop);
+      });
+    return events[0] == events[1];
+  }
+
+  void settle_on(int period, int shown_by) {
+    period_ = period;
+    to_come_ = contractions_[index(shown_by - 1)].to_come;
+  }
+
+  bool repeats_after(int p) const {
+    return latest(0).held == latest(p).held && same_events(p);
+  }
+
+  void judge() {
+    for (int p = 1; p <= options_.most && 2 * p < taken_; ++p) {
+      if (!(contractions_[index(p - 1)].to_come <= options_.tolerance) || !repeats_after(p))
+        continue;
+      // A motion of period q has settled in p periods, too: it may be the one that shows it.
+      for (int q = 1; q < p; ++q) {
+        if (p % q != 0) continue;
+        const double apart = distance(q);
+        if (apart <= 10.0 * options_.tolerance && repeats_after(q)) {
+          return settle_on(q, p);
+        }
+        // Sections of one orbit are not so near each other, but at a period doubling.
+        if (apart <= 1e4 * options_.tolerance) return;
+      }
+      return settle_on(p, p);
+    }
+  }
+};
+
+}  // namespace
+
+bool dual_sticking(const Held &held) {
+  return std::count_if(held.begin(), held.end(), [](signed char h) { return h != 0; }) > 1;
+}
+
+void EventMarks::event(const Event &event, const Moment &) {
+  if (event.instant < from) return;
+  marks.push_back({event.kind, event.stop, event.falling, dual_sticking(event.held)});
+}
+
+EventCounts counts_of(const Scene &scene, const std::vector<EventMark> &marks, int periods,
+                      bool dual_at_start) {
+  const std::vector<int> none(scene.mass.size(), 0);
+  EventCounts counts{periods, none, none, none, dual_at_start};
+  for (const EventMark &mark : marks) counts.dual_sticking = counts.dual_sticking || mark.dual;
+  pass_events(scene, marks, [&](const EventMark &mark) {
+    const auto mass = static_cast<std::size_t>(scene.stops[mark.stop].mass - 1);
+    if (mark.kind == EventKind::impact) ++counts.impacts[mass];
+    if (mark.kind == EventKind::stick) ++counts.sticks[mass];
+    if (mark.kind == EventKind::stick && chatters(scene, mark.stop)) ++counts.chatters[mass];
+  });
+  return counts;
+}
+
+SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
+  require(options.longest >= 1, "longest = ", options.longest, ": must be at least 1");
+  require(options.most >= 1, "most = ", options.most, ": must be at least 1");
+  require(options.tolerance > 0.0, "tolerance = ", options.tolerance, ": must be positive");
+  check(scene);
+  const double until = time_after(scene, start, options.longest + 1);
+  Sections sections(scene, start, options);
+  const Outcome end = simulate_from(scene, start, until, options.run, sections);
+  SettledMotion motion;
+  sections.tell(motion);
+  motion.resume = require_complete(end).resume;
+  motion.counters = end.counters;
+  return motion;
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,99 @@
+// Pairs of events on two masses (Table I and Section 3.3 of the paper): dual grazing, dual
+// sticking, double impact, grazing-sticking, grazing-impact, sticking-impact.
+//
+// A mass sticks over an interval, from its stick to its release; it grazes or impacts at an
+// instant. Two contacts pair when their times agree, a contact and a sticking phase when the phase
+// contains the contact, two sticking phases when they overlap.
+//
+// The paper asks whether an impact of one mass while the other sticks is a double impact, the other
+// being in contact with its stop too. It is not: the sticking mass has no impact at that instant,
+// it is held, and that its sticking phase was reached through infinitely many impacts does not
+// change this. Such an impact is a sticking-impact, and sticking takes precedence wherever both
+// readings would apply, that is, within the tolerance of the end of a chatter as well.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "vibro_impact/record.hpp"
+#include "vibro_impact/scene.hpp"
+
+namespace vibro_impact {
+
+// The six entries of Table I, in its order.
+enum class EventPair {
+  dual_grazing,
+  dual_sticking,
+  double_impact,
+  grazing_sticking,
+  grazing_impact,
+  sticking_impact
+};
+
+constexpr std::array<EventPair, 6> all_event_pairs{
+    EventPair::dual_grazing,     EventPair::dual_sticking,  EventPair::double_impact,
+    EventPair::grazing_sticking, EventPair::grazing_impact, EventPair::sticking_impact};
+
+// The paper's abbreviation: DG, DS, DI, GS, GI, SI.
+const char *abbreviation(EventPair kind);
+
+// The tolerances, non-dimensional. A mass pulled off by a force of 0.1 meets a stop that is 1e-15
+// short of its turning point at a speed of 1e-8 and a time 1e-7 off: grazing cannot be told from
+// impact more sharply than that in double precision.
+struct PairTolerances {
+  double time = 1e-6;   // events at most this far apart are simultaneous
+  double speed = 1e-6;  // contacts at most this fast may be grazing
+  double force = 1e-9;  // ... if the mass is pulled off its stop by more than this
+};
+
+// An event and the force that presses its mass into the stop (hold_force.hpp) right after it.
+struct PressedEvent {
+  Event event;
+  double press = 0.0;
+};
+
+// Every event from time `from` on, with the pressing force of each contact.
+struct PressedEventRecorder {
+  Scene scene;
+  double from = 0.0;
+  std::vector<PressedEvent> events = {};
+
+  void event(const Event &event, const Moment &moment);
+};
+
+// One pair. In a mixed pair `mass` (from 1) has the event named first and `other` the second (GS:
+// `mass` grazes, `other` sticks); in a pair of equals `mass` < `other`. `from` and `to` are the
+// bounds of the common sticking phase (DS), the time of the contact (GS, SI) or the two times of
+// contact in order (DG, DI, GI). A bound the record does not contain is infinite.
+struct PairedEvents {
+  EventPair kind = EventPair::double_impact;
+  int mass = 1, other = 2;
+  double from = 0.0, to = 0.0;
+  friend bool operator==(const PairedEvents &, const PairedEvents &) = default;
+};
+
+// The pairs of events among `events` (in order of time, as a run reports them), in order of time,
+// for every two masses of the chain. Throws std::invalid_argument for a tolerance that is negative
+// or not finite.
+std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
+                                      const PairTolerances &tolerances = {});
+
+// The greatest force, over a forcing period, that presses both masses of a two-mass chain into
+// their stops `first` and `second` at once (the smaller of the two forces). Positive if and only if
+// dual sticking is possible.
+//
+// With both masses at rest at their stops, u = cos(Omega t), and A = (A1, A2), Eqs. 12-13 read
+//   F1 = k2 (s2 - s1) - k1 s1 + A1 u,   F2 = k2 (s1 - s2) + A2 u,
+// and dual sticking needs sigma1 F1 > 0 and sigma2 F2 > 0 at the same u in [-1, 1]. The condition
+// is sufficient, too: both forces stay positive for some time about such an instant, two masses at
+// rest at their stops stay there for that time, and so do, after complete chatter, masses that
+// arrive slowly enough. (It does not say that a given initial state leads there.)
+//
+// For A2 = 0, the paper's case, F2 is constant: sigma2 (s1 - s2) > 0, which for an upper stop is
+// s2 < s1, and sigma1 (k2 (s2 - s1) - k1 s1) + |A1| > 0. At s2 = s1, Figure 5(c), F2 is zero: mass
+// 2 bounces about its own equilibrium at a constant interval, for ever, and does not stick.
+//
+// Throws std::invalid_argument unless the chain has two masses and the stops are on masses 1 and 2.
+double greatest_common_press(const Scene &scene, const Stop &first, const Stop &second);
+
+}  // namespace vibro_impact

@@ -1,0 +1,85 @@
+// The motion from a start followed, forcing period by forcing period, until it has settled; and the
+// events of a motion counted.
+//
+// At the section of the stroboscopic map (the phase of the start) the state z_n is compared with
+// that p periods before. With the distance d_n of the two and the contraction mu = d_n / d_(n-p),
+// what is still to come is estimated by d_n mu / (1 - mu), the rest of the geometric sequence, and
+// by no less than d_n: a single small ratio may be chance. The distance is the largest over the
+// masses of the amplitude of vibration that is left: for a mass of frequency w between neighbours
+// that stand still (1 on no spring), the larger of (x^2 + (v/w)^2)^(1/2) and w times that. A
+// component by itself is small once in every turn of the state, however far the orbit, and the more
+// so the stiffer the chain.
+//
+// A motion counts as settled, of period p, when the estimate lies below a tolerance, the contact
+// mode is that of p periods before, and the events of the last p periods are those of the p before
+// them, but for the impacts of a complete chatter: of its infinitely many, as many are told as it
+// takes to find the limit. Where states q periods apart, q a divisor of p, are within ten
+// tolerances the period is q; where they are within 10,000 it is not decided yet: a motion that
+// turns around its orbit comes near to itself after some number of periods long before it is there.
+#pragma once
+
+#include <vector>
+
+#include "vibro_impact/simulate.hpp"
+
+namespace vibro_impact {
+
+struct SettleOptions {
+  RunOptions run;
+  int longest = 400;         // forcing periods after which the motion counts as not settling, >= 1
+  int most = 8;              // largest period looked for, >= 1
+  double tolerance = 1e-10;  // of what is still to come, > 0; non-dimensional
+  bool ends_transient = true;  // false: the full length is run, and judged at its end
+};
+
+// True where two masses or more are held.
+bool dual_sticking(const Held &held);
+
+// An event without its time.
+struct EventMark {
+  EventKind kind = EventKind::impact;
+  std::size_t stop = 0;  // index in Scene::stops
+  int falling = 0;       // as in Event
+  bool dual = false;     // two masses or more are held after it
+};
+
+// A recorder of the events from `from` on as marks.
+struct EventMarks {
+  Instant from = {};
+  std::vector<EventMark> marks = {};
+
+  void event(const Event &event, const Moment &);
+};
+
+// What happens in some whole periods, per mass.
+struct EventCounts {
+  int periods = 0;             // counted over
+  std::vector<int> impacts;    // but for those of complete chatters, which have infinitely many
+  std::vector<int> sticks;     // sticking phases begun
+  std::vector<int> chatters;   // complete ones: sticks that end impacts of restitution > 0
+  bool dual_sticking = false;  // two masses or more are held at some time
+};
+
+// The counts of `marks`, which are those of `periods` periods of a motion that repeats with them (a
+// chatter under way at the end goes on at the beginning). `dual_at_start`: two masses or more are
+// held there.
+EventCounts counts_of(const Scene &scene, const std::vector<EventMark> &marks, int periods,
+                      bool dual_at_start);
+
+struct SettledMotion {
+  int period = 0;        // forcing periods; 0: not settled
+  int periods_run = 0;   // forcing periods integrated
+  double to_come = 0.0;  // bound of what is still to come; of period 0, infinite
+  MotionState state;     // at the last section, cycle count as it stands
+  EventCounts counts;    // of the last `period` periods; empty where it is 0
+  RunState resume;       // where the run stood
+  Counters counters;
+};
+
+// Follows the motion from `start` until it has settled. Throws std::invalid_argument for what
+// `simulate_from` refuses, for a scene without a forcing period and for options out of range, and
+// std::runtime_error when the run is given up.
+SettledMotion settle(const Scene &scene, const MotionState &start,
+                     const SettleOptions &options = {});
+
+}  // namespace vibro_impact

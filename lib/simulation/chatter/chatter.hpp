@@ -1,0 +1,138 @@
+// A chatter: impact after impact at the same stops, in one contact mode, each flight shorter than
+// the one before. The one place where that is recognised, and the time of its limit extrapolated:
+// what an impact predicts, t + x / (1 - r), is a smooth function of the flight x that follows to
+// leading order, and tends to that time as x -> 0 (Neville's table).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "simulation/stops/impact.hpp"
+
+namespace vibro_impact {
+
+struct ChatterTable {
+  struct Node {
+    double x, predicted;  // the limit predicted, since the first impact
+    std::size_t impact;
+  };
+  std::vector<Node> nodes;  // oldest first
+  // The last row of Neville's table: the limit extrapolated from the last 1, 2, ... nodes.
+  std::array<double, max_chatter_nodes> limit{};
+  // How many are best to take, less one, and the estimated error of the limit then.
+  std::size_t best = 0;
+  double error = std::numeric_limits<double>::infinity();
+};
+
+// Enters a node and the next row of the table: O(nodes).
+inline void extend(ChatterTable &table, const ChatterTable::Node &node) {
+  table.error = std::numeric_limits<double>::infinity();
+  table.best = 0;
+  if (table.nodes.size() == max_chatter_nodes) table.nodes.erase(table.nodes.begin());
+  table.nodes.push_back(node);
+  const std::size_t last = table.nodes.size() - 1;
+  double here = node.predicted, error_before = 0.0;
+  for (std::size_t column = 1; column <= last; ++column) {
+    const double without_newest = table.limit[column - 1], without_oldest = here;
+    table.limit[column - 1] = here;
+    here += (here - without_newest) * (node.x / (table.nodes[last - column].x - node.x));
+    // Not much less than that of one impact less, which it may agree with by chance.
+    const double error = std::abs(here - without_oldest);
+    const double believed = std::max(error, luck * error_before);
+    if (believed <= table.error) {
+      table.error = believed;
+      table.best = column;
+    }
+    error_before = error;
+  }
+  table.limit[last] = here;
+}
+
+// Every k-th impact is a node: closer ones amplify rounding.
+inline std::size_t chatter_stride(double r) {
+  return r <= node_ratio ? 1
+                         : static_cast<std::size_t>(std::ceil(std::log(node_ratio) / std::log(r)));
+}
+
+template <int D>
+struct Chatter {
+  // A stop hit at every impact.
+  struct Hit {
+    double restitution = 0.0;  // at rest
+    // What a unit jump of the gap speed does to the lanes.
+    typename State<D>::Lanes jump_value, jump_slope;
+  };
+  State<D> start;  // just after the first impact; `start.mode` is the mode of all
+  std::vector<std::size_t> contacts;  // of the mode, hit at every impact
+  std::vector<Hit> hits;              // likewise
+  std::vector<double> times, jumps;   // of the impacts since the first; hits.size() jumps each
+  std::size_t stride = 1;
+  double flight = 0.0;  // x of the latest impact
+  ChatterTable table;
+
+  bool under_way() const {
+    return !times.empty();
+  }
+  bool hits_contact(std::size_t k) const {
+    return std::find(contacts.begin(), contacts.end(), k) != contacts.end();
+  }
+};
+
+// Begins a chatter with the impacts at `contacts`, which have just happened.
+template <int D>
+void begin(Chatter<D> &chatter, const State<D> &state, const Scene &scene,
+           const std::vector<std::size_t> &contacts) {
+  const ContactMode<D> &mode = *state.mode;
+  chatter.start = state;
+  chatter.contacts = contacts;
+  chatter.hits.resize(contacts.size());
+  chatter.times.clear();
+  chatter.jumps.clear();
+  chatter.table.nodes.clear();
+  for (std::size_t j = 0; j < contacts.size(); ++j) {
+    const Contact<D> &contact = mode.contacts[contacts[j]];
+    const auto i = static_cast<Eigen::Index>(contact.mass);
+    auto &hit = chatter.hits[j];
+    hit.restitution = law_of(scene, scene.stops[contact.stop]).at_rest();
+    hit.jump_slope = -contact.sigma * mode.to_modal.col(i).array();
+    hit.jump_value = -contact.sigma * mode.velocity_to_modal.col(i).array();
+    if (mode.any_decay)
+      hit.jump_slope = mode.decay.select(-mode.kappa * hit.jump_value, hit.jump_slope);
+  }
+  chatter.stride = chatter_stride(chatter.hits[0].restitution);
+}
+
+// Notes the impacts at `contacts`, `since` after the latest, with the flight expected next. True
+// when they go on with the chatter or begin one, and a node has been entered.
+template <int D>
+bool note_impacts(Chatter<D> &chatter, const State<D> &state, const Scene &scene,
+                  const std::vector<std::size_t> &contacts, double since, double flight,
+                  Counters &counters) {
+  const ContactMode<D> &mode = *state.mode;
+  const bool goes_on = chatter.under_way() && chatter.start.mode == &mode &&
+                       flight < chatter.flight && contacts == chatter.contacts;
+  if (!goes_on) {
+    chatter.times.clear();
+    const double r = law_of(scene, scene.stops[mode.contacts[contacts[0]].stop]).at_rest();
+    // No chatter where r = 0 (one impact stops the mass) and where r = 1 (it never ends).
+    if (!(r > 0.0 && r < 1.0 && flight * mode.fastest < 1.0)) return false;
+    begin(chatter, state, scene, contacts);
+  }
+  const double time = goes_on ? chatter.times.back() + since : 0.0;
+  const std::size_t impact = chatter.times.size();
+  chatter.times.push_back(time);
+  for (const std::size_t k : contacts) {
+    const AtStop &stop = state.stops[mode.contacts[k].stop];
+    chatter.jumps.push_back(stop.last_speed + stop.speed);
+  }
+  chatter.flight = flight;
+  if (impact % chatter.stride != 0) return false;
+  extend(chatter.table, {flight, time + flight / (1.0 - chatter.hits[0].restitution), impact});
+  ++counters.chatter_nodes;
+  return true;
+}
+
+}  // namespace vibro_impact

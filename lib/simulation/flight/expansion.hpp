@@ -1,0 +1,216 @@
+// Taylor expansion of the flow about an event, of nothing but what is looked at: by weights that
+// the adjoint recurrence gives once per contact mode (lib/README.md). The variable is scaled, u =
+// tau / span in [0, 1].
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "polynomial.hpp"
+#include "simulation/chain/motion.hpp"
+
+namespace vibro_impact {
+
+// One stretch of flight: how far, at which rate (of the fastest lane in motion), to which order;
+// powers of rate * span.
+struct Expansion {
+  double span = 0.0, rate = 0.0;
+  int order = 0;
+  detail::Powers power{};
+};
+
+// Taylor coefficients of a reading, per unit of every lane: those of order n, in units of rate^-n.
+// Orders come in packets of four; per packet one column for every y, then for every y' of a mode
+// (y' of the forcing lanes is known from their values).
+struct ReadingWeights {
+  double rate = -1.0;  // of the fastest lane that may be in motion; -1 before they are built
+  Eigen::Array<double, 4, Eigen::Dynamic> weight;
+};
+
+// The weights of one contact mode: of what its contacts watch, and of its flow; built when first
+// asked for, and again when lanes that moved have died out or others have come to move.
+template <int D>
+struct Weights {
+  static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : (D - 1) / 2 * 2;
+  std::vector<ReadingWeights> watched;
+  // Taylor coefficients of the solution S of every mode with S(0) = 0, S'(0) = 1, and of S', in
+  // terms of rate * time: column n is of order n, with the rows filled up to an even number.
+  double rate = -1.0;
+  Eigen::Array<double, rows, Eigen::Dynamic> response, rate_of_response;
+};
+
+template <int D>
+void build_weights(const ContactMode<D> &mode, const Reading<D> &reading, double rate,
+                   ReadingWeights &weights);
+template <int D>
+void build_flow_weights(const ContactMode<D> &mode, double rate, Weights<D> &weights);
+
+// Those of this contact mode, among the weights of all modes a run has entered.
+template <int D>
+Weights<D> &weights_of(std::vector<Weights<D>> &all, const ContactMode<D> &mode) {
+  if (all.size() <= mode.number) all.resize(mode.number + 1);
+  return all[mode.number];
+}
+
+// Rate of the fastest lane that is in motion.
+template <int D>
+double fastest_in_motion(const State<D> &state) {
+  const ContactMode<D> &mode = *state.mode;
+  if (!mode.stiff) return mode.fastest;
+  double fastest = 0.0;
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j)
+    if (state.value(j) != 0.0 || state.slope(j) != 0.0 || mode.resonant(j) != 0.0)
+      fastest = std::max(fastest, mode.rate(j));
+  return fastest > 0.0 ? fastest : mode.fastest;  // nothing moves: any rate will do
+}
+
+// Opens an expansion of motion at this rate over [0, span]: of the smallest order p of the form 4 k
+// + 3, one that fills whole packets, of which the remainder, its first term 2 x^(p-1) / (p+1)! with
+// x = rate * span, is at most `remainder` of the second-order term: small gaps stay accurate.
+inline void expand(double rate, double span, double remainder, Expansion &path,
+                   Counters &counters) {
+  const double x = rate * span, quartic = x * x * x * x;
+  path.span = span;
+  path.rate = rate;
+  path.order = 3;
+  for (double p = 3.0, term = x * x / 12.0; term > remainder && p < max_order; p = path.order) {
+    term *= quartic / ((p + 2.0) * (p + 3.0) * (p + 4.0) * (p + 5.0));
+    path.order += 4;
+  }
+  detail::set_powers(path.power, x, path.order);
+  ++counters.expansions;
+  counters.coefficients += path.order + 1;
+}
+
+namespace detail {
+
+// The next four coefficients that are linear in the lanes, of these weights. In line: what it
+// returns is to stay in registers.
+template <int D>
+[[gnu::always_inline]] inline Packet weigh(const State<D> &state, const double *weight) {
+  const Eigen::Index lanes = state.mode->lanes(), modal = state.mode->modal_lanes();
+  Packet even = Packet::Zero(), odd = even;  // two chains of sums
+  const auto add = [&](const auto &lane, Eigen::Index count) {
+    Eigen::Index k = 0;
+    for (; k + 1 < count; k += 2, weight += 8) {
+      even += packet(weight) * lane(k);
+      odd += packet(weight + 4) * lane(k + 1);
+    }
+    if (k < count) even += packet(weight) * lane(k), weight += 4;
+  };
+  add(state.value, lanes);
+  add(state.slope, modal);
+  return even + odd;
+}
+
+}  // namespace detail
+
+// Coefficients that lie below the rounding of the lanes are zero. A mass that moves less than that,
+// because motion has yet to come along the chain, would be thrown back by them.
+template <int D>
+void drop_rounding(const State<D> &state, const ReadingWeights &of, const Expansion &path,
+                   Polynomial &p) {
+  const Eigen::Index lanes = state.mode->lanes(), modal = state.mode->modal_lanes();
+  for (int n = 0; n <= path.order; ++n) {
+    const auto row = of.weight.row(n % 4).segment((n / 4) * (lanes + modal), lanes + modal);
+    const double size = (row.head(lanes).transpose() * state.value.matrix().array()).abs().sum() +
+                        (row.tail(modal).transpose() * state.slope.head(modal)).abs().sum();
+    const auto k = static_cast<std::size_t>(n);
+    if (std::abs(p.coefficient[k]) < rounding * size * path.power[k]) p.coefficient[k] = 0.0;
+  }
+}
+
+// Sets `p` to what contact k of the mode watches, along the path, with what is known exactly in
+// place of what rounding left: a gap and its speed, leading zeros and the coefficient behind them.
+// `unit` is the rate of the scene, in which that is carried.
+template <int D>
+void read_along(const State<D> &state, std::size_t k, Weights<D> &weights, const Expansion &path,
+                double unit, Polynomial &p, Counters &counters) {
+  using detail::Packet;
+  const ContactMode<D> &mode = *state.mode;
+  const Contact<D> &contact = mode.contacts[k];
+  if (weights.watched.empty()) weights.watched.resize(mode.contacts.size());
+  ReadingWeights &of = weights.watched[k];
+  if (of.rate != path.rate) build_weights(mode, contact.watched, path.rate, of);
+  const Eigen::Index columns = mode.lanes() + mode.modal_lanes();
+  const double *weight = of.weight.data();
+  for (int n = 0; n <= path.order; n += 4, weight += 4 * columns)
+    Eigen::Map<Packet>(p.coefficient.data() + n) =
+        detail::weigh(state, weight) * detail::packet(path.power.data() + n);
+  end_at(p, path.order);
+  counters.products += (path.order + 1) * columns;
+
+  const AtStop &stop = state.stops[contact.stop];
+  if (!contact.held && stop.zeros <= 1) {
+    if (stop.below_rounding) drop_rounding(state, of, path, p);
+    p.coefficient[0] = stop.zeros == 0 ? stop.gap : 0.0;
+    p.coefficient[1] = stop.speed * path.span;
+    return;
+  }
+  p.coefficient[0] += contact.watched.offset;
+  if (stop.zeros == 0 && stop.leading == 0.0) return;     // a force of which nothing is known
+  if (stop.zeros > 3) drop_rounding(state, of, path, p);  // more than at the root of a force
+  double term = stop.leading;
+  for (int n = 0; n < std::min(stop.zeros, path.order + 1); ++n) {
+    p.coefficient[static_cast<std::size_t>(n)] = 0.0;
+    term *= path.span * unit / (n + 1);
+  }
+  if (stop.zeros <= path.order) p.coefficient[static_cast<std::size_t>(stop.zeros)] = term;
+}
+
+// Lane j where S and S' have these values. One solution, S with S(0) = 0 and S'(0) = 1, gives all
+// others: C = S' + kappa S, C' = -lambda S.
+template <int D>
+OscillatorState<double> lane_after(const ContactMode<D> &mode, Eigen::Index j, double value,
+                                   double slope, const OscillatorState<double> &s) {
+  return {value * (s.slope + mode.kappa(j) * s.value) + slope * s.value,
+          slope * s.slope - mode.lambda(j) * value * s.value};
+}
+
+// Moves the lanes along the path by tau, and the time: a short way by the series of the flow, any
+// way in closed form.
+template <int D>
+void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, Weights<D> &weights,
+                const Expansion &path, double tau) {
+  using Pair = Eigen::Array<double, 2, 1>;
+  const ContactMode<D> &mode = *state.mode;
+  const double x = path.rate * tau;
+  const Eigen::Index modal = mode.modal_lanes();
+  const std::complex<double> before =
+      mode.any_resonant ? std::complex(state.value(modal), state.value(modal + 1)) : 0.0;
+  if (!(x <= max_reach)) {
+    const typename State<D>::Lanes value = state.value, slope = state.slope;
+    flow(mode, value, slope, tau, state.value, state.slope);
+  } else {
+    if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);
+    const double w = x * x;
+    const Eigen::Index stride = weights.response.rows();
+    const int top = path.order | 1;  // odd
+    for (Eigen::Index j = 0; j < modal; j += 2) {
+      const double *s = weights.response.data() + j + top * stride;
+      const double *ds = weights.rate_of_response.data() + j + top * stride;
+      const auto two = [](const double *at) { return Eigen::Map<const Pair>(at); };
+      Pair even = Pair::Zero(), odd = even, even_slope = even, odd_slope = even;
+      for (int n = top; n > 0; n -= 2, s -= 2 * stride, ds -= 2 * stride) {
+        odd = odd * w + two(s);
+        even = even * w + two(s - stride);
+        odd_slope = odd_slope * w + two(ds);
+        even_slope = even_slope * w + two(ds - stride);
+      }
+      const Pair response = even + x * odd, rate = even_slope + x * odd_slope;
+      for (Eigen::Index i = j; i < std::min(modal, j + 2); ++i) {
+        const auto after =
+            lane_after(mode, i, state.value(i), state.slope(i), {response(i - j), rate(i - j)});
+        state.value(i) = after.value;
+        state.slope(i) = after.slope;
+      }
+    }
+  }
+  state.now = later(state.now, tau, clock);
+  set_forcing(state, scene);
+  if (mode.any_resonant) add_resonance(state, scene, before, tau);
+  tie_decays(state);
+}
+
+}  // namespace vibro_impact

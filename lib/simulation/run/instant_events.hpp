@@ -1,0 +1,220 @@
+// What happens at one instant: impacts, who is held after it, and the chatter it may belong to.
+#pragma once
+
+#include <utility>
+
+#include "run.hpp"
+#include "simulation/chain/require.hpp"
+#include "simulation/chatter/limit.hpp"
+
+namespace vibro_impact {
+
+// Counts an impact at this closing speed, and whether the impacts at its stop go on falling.
+template <int D>
+void count_impact(Run<D> &run, AtStop &stop, double speed) {
+  ++run.counters.impacts;
+  const bool falls = speed < stop.last_speed;
+  if (!falls && stop.falling >= 5) ++run.counters.chatter_incomplete;
+  stop.falling = falls ? stop.falling + 1 : 0;
+  stop.last_speed = speed;
+  if (run.silent) return;
+  State<D> &state = run.state;
+  if (!(elapsed(state.window_start, state.now, run.clock) <= run.window)) {
+    state.window_start = state.now;
+    state.impacts_in_window = 0;
+  }
+  if (++state.impacts_in_window > run.options.max_impacts_per_period)
+    give_up(run, line("more than ", run.options.max_impacts_per_period,
+                      " impacts in one period, given up at t = ", time_of(state.now, run.clock)));
+}
+
+// True when a speed at this stop is lost in the rounding of those the chain moves at.
+template <int D>
+bool is_lost(const State<D> &state, const Contact<D> &contact, double speed) {
+  return speed < lost * (contact.watched.on_value * state.slope).abs().sum();
+}
+
+// Applies the impacts at `run.hits`. A chatter of which what is left lies below rounding is over:
+// its mass is at rest, whatever else happens within that rounding.
+template <int D>
+void apply_impacts(Run<D> &run) {
+  State<D> &state = run.state;
+  const ContactMode<D> &mode = *state.mode;
+  for (const std::size_t k : run.hits) {
+    AtStop &stop = state.stops[mode.contacts[k].stop];
+    const double closing = std::max(0.0, -stop.speed);
+    count_impact(run, stop, closing);
+    leave_stop(state, mode.contacts[k],
+               law_of(run.scene, run.scene.stops[mode.contacts[k].stop]).after(closing));
+  }
+  for (const std::size_t k : run.hits) {
+    const Contact<D> &contact = mode.contacts[k];
+    const AtStop &stop = state.stops[contact.stop];
+    tell(run, EventKind::impact, contact.stop, contact.sigma * stop.last_speed,
+         -contact.sigma * stop.speed, false);
+  }
+  for (const std::size_t k : run.hits) {
+    const Contact<D> &contact = mode.contacts[k];
+    const double r = law_of(run.scene, run.scene.stops[contact.stop]).at_rest();
+    const double left = next_flight(state, run.scene, contact) / (1.0 - r);
+    const double speed = state.stops[contact.stop].speed;
+    const bool over = left * mode.fastest < same_instant || is_lost(state, contact, speed);
+    if (!(speed > 0.0 && over)) continue;
+    leave_stop(state, contact, 0.0);
+    ++run.counters.chatter_limits;
+  }
+}
+
+// True when the dampers pass the jump of a speed on to this mass.
+template <int D>
+bool is_pushed(const Run<D> &run, std::size_t mass) {
+  return run.scene.beta > 0.0 &&
+         std::any_of(run.hits.begin(), run.hits.end(), [&](std::size_t hit) {
+           const Contact<D> &contact = run.state.mode->contacts[hit];
+           return (contact.mass + 1 == mass || mass + 1 == contact.mass) &&
+                  !is_lost(run.state, contact, run.state.stops[contact.stop].last_speed);
+         });
+}
+
+// Gathers the masses at rest on a stop whose force is in question: those not held, those whose
+// force has come to zero, those decided at this very instant before, and those beside an impact
+// that are not pressed clearly. Before the first flight of a run every mass held is in question.
+template <int D>
+void gather_resting(Run<D> &run, bool at_start) {
+  const State<D> &state = run.state;
+  run.resting.clear();
+  for (std::size_t k = 0; k < state.mode->contacts.size(); ++k) {
+    const Contact<D> &contact = state.mode->contacts[k];
+    const AtStop &stop = state.stops[contact.stop];
+    if (!contact.held && !(stop.gap == 0.0 && stop.speed == 0.0)) continue;
+    const bool root = std::find(run.roots.begin(), run.roots.end(), k) != run.roots.end(),
+               pushed = is_pushed(run, contact.mass);
+    if (contact.held && !root && !at_start && stop.zeros == 0 && stop.leading == 0.0 &&
+        !(pushed && !is_wide(state, contact)))
+      continue;
+    // The force is zero now, or at this very instant before, unless it has jumped since.
+    const bool zero = root || stop.zeros > (contact.held ? 0 : 2);
+    run.resting.push_back(
+        {contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
+  }
+}
+
+// Decides who is held after the instant, for all masses in question at once, and enters the contact
+// mode that follows. `start` is where a run starts from, which is known exactly.
+template <int D>
+void settle(Run<D> &run, const Masses<D> *start = nullptr) {
+  gather_resting(run, start != nullptr);
+  if (run.resting.empty()) return;
+  State<D> &state = run.state;
+  Held held = state.mode->held;
+  const Masses<D> masses = start == nullptr ? masses_of(state, run.scene) : *start;
+  Eigen::VectorXd error = rounding_of(state, run.scene, run.unit);
+  if (start != nullptr) error.setZero();
+  const auto list = [](const auto &values) {
+    return std::vector<double>(values.data(), values.data() + values.size());
+  };
+  decide(run.scene, state.now.phase, run.unit, list(masses.displacement), list(masses.velocity),
+         list(error), held, run.resting);
+  for (const Resting &mass : run.resting) {
+    AtStop &stop = state.stops[mass.stop];
+    set_gap(stop, 0.0, 0.0);
+    stop.zeros = mass.zeros;
+    stop.leading = mass.leading;
+    held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
+    if (mass.held == mass.was_held) continue;
+    stop.falling = 0;
+    stop.last_speed = 0.0;
+    if (mass.held) continue;
+    for (std::size_t k = 0; k < run.scene.stops.size(); ++k) {  // a stop across is there again
+      const Stop &other = run.scene.stops[k];
+      if (k == mass.stop || other.mass != run.scene.stops[mass.stop].mass) continue;
+      state.stops[k] = {std::abs(other.position - run.scene.stops[mass.stop].position)};
+    }
+  }
+  if (held == state.mode->held) return;
+  set_lanes(state, run.scene, run.modes.enter(run.scene, held, run.counters), masses);
+  for (const Resting &mass : run.resting) {
+    if (mass.held == mass.was_held) continue;
+    ++(mass.held ? run.counters.sticks : run.counters.releases);
+    tell(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, 0.0, 0.0,
+         !mass.held && !mass.force_is_zero);
+  }
+}
+
+// Moves on to the end of the run or to `then`, whichever is earlier, impact by impact without
+// telling anybody of them: for samples, and an end, inside a chatter that is carried to its limit.
+template <int D>
+void look_inside(Run<D> &run, const Instant &then);
+
+// Carries the chatter to its limit where that is certain.
+template <int D>
+bool take_limit(Run<D> &run) {
+  Chatter<D> &chatter = run.chatter;
+  State<D> &state = run.state;
+  const double fastest = state.mode->fastest;
+  if (run.silent) return false;
+  // The next impact may come in a little faster than the latest went out.
+  for (const std::size_t k : chatter.contacts)
+    if (!(next_speed * state.stops[state.mode->contacts[k].stop].speed <
+          run.options.resolve_chatter))
+      return false;
+  const auto limit = extrapolate(chatter, run.options.chatter_tolerance / fastest);
+  if (!limit || !(limit->left > 0.0 && limit->left * fastest <= max_reach)) return false;
+  if (!others_stay_clear(chatter, state, limit->left)) return false;
+  Expansion path;
+  expand(fastest, limit->left, run.options.flight_tolerance, path, run.counters);
+  State<D> &there = run.at_limit;
+  there = state;
+  const double error = move_to_limit(chatter, *limit, run.scene, run.clock,
+                                     weights_of(run.flight.weights, *state.mode), path, there);
+  if (limit->error * fastest + error > run.options.chatter_tolerance) return false;
+  for (const std::size_t k : chatter.contacts)  // a border orbit or beyond
+    if (!(state.mode->contacts[k].press(there.value, there.slope) > 0.0)) return false;
+  const Instant then = there.now;
+  if (run.end < then || next_sample(run) <= time_of(then, run.clock)) {
+    look_inside(run, then);
+    if (run.over) return true;
+  }
+  state = there;
+  chatter.times.clear();
+  ++run.counters.chatter_limits;
+  run.hits.clear();
+  run.roots.clear();
+  settle(run);
+  return true;
+}
+
+// After impacts at `run.hits`: the flight expected next, and the chatter they may belong to. Not
+// where the contact mode has changed from `mode`, or a mass was left at rest.
+template <int D>
+void follow_chatter(Run<D> &run, const ContactMode<D> *mode) {
+  State<D> &state = run.state;
+  double flight = 0.0;
+  bool leaving = !run.hits.empty() && state.mode == mode;
+  for (const std::size_t k : run.hits) {
+    leaving = leaving && state.stops[mode->contacts[k].stop].speed > 0.0;
+    if (leaving) flight = std::max(flight, next_flight(state, run.scene, mode->contacts[k]));
+  }
+  const double since = std::exchange(run.since, 0.0);
+  if (!leaving) return run.chatter.times.clear();
+  state.next_flight = beyond_expected * flight;
+  const bool node =
+      note_impacts(run.chatter, state, run.scene, run.hits, since, flight, run.counters);
+  if (run.chatter.times.size() == 1) run.told = 0;  // `resume` would start from here
+  if (node) take_limit(run);
+}
+
+// The event at the end of the flight, to which the state has been moved.
+template <int D>
+void handle_instant(Run<D> &run) {
+  const ContactMode<D> *mode = run.state.mode;
+  run.hits.clear();
+  run.roots.clear();
+  for (std::size_t k = 0; k < mode->contacts.size(); ++k)
+    if (happens(run.flight, k)) (mode->contacts[k].held ? run.roots : run.hits).push_back(k);
+  apply_impacts(run);
+  settle(run);
+  follow_chatter(run, mode);
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,101 @@
+#include "vibro_impact/record.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "simulation/chain/require.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+void require_mass(int mass, int masses) {
+  require(mass >= 1 && mass <= masses, "mass ", mass, ": the chain has masses 1 to ", masses);
+}
+
+void require_times(double from, double to, double every) {
+  require(std::isfinite(every) && every > 0.0, "every = ", every, ": must be positive and finite");
+  require(std::isfinite(from) && std::isfinite(to), "samples from ", from, " to ", to,
+          ": must be finite");
+}
+
+}  // namespace
+
+const char *name(EventKind kind) {
+  return kind == EventKind::impact ? "impact" : kind == EventKind::stick ? "stick" : "release";
+}
+
+std::string contact_mode_name(const Held &held) {
+  std::string text;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] != 0) {
+      if (!text.empty()) text.push_back('+');
+      text += std::to_string(i + 1);
+    }
+  return text.empty() ? "-" : text;
+}
+
+int Moment::existing(int mass) const {
+  require_mass(mass, source_.masses);
+  return mass;
+}
+
+void EventRecorder::event(const Event &event, const Moment &) {
+  if (event.time < from) return;
+  events.push_back(event);
+}
+
+void ImpactSpeedRecorder::event(const Event &event, const Moment &) {
+  if (event.kind == EventKind::impact && event.mass == mass && event.time >= from)
+    velocities.push_back(event.velocity_before);
+}
+
+void ImpactSpeedRecorder::check(const Scene &scene) const {
+  require_mass(mass, scene.masses());
+}
+
+double sample_time(double from, double to, double every, std::size_t taken) {
+  const double next = from + every * static_cast<double>(taken);
+  return next <= to * (1.0 + 4e-16) ? next : std::numeric_limits<double>::infinity();
+}
+
+double SampleRecorder::next_time() const {
+  return sample_time(from, to, every, times.size());
+}
+
+void SampleRecorder::sample(const Moment &moment) {
+  times.push_back(moment.time);
+  for (int i = 1; i <= moment.masses(); ++i) displacements.push_back(moment.displacement(i));
+}
+
+void SampleRecorder::check(const Scene &) const {
+  require_times(from, to, every);
+}
+
+double HoldForceRecorder::next_time() const {
+  return sample_time(from, to, every, asked);
+}
+
+void HoldForceRecorder::sample(const Moment &moment) {
+  ++asked;
+  const double force = moment.hold_force(mass);
+  if (!std::isnan(force)) rows.push_back({moment.time, force, phases});
+}
+
+void HoldForceRecorder::event(const Event &event, const Moment &moment) {
+  if (event.mass != mass || event.kind == EventKind::impact || event.time < from || event.time > to)
+    return;
+  if (event.kind == EventKind::stick) {
+    ++phases;
+    rows.push_back({event.time, moment.hold_force(mass), phases});
+  } else if (!event.by_a_jump) {
+    rows.push_back({event.time, 0.0, phases});  // released at a root of the force
+  }
+}
+
+void HoldForceRecorder::check(const Scene &scene) const {
+  require_mass(mass, scene.masses());
+  require_times(from, to, every);
+}
+
+}  // namespace vibro_impact

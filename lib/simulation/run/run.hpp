@@ -1,0 +1,157 @@
+// What one run carries from event to event, and how it tells the recorders.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "simulation/chatter/chatter.hpp"
+#include "simulation/flight/first_event.hpp"
+#include "simulation/stops/rest.hpp"
+#include "vibro_impact/simulate.hpp"
+
+namespace vibro_impact {
+
+template <int D>
+struct Run {
+  const Scene &scene;
+  const RunOptions &options;
+  std::span<const RecorderRef> recorders;
+  Clock clock{scene.omega};
+  double unit = rate_of(scene);  // the rate in units of which derivatives are carried
+  Instant end = {};
+  Modes<D> modes = {};
+  State<D> state = {};
+  State<D> at_limit = {};  // of a chatter
+  State<D> at_end = {};    // the state at `end`, which lies on the flight from `state`
+  Flight<D> flight = {};
+  Chatter<D> chatter = {};
+  Counters counters = {};
+  double since = 0.0;   // flown since the last instant at which something happened
+  double window = 0.0;  // in which impacts are counted: the forcing period
+  // Events told since the state that `resume` would start from, and how many of those to come have
+  // been told before.
+  long long told = 0, told_before = 0;
+  bool silent = false;  // a motion is looked at in between: nothing is told but samples
+  bool takes_events = false, takes_samples = false;  // some recorder
+  bool over = false;  // the end is reached, a recorder is done, or the run is given up
+  Ending ending = Ending::reached;
+  std::string reason = {};
+  std::vector<std::size_t> hits = {}, roots = {};  // contacts of the event at hand
+  std::vector<Resting> resting = {};
+};
+
+// A recorder may ask the run to end.
+template <int D>
+void ask_whether_done(Run<D> &run, const RecorderRef &ref) {
+  if (ref.done == nullptr || !ref.done(ref.recorder)) return;
+  run.over = true;
+  run.ending = Ending::stopped;
+}
+
+template <int D>
+void give_up(Run<D> &run, std::string reason) {
+  run.over = true;
+  run.ending = Ending::given_up;
+  run.reason = std::move(reason);
+}
+
+// A state as the source of the numbers of a moment.
+template <int D>
+struct StateSource {
+  const State<D> *state;
+  Moment::Source functions;
+
+  explicit StateSource(const State<D> &of)
+      : state(&of),
+        functions{static_cast<int>(of.mode->held.size()),
+                  [](const void *source, int mass) {
+                    const State<D> &at = *static_cast<const State<D> *>(source);
+                    return at.mode->equilibrium(mass - 1) +
+                           at.mode->shape.row(mass - 1).dot(at.value.matrix());
+                  },
+                  [](const void *source, int mass) {
+                    const State<D> &at = *static_cast<const State<D> *>(source);
+                    return at.mode->shape.row(mass - 1).dot(at.slope.matrix());
+                  },
+                  [](const void *source, int mass) {
+                    const State<D> &at = *static_cast<const State<D> *>(source);
+                    for (const Contact<D> &contact : at.mode->contacts)
+                      if (contact.held && contact.mass + 1 == static_cast<std::size_t>(mass))
+                        return contact.sigma * contact.watched(at.value, at.slope);
+                    return std::numeric_limits<double>::quiet_NaN();
+                  }} {
+  }
+};
+
+// Tells of an event at a stop; velocities of an impact as told. Every event is told once, also when
+// the run was taken up before it.
+template <int D>
+void tell(Run<D> &run, EventKind kind, std::size_t stop, double before, double after,
+          bool by_a_jump) {
+  if (run.silent) return;
+  ++run.told;
+  if (run.told_before > 0) {
+    --run.told_before;
+    return;
+  }
+  if (!run.takes_events) return;
+  const State<D> &state = run.state;
+  const Event event{kind,
+                    stop,
+                    run.scene.stops[stop].mass,
+                    run.scene.stops[stop].side,
+                    state.now,
+                    time_of(state.now, run.clock),
+                    before,
+                    after,
+                    state.stops[stop].falling,
+                    by_a_jump,
+                    state.mode->held};
+  const StateSource<D> source(state);
+  const Moment moment(event.instant, event.time, source.state, source.functions);
+  for (const RecorderRef &ref : run.recorders) {
+    if (ref.event == nullptr) continue;
+    ref.event(ref.recorder, event, moment);
+    ask_whether_done(run, ref);
+  }
+}
+
+template <int D>
+double next_sample(const Run<D> &run) {
+  double next = std::numeric_limits<double>::infinity();
+  if (!run.takes_samples) return next;
+  for (const RecorderRef &ref : run.recorders)
+    if (ref.sample != nullptr) next = std::min(next, ref.next_time(ref.recorder));
+  return next;
+}
+
+// Serves the sample times up to tau after the state, on whose path it moves.
+template <int D>
+void sample_flight(Run<D> &run, double tau) {
+  for (double next = next_sample(run); std::isfinite(next) && !run.over; next = next_sample(run)) {
+    const Instant instant = instant_at(next, run.clock);
+    const double after = std::max(0.0, elapsed(run.state.now, instant, run.clock));
+    if (after > tau) return;
+    State<D> between = run.state;
+    move_lanes(between, run.scene, run.clock, weights_of(run.flight.weights, *between.mode),
+               run.flight.path, after);
+    ++run.counters.modal_evaluations;
+    const StateSource<D> source(between);
+    const Moment moment(instant, time_of(instant, run.clock), source.state, source.functions);
+    for (const RecorderRef &ref : run.recorders) {
+      if (ref.sample == nullptr || ref.next_time(ref.recorder) > next) continue;
+      ref.sample(ref.recorder, moment);
+      ask_whether_done(run, ref);
+    }
+    if (run.over) {
+      run.at_end = between;
+      read_gaps(run.at_end);
+    }
+  }
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,228 @@
+// Curves in the plane of two parameters: the continuation itself on a curve known in closed form,
+// and the curves of multi-sliding and of border orbits against counts of sticking phases.
+#include "vibro_impact/analysis/continuation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "figures/beyond/curves.hpp"
+#include "figures/table_reader.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::figures;
+
+// The zero of x^2 / 4 + y^2 - 1 by Newton's method across the curve.
+std::optional<CurvePoint> on_ellipse(const PlanePoint &guess, const PlanePoint &across,
+                                     const CurvePoint &) {
+  double s = 0.0;
+  for (int step = 0; step < 20; ++step) {
+    const double x = guess.x + s * across.x, y = guess.y + s * across.y;
+    s -= (x * x / 4.0 + y * y - 1.0) / (x * across.x / 2.0 + 2.0 * y * across.y);
+  }
+  const PlanePoint at{guess.x + s * across.x, guess.y + s * across.y};
+  if (!(std::abs(at.x * at.x / 4.0 + at.y * at.y - 1.0) < 1e-14)) return std::nullopt;
+  return CurvePoint{at, {at.x / 2.0, 2.0 * at.y}, 1e-16, {}};
+}
+
+// x - y = 1 / 2.
+std::optional<CurvePoint> on_line(const PlanePoint &guess, const PlanePoint &across,
+                                  const CurvePoint &) {
+  const double s = (0.5 - guess.x + guess.y) / (across.x - across.y);
+  return CurvePoint{{guess.x + s * across.x, guess.y + s * across.y}, {1.0, -1.0}, 1e-16, {}};
+}
+
+const CurvePoint on_axis{{2.0, 0.0}, {1.0, 0.0}, 0.0, {}};
+
+TEST(FollowCurve, TurnsAndCloses) {
+  for (int direction : {1, -1}) {
+    const FollowedCurve curve =
+        follow_curve(on_ellipse, on_axis, {-3.0, 3.0, -3.0, 3.0}, direction, {.step = 0.02});
+    EXPECT_EQ(curve.end, CurveEnd::closed);
+    double area = 0.0;
+    for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
+      const PlanePoint &a = curve.points[k].at, &b = curve.points[k + 1].at;
+      area += 0.5 * (a.x * b.y - a.y * b.x);
+      EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 1.5 * 0.02 * 6.0);
+    }
+    // Of the polygon: pi a b but for the square of the step; the gradient, outwards, is to the left
+    // of a way in clockwise sense.
+    EXPECT_NEAR(area, -direction * 2.0 * std::acos(-1.0), 0.05);
+  }
+}
+
+TEST(FollowCurve, EndsOnTheSideOfTheBox) {
+  const FollowedCurve curve =
+      follow_curve(on_ellipse, on_axis, {-3.0, 3.0, -3.0, 0.5}, -1, {.step = 0.03});
+  EXPECT_EQ(curve.end, CurveEnd::box);
+  EXPECT_EQ(curve.points.back().at.y, 0.5);
+  EXPECT_NEAR(curve.points.back().at.x, std::sqrt(3.0), 1e-14);
+}
+
+TEST(FollowCurve, IsGivenUpWhereTheCorrectorFindsNothing) {
+  const Corrector half = [](const PlanePoint &guess, const PlanePoint &across,
+                            const CurvePoint &near) {
+    auto found = on_ellipse(guess, across, near);
+    return found && found->at.x > 0.0 ? found : std::nullopt;
+  };
+  const FollowedCurve curve =
+      follow_curve(half, on_axis, {-3.0, 3.0, -3.0, 3.0}, 1, {.least_step = 1e-9});
+  EXPECT_EQ(curve.end, CurveEnd::lost);
+  EXPECT_NEAR(curve.points.back().at.x, 0.0, 6e-9 * 2.0);  // twice the least step, of a box of 6
+  EXPECT_GE(curve.points.back().at.x, 0.0);
+}
+
+TEST(FollowCurve, RefusesWhatMeansNothing) {
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {1.0, 1.0, 0.0, 1.0}, 1), std::invalid_argument);
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 1.0, 0.0, 1.0}, 1), std::invalid_argument);
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 3.0, -1.0, 1.0}, 0), std::invalid_argument);
+  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 3.0, -1.0, 1.0}, 1, {.step = 0.0}),
+               std::invalid_argument);
+}
+
+TEST(Crossing, OfAnEllipseAndALine) {
+  const CurvePoint near{{1.5, std::sqrt(1.0 - 1.5 * 1.5 / 4.0)},
+                        {0.75, 2.0 * std::sqrt(1.0 - 1.5 * 1.5 / 4.0)},
+                        0.0,
+                        {}};
+  const auto crossing = crossing_of(on_ellipse, on_line, near, {{1.0, 0.5}, {1.0, -1.0}, 0.0, {}},
+                                    {-3.0, 3.0, -3.0, 3.0}, 1e-13);
+  ASSERT_TRUE(crossing);
+  const double x = (1.0 + std::sqrt(4.75)) / 2.5;  // 5 x^2 / 4 - x - 3 / 4 = 0
+  EXPECT_NEAR(crossing->one.at.x, x, 1e-14);
+  EXPECT_NEAR(crossing->other.at.y, x - 0.5, 1e-14);
+}
+
+// Every curve goes through its point at r = 0.7, which was located in another way: ten digits.
+TEST(BifurcationCurves, GoThroughThePointsOfOneParameter) {
+  const References stored = read_references(REFERENCE_DIR "/bifurcation_points.csv");
+  for (const CurveStart &start : curve_starts()) {
+    const StartedCurve found = started(start);
+    EXPECT_NEAR(found.point.at.x, stored.at(start.name).value, 1e-10) << start.name;
+    EXPECT_LT(found.point.error, 1e-11) << start.name;
+  }
+}
+
+// Some points along each curve, both ways: the count of the sticking phases changes there.
+TEST(BifurcationCurves, AreWhereTheCountsChange) {
+  int checked = 0;
+  for (const CurveStart &start : curve_starts()) {
+    if (start.name != "multi_sliding_mass_1" && start.name != "multi_sliding_mass_2" &&
+        start.name != "border_mass_1_3" && start.name != "border_mass_1_7" &&
+        start.name != "border_mass_2_4")
+      continue;
+    const StartedCurve found = started(start);
+    for (int direction : {1, -1}) {
+      const FollowedCurve curve =
+          follow_curve(corrector_of(found.curve), found.point, omega_r_plane().box, direction,
+                       {.step = 0.008, .most = 4});
+      ASSERT_EQ(curve.points.size(), 4u) << start.name;
+      const CurvePoint &last = curve.points.back();
+      EXPECT_GT(std::abs(last.at.y - 0.7), 2e-3) << start.name;
+      const auto distance = distance_by_counting(found.curve, last, omega_r_plane().box);
+      ASSERT_TRUE(distance) << start.name << " " << last.at.x << " " << last.at.y;
+      EXPECT_LT(*distance, 1e-9) << start.name << " " << last.at.x << " " << last.at.y;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 10);
+}
+
+// The edges of sticking that are found by a bisection of their own, in two planes: on the curve,
+// and a few steps on.
+TEST(BifurcationCurves, StartOnTheEdgesOfSticking) {
+  const auto hold = [](const EdgeStart &start, const CurvePlane &plane) {
+    const StartedCurve found = started(start, plane);
+    const FollowedCurve curve = follow_curve(corrector_of(found.curve), found.point, plane.box, 1,
+                                             {.step = 0.01, .turn = 0.3, .most = 4});
+    ASSERT_EQ(curve.points.size(), 4u) << start.name;
+    for (const CurvePoint &point : {curve.points.front(), curve.points.back()}) {
+      const auto distance = distance_by_counting(found.curve, point, plane.box);
+      ASSERT_TRUE(distance) << start.name;
+      EXPECT_LT(*distance, 1e-9) << start.name;
+    }
+  };
+  for (const EdgeStart &start : high_frequency_starts()) hold(start, omega_r_plane());
+  for (const EdgeStart &start : dual_sticking_starts())
+    hold(start, stops_plane("5c", paper::figure5c()));
+}
+
+// Dual sticking at the frequencies of Figures 5(b) and (c) begins where s1 = s2: the force on mass
+// 2 at rest beside mass 1 at rest is k2 (s1 - s2). Counted, to the width of the bisection.
+TEST(BifurcationCurves, DualStickingBeginsWhereTheStopsAreAlike) {
+  for (const Scene &panel : {paper::figure5b(), paper::figure5c()}) {
+    const auto sticks = [&](double s1) {
+      Scene scene = with(with(panel, parameter_named("stop1"), s1), parameter_named("stop2"), 0.2);
+      ShortestStick stick{2};
+      stroboscopic_map(scene, at_quiet_phase(scene, settled(scene, 100)), 2, {}, stick);
+      return std::isfinite(stick.shortest) ? 1 : 0;
+    };
+    EXPECT_NEAR(bisect(sticks, 0.15, 0.25, 1e-8).above, 0.2, 1e-7);
+  }
+}
+
+// The direction of a curve is that of the derivatives of what is zero on it: against the secant of
+// two points of it, 2 h apart around it (an error of h^2).
+TEST(BifurcationCurves, RunAsTheDerivativesSay) {
+  for (const CurveStart &start : curve_starts()) {
+    if (start.name != "multi_sliding_mass_2" && start.name != "border_mass_1_3") continue;
+    const StartedCurve found = started(start);
+    const Corrector corrector = corrector_of(found.curve);
+    const double h = 1e-5, x = found.point.at.x;
+    const auto above = corrector({x, 0.7 + h}, {1.0, 0.0}, found.point),
+               below = corrector({x, 0.7 - h}, {1.0, 0.0}, found.point);
+    ASSERT_TRUE(above && below) << start.name;
+    const double secant = (above->at.x - below->at.x) / (2.0 * h),
+                 slope = -found.point.gradient.y / found.point.gradient.x;
+    EXPECT_NEAR(secant, slope, 1e-4 * std::max(1.0, std::abs(slope))) << start.name;
+  }
+}
+
+// Codimension two: the border orbits of both masses at once. Eight digits: closer to it the orbit
+// is no differentiable function of the parameters.
+TEST(BifurcationCurves, OfBothMassesCross) {
+  std::vector<StartedCurve> found;
+  for (const CurveStart &start : curve_starts())
+    if (start.name == "border_mass_2_3" || start.name == "border_mass_1_6")
+      found.push_back(started(start));
+  ASSERT_EQ(found.size(), 2u);
+  const auto crossing = crossing_of(corrector_of(found[0].curve), corrector_of(found[1].curve),
+                                    found[0].point, found[1].point, omega_r_plane().box, 3e-9);
+  ASSERT_TRUE(crossing);
+  for (const CurvePoint &point : {crossing->one, crossing->other}) {
+    EXPECT_NEAR(point.at.x, 0.40385105, 1e-8);
+    EXPECT_NEAR(point.at.y, 0.70001333, 1e-8);
+  }
+  EXPECT_LT(*distance_by_counting(found[0].curve, crossing->one, omega_r_plane().box), 1e-8);
+  EXPECT_LT(*distance_by_counting(found[1].curve, crossing->other, omega_r_plane().box), 1e-8);
+}
+
+// Mass 2 of Figure 5(b) grazes: through the point of one parameter in frequency, and in the plane
+// of the stops.
+TEST(BifurcationCurves, GrazingOfFigure5b) {
+  const References stored = read_references(REFERENCE_DIR "/bifurcation_points.csv");
+  const Scene scene = paper::figure5b();
+  const MotionState seed = at_quiet_phase(scene, settled(scene, 200));
+  BifurcationCurve curve{Bifurcation::grazing,           scene, parameter_named("omega"),
+                         parameter_named("restitution"), 1,     1};
+  const auto point = point_of(curve, {0.2995, 0.001}, {-1.0, 0.0}, seed, 0.0);
+  ASSERT_TRUE(point);
+  EXPECT_NEAR(point->at.x, stored.at("grazing_mass_2_figure5b").value, 1e-13);
+
+  curve.x = parameter_named("stop1");
+  curve.y = parameter_named("stop2");
+  const auto start = point_of(curve, {0.3, 0.45}, {0.0, 1.0}, seed, 0.0);
+  ASSERT_TRUE(start);
+  const FollowedCurve found = follow_curve(corrector_of(curve), *start, {0.28, 0.32, 0.4, 0.5}, 1);
+  EXPECT_EQ(found.end, CurveEnd::box);
+  // On the curve the highest displacement of mass 2, where its stop is far away, is s2.
+  Scene without = curve.at({found.points.back().at.x, 0.6});
+  const MotionState orbit = orbit_near(without, at_quiet_phase(without, settled(without, 200)), 1);
+  EXPECT_NEAR(least_gap(without, orbit, without.stops[1]).value(), 0.6 - found.points.back().at.y,
+              1e-11);
+}
+
+}  // namespace

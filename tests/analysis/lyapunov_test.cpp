@@ -1,0 +1,83 @@
+// The greatest Lyapunov exponent, by Floquet multipliers and by the growth of tangents.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+TEST(Lyapunov, IsThatOfTheLargestMultiplier) {
+  EXPECT_DOUBLE_EQ(greatest_exponent({{0.3, 0.4}, {-0.1, 0.0}}, 2.0), std::log(0.5) / 2.0);
+  EXPECT_EQ(greatest_exponent({}, 2.0), -INFINITY);
+  EXPECT_EQ(greatest_exponent({{0.0, 0.0}}, 2.0), -INFINITY);
+  EXPECT_THROW(greatest_exponent({}, 0.0), std::invalid_argument);
+}
+
+// Far from its stops the chain is linear: the slower of its modes decays at beta lambda_1 / 2.
+TEST(Lyapunov, OfALinearMotionIsTheSlowestDecay) {
+  Scene scene = paper::figure2();
+  for (Stop &stop : scene.stops) stop.position *= 1e3;
+  const double expected = -0.05 * (3.0 - std::sqrt(5.0)) / 2.0;
+  RecordOptions options;
+  options.lyapunov = true;
+  options.settle.longest = 2000;
+  const OrbitRecord record = record_of(scene, options);
+  ASSERT_EQ(record.period, 1);
+  EXPECT_NEAR(*record.lyapunov, expected, 1e-12);  // rounding of the multipliers
+  // By growth the angle of the change matters, a factor of order 1 of its length.
+  const MotionState start = vibro_impact::settled(scene, 100);
+  GrowthRecorder growth(scene, start);
+  const double until = time_after(scene, start, 100);
+  growth.finish(simulate_from(scene, start, until, {}, growth).state.instant);
+  EXPECT_NEAR(growth.exponent(), expected, std::log(10.0) / (100 * Clock(scene.omega).period));
+}
+
+// Brought back to length 1 every few periods, a change grows as it would without: in a chaotic
+// motion and in one that sticks, where the section may lie within a chatter.
+TEST(Lyapunov, ScalingDoesNotChangeTheGrowth) {
+  constexpr int periods = 20;
+  for (const double omega : {0.69, 0.6, 0.665, 0.28}) {
+    const Scene scene = paper::figure3(omega);
+    const MotionState start = at_quiet_phase(scene, vibro_impact::settled(scene, 60));
+    const Matrix map = stroboscopic_map_and_derivative(scene, start, periods).derivative;
+    double before = 0.0, after = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) sum += start.held[k % 2] == 0 ? map(i, k) : 0.0;
+      after += sum * sum;
+      before += start.held[i % 2] == 0 ? 1.0 : 0.0;
+    }
+    const double duration = periods * Clock(omega).period,
+                 expected = 0.5 * std::log(after / before) / duration;
+    GrowthRecorder growth(scene, start);
+    const double until = time_after(scene, start, periods);
+    growth.finish(simulate_from(scene, start, until, {}, growth).state.instant);
+    // Rounding, which grows no faster than the change itself; contracting directions cancel in the
+    // sum of the columns, which leaves some digits less where all contract.
+    EXPECT_NEAR(growth.exponent(), expected, 1e-8) << omega;
+  }
+}
+
+// Above 0.6, where a diagram from rest shows bands: chaos, and a transient that is slow.
+TEST(Lyapunov, TellsChaosFromASlowTransient) {
+  RecordOptions options;
+  options.lyapunov = true;
+  options.counted = 200;
+  const auto exponent = [&](double omega) {
+    const OrbitRecord record = record_of(paper::figure3(omega), options);
+    EXPECT_EQ(record.period, 0) << omega;
+    return *record.lyapunov;
+  };
+  EXPECT_GT(exponent(0.69), 0.01);
+  EXPECT_GT(exponent(0.698), 0.01);
+  EXPECT_LT(exponent(0.6325), -1e-4);
+}
+
+}  // namespace

@@ -1,0 +1,298 @@
+// How periodic orbits, their events and what is zero at their bifurcations change with parameters.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "figures/beyond/grazing.hpp"
+#include "figures/table_reader.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using Kind = Parameter::Kind;
+
+// The orbit that the motion from rest settles to.
+PeriodicOrbit orbit_of(const Scene &scene, int periods = 1) {
+  const MotionState seed = at_quiet_phase(scene, settled(scene, 200));
+  PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods);
+  EXPECT_TRUE(orbit.converged);
+  return orbit;
+}
+
+// The same orbit in a scene with a parameter moved, at the same phase.
+PeriodicOrbit moved_orbit(const Scene &scene, const PeriodicOrbit &orbit, const OrbitChange &change,
+                          std::size_t k, double step) {
+  const Scene moved = with(scene, change.by[k], get(scene, change.by[k]) + step);
+  const PeriodicOrbit found =
+      find_periodic_orbit(moved, predicted(scene, orbit, change, k, step), orbit.periods);
+  EXPECT_TRUE(found.converged) << name(change.by[k]) << " " << step;
+  return found;
+}
+
+const std::vector<Parameter> lengths{
+    {Kind::stop, 1}, {Kind::stop, 2}, {Kind::amplitude, 1}, {Kind::amplitude, 2}};
+const std::vector<Parameter> others{{Kind::omega, 0}, {Kind::restitution, 0}, {Kind::beta, 0}};
+
+// Differences of fourth order of values along the family of orbits.
+std::vector<double> differences(const std::function<std::vector<double>(double)> &values,
+                                double h) {
+  const auto a = values(h), b = values(-h), c = values(2 * h), d = values(-2 * h);
+  std::vector<double> slope(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    slope[i] = (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * h);
+  return slope;
+}
+
+// Other units of length: stops, amplitudes and the orbit times c; speeds times c, times as they
+// were. Exact: rounding and the error of the chatter limits, 1e-12.
+TEST(OrbitChange, KeepsTheUnitOfLength) {
+  for (const Scene &scene : {paper::figure2(), paper::figure4a(), paper::figure5a(),
+                             paper::stops_of_different_sign(0.6)}) {
+    const PeriodicOrbit orbit = orbit_of(scene);
+    const OrbitChange change = orbit_change(scene, orbit, lengths);
+    const auto sum = [&](const std::function<double(std::size_t)> &by) {
+      double total = 0.0;
+      for (std::size_t k = 0; k < lengths.size(); ++k) total += get(scene, lengths[k]) * by(k);
+      return total;
+    };
+    const std::vector<double> z = coordinates(orbit.state);
+    for (std::size_t i = 0; i < z.size(); ++i)
+      EXPECT_NEAR(sum([&](std::size_t k) { return change.state(i, k); }), z[i], 1e-12);
+    ASSERT_GT(change.events.size(), 5u);
+    for (const EventChange &at : change.events) {
+      // Late in a chatter the time is divided by the speed, here down to 1e-4.
+      EXPECT_NEAR(sum([&](std::size_t k) { return at.time[k]; }), 0.0, 1e-10)
+          << at.event.time << name(at.event.kind);
+      EXPECT_NEAR(sum([&](std::size_t k) { return at.velocity_before[k]; }),
+                  at.event.velocity_before, 1e-11)
+          << at.event.time;
+    }
+  }
+}
+
+// The orbit found anew beside, by Newton's method to 1e-13: over h = 1e-5 that is 1e-8.
+TEST(OrbitChange, EqualsDifferencesOfOrbits) {
+  const Scene scene = paper::figure2();
+  const PeriodicOrbit orbit = orbit_of(scene);
+  for (const auto &parameters : {lengths, others}) {
+    const OrbitChange change = orbit_change(scene, orbit, parameters);
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const auto slope = differences(
+          [&](double step) {
+            return coordinates(moved_orbit(scene, orbit, change, k, step).state);
+          },
+          1e-5);
+      for (std::size_t i = 0; i < slope.size(); ++i)
+        EXPECT_NEAR(change.state(i, k), slope[i], 2e-8) << name(parameters[k]);
+    }
+  }
+}
+
+// Times and speeds of every event of the orbit of Figure 2 - impacts of both masses, the ends of
+// their chatters, releases - against differences. Late impacts amplify rounding: those slower than
+// 1e-3 are left out, the end of the chatter is not.
+TEST(OrbitChange, OfEventsEqualsDifferences) {
+  const Scene scene = paper::figure2();
+  const PeriodicOrbit orbit = orbit_of(scene);
+  for (const auto &parameters : {lengths, others}) {
+    const OrbitChange change = orbit_change(scene, orbit, parameters);
+    int compared = 0, sticks = 0, releases = 0;
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const auto told = [&](double step) {
+        const Scene moved = with(scene, parameters[k], get(scene, parameters[k]) + step);
+        EventRecorder recorder;
+        RunOptions options;
+        options.resolve_chatter = 1e-3;  // the same impacts whatever the step
+        stroboscopic_map(moved, moved_orbit(scene, orbit, change, k, step).state, 1, options,
+                         recorder);
+        std::vector<double> values;
+        for (const Event &event : recorder.events) {
+          if (event.kind == EventKind::impact && std::abs(event.velocity_before) < 1e-3) continue;
+          values.push_back(event.time);
+          values.push_back(event.velocity_before);
+        }
+        return values;
+      };
+      const std::vector<double> slope = differences(told, 1e-5);
+      std::size_t i = 0;
+      for (const EventChange &at : change.events) {
+        if (at.event.kind == EventKind::impact && std::abs(at.event.velocity_before) < 1e-3)
+          continue;
+        ASSERT_LT(i + 1, slope.size() + 1);
+        EXPECT_NEAR(at.time[k], slope[i], 1e-6) << name(parameters[k]) << name(at.event.kind);
+        EXPECT_NEAR(at.velocity_before[k], slope[i + 1], 1e-6) << name(parameters[k]);
+        i += 2;
+        ++compared;
+        sticks += at.event.kind == EventKind::stick;
+        releases += at.event.kind == EventKind::release;
+      }
+      EXPECT_EQ(i, slope.size());
+    }
+    EXPECT_GT(compared, 40);
+    EXPECT_EQ(sticks, 2 * static_cast<int>(parameters.size()));
+    EXPECT_EQ(releases, sticks);
+  }
+}
+
+// The guess is off by the second order.
+TEST(OrbitChange, PredictsToFirstOrder) {
+  const Scene scene = paper::figure2();
+  const PeriodicOrbit orbit = orbit_of(scene);
+  const OrbitChange change = orbit_change(scene, orbit, {{Kind::omega, 0}});
+  const auto residual = [&](double step) {
+    return find_periodic_orbit(with(scene, {Kind::omega, 0}, scene.omega + step),
+                               predicted(scene, orbit, change, 0, step))
+        .residuals.front();
+  };
+  const double ratio = residual(2e-4) / residual(1e-4);
+  EXPECT_NEAR(ratio, 4.0, 0.2);  // the third order is 1e-4 times some hundreds
+}
+
+// The 50-digit place of a bifurcation, reached by Newton's method on what is zero there from a
+// frequency beside it. The value is good to 1e-13 or so and its slope of size one.
+double reached(const std::function<std::pair<double, double>(double)> &value_and_slope,
+               double omega) {
+  for (int step = 0; step < 5; ++step) {
+    const auto [value, slope] = value_and_slope(omega);
+    omega -= value / slope;
+  }
+  return omega;
+}
+
+double located(const char *symbol) {
+  return figures::read_references(REFERENCE_DIR "/located.csv").at(symbol).value;
+}
+
+TEST(BifurcationFunctions, NewtonReachesTheMultiSlidingOfMass1) {
+  Scene scene = paper::figure4a();
+  PeriodicOrbit orbit = orbit_of(scene);
+  double value_now = 1.0;
+  const auto force = [&](double omega) {
+    const OrbitChange before = orbit_change(scene, orbit, {{Kind::omega, 0}});
+    orbit = moved_orbit(scene, orbit, before, 0, omega - scene.omega);
+    scene.omega = omega;
+    const OrbitChange change = orbit_change(scene, orbit, {{Kind::omega, 0}});
+    const auto least = least_pressing_force_change(scene, orbit, change, scene.stops[0]).value();
+    value_now = least.value;
+    return std::pair(least.value, least.by[0]);
+  };
+  // Never across, where the phase splits: the first steps halve the distance less than 2e-6.
+  const auto [value, slope] = force(0.256);
+  const double near = 0.256 - value / slope;
+  EXPECT_NEAR(near, located("multi_sliding_mass_1"), 1e-7);  // one step, from 6e-6 away
+  const double nearer = 0.256 + 0.999 * (near - 0.256);
+  const auto [rest, steeper] = force(nearer);
+  EXPECT_NEAR(nearer - rest / steeper, located("multi_sliding_mass_1"), 1e-13);
+  EXPECT_GT(value_now, 0.0);
+}
+
+TEST(BifurcationFunctions, NewtonReachesTheGrazingOfMass2) {
+  const Stop second = paper::figure5b().stops[1];
+  const auto gap = [&](double omega) {
+    Scene scene = figures::figure5b_at(omega);
+    scene.stops.pop_back();
+    const PeriodicOrbit orbit =
+        find_periodic_orbit(scene, figures::motion_without_second_stop(omega));
+    const OrbitChange change = orbit_change(scene, orbit, {{Kind::omega, 0}});
+    const auto least = least_gap_change(scene, orbit, change, second).value();
+    return std::pair(least.value, least.by[0]);
+  };
+  EXPECT_NEAR(reached(gap, 0.2996), located("grazing_mass_2_figure5b"), 1e-13);
+}
+
+// The least force and the least gap in other units of length: times c, a stop that is never met
+// moving with the rest. A stop that the scene does not have stands still. Exact.
+TEST(BifurcationFunctions, KeepTheUnitOfLength) {
+  Scene scene = paper::figure4a();
+  const Stop across{1, Side::upper, 0.7}, beyond{1, Side::upper, 0.8};
+  scene.stops.push_back(across);
+  std::vector<Parameter> by = lengths;
+  by.push_back({Kind::stop, 3});
+  const PeriodicOrbit orbit = orbit_of(scene);
+  const OrbitChange change = orbit_change(scene, orbit, by);
+  const auto sum = [&](const ValueChange &of) {
+    double total = 0.0;
+    for (std::size_t k = 0; k < by.size(); ++k) total += get(scene, by[k]) * of.by[k];
+    return total;
+  };
+  const auto force = least_pressing_force_change(scene, orbit, change, scene.stops[0]).value();
+  EXPECT_NEAR(sum(force), force.value, 1e-12);
+  const auto gap = least_gap_change(scene, orbit, change, across).value();
+  EXPECT_GT(gap.value, 0.0);
+  EXPECT_NEAR(sum(gap), gap.value, 1e-12);
+  scene.stops.pop_back();
+  by.pop_back();
+  const PeriodicOrbit without = orbit_of(scene);
+  const auto still =
+      least_gap_change(scene, without, orbit_change(scene, without, by), beyond).value();
+  EXPECT_NEAR(sum(still), still.value - beyond.position, 1e-12);
+}
+
+// The ratio of two speeds of a chatter does not depend on the unit of length, and changes with the
+// frequency and r as differences do.
+TEST(BifurcationFunctions, BorderExcessEqualsDifferences) {
+  const Scene scene = paper::figure2();
+  RunOptions every;
+  every.resolve_chatter = 1e-4;
+  const PeriodicOrbit orbit = orbit_of(scene);
+  std::vector<Parameter> by = lengths;
+  by.insert(by.end(), others.begin(), others.end());
+  const OrbitChange change = orbit_change(scene, orbit, by, every);
+  std::size_t impact = 0;
+  while (change.events.at(impact).event.falling != 3) ++impact;
+  const ValueChange excess =
+      border_excess_change(scene, by, change.events.at(impact), change.events.at(impact + 1));
+  double total = 0.0;
+  for (std::size_t k = 0; k < lengths.size(); ++k) total += get(scene, by[k]) * excess.by[k];
+  EXPECT_NEAR(total, 0.0, 1e-10);  // the speeds to 1e-12, of size 1e-2
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    const auto value = [&](double step) {
+      const Scene moved = with(scene, by[k], get(scene, by[k]) + step);
+      EventRecorder told;
+      stroboscopic_map(moved, moved_orbit(scene, orbit, change, k, step).state, 1, every, told);
+      return std::vector<double>{told.events[impact + 1].velocity_before /
+                                     told.events[impact].velocity_before -
+                                 border_chatter(moved.restitution).speed_ratio};
+    };
+    EXPECT_NEAR(excess.by[k], differences(value, 1e-5)[0], 1e-6) << name(by[k]);
+  }
+  EventChange release = change.events.at(impact);
+  release.event.kind = EventKind::release;
+  EXPECT_THROW(border_excess_change(scene, by, release, change.events.at(impact)),
+               std::invalid_argument);
+}
+
+// The multipliers of the orbits beside are good to 1e-12 or so: 1e-7 over h = 2e-5. They vary on a
+// scale of 1e-2 of the frequency, fourth order leaves 1e-8.
+TEST(MultiplierChange, EqualsDifferencesOfMultipliers) {
+  const Scene scene = paper::stops_of_different_sign(0.6);
+  const PeriodicOrbit orbit = orbit_of(scene);
+  const OrbitChange change = orbit_change(scene, orbit, {{Kind::omega, 0}});
+  const auto slopes = multiplier_change(scene, orbit, change, 0, 2e-5);
+  ASSERT_EQ(slopes.size(), orbit.multipliers.size());
+  const auto parts = [&](double step) {
+    std::vector<double> values;
+    for (const auto &at : moved_orbit(scene, orbit, change, 0, step).multipliers) {
+      values.push_back(at.real());
+      values.push_back(at.imag());
+    }
+    return values;
+  };
+  const std::vector<double> expected = differences(parts, 2e-5);
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    EXPECT_NEAR(slopes[i].real(), expected[2 * i], 1e-6);
+    EXPECT_NEAR(std::abs(slopes[i].imag()), std::abs(expected[2 * i + 1]), 1e-6);
+  }
+}
+
+TEST(OrbitChange, RefusesAnOrbitThatHasNotConverged) {
+  EXPECT_THROW(orbit_change(paper::figure2(), PeriodicOrbit{}, lengths), std::invalid_argument);
+}
+
+}  // namespace

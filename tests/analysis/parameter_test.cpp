@@ -1,0 +1,75 @@
+// The scalars of a scene by name.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+const std::string names[] = {
+    "omega",      "beta",          "restitution",   "restitution1", "restitution2", "stop1",
+    "stop2",      "mass1",         "mass2",         "stiffness1",   "stiffness2",   "amplitude1",
+    "amplitude2", "displacement1", "displacement2", "velocity1",    "velocity2"};
+
+// Every number of a scene, in a fixed order.
+std::vector<double> numbers_of(const Scene &scene) {
+  std::vector<double> all{scene.omega, scene.beta, scene.restitution};
+  for (const auto *list :
+       {&scene.mass, &scene.stiffness, &scene.amplitude, &scene.displacement, &scene.velocity})
+    for (std::size_t i = 0; i < 2; ++i) all.push_back(list->empty() ? 0.0 : (*list)[i]);
+  for (const Stop &stop : scene.stops) {
+    all.push_back(stop.position);
+    all.push_back(law_of(scene, stop).restitution);
+  }
+  return all;
+}
+
+// Setting a parameter and reading it back gives the number; nothing else of the scene changes, and
+// no two names mean the same number.
+TEST(Parameter, NamesOneNumberOfTheSceneEach) {
+  std::set<std::size_t> places;
+  const std::vector<double> before = numbers_of(paper::figure2());
+  for (const std::string &word : names) {
+    const Parameter parameter = parameter_named(word);
+    EXPECT_EQ(name(parameter), word);
+    const Scene scene = paper::figure2();
+    EXPECT_EQ(numbers_of(with(scene, parameter, get(scene, parameter))), before) << word;
+    const Scene moved = with(scene, parameter, 0.3125);
+    EXPECT_EQ(get(moved, parameter), 0.3125) << word;
+    const std::vector<double> after = numbers_of(moved);
+    ASSERT_EQ(after.size(), before.size());
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < after.size(); ++i)
+      if (after[i] != before[i]) changed.push_back(i);
+    // The scene's restitution is that of its two stops, too.
+    ASSERT_EQ(changed.size(), word == "restitution" ? 3u : 1u) << word;
+    EXPECT_TRUE(places.insert(changed.front()).second) << word;
+  }
+}
+
+// A stop with a restitution of its own does not follow the scene's.
+TEST(Parameter, RestitutionOfAStopIsItsOwn) {
+  const Scene own = with(paper::figure2(), parameter_named("restitution1"), 0.5);
+  const Scene both = with(own, parameter_named("restitution"), 0.25);
+  EXPECT_EQ(get(both, parameter_named("restitution1")), 0.5);
+  EXPECT_EQ(get(both, parameter_named("restitution2")), 0.25);
+}
+
+TEST(Parameter, RefusesWhatTheSceneDoesNotHave) {
+  for (const char *word : {"", "Omega", "omega1", "beta2", "stop", "stop0", "stop01", "stop-1",
+                           "stop1x", "stop99999999999", "mass", "1", "restitution0"})
+    EXPECT_THROW(parameter_named(word), std::invalid_argument) << word;
+  for (const char *word : {"stop3", "restitution3", "amplitude3", "mass3", "velocity3"})
+    EXPECT_THROW(get(paper::figure2(), parameter_named(word)), std::invalid_argument) << word;
+  EXPECT_THROW(get(paper::figure2(), {Parameter::Kind::stop, 0}), std::invalid_argument);
+  EXPECT_THROW(get(paper::figure2(), {Parameter::Kind::stop, -1}), std::invalid_argument);
+  EXPECT_THROW(get(paper::figure2(), {Parameter::Kind::omega, 1}), std::invalid_argument);
+}
+
+}  // namespace

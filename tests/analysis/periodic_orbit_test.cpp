@@ -1,0 +1,248 @@
+// The stroboscopic map, its exact derivative, Newton's method on it, and the period of a motion.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <cstdio>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+Eigen::VectorXd coordinates_of(const MotionState &motion) {
+  const std::vector<double> z = coordinates(motion);
+  return Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+}
+
+Eigen::MatrixXd dense(const Matrix &matrix) {
+  Eigen::MatrixXd copy(matrix.rows, matrix.columns);
+  for (std::size_t i = 0; i < matrix.rows; ++i)
+    for (std::size_t j = 0; j < matrix.columns; ++j)
+      copy(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = matrix(i, j);
+  return copy;
+}
+
+Eigen::VectorXd image_of(const Scene &scene, MotionState at, const Eigen::VectorXd &z,
+                         int periods = 1) {
+  const Eigen::Index n = z.size() / 2;
+  at.displacement.assign(z.begin(), z.begin() + n);
+  at.velocity.assign(z.begin() + n, z.end());
+  return coordinates_of(stroboscopic_map(scene, at, periods).state);
+}
+
+// Central differences of fourth order, error about h^4 |P'''''| / 30 + 1e-15 / h.
+Eigen::MatrixXd by_differences(const Scene &scene, const MotionState &at, double h) {
+  const Eigen::VectorXd z = coordinates_of(at);
+  Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(z.size(), z.size());
+  for (const std::size_t coordinate : free_coordinates(at.held)) {
+    const auto k = static_cast<Eigen::Index>(coordinate);
+    const auto at_step = [&](double step) {
+      Eigen::VectorXd moved = z;
+      moved(k) += step;
+      return image_of(scene, at, moved);
+    };
+    derivative.col(k) =
+        (8.0 * (at_step(h) - at_step(-h)) - (at_step(2 * h) - at_step(-2 * h))) / (12.0 * h);
+  }
+  return derivative;
+}
+
+double largest(const Eigen::MatrixXd &matrix) {
+  return matrix.cwiseAbs().maxCoeff();
+}
+
+int rank(const Eigen::MatrixXd &matrix) {
+  const Eigen::VectorXd values = matrix.jacobiSvd().singularValues();
+  return static_cast<int>((values.array() > 1e-10 * values(0)).count());
+}
+
+MotionState section_after(const Scene &scene, int periods) {
+  return at_quiet_phase(scene, settled(scene, periods));
+}
+
+// Differences are good to 1e-8 here (rounding 1e-15 / h with h = 1e-5, times the size of the
+// derivatives along the way); the derivative itself is far better.
+constexpr double differences_tolerance = 1e-8;
+
+TEST(Derivative, OfFigure2EqualsDifferencesAndStickingTakesItsRank) {
+  const Scene scene = paper::figure2();
+  const MotionState at = section_after(scene, 30);
+  ASSERT_EQ(free_coordinates(at.held).size(), 4u);
+  const StroboscopicImage image = stroboscopic_map_and_derivative(scene, at, 1);
+  EXPECT_TRUE(image.differentiable);
+  EXPECT_LT(image.chatter_error, 1e-11);
+  EXPECT_LT(largest(dense(image.derivative) - by_differences(scene, at, 1e-5)),
+            differences_tolerance);
+  // A mass that sticks once per period has forgotten everything: two of four dimensions remain.
+  EXPECT_EQ(rank(dense(image.derivative)), 2);
+  const std::vector<std::complex<double>> multipliers =
+      floquet_multipliers(image.derivative, at.held);
+  EXPECT_LT(std::abs(multipliers.at(2)), 1e-10);
+  EXPECT_LT(std::abs(multipliers.at(0)), 1.0);
+}
+
+TEST(Derivative, WithoutStickingHasFullRankAndEqualsDifferences) {
+  const Scene scene = paper::stops_of_different_sign(0.6);
+  const MotionState at = section_after(scene, 200);
+  const StroboscopicImage image = stroboscopic_map_and_derivative(scene, at, 1);
+  EXPECT_TRUE(image.differentiable);
+  EXPECT_EQ(image.chatter_error, 0.0);
+  EXPECT_EQ(rank(dense(image.derivative)), 4);
+  EXPECT_LT(largest(dense(image.derivative) - by_differences(scene, at, 1e-5)),
+            differences_tolerance);
+  // The damping takes volume at the rate trace(C), every impact a factor r^2 (r for the velocity,
+  // and r for the time scale across the surface).
+  EventRecorder recorder;
+  stroboscopic_map(scene, at, 1, {}, recorder);
+  const double contraction =
+      std::pow(scene.restitution, 2.0 * static_cast<double>(recorder.events.size())) *
+      std::exp(-0.3 * Clock(scene.omega).period);
+  // Rounding of a determinant whose factors are of size one to four.
+  EXPECT_NEAR(dense(image.derivative).determinant() / contraction, 1.0, 1e-10);
+}
+
+// Figure 4(b): mass 1 sticks twice, with a chatter in between; the section is in a sticking phase.
+TEST(Derivative, WithTwoStickingPhasesEqualsDifferences) {
+  const Scene scene = paper::figure4b();
+  const MotionState at = section_after(scene, 30);
+  ASSERT_EQ(free_coordinates(at.held).size(), 2u);
+  const StroboscopicImage image = stroboscopic_map_and_derivative(scene, at, 1);
+  EXPECT_TRUE(image.differentiable);
+  EXPECT_LT(largest(dense(image.derivative) - by_differences(scene, at, 1e-5)),
+            differences_tolerance);
+}
+
+// The chatter limit of the tangents against tangents carried through every impact to rounding.
+TEST(Derivative, DoesNotDependOnWhereChatterIsCarriedToItsLimit) {
+  const Scene scene = paper::figure2();
+  const MotionState at = section_after(scene, 30);
+  const Eigen::MatrixXd standard = dense(stroboscopic_map_and_derivative(scene, at, 1).derivative);
+  RunOptions later;
+  later.resolve_chatter = 1e-5;
+  EXPECT_LT(
+      largest(dense(stroboscopic_map_and_derivative(scene, at, 1, later).derivative) - standard),
+      1e-11);
+  // Without any extrapolation of the motion the accumulation point has an error of 1e-9 of its own.
+  later.resolve_chatter = 0.0;
+  EXPECT_LT(
+      largest(dense(stroboscopic_map_and_derivative(scene, at, 1, later).derivative) - standard),
+      1e-8);
+}
+
+TEST(Derivative, OfPlasticImpactsAndOfReleasesByAJumpEqualsDifferences) {
+  // r = 0: sticking and the impact are one event. Mass 2 hits while mass 1 is stuck (Figure 5(a)).
+  for (double r : {0.0, 0.001, 0.7, 0.95}) {
+    Scene scene = paper::figure5a();
+    scene.restitution = r;
+    const MotionState at = section_after(scene, 40);
+    const StroboscopicImage image = stroboscopic_map_and_derivative(scene, at, 1);
+    EXPECT_TRUE(image.differentiable) << r;
+    EXPECT_LT(largest(dense(image.derivative) - by_differences(scene, at, 1e-5)), 1e-7) << r;
+  }
+}
+
+// What `stroboscopic_map` rests on: a run that is taken up again inside a sticking phase goes on as
+// the undivided run does. Rounding of a few events: 1e-13.
+TEST(StroboscopicMap, RunTakenUpInAStickingPhaseGoesOnUnchanged) {
+  const Scene scene = paper::figure4a();
+  const double period = Clock(scene.omega).period;
+  const Outcome inside = simulate(scene, 60.0 * period + 14.7);
+  ASSERT_EQ(inside.state.held, (Held{-1, 0}));
+  const double end = 61.0 * period;
+  const MotionState whole = simulate(scene, end).state;
+  const MotionState resumed = simulate_from(scene, inside.state, end, {}).state;
+  EXPECT_LT(largest(coordinates_of(whole) - coordinates_of(resumed)), 1e-13);
+}
+
+TEST(Newton, FindsTheOrbitOfFigure2FromFivePeriods) {
+  const Scene scene = paper::figure2();
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, section_after(scene, 5));
+  ASSERT_TRUE(orbit.converged);
+  for (double residual : orbit.residuals) std::printf("  residual %.3e\n", residual);
+  EXPECT_LT(orbit.residuals.size(), 6u);
+  EXPECT_TRUE(orbit.stable());
+  // The settled run, at the same section. Its rounding over 150 periods is that of one: the motion
+  // forgets.
+  const Outcome settled_run = require_complete(
+      simulate(scene, time_of({150, orbit.state.instant.phase}, Clock(scene.omega)), {}));
+  EXPECT_LT(largest(coordinates_of(settled_run.state) - coordinates_of(orbit.state)), 1e-11);
+  EXPECT_LT(10 * orbit.expansions, settled_run.counters.expansions);
+}
+
+// From farther away: each residual is bounded by a constant times the square of the one before,
+// until rounding. The constant is the curvature of the map, some tens.
+TEST(Newton, ConvergesQuadratically) {
+  for (double omega : {0.28, 0.6}) {
+    const Scene scene = paper::stops_of_different_sign(omega);
+    MotionState start = section_after(scene, 150);
+    for (double &x : start.displacement) x *= 0.99;
+    const PeriodicOrbit orbit = find_periodic_orbit(scene, start);
+    ASSERT_TRUE(orbit.converged) << omega;
+    for (double residual : orbit.residuals) std::printf("  residual %.3e\n", residual);
+    EXPECT_GT(orbit.residuals.front(), 1e-4);
+    for (std::size_t k = 1; k < orbit.residuals.size(); ++k)
+      EXPECT_LT(orbit.residuals[k],
+                std::max(1e-13, 100.0 * orbit.residuals[k - 1] * orbit.residuals[k - 1]));
+  }
+}
+
+// A chain without stops: the orbit is the steady response, the multipliers exp(lambda T).
+TEST(Newton, OfALinearChainTakesOneStepAndGivesItsMultipliers) {
+  Scene scene = paper::figure2();
+  scene.stops.clear();
+  MotionState start = start_of(scene);
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, start);
+  ASSERT_TRUE(orbit.converged);
+  EXPECT_LE(orbit.residuals.size(), 3u);
+  const double lambda = (3.0 - std::sqrt(5.0)) / 2.0;
+  // The slow mode decays as exp(-zeta omega t) = exp(-c lambda t / 2).
+  EXPECT_NEAR(std::abs(orbit.multipliers.at(0)),
+              std::exp(-0.05 * lambda * Clock(scene.omega).period), 1e-13);
+}
+
+TEST(Newton, ReportsWhenItDoesNotConverge) {
+  NewtonOptions options;
+  options.max_iterations = 0;
+  const Scene scene = paper::figure2();
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, section_after(scene, 2), 1, options);
+  EXPECT_FALSE(orbit.converged);
+  EXPECT_EQ(orbit.residuals.size(), 1u);
+}
+
+TEST(Recurrence, TellsThePeriodOfASettledMotionOrThatItDoesNotRepeat) {
+  const auto period_at = [](double omega) {
+    const Scene scene = paper::stops_of_different_sign(omega);
+    return recurrence(scene, settled(scene, 600)).periods;
+  };
+  EXPECT_EQ(period_at(0.28), 1);
+  EXPECT_EQ(period_at(0.607), 2);
+  EXPECT_EQ(period_at(0.653), 4);
+  EXPECT_EQ(period_at(0.7), 8);
+  EXPECT_EQ(period_at(0.697), 0);
+}
+
+TEST(Recurrence, AgreesWithNewtonOnAnOrbitOfPeriodTwo) {
+  const Scene scene = paper::stops_of_different_sign(0.607);
+  const MotionState start = section_after(scene, 600);
+  const PeriodicOrbit twice = find_periodic_orbit(scene, start, 2);
+  ASSERT_TRUE(twice.converged);
+  EXPECT_TRUE(twice.stable());
+  // Genuinely of period two: after one period it is elsewhere, by far more than any error.
+  EXPECT_GT(largest(image_of(scene, twice.state, coordinates_of(twice.state)) -
+                    coordinates_of(twice.state)),
+            1e-3);
+}
+
+TEST(StroboscopicMap, RejectsASceneWithoutAForcingPeriod) {
+  Scene scene = paper::figure2();
+  scene.omega = 0.0;
+  EXPECT_THROW(stroboscopic_map(scene, start_of(scene), 1), std::invalid_argument);
+  scene.omega = 0.28;
+  EXPECT_THROW(stroboscopic_map(scene, start_of(scene), 0), std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,162 @@
+// The corrections to the paper's print: each with the printed form beside the right one, both held
+// against an integration of Eq. 4 in physical coordinates (Boost.Odeint) or against a run.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using Motion = std::array<double, 4>;  // x1, x2, x1', x2'
+
+// Eq. 4 for the paper's chain, m = k = 1, c = 0.1; `held` masses do not move.
+Motion rate(const Motion &z, double t, double omega, bool first_held, bool second_held) {
+  const double force = 0.5 * std::cos(omega * t);
+  const double a1 = force - 2 * z[0] + z[1] - 0.1 * (2 * z[2] - z[3]),
+               a2 = z[0] - z[1] + 0.1 * (z[2] - z[3]);
+  return {first_held ? 0.0 : z[2], second_held ? 0.0 : z[3], first_held ? 0.0 : a1,
+          second_held ? 0.0 : a2};
+}
+
+Motion integrated(Motion z, double from, double to, double omega, bool first_held,
+                  bool second_held) {
+  using namespace boost::numeric::odeint;
+  integrate_adaptive(
+      make_controlled(1e-13, 1e-13, runge_kutta_fehlberg78<Motion>()),
+      [&](const Motion &y, Motion &dy, double t) {
+        dy = rate(y, t, omega, first_held, second_held);
+      },
+      z, from, to, 1e-3);
+  return z;
+}
+
+// Eq. 24: mass 1 while mass 2 sticks at s2 oscillates about + s2 / 2, not about - s2 / 2.
+TEST(Corrections, Equation24EndsWithPlusHalfOfS2) {
+  constexpr double s2 = 0.1, omega = 0.28, lambda = 2.0, kappa = 0.2;
+  const Motion start{0.25, s2, -0.12, 0.0};
+  // Steady response of x1'' + kappa x1' + lambda x1 = 0.5 cos(Omega t) + s2.
+  const double detuning = lambda - omega * omega, drag = kappa * omega,
+               size = 0.5 / (detuning * detuning + drag * drag);
+  const auto steady = [&](double t) {
+    return size * (detuning * std::cos(omega * t) + drag * std::sin(omega * t));
+  };
+  const double slope = size * drag * omega;
+  // x'' + kappa x' + lambda x = 0 from x0, v0.
+  const double decay = kappa / 2, damped = std::sqrt(lambda - decay * decay);
+  const auto free = [&](double x0, double v0, double t) {
+    return std::exp(-decay * t) *
+           (x0 * std::cos(damped * t) + (v0 + decay * x0) / damped * std::sin(damped * t));
+  };
+  for (double t : {0.5, 2.0, 7.0}) {
+    const double exact = integrated(start, 0.0, t, omega, false, true)[0];
+    const auto equation24 = [&](double offset) {
+      return free(start[0] - offset - steady(0.0), start[2] - slope, t) + steady(t) + offset;
+    };
+    EXPECT_NEAR(equation24(s2 / 2), exact, 1e-11);
+    EXPECT_GT(std::abs(equation24(-s2 / 2) - exact), 1e-3);
+  }
+}
+
+// Eqs. 17-18: the stiffness term of a modal equation is omega_n^2 q, as in Eq. 7.
+TEST(Corrections, Equations17And18NeedTheSquareOfTheNaturalFrequency) {
+  constexpr double omega = 0.28, t = 3.0;
+  const NaturalModes modes = natural_modes(paper::figure2(), Held{0, 0});
+  const Motion z = integrated({0, 0, 0, 0}, 0.0, t, omega, false, false);
+  const Motion dz = rate(z, t, omega, false, false);
+  for (std::size_t j : {0u, 1u}) {
+    const double psi1 = modes.shape(0, j), psi2 = modes.shape(1, j), lambda = modes.lambda.at(j),
+                 natural = std::sqrt(lambda), zeta = 0.05 * natural;
+    const double q = psi1 * z[0] + psi2 * z[1], dq = psi1 * z[2] + psi2 * z[3],
+                 ddq = psi1 * dz[2] + psi2 * dz[3];
+    const double rest = ddq + 2 * zeta * natural * dq - psi1 * 0.5 * std::cos(omega * t);
+    EXPECT_NEAR(rest + natural * natural * q, 0.0, 1e-14);
+    EXPECT_GT(std::abs(rest + natural * q), 1e-2);
+  }
+}
+
+// Section 3: the initial conditions are q1 = q2 = 0 and q1' = q2' = 0 (q1' is printed twice).
+TEST(Corrections, BothModalVelocitiesVanishAtTheStart) {
+  const MotionState start = start_of(paper::figure2());
+  const NaturalModes modes = natural_modes(paper::figure2(), Held{0, 0});
+  for (std::size_t j : {0u, 1u})
+    EXPECT_EQ(modes.shape(0, j) * start.velocity[0] + modes.shape(1, j) * start.velocity[1], 0.0);
+}
+
+// Eq. 20's force, printed as F2, is the one on mass 1, and Eq. 23's, printed as F1, the one on
+// mass 2: they vanish where the named mass is let go, the other ones do not.
+struct Releases {
+  double omega;
+  std::vector<std::array<double, 3>> values = {};  // mass, Eq. 20, Eq. 23
+
+  void event(const Event &event, const Moment &moment) {
+    if (event.kind != EventKind::release || event.by_a_jump || event.mass > 2) return;
+    const double x1 = moment.displacement(1), x2 = moment.displacement(2), v1 = moment.velocity(1),
+                 v2 = moment.velocity(2);
+    values.push_back({static_cast<double>(event.mass),
+                      0.1 * v2 + x2 - 2 * -0.3 + 0.5 * std::cos(omega * moment.instant.phase),
+                      0.1 * v1 + x1 - 0.1});
+  }
+};
+
+TEST(Corrections, Equation20IsTheForceOnMass1AndEquation23ThatOnMass2) {
+  const Scene scene = paper::figure2();
+  Releases releases{scene.omega};
+  require_complete(simulate(scene, 750.0, {}, releases));
+  ASSERT_EQ(releases.values.size(), 66u);
+  for (const auto &[mass, equation20, equation23] : releases.values) {
+    EXPECT_NEAR(mass == 1.0 ? equation20 : equation23, 0.0, 1e-11);
+    EXPECT_GT(std::abs(mass == 1.0 ? equation23 : equation20), 1e-3);
+  }
+}
+
+// "F_p s_p > 0 holds the mass" reads the side of a stop from the sign of its position. A lower stop
+// above the origin, or one at zero, holds a mass with F_p s_p <= 0.
+TEST(Corrections, TheSideOfAStopIsNotTheSignOfItsPosition) {
+  for (double place : {0.2, 0.0}) {
+    Scene scene{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {-0.5}, .omega = 0.1};
+    scene.stops = {{1, Side::lower, place}};
+    scene.displacement = {place};
+    scene.restitution = 0.5;
+    HoldForceRecorder force;
+    force.to = 5.0;
+    force.every = 0.5;
+    const Outcome outcome = simulate(scene, 5.0, {}, force);
+    EXPECT_EQ(outcome.state.held, Held{-1});
+    ASSERT_GT(force.rows.size(), 5u);
+    for (const auto &row : force.rows) EXPECT_LE(row.force * place, 0.0);
+    for (const auto &row : force.rows) EXPECT_LT(row.force, 0.0);  // presses downwards
+  }
+}
+
+// Figure 5(b), "subsequent dynamics involve dual sticking": with s1 < s2 the force on mass 2, both
+// at rest at their upper stops, is k (s1 - s2) < 0 at every phase.
+TEST(Corrections, Figure5bHasNoDualSticking) {
+  const Scene scene = paper::figure5b();
+  EXPECT_NEAR(greatest_common_press(scene, scene.stops[0], scene.stops[1]), -0.15, 1e-15);
+  EventRecorder events;
+  require_complete(simulate(scene, 930.0, {}, events));
+  for (const Event &event : events.events) EXPECT_NE(contact_mode_name(event.held), "1+2");
+}
+
+// Figure 5(c), "reduction of Omega and/or r leads to dual sticking": with s1 = s2 the force on
+// mass 2 is zero, and reducing either only makes its bounces smaller.
+TEST(Corrections, Figure5cHasNoDualStickingAtLowerFrequencyOrRestitution) {
+  for (const auto &[omega, r] : {std::pair(0.02, 0.7), {0.01, 0.7}, {0.02, 0.3}, {0.01, 0.3}}) {
+    Scene scene = paper::figure5c();
+    scene.omega = omega;
+    scene.restitution = r;
+    EXPECT_EQ(greatest_common_press(scene, scene.stops[0], scene.stops[1]), 0.0);
+    EventRecorder events;
+    require_complete(simulate(scene, 1000.0, {}, events));
+    EXPECT_GT(events.events.size(), 50u);
+    for (const Event &event : events.events) EXPECT_NE(contact_mode_name(event.held), "1+2");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,183 @@
+// Runs of the scene runner in parts: what --save-state writes, --resume goes on with.
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "program/bad_input.hpp"
+#include "program/state_file.hpp"
+#include "runner_program.hpp"
+
+namespace {
+
+using namespace vibro_impact::testing;
+using namespace vibro_impact;
+
+// Times to split a run with these events at: far from events, and about the first chatter that
+// ends in sticking: between two of its late impacts, after the last one that is resolved, in the
+// phase of sticking, at events themselves.
+std::vector<std::string> split_times(const std::string &table) {
+  const auto rows = lines(table);
+  std::size_t stick = 1;
+  while (stick < rows.size() && cells(rows[stick])[2] != "stick") ++stick;
+  const auto time = [&rows](std::size_t row) { return cells(rows.at(row))[0]; };
+  const auto between = [&time](std::size_t row) {
+    std::ostringstream text;
+    text.precision(17);
+    text << (std::stod(time(row)) + std::stod(time(row + 1))) / 2;
+    return text.str();
+  };
+  return {"0.25",
+          "33.3",
+          "50",
+          between(stick - 3),
+          between(stick - 2),
+          between(stick - 1),
+          between(stick),
+          time(stick - 2),
+          time(stick)};
+}
+
+TEST_F(Runner, TwoPartsAreTheWholeRunByteForByte) {
+  const auto parts = [this](const std::string &table) {
+    return contents(folder / (table + "1.csv")) +
+           below_header(contents(folder / (table + "2.csv")));
+  };
+  for (const std::string resolve : {"", "--resolve-chatter 1e-4", "--resolve-chatter 0"}) {
+    const std::string options = " --every 0.25 " + resolve;
+    ASSERT_EQ(run("run --until 60 --events e.csv --samples s.csv" + options).status, 0);
+    const std::string events = contents(folder / "e.csv"), samples = contents(folder / "s.csv");
+    EXPECT_GT(lines(events).size(), 50u);
+    for (const std::string &split : split_times(events)) {
+      const Result first = run(
+          "run --events e1.csv --samples s1.csv --save-state x.state --until " + split + options);
+      ASSERT_EQ(first.status, 0) << first.err;
+      const Result second =
+          run("run --resume x.state --until 60 --events e2.csv --samples s2.csv" + options);
+      ASSERT_EQ(second.status, 0) << second.err;
+      EXPECT_EQ(first_difference(parts("e"), events), "") << "split at " << split << options;
+      EXPECT_EQ(first_difference(parts("s"), samples), "") << "split at " << split << options;
+    }
+  }
+}
+
+// As many parts as one likes, each in the place of the one before; the scene is carried along, all
+// of it.
+TEST_F(Runner, AStateMayBeGoneOnWithAgainAndAgain) {
+  const std::string scene =
+      "--masses 3 --mass 1,2,1 --stiffness 0,2,1 --damping 0,0.3,0.15 --amplitude 0.1,0.5,0 "
+      "--omega 0.9 --restitution 0.6 --initial-displacement 0.01,0.02,0 "
+      "--initial-velocity -0.1,0.2,0.3 --stop 1:lower:-0.3 --stop 1:upper:0.4 "
+      "--stop 2:upper:0.1:0.4 --stop 3:lower:-0.5:0 ";
+  const std::string whole = run("run " + scene + "--until 40 --events -").out;
+  EXPECT_GT(lines(whole).size(), 30u);
+  std::string parts = run("run " + scene + "--until 10 --events - --save-state x.state").out;
+  for (const char *until : {"10", "11.5", "25", "40"}) {
+    const Result part = run(std::string("run --resume x.state --save-state x.state --events - ") +
+                            "--until " + until);
+    ASSERT_EQ(part.status, 0) << part.err;
+    parts += below_header(part.out);
+  }
+  EXPECT_EQ(first_difference(parts, whole), "");
+  EXPECT_EQ(files(), std::vector<std::string>{"x.state"});
+}
+
+// A run given up at its limit of impacts goes on under a higher one.
+TEST_F(Runner, AGivenUpRunMayBeGoneOnWith) {
+  const std::string rattle =
+      "run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --initial-velocity 0.3,0 ";
+  const std::string whole = run(rattle + "--until 0.02 --events -").out;
+  const Result first = run(rattle + "--until 0.02 --max-impacts 1000 --events - --save-state x");
+  EXPECT_EQ(first.status, 1);
+  EXPECT_NE(first.err.find("the state reached is saved"), std::string::npos) << first.err;
+  const Result second = run("run --resume x --until 0.02 --events -");
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(first_difference(first.out + below_header(second.out), whole), "");
+}
+
+TEST_F(Runner, TheSceneOfASavedStateIsNotToBeChanged) {
+  ASSERT_EQ(run("run --until 30 --save-state x.state").status, 0);
+  for (const std::string option :
+       {"--masses 2", "--mass 1", "--stiffness 1", "--damping 0.1", "--beta 0.1",
+        "--restitution 0.7", "--amplitude 0.5,0", "--omega 0.28", "--stop none",
+        "--initial-displacement 0", "--initial-velocity 0"}) {
+    const Result result = run("run --resume x.state --events e.csv " + option);
+    EXPECT_EQ(result.status, 2) << option;
+    EXPECT_TRUE(is_one_message(result.err)) << result.err;
+    EXPECT_NE(result.err.find(option.substr(0, option.find(' ')) + ":"), std::string::npos)
+        << result.err;
+  }
+  for (const std::string wrong : {"--until 29", "--events x.state", "--samples x.state"}) {
+    const Result result = run("run --resume x.state " + wrong);
+    EXPECT_EQ(result.status, 2) << wrong;
+    EXPECT_TRUE(is_one_message(result.err)) << result.err;
+    EXPECT_NE(result.err.find(wrong), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(files(), std::vector<std::string>{"x.state"});
+  EXPECT_EQ(contents(folder / "x.state").substr(0, 21), "vibro-impact state 1\n");
+}
+
+// The text with the line that begins with `key` replaced, under a checksum that fits.
+std::string with_line(const std::string &text, const std::string &key, const std::string &line) {
+  std::string changed;
+  for (const std::string &old : lines(text))
+    if (old.rfind("checksum ", 0) != 0) changed += (old.rfind(key, 0) == 0 ? line : old + "\n");
+  return changed + runner::checksum_line(changed);
+}
+
+TEST_F(Runner, ADamagedStateIsRefused) {
+  ASSERT_EQ(run("run --until 30 --save-state x.state").status, 0);
+  const std::string good = contents(folder / "x.state");
+  const auto read = [](const std::string &text) {
+    std::istringstream file(text);
+    return runner::read_saved_run(file, "state");
+  };
+  ASSERT_EQ(runner::text_of(read(good)), good);
+  for (std::size_t length = 0; length < good.size(); ++length)
+    EXPECT_THROW(read(good.substr(0, length)), runner::BadInput) << "cut after " << length;
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    std::string changed = good;
+    changed[i] = changed[i] == '1' ? '2' : '1';
+    EXPECT_THROW(read(changed), std::invalid_argument) << "byte " << i << " changed";
+  }
+
+  const std::pair<std::string, const char *> cases[] = {
+      {"", "is not a state file"},
+      {"time,mass\n", "is not a state file"},
+      {good.substr(0, good.size() / 2), "cut short"},
+      {good + "more\n", "nothing may follow the checksum"},
+      {with_line(good, "vibro", "vibro-impact state 2\n"), "version 1 are read, not of '2'"},
+      {with_line(good, "mass", ""), "line 2: 'mass' expected, not 'stiffness'"},
+      {with_line(good, "mass", "mass 1\n"), "mass"},
+      {with_line(good, "mass", "mass 1 -1\n"), "mass = -1"},
+      {with_line(good, "omega", "omega x\n"), "'x' is not a number"},
+      {with_line(good, "omega", "omega nan\n"), "'nan' is not finite"},
+      {with_line(good, "omega", "omega 1e999\n"), "'1e999' is out of range"},
+      {with_line(good, "omega", "omega\n"), "'omega' lacks a value"},
+      {with_line(good, "omega", "omega 1 2\n"), "'2' is one value too many"},
+      {with_line(good, "stops", "stops 1\n"), "'time' expected, not 'stop'"},
+      {with_line(good, "stops", "stops 1000000000000\n"), "too many"},
+      {with_line(good, "stop 2", "stop 3 upper 0.1\n"), "stop on mass 3"},
+      {with_line(good, "stop 2", "stop 2 left 0.1\n"), "'left' is neither lower nor upper"},
+      {with_line(good, "instant", "instant -1 0\n"), "'-1' is out of range"},
+      {with_line(good, "instant", "instant 0.5 0\n"), "'0.5' is not a whole number"},
+      {with_line(good, "held", "held 0 2\n"), "'2' is none of -1, 0 and 1"},
+      {with_line(good, "held", "held 0\n"), ""},
+      {with_line(good, "modal_values", "modal_values 1\n"), ""},
+      {with_line(good, "modal_slopes", "modal_slopes 1 2 3 4 5\n"), ""},
+      {with_line(good, "states_at_stops", "states_at_stops 3\n"), "'at_stop' expected"},
+      {good.substr(0, good.size() - 3) + "zz\n", "the checksum does not fit"},
+  };
+  for (const auto &[text, names] : cases) {
+    std::ofstream(folder / "bad.state", std::ios::binary) << text;
+    const Result result = run("run --resume bad.state --events e.csv --save-state y.state");
+    EXPECT_EQ(result.status, 2) << names;
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(is_one_message(result.err)) << result.err;
+    EXPECT_NE(result.err.find(names), std::string::npos) << names << ": " << result.err;
+    EXPECT_EQ(files(), (std::vector<std::string>{"bad.state", "x.state"})) << names;
+  }
+}
+
+}  // namespace

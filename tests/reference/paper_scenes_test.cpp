@@ -1,0 +1,85 @@
+// The paper's scenes are written down once, in reference/scenes/paper_scenes.hpp; and where they
+// have to be once more they are the same to the last bit: in the 50-digit generator, which shares
+// nothing with the library, in the defaults of the scene runner, in the examples, which users copy.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+
+#include "lib/examples/paper_scene.hpp"
+#include "program/options.hpp"
+#include "reference/scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+// Scenes compare member by member; a double made a Real is itself.
+void expect_equal(const Scene &scene, const vibro_impact_reference::Scene &reference) {
+  using ReferenceSide = vibro_impact_reference::Side;
+  const auto &chain = reference.chain;
+  ASSERT_EQ(scene.mass.size(), chain.masses.size()) << reference.name;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    EXPECT_EQ(scene.mass[i], chain.masses[i]) << reference.name;
+    EXPECT_EQ(scene.stiffness[i], chain.stiffnesses[i]) << reference.name;
+    EXPECT_EQ(scene.amplitude[i], chain.amplitudes[i]) << reference.name;
+    EXPECT_EQ(reference.initial_positions[i], 0) << reference.name;
+    EXPECT_EQ(reference.initial_velocities[i], 0) << reference.name;
+  }
+  EXPECT_TRUE(scene.displacement.empty() && scene.velocity.empty()) << "at rest";
+  EXPECT_EQ(scene.beta, chain.damping_ratio) << reference.name;
+  EXPECT_EQ(scene.omega, chain.frequency) << reference.name;
+  EXPECT_EQ(scene.restitution, reference.restitution) << reference.name;
+  ASSERT_EQ(scene.stops.size(), reference.stops.size()) << reference.name;
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+    EXPECT_EQ(scene.stops[i].mass, static_cast<int>(reference.stops[i].mass) + 1);
+    EXPECT_EQ(scene.stops[i].side == Side::upper, reference.stops[i].side == ReferenceSide::upper);
+    EXPECT_EQ(scene.stops[i].position, reference.stops[i].position) << reference.name;
+  }
+}
+
+TEST(PaperScenes, AreThoseOfTheFiftyDigitGenerator) {
+  const auto reference = [](const char *name) { return vibro_impact_reference::scene_named(name); };
+  EXPECT_EQ(vibro_impact_reference::paper_scenes().size(), 6u);
+  expect_equal(paper::figure2(), reference("figure2"));
+  expect_equal(paper::figure4a(), reference("figure4a"));
+  expect_equal(paper::figure4b(), reference("figure4b"));
+  expect_equal(paper::figure5a(), reference("figure5a"));
+  expect_equal(paper::figure5b(), reference("figure5b"));
+  expect_equal(paper::figure5c(), reference("figure5c"));
+}
+
+void expect_equal(const Scene &scene, const Scene &other) {
+  EXPECT_EQ(scene.mass, other.mass);
+  EXPECT_EQ(scene.stiffness, other.stiffness);
+  EXPECT_EQ(scene.beta, other.beta);
+  EXPECT_EQ(scene.amplitude, other.amplitude);
+  EXPECT_EQ(scene.omega, other.omega);
+  EXPECT_EQ(scene.restitution, other.restitution);
+  ASSERT_EQ(scene.stops.size(), other.stops.size());
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+    EXPECT_EQ(scene.stops[i].mass, other.stops[i].mass);
+    EXPECT_EQ(scene.stops[i].side, other.stops[i].side);
+    EXPECT_EQ(scene.stops[i].position, other.stops[i].position);
+    EXPECT_EQ(scene.stops[i].restitution, other.stops[i].restitution);
+  }
+}
+
+TEST(PaperScenes, AreTheDefaultsOfTheSceneRunner) {
+  std::string program = "vibro-impact", command = "run";
+  char *words[] = {program.data(), command.data(), nullptr};
+  runner::Request request;
+  ASSERT_FALSE(runner::parse(2, words, request).has_value());
+  expect_equal(paper::figure2(), request.scene);
+  for (double v : request.scene.displacement) EXPECT_EQ(v, 0.0);
+  for (double v : request.scene.velocity) EXPECT_EQ(v, 0.0);
+  EXPECT_EQ(request.until, paper::figure2a_box.to);
+}
+
+TEST(PaperScenes, AreThoseOfTheExamples) {
+  for (double omega : {paper::figure2().omega, paper::figure4a().omega, 0.7})
+    expect_equal(paper::stops_of_different_sign(omega), paper_scene(omega));
+}
+
+}  // namespace

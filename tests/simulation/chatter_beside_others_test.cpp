@@ -1,0 +1,259 @@
+// What else may happen while a mass chatters: another mass arrives at its stop, a held one is let
+// go. Runs that may carry the chatter to its limit against runs that resolve every impact, those
+// against a motion in extended precision.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "first_stick.hpp"
+#include "scene_properties.hpp"
+#include "vibro_impact/analysis/hold_force.hpp"
+#include "witness.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::testing;
+
+constexpr double begin = 0.3;
+
+// Three masses of which the second has just left its stop and is pressed back by its neighbours.
+struct Pressed {
+  Scene scene;
+  MotionState start;
+  double speed;  // with which it left
+
+  Pressed(double beta, double omega, double restitution) : speed(beta > 10.0 ? 1e-3 : 0.06) {
+    scene.mass = {1.0, 0.8, 1.3};
+    scene.stiffness = {1.0, 1.2, 0.9};
+    scene.beta = beta;
+    scene.amplitude = {0.3, 0.0, 0.2};
+    scene.omega = omega;
+    scene.restitution = restitution;
+    scene.stops = {{2, Side::upper, 0.1}, {3, Side::upper, 5.0}};
+    place_third(0.6, -0.04);
+  }
+  // Starts with the third mass at x, held at its stop or moving at v.
+  void place_third(double x, double v, signed char how = 0) {
+    start = {{0, begin}, {0.7, 0.1, x}, {0.05, -speed, v}, {0, 0, how}};
+  }
+};
+
+struct Told {
+  std::vector<Event> events;
+  Outcome outcome;
+
+  // Those of one kind and mass.
+  std::vector<Event> of(EventKind kind, int mass) const {
+    std::vector<Event> found;
+    for (const Event &event : events)
+      if (event.kind == kind && event.mass == mass) found.push_back(event);
+    return found;
+  }
+};
+
+Told run(const Pressed &at, double until, double resolve_chatter) {
+  RunOptions options;
+  options.resolve_chatter = resolve_chatter;
+  EventRecorder recorder;
+  Outcome outcome = simulate_from(at.scene, at.start, until, options, recorder);
+  EXPECT_EQ(outcome.ending, Ending::reached) << outcome.reason;
+  return {recorder.events, outcome};
+}
+Told run_with_limits(const Pressed &at, double until) {
+  return run(at, until, RunOptions{}.resolve_chatter);
+}
+Told run_resolved(const Pressed &at, double until) {
+  return run(at, until, 0.0);
+}
+
+// When the chatter of the second mass, left alone, is over: it sticks.
+double accumulation(const Pressed &at) {
+  Pressed alone = at;
+  alone.scene.stops.resize(1);
+  alone.start.held[2] = 0;
+  const auto sticks = run_resolved(alone, 20.0).of(EventKind::stick, 2);
+  return sticks.empty() ? INFINITY : sticks.front().time;
+}
+
+// Everything but the impacts of the second mass, of which a limit leaves some out.
+std::vector<Event> beside_the_chatter(const Told &told) {
+  std::vector<Event> found;
+  for (const Event &event : told.events)
+    if (event.mass != 2 || event.kind != EventKind::impact) found.push_back(event);
+  return found;
+}
+
+// Within the error at which a limit is accepted.
+void expect_the_same_beside_the_chatter(const Told &told, const Told &truth) {
+  const double tolerance = RunOptions{}.chatter_tolerance;
+  const std::vector<Event> events = beside_the_chatter(told), others = beside_the_chatter(truth);
+  ASSERT_EQ(events.size(), others.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_EQ(events[i].kind, others[i].kind) << i;
+    EXPECT_EQ(events[i].mass, others[i].mass) << i;
+    EXPECT_EQ(events[i].held, others[i].held) << i;
+    EXPECT_NEAR(events[i].time, others[i].time, tolerance) << i;
+    EXPECT_NEAR(events[i].velocity_before, others[i].velocity_before, tolerance) << i;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(told.outcome.state.displacement[i], truth.outcome.state.displacement[i], tolerance);
+    EXPECT_NEAR(told.outcome.state.velocity[i], truth.outcome.state.velocity[i], tolerance);
+  }
+}
+
+// Damped and not, with modes split in two decays, and off resonance by so much.
+std::vector<std::pair<double, double>> kinds(double detuned) {
+  const Scene any = Pressed(0.0, 0.2, 0.7).scene;
+  const double resonant = std::sqrt(natural_modes(any, {0, 0, 0}).lambda[1]) * (1.0 + detuned);
+  return {{0.0, 0.2}, {0.1, 0.2}, {0.5, 0.3}, {2.0, 0.2}, {30.0, 0.2}, {0.0, resonant}};
+}
+
+// Every impact of the chatter, and where it leaves all masses. 2e-15: the rounding of numbers of
+// order one. Off resonance by a thousandth the witness loses three of its digits.
+TEST(Chatter, ImpactByImpactAgreesWithTheClosedForm) {
+  for (const auto &[beta, omega] : kinds(1e-3))
+    for (const double r : {0.3, 0.7}) {
+      SCOPED_TRACE(::testing::Message() << beta << " " << omega << " " << r);
+      const Pressed at(beta, omega, r);
+      Witness witness(at.scene, at.start);
+      RunOptions all;
+      all.resolve_chatter = 0.0;
+      const double until = accumulation(at) + 0.01;
+      const Outcome outcome = simulate_from(at.scene, at.start, until, all, witness);
+      witness.close(require_complete(outcome).state);
+      EXPECT_GE(outcome.counters.impacts, 12);
+      EXPECT_LT(witness.deepest, 2e-15);
+      EXPECT_LT(witness.off_the_stop, 2e-15);
+      EXPECT_LT(witness.off_in_speed, 2e-15);
+      EXPECT_LT(witness.displaced, 2e-15);
+    }
+}
+
+TEST(Chatter, TheLimitIsWhereAllImpactsLead) {
+  for (const auto &[beta, omega] : kinds(1e-9))
+    for (const double r : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      SCOPED_TRACE(::testing::Message() << beta << " " << omega << " " << r);
+      const Pressed at(beta, omega, r);
+      const double until = accumulation(at) + 0.01;
+      if (!(until < 20.0)) continue;
+      const Told told = run_with_limits(at, until), truth = run_resolved(at, until);
+      EXPECT_LT(told.outcome.counters.impacts, truth.outcome.counters.impacts);
+      expect_the_same_beside_the_chatter(told, truth);
+    }
+}
+
+TEST(Chatter, TheFirstLimitOfRandomScenesIsWhereAllImpactsLead) {
+  int compared = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    const Scene scene = random_scene(seed);
+    const LimitError error = first_limit_error(scene, run_length(scene, 1e9), {});
+    EXPECT_LE(error.largest, 1.0) << seed;
+    compared += error.compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
+// The third mass is put where its free motion is at a time before, or after, the accumulation of
+// the impacts, as near as one likes: there it arrives, and no sooner is the chatter over.
+TEST(Chatter, GoesOnUpToWhereAMassArrives) {
+  int met = 0;
+  for (const double r : {0.3, 0.7, 0.9})
+    for (const double speed : {0.2, 0.6}) {
+      Pressed at(0.1, 0.3, r);
+      at.place_third(0.6, speed);
+      const double over = accumulation(at);
+      if (!(over < 10.0)) continue;
+      for (const double share : {0.1, 0.5, 0.9, 0.99, 0.999, 0.9999, 1.0 - 1e-6, 1.0 - 1e-8,
+                                 1.0 + 1e-8, 1.0 + 1e-6, 1.0001, 1.01, 1.1}) {
+        SCOPED_TRACE(::testing::Message() << r << " " << speed << " " << share);
+        const double time = begin + share * (over - begin);
+        Pressed before = at;
+        before.scene.stops[1].position = 1e3;
+        const MotionState there = run_resolved(before, time).outcome.state;
+        if (!(there.velocity[2] > 0.05)) continue;
+        Pressed meets = at;
+        meets.scene.stops[1].position = there.displacement[2];
+        const double until = 1.2 * over;
+        const Told told = run_with_limits(meets, until), truth = run_resolved(meets, until);
+        ASSERT_FALSE(told.of(EventKind::impact, 3).empty());
+        const Event arrival = told.of(EventKind::impact, 3).front();
+        EXPECT_NEAR(arrival.time, time, 1e-13);
+        EXPECT_NEAR(arrival.velocity_before, there.velocity[2], 1e-13);
+        expect_the_same_beside_the_chatter(told, truth);
+        ++met;
+      }
+    }
+  EXPECT_GE(met, 50);
+}
+
+// The third mass held, by a force of `slack` that the forcing reduces; every impact of the second
+// one takes a jump off it, which the damper between them passes on.
+Pressed with_a_held_mass(double beta, double restitution, double slack) {
+  Pressed at(beta, 1.2, restitution);
+  at.scene.amplitude[2] = 1.0;
+  const double stiffness = at.scene.stiffness[2];
+  const double pulled = std::cos(1.2 * begin) - beta * stiffness * at.speed - slack;
+  const double position = 0.1 + pulled / stiffness;
+  at.scene.stops[1].position = position;
+  at.place_third(position, 0.0, 1);
+  return at;
+}
+
+struct Ends {
+  int by_a_jump = 0, between = 0, held = 0;
+};
+
+// Whether the hold ends before the chatter of the second mass does. The witness sees the force fall
+// to zero there and no sooner, at an impact or between two, and a run that may take limits has it
+// end at the same time.
+bool let_go_first(const Pressed &at, Ends &ends) {
+  const Told all = run_resolved(at, begin + 1.0);
+  const auto releases = all.of(EventKind::release, 3), sticks = all.of(EventKind::stick, 2);
+  const double let_go = releases.empty() ? INFINITY : releases.front().time;
+  const double over = sticks.empty() ? INFINITY : sticks.front().time;
+  const double until = std::min({let_go, over, begin + 1.0}) + 1e-9;
+  Witness witness(at.scene, at.start);
+  RunOptions options;
+  options.resolve_chatter = 0.0;
+  const Outcome outcome = simulate_from(at.scene, at.start, until, options, witness);
+  witness.close(require_complete(outcome).state);
+  EXPECT_LT(witness.weakest, 1e-14);
+  EXPECT_LT(witness.not_zero, 1e-14);
+  expect_the_same_beside_the_chatter(run_with_limits(at, until), run_resolved(at, until));
+  const bool first = let_go < over;
+  ++(!first ? ends.held : releases.front().by_a_jump ? ends.by_a_jump : ends.between);
+  return first;
+}
+
+TEST(Chatter, EndsWhereAHoldForceFalls) {
+  Ends ends;
+  for (const double beta : {0.1, 0.5, 2.0, 30.0})
+    for (const double restitution : {0.3, 0.5, 0.7, 0.9}) {
+      SCOPED_TRACE(::testing::Message() << beta << " " << restitution);
+      double falls = 0.0, stays = 0.0;
+      for (double slack = 1e-5; slack < 1.0; slack *= 1.3) {
+        SCOPED_TRACE(slack);
+        const Pressed at = with_a_held_mass(beta, restitution, slack);
+        ASSERT_NEAR(pressing_force(at.scene, at.scene.stops[1], at.start), slack, 1e-13);
+        if (let_go_first(at, ends))
+          falls = slack;
+        else if (stays == 0.0)
+          stays = slack;
+      }
+      if (falls == 0.0 || stays == 0.0) continue;
+      // The hold ends later and later in the chatter as the slack comes near the border.
+      for (int half = 0; half < 40; ++half) {
+        const double slack = (falls + stays) / 2.0;
+        SCOPED_TRACE(slack);
+        (let_go_first(with_a_held_mass(beta, restitution, slack), ends) ? falls : stays) = slack;
+      }
+    }
+  EXPECT_GE(ends.by_a_jump, 100);
+  EXPECT_GE(ends.between, 100);
+  EXPECT_GE(ends.held, 100);
+}
+
+}  // namespace

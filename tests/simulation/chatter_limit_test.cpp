@@ -1,0 +1,280 @@
+// How exact the limit of a complete chatter is, and how many impacts it takes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "figures/event_tables.hpp"
+#include "random_scenes.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,
+                               const RunOptions &options) {
+  EventRecorder recorder;
+  recorder.from = -1.0;
+  require_complete(simulate_from(scene, start, until, options, recorder));
+  return recorder.events;
+}
+
+std::vector<Event> select(const std::vector<Event> &events, EventKind kind) {
+  std::vector<Event> found;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(found),
+               [kind](const Event &event) { return event.kind == kind; });
+  return found;
+}
+
+double impacts_per_period(const Scene &scene, int from, int to) {
+  const double period = Clock(scene.omega).period;
+  const auto impacts = [&](int periods) {
+    return simulate(scene, periods * period).counters.impacts;
+  };
+  return static_cast<double>(impacts(to) - impacts(from)) / (to - from);
+}
+
+// Resolved to rounding, the 36 impacts of the first scene would be 193.
+TEST(ChatterLimit, NeedsFewImpacts) {
+  EXPECT_LE(impacts_per_period(paper::figure2(), 50, 150), 36.0);
+  EXPECT_LE(impacts_per_period(paper::figure4a(), 50, 150), 38.0);
+  EXPECT_LE(impacts_per_period(paper::figure4b(), 50, 150), 48.0);
+  EXPECT_LE(impacts_per_period(paper::figure5a(), 20, 60), 20.0);
+  EXPECT_LE(impacts_per_period(paper::figure5b(), 20, 60), 5.0);
+}
+
+// Likewise one mass pressed onto its stop.
+TEST(ChatterLimit, NeedsFewImpactsWhereRestitutionIsHigh) {
+  for (const auto &[r, impacts] : {std::pair{0.3, 8.0}, {0.7, 15.0}, {0.9, 55.0}, {0.99, 630.0}}) {
+    Scene scene = paper::figure5c();
+    scene.stops.resize(1);
+    scene.restitution = r;
+    EXPECT_LE(impacts_per_period(scene, 1, 4), impacts) << r;
+  }
+}
+
+// Strongly damped modes are carried as two decays, whose slopes are not free. 33, 50 and 43
+// chatters.
+TEST(ChatterLimit, NeedsFewImpactsWhereModesAreStronglyDamped) {
+  for (const auto &[seed, impacts] : {std::pair{30u, 820}, {202u, 850}, {257u, 775}}) {
+    const Scene scene = vibro_impact::testing::random_scene(seed);
+    const double until = vibro_impact::testing::run_length(scene, 1e9);
+    EXPECT_LE(simulate(scene, until).counters.impacts, impacts) << seed;
+  }
+}
+
+// Rounding alone, seen in runs that resolve every impact: the time left is 1 / (1 - r) flights.
+double rounding(double restitution) {
+  return 1e-13 / (1.0 - restitution);
+}
+
+struct Worst {
+  double over_tolerance = 0.0;  // error of the time beyond rounding, in tolerances
+  double of_state = 0.0;        // likewise of the state after it
+  int limits = 0;
+};
+
+// Largest difference of displacements and velocities, relative to the motion.
+double difference(const MotionState &a, const MotionState &b, double fastest) {
+  double largest = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < a.velocity.size(); ++i) {
+    largest = std::max({largest, fastest * std::abs(a.displacement[i] - b.displacement[i]),
+                        std::abs(a.velocity[i] - b.velocity[i])});
+    size = std::max({size, fastest * std::abs(b.displacement[i]), std::abs(b.velocity[i])});
+  }
+  return largest / size;
+}
+
+// The first stick of runs from states all over the motion, against resolving every impact down to a
+// speed of 1e-9: those after it only add their rounding.
+Worst worst_first_limit(const Scene &scene, double tolerance) {
+  const double period = Clock(scene.omega).period;
+  const double fastest = std::sqrt(largest_eigenvalue_bound(scene));
+  RunOptions resolved, options;
+  resolved.resolve_chatter = 1e-9;
+  options.chatter_tolerance = tolerance;
+  Worst worst;
+  MotionState start = start_of(scene);
+  for (int k = 0; k < 12; ++k) {
+    const auto a = select(events_from(scene, start, period, options), EventKind::stick);
+    const auto b = select(events_from(scene, start, period, resolved), EventKind::stick);
+    EXPECT_EQ(a.empty(), b.empty());
+    if (!a.empty() && !b.empty()) {
+      const auto beyond_rounding = [&](double error) {
+        return (error - rounding(scene.restitution)) / tolerance;
+      };
+      worst.over_tolerance = std::max(worst.over_tolerance,
+                                      beyond_rounding(fastest * std::abs(a[0].time - b[0].time)));
+      const double after = std::max(a[0].time, b[0].time) + 1e-6 * period;
+      const MotionState limit = simulate_from(scene, start, after, options).state,
+                        impacts = simulate_from(scene, start, after, resolved).state;
+      EXPECT_EQ(limit.held, impacts.held);
+      worst.of_state =
+          std::max(worst.of_state, beyond_rounding(difference(limit, impacts, fastest)));
+      ++worst.limits;
+    }
+    start = simulate_from(scene, start, 0.37 * period, resolved).state;
+    start.instant = {};
+    for (std::size_t i = 0; i < start.held.size(); ++i)
+      if (start.held[i] != 0) {  // let go inside the stop, and moving
+        start.held[i] = 0;
+        for (double &x : start.displacement) x *= 0.9;
+        start.velocity.assign(start.velocity.size(), 0.05 * k);
+      }
+  }
+  return worst;
+}
+
+// 4: the estimate is an estimate. Measured: 3.2 at worst, 1.5 of the state. It is no bound: with
+// the stops of Figure 2, Omega = 0.2797, r = 0.3 and a tolerance of 1e-7 one limit is off by 21 of
+// them.
+TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
+  std::vector<Scene> scenes{paper::figure2(), paper::figure4a(), paper::figure4b(),
+                            paper::figure5a(), paper::figure5b()};
+  for (const double r : {0.001, 0.1, 0.3, 0.5, 0.8}) scenes.push_back(extremes::figure2_with(r));
+  for (const double r : {0.3, 0.7, 0.8, 0.9, 0.95, 0.99}) {
+    scenes.push_back(paper::figure5c());
+    scenes.back().stops.resize(1);
+    scenes.back().restitution = r;
+  }
+  for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
+    double worst = 0.0, worst_state = 0.0;
+    int limits = 0;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const Worst of_scene = worst_first_limit(scenes[k], tolerance);
+      EXPECT_LT(of_scene.over_tolerance, 4.0) << "scene " << k << ", tolerance " << tolerance;
+      EXPECT_LT(of_scene.of_state, 4.0) << "scene " << k << ", tolerance " << tolerance;
+      worst = std::max(worst, of_scene.over_tolerance);
+      worst_state = std::max(worst_state, of_scene.of_state);
+      limits += of_scene.limits;
+    }
+    EXPECT_GT(limits, 130);
+    fmt::print("tolerance {:g}: {} limits, worst error {:.2g} tolerances, of the state {:.2g}\n",
+               tolerance, limits, worst, worst_state);
+  }
+}
+
+// A mass pushed off its stop at v and pulled back by the constant acceleration a is gone for 2 v /
+// a, then for 2 v r / a, and so on: the time of the stick is 2 v / (a (1 - r)).
+TEST(ChatterLimit, InFreeFallIsThatOfTheGeometricSeries) {
+  constexpr double mass = 2.0, force = 1.0, v = 1.5;
+  Scene scene;
+  scene.mass = {mass};
+  scene.stiffness = {0.0};
+  scene.amplitude = {force};
+  scene.omega = 0.0;
+  scene.stops = {{1, Side::upper, 0.0}};
+  scene.velocity = {-v};
+  for (const double r : {1e-6, 1e-3, 0.3, 0.7, 0.9, 0.99}) {
+    scene.restitution = r;
+    const auto sticks = select(events_from(scene, start_of(scene), 1e6, {}), EventKind::stick);
+    ASSERT_EQ(sticks.size(), 1u) << r;
+    EXPECT_NEAR(sticks[0].time / (2.0 * v * mass / force / (1.0 - r)), 1.0, 1e-13) << r;
+  }
+}
+
+// The time of the limit against the 50-digit tables: the sticks of the first three periods of the
+// six reference scenes, so that what an early error grows to later stays within the factor of 40.
+TEST(ChatterLimit, ErrorAgainstTheFiftyDigitTables) {
+  struct Table {
+    const char *name;
+    Scene scene;
+  };
+  for (const double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
+    RunOptions options;
+    options.chatter_tolerance = tolerance;
+    for (const auto &[name, scene] :
+         {Table{"figure2", paper::figure2()}, Table{"figure4a", paper::figure4a()},
+          Table{"figure4b", paper::figure4b()}, Table{"figure5a", paper::figure5a()},
+          Table{"figure5b", paper::figure5b()}, Table{"figure5c", paper::figure5c()}}) {
+      const auto table =
+          figures::read_event_table(std::string(REFERENCE_DIR "/") + name + "_events.csv");
+      const double until = std::min(3.0 * Clock(scene.omega).period, 300.0);
+      const auto sticks =
+          select(events_from(scene, start_of(scene), until, options), EventKind::stick);
+      ASSERT_GE(sticks.size(), 1u) << name;
+      std::size_t k = 0;
+      for (const auto &row : table) {
+        if (row.event != "stick" || k == sticks.size()) continue;
+        EXPECT_EQ(sticks[k].mass, row.mass) << name;
+        EXPECT_NEAR(sticks[k].time, row.time, 40.0 * tolerance + 1e-12)
+            << name << ", tolerance " << tolerance;
+        ++k;
+      }
+      EXPECT_EQ(k, sticks.size()) << name;
+    }
+  }
+}
+
+// One mass on a spring before an upper stop, pushed off it at speed `v`. The press of the forcing
+// ends at t = 4.9: a chatter that begins slowly enough completes before, a faster one does not.
+Scene pushed_off(double restitution, double v) {
+  return extremes::one_mass(0.1, 0.5, 0.28, restitution, 0.1, 0.1, -v);
+}
+
+constexpr double after_release = 6.0;
+
+std::size_t sticks_of(const Scene &scene, const RunOptions &options) {
+  return select(events_from(scene, start_of(scene), after_release, options), EventKind::stick)
+      .size();
+}
+
+// At the border between the two, found by bisection, a limit taken too early would stick a mass
+// that is let go. Measured: 1e-12 in the time of the stick, whose derivative grows without bound
+// towards the border.
+TEST(ChatterLimit, IsNotTakenBeyondABorderOrbit) {
+  RunOptions resolved;
+  resolved.resolve_chatter = 0.0;
+  for (const double r : {0.3, 0.7, 0.9}) {
+    double sticks = 1e-3, escapes = 2.0;
+    ASSERT_EQ(sticks_of(pushed_off(r, sticks), resolved), 1u) << r;
+    ASSERT_EQ(sticks_of(pushed_off(r, escapes), resolved), 0u) << r;
+    while (escapes - sticks > 1e-13) {
+      const double v = 0.5 * (sticks + escapes);
+      (sticks_of(pushed_off(r, v), resolved) > 0 ? sticks : escapes) = v;
+    }
+    for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
+      RunOptions options;
+      options.chatter_tolerance = tolerance;
+      for (double distance = 1e-1; distance > 1e-12; distance /= 3.0) {
+        EXPECT_EQ(sticks_of(pushed_off(r, sticks - distance), options), 1u) << r << " " << distance;
+        EXPECT_EQ(sticks_of(pushed_off(r, escapes + distance), options), 0u)
+            << r << " " << distance << " " << tolerance;
+      }
+    }
+  }
+}
+
+// Two masses that hit at the same instants until rounding parts them: 186 and 434 impacts if their
+// impacts then counted as alternating.
+TEST(ChatterLimit, OfTwoMassesInStepSurvivesRounding) {
+  for (const auto &[r, impacts] : {std::pair{0.3, 54}, {0.7, 78}}) {
+    const Scene scene = extremes::in_step(0.1, 0.5, 0.28, r, 0.25, 0.0);
+    const Outcome outcome = simulate(scene, 60.0);
+    EXPECT_LE(outcome.counters.impacts, impacts) << r;
+    RunOptions resolved;
+    resolved.resolve_chatter = 0.0;
+    const auto a = select(events_from(scene, start_of(scene), 60.0, {}), EventKind::stick);
+    const auto b = select(events_from(scene, start_of(scene), 60.0, resolved), EventKind::stick);
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_GE(a.size(), 4u);
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i].time, b[i].time, 1e-12) << r;
+  }
+}
+
+// A third mass rests on its stop without force while the first chatters: nothing can be said of
+// when it will move, and the chatter went on to speeds of 1e-288, 400 impacts.
+TEST(ChatterLimit, EndsWithinRoundingWhateverElseIsAboutToHappen) {
+  const Scene scene = vibro_impact::testing::extreme_scene(266);
+  EventRecorder recorder;
+  require_complete(simulate(scene, vibro_impact::testing::run_length(scene, 3000.0), {}, recorder));
+  EXPECT_LT(recorder.events.size(), 60u);
+  for (const Event &event : recorder.events)
+    if (event.kind == EventKind::impact && event.mass == 1) {
+      EXPECT_GT(std::abs(event.velocity_before), 1e-17);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,270 @@
+// Nothing is computed that a scene does not need: shown by the counters of work.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "reference/scenes/extreme_cases.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+// The longest expansion of a flight, two radians of its fastest rate, is of order 23.
+constexpr double max_reach = 2.0;
+constexpr long long most_coefficients = 24;
+
+// What was asked of the stops: those found clear of their mass, and the polynomials of the others.
+long long looked_at(const Counters &counters) {
+  return counters.roots_dismissed + counters.roots_searched;
+}
+long long tested(const Counters &counters) {
+  return counters.stops_clear + looked_at(counters);
+}
+
+// Every contact mode a run was in: the free one and those its events led to.
+long long modes_entered(const std::vector<Event> &events, int masses) {
+  std::set<Held> modes{Held(static_cast<std::size_t>(masses), 0)};
+  for (const Event &event : events) modes.insert(event.held);
+  return static_cast<long long>(modes.size());
+}
+
+Scene without_stops(Scene scene) {
+  scene.stops.clear();
+  return scene;
+}
+
+TEST(Economy, AContactModeIsBuiltWhenItIsFirstEntered) {
+  for (const Scene &scene : {paper::figure2(), paper::figure5a(), paper::figure5b(),
+                             extremes::long_chain(10, 0.7), without_stops(paper::figure2())}) {
+    EventRecorder events;
+    const Outcome outcome = simulate(scene, 300.0, {}, events);
+    EXPECT_EQ(outcome.counters.modes_built, modes_entered(events.events, scene.masses()));
+  }
+}
+
+// Every stop is tested once per expansion: masses without stops have none, however many there are.
+TEST(Economy, OnlyStopsThatExistAreTested) {
+  for (const int masses : {3, 10, 50}) {
+    Scene scene = extremes::long_chain(masses, 0.7);
+    for (const std::size_t stops : {3u, 2u, 1u}) {
+      scene.stops.resize(stops);
+      const Counters counters = simulate(scene, 40.0).counters;
+      EXPECT_LE(tested(counters), static_cast<long long>(stops) * counters.expansions) << masses;
+      EXPECT_GT(tested(counters), 0);
+    }
+    scene.stops.clear();
+    EXPECT_EQ(tested(simulate(scene, 40.0).counters), 0);
+  }
+}
+
+// A mass pressed onto its stop: an impact takes one expansion of its flight, as long as it
+// lasts, and one root. Beside those there are the one that leads to the first flight, the one after
+// the limit, and those that looked across to a limit, the last of which was taken.
+TEST(Economy, AnImpactCostsOneExpansion) {
+  for (const double r : {0.001, 0.3, 0.7, 0.9, 0.95}) {
+    const Counters counters =
+        simulate(extremes::one_mass(0.0, 0.0, 1.0, r, -0.5, -0.51), 30.0).counters;
+    EXPECT_EQ(counters.sticks, 1) << r;
+    EXPECT_EQ(counters.roots_searched, counters.impacts) << r;
+    const long long flights = tested(counters), limits = counters.expansions - flights;
+    EXPECT_LE(flights, counters.impacts + 2) << r;
+    EXPECT_LE(limits, std::min(10LL, counters.chatter_nodes)) << r;
+  }
+}
+
+// What is expanded is the gaps and forces that are looked at, one coefficient by one product per
+// lane and speed of a lane: in proportion to the stops, and to N, not to its square.
+TEST(Economy, AnExpansionCostsInProportionToTheStops) {
+  const auto products_per_stop = [](int masses, std::size_t stops) {
+    Scene scene = extremes::long_chain(masses, 0.7);
+    scene.stops.resize(stops);
+    const Counters counters = simulate(scene, 40.0).counters;
+    EXPECT_GE(looked_at(counters), 40);
+    // And the two lanes of the forcing; less where masses stick.
+    const long long per_coefficient = 2 * masses + 2;
+    EXPECT_LE(counters.products, looked_at(counters) * most_coefficients * per_coefficient);
+    return static_cast<double>(counters.products) /
+           static_cast<double>(looked_at(counters) * per_coefficient);
+  };
+  for (const std::size_t stops : {1u, 2u, 3u}) {
+    const double few = products_per_stop(10, stops);
+    // Short flights have lower orders: which, and how often, depends on the motion.
+    for (const int masses : {50, 200})
+      EXPECT_NEAR(products_per_stop(masses, stops), few, 0.45 * few) << masses << " " << stops;
+  }
+}
+
+// r = 0 stops a mass at once; r = 1 bounces for ever at the same speed, however hard it is pressed.
+TEST(Economy, NoChatterTableWhereChatterCannotBe) {
+  const auto counters_of = [](double r) {
+    const Scene scene = extremes::one_mass(0.0, 0.0, 1.0, r, -0.5, -0.51);  // flights of 0.4
+    return simulate(scene, 30.0).counters;
+  };
+  for (const double r : {0.0, 1.0}) {
+    EXPECT_GT(counters_of(r).impacts, 0) << r;
+    EXPECT_EQ(counters_of(r).chatter_nodes, 0) << r;
+    EXPECT_EQ(counters_of(r).chatter_limits, 0) << r;
+  }
+  EXPECT_GT(counters_of(0.7).chatter_nodes, 0);
+}
+
+// Also where every mass comes to rest, and the state at the limit is nothing but a position: 60
+// impacts, 337 when each is resolved until the rest lies below rounding.
+TEST(Economy, AChatterThatEndsAllMotionIsCarriedToItsLimit) {
+  const Counters counters =
+      simulate(extremes::one_mass(0.0, 0.0, 1.0, 0.9, -0.5, -1.0), 100.0).counters;
+  EXPECT_EQ(counters.chatter_limits, 1);
+  EXPECT_LE(counters.impacts, 63);
+}
+
+TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
+  Scene scene = paper::figure2();
+  EXPECT_EQ(simulate(scene, 60.0).counters.forcing_lanes, 2);
+  scene.amplitude = {0.0, 0.0};
+  scene.velocity = {-1.0, 1.0};
+  const Counters counters = simulate(scene, 60.0).counters;
+  EXPECT_GT(counters.impacts, 0);
+  EXPECT_EQ(counters.forcing_lanes, 0);
+}
+
+// Without stops nothing can happen: no expansion, one closed-form evaluation per sample asked for
+// and one for the state at the end.
+TEST(Economy, WithoutStopsASampleIsOneEvaluation) {
+  for (const int masses : {1, 2, 50}) {
+    const Scene scene = without_stops(extremes::long_chain(std::max(2, masses), 0.7));
+    SampleRecorder samples{.from = 1.0, .to = 90.0, .every = 0.37};
+    const Counters counters = simulate(scene, 100.0, {}, samples).counters;
+    EXPECT_GT(samples.times.size(), 200u);
+    EXPECT_EQ(counters.modal_evaluations, static_cast<long long>(samples.times.size()) + 1);
+    EXPECT_EQ(counters.expansions, 0);
+  }
+}
+
+TEST(Economy, WithStopsNothingIsEvaluatedThatNobodyAskedFor) {
+  EventRecorder events;
+  EXPECT_EQ(simulate(paper::figure2(), 300.0, {}, events).counters.modal_evaluations, 0);
+}
+
+// The first masses of a long chain move alike until a wave has been to the far end and back, so the
+// motion, its events and with them the work are those of the shorter chain. (The rate of the
+// fastest mode, and so the step, still grows by one in a hundred from N = 10 to 200.)
+TEST(Economy, TheWorkDoesNotGrowWithMassesThatDoNothing) {
+  const auto counters_of = [](int masses) {
+    Scene scene = extremes::long_chain(masses, 0.7);
+    scene.velocity.clear();
+    scene.stops.pop_back();
+    return simulate(scene, 11.0).counters;  // before the chatter of mass 1 completes
+  };
+  const Counters few = counters_of(10);
+  EXPECT_GT(few.impacts, 5);
+  for (const int masses : {20, 50, 200}) {
+    const Counters many = counters_of(masses);
+    EXPECT_EQ(many.impacts, few.impacts) << masses;
+    EXPECT_LE(many.expansions, few.expansions + 1) << masses;
+    EXPECT_LE(many.coefficients, few.coefficients * 102 / 100 + most_coefficients) << masses;
+    EXPECT_LE(tested(many), tested(few) + 2) << masses;
+  }
+}
+
+// --- Motion that nothing can happen to
+// ------------------------------------------------------------
+
+// What a run may expand before it is clear that nothing will happen: as many as its motion needs to
+// come to that, and none of them for the time that is left.
+void expect_the_same_work(const Scene &scene, double soon, double late, long long expansions) {
+  const Counters early = simulate(scene, soon).counters, all = simulate(scene, late).counters;
+  EXPECT_EQ(all.expansions, early.expansions);
+  EXPECT_EQ(all.impacts, early.impacts);
+  EXPECT_EQ(all.sticks, early.sticks);
+  EXPECT_LE(all.expansions, expansions);
+}
+
+// An undamped mass on a spring under a constant force A swings about A / k for ever. With k = m = 1
+// x = A (1 - cos t), and a whole number is a time without rounding.
+TEST(Undisturbed, AConstantForceGoesToTheEndInOneStep) {
+  const double late = 1e9, force = 0.5;
+  Scene scene = extremes::one_mass(0.0, force, 0.0, 0.7, 1.25);
+  scene.stops.push_back({1, Side::lower, -0.25});
+  const Outcome outcome = simulate(scene, late);
+  EXPECT_EQ(outcome.counters.expansions, 0);
+  EXPECT_EQ(outcome.time, late);
+  EXPECT_NEAR(outcome.state.displacement[0], force * (1.0 - std::cos(late)), 1e-15);
+  EXPECT_NEAR(outcome.state.velocity[0], force * std::sin(late), 1e-15);
+  scene.beta = 0.1;  // it comes to rest
+  const Outcome damped = simulate(scene, late);
+  EXPECT_EQ(damped.counters.expansions, 0);
+  EXPECT_NEAR(damped.state.displacement[0], force, 1e-15);
+  EXPECT_EQ(damped.state.velocity[0], 0.0);
+}
+
+// The steady motion A / (k - m Omega^2 + i c Omega) of one mass, after a million periods; also in
+// resonance, where what is left of it is the damping.
+TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreOneStep) {
+  const double force = 0.5;
+  const long long periods = 1'000'000;
+  for (const auto &[beta, omega] :
+       {std::pair{0.1, 0.28}, {0.1, 1.0}, {0.01, 0.28}, {0.01, 1.001}, {0.01, 1.0}}) {
+    Scene scene = extremes::one_mass(beta, force, omega, 0.7, 200.0);
+    scene.stops.push_back({1, Side::lower, -200.0});
+    const Outcome outcome = simulate(scene, time_of({periods, 1.0}, Clock(omega)));
+    EXPECT_EQ(outcome.counters.expansions, 0) << omega;
+    EXPECT_EQ(outcome.state.instant.cycle, periods);
+    EXPECT_NEAR(outcome.state.instant.phase, 1.0, 4e-9);  // the time is rounded to 2e-9
+    const double stiff = 1.0 - omega * omega, drag = beta * omega,
+                 size = force / (stiff * stiff + drag * drag);
+    const double angle = omega * outcome.state.instant.phase;
+    // The amplitude is 0.5 to 50; at Omega = 1.001 rounding of the detuning makes 1e-14 of it.
+    const double rounding = 3e-14 * std::max(1.0, force / std::hypot(stiff, drag));
+    EXPECT_NEAR(outcome.state.displacement[0],
+                size * (stiff * std::cos(angle) + drag * std::sin(angle)), rounding)
+        << beta << " " << omega;
+    EXPECT_NEAR(outcome.state.velocity[0],
+                size * omega * (drag * std::cos(angle) - stiff * std::sin(angle)), rounding)
+        << beta << " " << omega;
+  }
+}
+
+// Samples of such a motion cost one evaluation each, and are the steady motion as well.
+TEST(Undisturbed, ASampleIsOneEvaluation) {
+  const Scene scene = extremes::one_mass(0.0, 0.5, 0.0, 0.7, 1.25);
+  SampleRecorder samples{.from = 0.0, .to = 1e6, .every = 1e4};
+  const Counters counters = simulate(scene, 1e9, {}, samples).counters;
+  EXPECT_EQ(samples.times.size(), 101u);
+  EXPECT_EQ(counters.modal_evaluations, 102);
+  EXPECT_EQ(counters.expansions, 0);
+  for (std::size_t i = 0; i < samples.times.size(); ++i)
+    EXPECT_NEAR(samples.displacements[i], 0.5 * (1.0 - std::cos(samples.times[i])), 1e-15);
+}
+
+// A chain whose swing has died down between its stops, one that rests on them, and one that has
+// left them for good (not tied to the ground).
+TEST(Undisturbed, WhatHappensBeforeIsAllThatIsPaidFor) {
+  Scene dying = paper::figure2();
+  dying.amplitude.clear();
+  dying.velocity = {-1.0, 1.0};
+  EXPECT_GT(simulate(dying, 200.0).counters.impacts, 5);
+  expect_the_same_work(dying, 200.0, 1e9, 100);
+
+  const Scene resting = extremes::one_mass(0.1, 0.5, 0.0, 0.7, 0.1);
+  EXPECT_EQ(simulate(resting, 30.0).counters.sticks, 1);
+  expect_the_same_work(resting, 30.0, 1e9, 40);
+
+  Scene leaving = extremes::one_mass(0.0, 0.0, 0.0, 0.7, 1.0, 0.0, 0.5);
+  leaving.stiffness = {0.0};
+  expect_the_same_work(leaving, 30.0, 1e9, 4);
+  const MotionState end = simulate(leaving, 1e9).state;
+  EXPECT_DOUBLE_EQ(end.displacement[0], 1.0 - 0.35 * (1e9 - 2.0));
+  EXPECT_DOUBLE_EQ(end.velocity[0], -0.35);
+}
+
+// The settled motion of Figure 2 impacts for ever, and is expanded for ever: two radians at a time.
+TEST(Undisturbed, IsNotClaimedOfAMotionThatGoesOnImpacting) {
+  const double fastest = std::sqrt(largest_eigenvalue_bound(paper::figure2()));
+  const Counters counters = simulate(paper::figure2(), 3000.0).counters;
+  EXPECT_GT(static_cast<double>(counters.expansions), 0.5 * 3000.0 * fastest / max_reach);
+}
+
+}  // namespace
