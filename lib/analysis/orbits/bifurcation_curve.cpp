@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "curve_kinds.hpp"
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

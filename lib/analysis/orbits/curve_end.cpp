@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "curve_kinds.hpp"
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 #include "units.hpp"
 
 namespace vibro_impact {

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "fits.hpp"
-#include "simulation/chain/forces.hpp"
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/hold_force.hpp"
 
 namespace vibro_impact {

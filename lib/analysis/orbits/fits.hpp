@@ -2,7 +2,7 @@
 // size.
 #pragma once
 
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact {

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "fits.hpp"
-#include "simulation/chain/contact_mode.hpp"
-#include "simulation/chain/forces.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

@@ -9,7 +9,7 @@
 #include "fits.hpp"
 #include "motion_state.hpp"
 #include "parameter_flow.hpp"
-#include "simulation/stops/rest.hpp"
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "simulation/chain/forces.hpp"
-#include "simulation/chain/require.hpp"
-#include "simulation/stops/rest.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

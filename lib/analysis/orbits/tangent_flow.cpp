@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "simulation/chain/forces.hpp"
-#include "simulation/chain/motion.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

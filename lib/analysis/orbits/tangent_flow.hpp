@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "simulation/chain/contact_mode.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

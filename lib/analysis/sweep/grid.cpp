@@ -1,7 +1,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 
 namespace vibro_impact {

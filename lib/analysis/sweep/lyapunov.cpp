@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

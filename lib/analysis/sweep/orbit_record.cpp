@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/lyapunov.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "packed_record.hpp"
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 

@@ -1,0 +1,49 @@
+# The layers, read off the includes: who may include whom. cmake -D source=... -P arrows.cmake
+#
+#   reference/scenes <- the generator, figures, tests     public headers of the simulation alone
+#   lib/simulation   <- lib/analysis, through for_analysis.hpp alone
+#   lib/analysis     <- lib/program   <- figures (its progress line)
+# Inside the simulation a room includes only those before it: chain, flight, stops, chatter, run.
+cmake_minimum_required(VERSION 3.21)
+set(rooms chain flight stops chatter run)
+
+# refuse(where pattern): no file of `where` includes what `pattern` describes.
+function(refuse where pattern)
+  file(GLOB_RECURSE files ${source}/${where}/*.hpp ${source}/${where}/*.cpp)
+  if(NOT files)
+    message(SEND_ERROR "${where}: no files")
+  endif()
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} wrong REGEX "^#include [\"<]${pattern}")
+    if(wrong)
+      message(SEND_ERROR "${file} must not include ${wrong}")
+    endif()
+  endforeach()
+endfunction()
+
+set(inside "(\\.\\./|lib/|figures/|reference/|tests/|program/)")
+refuse(lib/simulation "(${inside}|analysis/|simulation/analysis|vibro_impact/analysis/)")
+refuse(lib/analysis "(${inside}|simulation/[a-z]+/)")
+refuse(lib/program "(\\.\\./|lib/|figures/|reference/|tests/|simulation/|analysis/)")
+refuse(lib/include "(\\.\\./|lib/|figures/|reference/|tests/|program/|simulation/|analysis/orbits|analysis/sweep)")
+refuse(lib/examples "(\\.\\./|lib/|figures/|reference/|tests/|program/|simulation/|analysis/)")
+refuse(figures "(\\.\\./|lib/|tests/|simulation/|analysis/|program/[a-oq-z])")
+refuse(reference "(\\.\\./|lib/|figures/|tests/|program/|simulation/|analysis/|vibro_impact/analysis/)")
+
+# A public header of the simulation includes none of the analysis.
+file(GLOB headers ${source}/lib/include/vibro_impact/*.hpp)
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} wrong REGEX "^#include [\"<](vibro_impact/)?analysis/")
+  if(wrong)
+    message(SEND_ERROR "${header} must not include ${wrong}")
+  endif()
+endforeach()
+
+set(later ${rooms})
+foreach(room IN LISTS rooms)
+  list(REMOVE_ITEM later ${room})
+  list(JOIN later "|" behind)
+  if(behind)
+    refuse(lib/simulation/${room} "(simulation/)?(${behind})/")
+  endif()
+endforeach()
