@@ -24,7 +24,7 @@ std::optional<PeriodicOrbit> orbit_in(const Scene &scene, const Scene &from, Mot
 }
 
 CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
-                      const Reading &reading, double error) {
+                      const Condition &reading, double error) {
   CurvePoint point{at, reading.gradient, error, reading.state, reading.time};
   const Scene scene = curve.at(read);
   const Clock clock(scene.omega);

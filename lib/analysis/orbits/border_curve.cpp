@@ -107,7 +107,7 @@ std::optional<CurvePoint> by_held_chatter(const BifurcationCurve &curve, const P
     if (!step) return std::nullopt;
     const double size = std::hypot(step->place.x, step->place.y);
     if (deeper && eq->compared.similar && (size < 1e-14 || (size < 1e-11 && size > 0.5 * last))) {
-      const Reading reading{eq->excess, gradient_of(*eq), at.section, eq->end};
+      const Condition reading{eq->excess, gradient_of(*eq), at.section, eq->end};
       return point_from(curve, at.at, at.at, reading, std::max(size, 1e-16));
     }
     last = size;

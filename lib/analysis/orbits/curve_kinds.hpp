@@ -12,7 +12,7 @@ inline bool of_impacts(Bifurcation what) {
 }
 
 // What is zero on the curve at a point beside it.
-struct Reading {
+struct Condition {
   double value = 0.0;
   PlanePoint gradient;
   MotionState state;
@@ -42,7 +42,7 @@ double time_apart(const std::vector<Event> &events);
 
 // A reading at `read`, very near, made a point of the curve, at a section far from events.
 CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
-                      const Reading &reading, double error);
+                      const Condition &reading, double error);
 
 // Multi-sliding and grazing (one_sided_curve.cpp): on the line through `guess`, from the side where
 // the value is positive, the direction `side` of `across`; from a motion of scene `from`. `count`:

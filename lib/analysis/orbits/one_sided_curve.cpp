@@ -22,8 +22,8 @@ int count_of(const BifurcationCurve &curve, const Scene &scene, const MotionStat
 
 // The least pressing force, or gap; nothing where the orbit has another count than `count`, unless
 // that is negative.
-std::optional<Reading> least_value(const BifurcationCurve &curve, const PlanePoint &at,
-                                   const Scene &from, const MotionState &seed, int count) {
+std::optional<Condition> least_value(const BifurcationCurve &curve, const PlanePoint &at,
+                                     const Scene &from, const MotionState &seed, int count) {
   const Scene scene = curve.at(at);
   const auto orbit = orbit_in(scene, from, seed, curve.periods, {});
   if (!orbit || (count >= 0 && count_of(curve, scene, orbit->state) != count)) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<Reading> least_value(const BifurcationCurve &curve, const PlanePoi
                          ? least_gap_change(scene, *orbit, change, stop)
                          : least_pressing_force_change(scene, *orbit, change, stop);
   if (!least || !(least->value > 0.0)) return std::nullopt;
-  return Reading{least->value, {least->by[0], least->by[1]}, orbit->state, 0.0};
+  return Condition{least->value, {least->by[0], least->by[1]}, orbit->state, 0.0};
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const Pla
                                         const MotionState &start, double side, int count) {
   constexpr double near = 1e-10, farthest = 2e-3;
   double s = 0.0;
-  std::optional<Reading> reading = least_value(curve, guess, from, start, count);
+  std::optional<Condition> reading = least_value(curve, guess, from, start, count);
   for (double margin = 1e-9; !reading && margin < farthest; margin *= 8.0) {
     s = side * margin;
     reading = least_value(curve, moved(guess, across, s), from, start, count);
@@ -64,7 +64,7 @@ std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const Pla
       return point;
     }
     const Scene here = curve.at(moved(guess, across, s));
-    std::optional<Reading> next;
+    std::optional<Condition> next;
     double part = 1.0 - std::max(1.0 / 30.0, 0.5 * near / std::abs(way));
     for (int halving = 0; halving < 6 && !next; ++halving, part /= 2.0) {
       next = least_value(curve, moved(guess, across, s - part * way), here, reading->state, count);
