@@ -22,7 +22,7 @@
 # make clean          remove build/
 
 paper   := figure2 figure3 figure4 figure5
-methods := comparison stability
+methods := stability
 beyond  := reconstruction multi_sliding bifurcations exit_boundary table1 atlas curves border_cascade basins long_chain
 figures := $(paper) $(methods) $(beyond)
 jobs    := $(shell nproc 2>/dev/null || echo 1)

@@ -121,6 +121,31 @@ TEST(ErrorAgainstRunTime, NoMethodReachesALowerErrorThanThisLibrary) {
   }
 }
 
+// A contact with a spring lasts pi sqrt(m / kappa), and what it does to the motion is of that
+// order: a hundred times the stiffness for one digit more.
+TEST(ErrorAgainstRunTime, TheErrorOfAStiffSpringFallsWithTheRootOfItsStiffness) {
+  const Problem &problem = problem_named("figure2");
+  const Method spring = stiff_spring().front();
+  const double soft = errors_of(spring.run(problem, 1e6), problem).time;
+  const double stiff = errors_of(spring.run(problem, 1e8), problem).time;
+  EXPECT_NEAR(soft / stiff, 10.0, 2.0) << "sqrt(100), but for the next order in kappa^-1/2";
+}
+
+// A gap is known to the rounding of x, 5e-17, and a mass pressed by a = 0.055 falls through that at
+// sqrt(2 a 5e-17) = 2.3e-9: slower impacts of a chatter are not its own. So a threshold of speed
+// has to be chosen: far below 1e-6 it makes the stick worse, and without one no chatter ends.
+TEST(ErrorAgainstRunTime, ThePlainSchemeStallsNearTheRootOfRoundingUnlessGivenAThreshold) {
+  const Problem &problem = problem_named("chatter");
+  const Method plain = plain_event_driven().front();
+  const double chosen = errors_of(plain.run(problem, 1e-6), problem).time;
+  EXPECT_LT(chosen, 1e-8);
+  EXPECT_GT(errors_of(plain.run(problem, 1e-4), problem).time, 100.0 * chosen);
+  EXPECT_GT(errors_of(plain.run(problem, 1e-9), problem).time, 100.0 * chosen);
+  const Result stalled = plain.run(problem, 0.0);
+  EXPECT_EQ(stalled.failure.find("more than 20000 impacts"), 0u) << stalled.failure;
+  EXPECT_LT(stalled.end.time, problem.until);
+}
+
 // The measure of error sees what is missing and what is too much.
 TEST(ErrorAgainstRunTime, AMissedReleaseAndASpuriousStickAreFailures) {
   const Problem &problem = problem_named("figure2");
