@@ -1,10 +1,9 @@
-// Scenes that random search found to go wrong once, cut down to what it took, and the root
-// searches behind two of them. Each names what went wrong.
+// Scenes that random search found to go wrong once, cut down to what it took. Each names what went
+// wrong.
 #include <gtest/gtest.h>
 
 #include "energy_balance.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
-#include "simulation/flight/first_root.hpp"
 #include "work_bounds.hpp"
 
 namespace {
@@ -86,16 +85,6 @@ TEST(FoundScenes, ASlowDepartureBeforeAnImpact) {
   }
 }
 
-TEST(FoundScenes, ASlowDepartureInTheRootSearch) {
-  Polynomial p;
-  p.coefficient = {1e-20, 1.0, -1.25};
-  p.order = 2;
-  Counters work;
-  const auto root = first_root(p, 1.0, work);
-  ASSERT_TRUE(root.has_value());
-  EXPECT_NEAR(root->at, 0.8, 1e-15);  // a unit or two in the last place
-}
-
 // A gap below a thousandth of the motion was carried from span to span and never compared with it
 // again; it drifted by the rounding of the acceleration, integrated twice, to 5e-9 here. The steady
 // response, 1 / 0.0015, is 4e4 times the motion, and the frequencies of the soft modes are known to
@@ -110,20 +99,6 @@ TEST(FoundScenes, ASmallGapOverManySpans) {
   scene.displacement = {0.0, 0.0, 0.016405824460808776, 0.0};
   scene.stops = {{2, Side::upper, 0.0}};
   EXPECT_LT(account_of(scene, 1.0).misplaced, 1e-10);
-}
-
-// p(u) = 1e-60 + 1e-10 u^2 - u^3 is small near 0 against its coefficients: with the bound of its
-// curvature over all of [0, 1] the guaranteed steps are 6e-6 u, and six million of them lead from
-// 1e-25 to the root.
-TEST(FoundScenes, ARootSearchThatCreeps) {
-  Polynomial p;
-  p.coefficient = {1e-60, 0.0, 1e-10, -1.0};
-  p.order = 3;
-  Counters work;
-  const auto root = first_root(p, 1.0, work);
-  ASSERT_TRUE(root.has_value());
-  EXPECT_NEAR(root->at, 1e-10, 1e-24);
-  EXPECT_LT(work.root_iterations, 1000);
 }
 
 // Mass 1 hits at 0.2 as the chatter of mass 2 begins, which is over at once. Both were taken for
