@@ -1,0 +1,43 @@
+// Events of runs, as many tests read them.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace vibro_impact::testing {
+
+// Chatter is resolved until what is left of it lies below rounding.
+inline const RunOptions all_impacts{.resolve_chatter = 0.0};
+
+// The events of a run that comes to its end, from a start on.
+inline std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,
+                                      const RunOptions &options = {}) {
+  EventRecorder recorder{-std::numeric_limits<double>::infinity()};
+  require_complete(simulate_from(scene, start, until, options, recorder));
+  return recorder.events;
+}
+
+// From the scene's own start; those from time `from` on.
+inline std::vector<Event> events_of(const Scene &scene, double from, double until,
+                                    const RunOptions &options = {}) {
+  EventRecorder recorder{from};
+  require_complete(simulate(scene, until, options, recorder));
+  return recorder.events;
+}
+
+inline constexpr int any_mass = 0;
+
+inline std::vector<Event> select(const std::vector<Event> &events, EventKind kind,
+                                 int mass = any_mass, double from = 0.0,
+                                 double to = std::numeric_limits<double>::infinity()) {
+  std::vector<Event> selected;
+  for (const Event &event : events)
+    if (event.kind == kind && (mass == any_mass || event.mass == mass) && event.time >= from &&
+        event.time <= to)
+      selected.push_back(event);
+  return selected;
+}
+
+}  // namespace vibro_impact::testing
