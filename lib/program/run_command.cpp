@@ -151,7 +151,7 @@ int run_scene(const Request &request, int (*signal)()) {
   const Scene &scene = saved ? saved->scene : request.scene;
   std::optional<Plot> plot;
   if (!picture.path.empty())
-    plot.emplace(picture, scene, saved ? saved->state.held : start_of(scene).held,
+    plot.emplace(picture, scene, saved ? saved->state.held() : start_of(scene).held,
                  saved ? std::max(request.from, saved->time) : request.from, request.until);
   Files files;
   if (!events.path.empty()) files.events.emplace(events, event_header);

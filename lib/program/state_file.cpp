@@ -18,18 +18,12 @@ namespace vibro_impact::runner {
 
 namespace {
 
-constexpr std::string_view kind = "vibro-impact state ", version = "1";
+constexpr std::string_view kind = "vibro-impact state ", version = "2";
 
 // More stops than this no chain the runner takes can have.
 constexpr std::size_t most_stops = 20000;
 
-// A number that may be infinite; no other one may.
-template <class Number>
-struct OrInfinite {
-  Number &value;
-};
-
-// The lines of the format in their order, once for both directions: `lines` writes or reads them.
+// The lines of the scene in their order, once for both directions: `lines` writes or reads them.
 template <class Lines, class Run>
 void pass(Lines &lines, Run &run) {
   auto &[scene, state, time] = run;
@@ -45,19 +39,6 @@ void pass(Lines &lines, Run &run) {
   for (auto &stop : scene.stops)
     lines.line("stop", stop.mass, stop.side, stop.position, stop.restitution);
   lines.line("time", time);
-  lines.line("instant", state.instant.cycle, state.instant.phase);
-  lines.line("held", state.held);
-  lines.line("modal_values", state.value);
-  lines.line("modal_slopes", state.slope);
-  lines.entries("states_at_stops", state.stops);
-  for (auto &at : state.stops)
-    lines.line("at_stop", at.gap, at.speed, at.zeros, at.leading, at.below_rounding, at.last_speed,
-               at.falling);
-  lines.line("next_flight", OrInfinite<decltype((state.next_flight))>{state.next_flight});
-  lines.line("clear", state.clear);
-  lines.line("events_told", state.told);
-  lines.line("period_start", state.period_start.cycle, state.period_start.phase);
-  lines.line("impacts_this_period", state.impacts_this_period);
 }
 
 struct Writer {
@@ -90,10 +71,6 @@ struct Writer {
   template <class Value>
   void put(const std::vector<Value> &values) {
     for (const Value value : values) put(value);
-  }
-  template <class Number>
-  void put(const OrInfinite<Number> &number) {
-    put(number.value);
   }
 };
 
@@ -168,17 +145,6 @@ struct Reader {
     value = value_of<double>(token);
     if (!std::isfinite(value)) fail(fmt::format("'{:.40}' is not finite", token));
   }
-  template <class Number>
-  void take(OrInfinite<Number> &number_or_infinite) {
-    const std::string &token = word();
-    number_or_infinite.value = value_of<double>(token);
-    if (std::isnan(number_or_infinite.value)) fail(fmt::format("'{:.40}' is not a number", token));
-  }
-  void take(bool &value) {
-    const std::string &token = word();
-    if (token != "0" && token != "1") fail(fmt::format("'{:.40}' is neither 0 nor 1", token));
-    value = token == "1";
-  }
   // Whole numbers count something: none is negative, and all stay exact as doubles.
   void take(std::integral auto &value) {
     const std::string &token = word();
@@ -197,14 +163,6 @@ struct Reader {
   }
   void take(std::vector<double> &values) {
     while (next < words.size()) take(values.emplace_back());
-  }
-  void take(Held &held) {
-    while (next < words.size()) {
-      const std::string &token = word();
-      if (token != "-1" && token != "0" && token != "1")
-        fail(fmt::format("'{:.40}' is none of -1, 0 and 1", token));
-      held.push_back(value_of<signed char>(token));
-    }
   }
 };
 
@@ -225,11 +183,12 @@ void take_header(Reader &reader) {
 std::optional<std::string> text_of(const SavedRun &run) {
   Writer writer{fmt::format("{}{}\n", kind, version)};
   pass(writer, run);
+  writer.text += save(run.state);
   writer.text += checksum_line(writer.text);
   try {
     std::istringstream file(writer.text);
     read_saved_run(file, "");
-  } catch (const BadInput &) {
+  } catch (const std::invalid_argument &) {
     return std::nullopt;
   }
   return writer.text;
@@ -246,15 +205,17 @@ SavedRun read_saved_run(std::istream &file, const std::string &name) {
   SavedRun run;
   take_header(reader);
   pass(reader, run);
-  const std::string expected = reader.checksum.line(), found = reader.next_line() + "\n";
-  if (found.compare(0, 9, expected, 0, 9) != 0)
-    reader.fail("'checksum' expected: the file has too many lines");
-  if (found != expected) reader.fail("the checksum does not fit: the file was changed");
+  std::string state, next = reader.next_line();  // the library's own lines, up to the checksum
+  for (; !next.starts_with("checksum "); next = reader.next_line()) state += next + "\n";
+  reader.checksum.add(state);
+  if (next + "\n" != reader.checksum.line())
+    reader.fail("the checksum does not fit: the file was changed");
   if (file.peek() != std::istream::traits_type::eof()) {
     ++reader.number;
     reader.fail("nothing may follow the checksum");
   }
   check(run.scene);
+  run.state = load(run.scene, state);
   return run;
 }
 

@@ -27,8 +27,8 @@ std::optional<std::string> text_of(const SavedRun &run);
 std::string checksum_line(std::string_view text);
 
 // Reads what `text_of` wrote. Throws BadInput with one line that begins with `name` and says what
-// is wrong where; std::invalid_argument from `check` for a scene that makes no sense. Whether the
-// state fits the scene is left to `resume`.
+// is wrong where; std::invalid_argument from `check` and `load` for a scene that makes no sense and
+// a state that does not fit it.
 SavedRun read_saved_run(std::istream &file, const std::string &name);
 
 // The same from the file at `path`, given as --resume.

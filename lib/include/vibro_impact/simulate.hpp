@@ -3,8 +3,11 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "counters.hpp"
@@ -34,32 +37,33 @@ struct MotionState {
   Held held;                                   // N
 };
 
-// Where a run stands, in full: what `resume` needs to go on as if it had never ended. The numbers
-// are those of the last step of the run, which may lie a little before its end; they mean nothing
-// beside another scene.
-struct RunState {
-  // What is known of a stop beside the modal coordinates: the gap of a free mass and its speed; how
-  // many leading derivatives of the gap, or of the hold force of a held mass, are zero exactly; and
-  // the next one, in units of the rate of the scene.
-  struct AtStop {
-    double gap = 0.0, speed = 0.0;
-    int zeros = 0;
-    double leading = 0.0;
-    bool below_rounding = false;  // the gap, of what the modal coordinates tell
-    double last_speed = 0.0;      // of the latest impact
-    int falling = 0;              // as in Event
-  };
-  Instant instant;
-  Held held;
-  std::vector<double> value, slope;  // modal coordinates of the contact mode
-  std::vector<AtStop> stops;         // one per stop of the scene
-  double next_flight = std::numeric_limits<double>::infinity();  // expected of the next one
-  bool clear = true;  // no stop was near in the latest flight
-  // The events of the run since `instant` that have been told already.
-  long long told = 0;
-  Instant period_start;  // of the count of impacts per period
-  long long impacts_this_period = 0;
+// Where a run stands, in full: what `resume` needs to go on as if it had never ended, also inside a
+// chatter. It may lie a little before the end of the run, at its last step; it belongs to the scene
+// of that run.
+class RunState {
+ public:
+  struct Numbers;  // of the simulation itself
+
+  RunState() = default;  // of no run: `resume` and `save` refuse it
+  explicit RunState(std::shared_ptr<const Numbers> numbers) : numbers_(std::move(numbers)) {
+  }
+
+  // Throw std::invalid_argument for the state of no run.
+  const Held &held() const;  // its contact mode
+  const Numbers &numbers() const;
+
+ private:
+  std::shared_ptr<const Numbers> numbers_;
 };
+
+// The state as text: lines of ASCII that end in line feeds, with every number in the digits that
+// give it back bit for bit.
+std::string save(const RunState &state);
+
+// The state of a run of `scene` from what `save` wrote. Throws std::invalid_argument, with one line
+// that says what is wrong where, for a text that is damaged or contradicts itself or the scene. A
+// digit that has changed in a way that makes sense is not noticed: keep a checksum beside a file.
+RunState load(const Scene &scene, std::string_view text);
 
 // Why a run ended: it reached its time, a recorder was done, or it was given up.
 enum class Ending { reached, stopped, given_up };
@@ -86,7 +90,8 @@ const Outcome &require_complete(const Outcome &outcome);
 Outcome simulate_seen(const Scene &scene, const MotionState &start, double until,
                       const RunOptions &options, std::span<const RecorderRef> recorders);
 
-// The same from where another run of the same scene stood. No event is told twice.
+// The same from where another run of the same scene stood: event by event, bit for bit, what that
+// run would have gone on with. Throws std::invalid_argument for a state that contradicts the scene.
 Outcome resume_seen(const Scene &scene, const RunState &state, double until,
                     const RunOptions &options, std::span<const RecorderRef> recorders);
 

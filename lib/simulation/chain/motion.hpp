@@ -10,7 +10,7 @@
 #include "contact_mode.hpp"
 #include "oscillator.hpp"
 #include "tolerances.hpp"
-#include "vibro_impact/simulate.hpp"
+#include "vibro_impact/record.hpp"
 
 namespace vibro_impact {
 
@@ -19,7 +19,14 @@ namespace vibro_impact {
 // leading derivatives of what is watched (gap or hold force) are zero by definition, with the next
 // one, `leading`, in units of the rate of the scene: one after an impact (the next is the speed),
 // two or more where a mass leaves its stop from rest.
-using AtStop = RunState::AtStop;
+struct AtStop {
+  double gap = 0.0, speed = 0.0;
+  int zeros = 0;
+  double leading = 0.0;
+  bool below_rounding = false;  // the gap, of what the lanes tell
+  double last_speed = 0.0;      // of the latest impact
+  int falling = 0;              // as in Event
+};
 
 // More zeros than any expansion has terms: no force acts on a mass at rest, to all orders.
 constexpr int all_zeros = 1000;

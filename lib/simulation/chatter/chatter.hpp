@@ -57,6 +57,14 @@ inline std::size_t chatter_stride(double r) {
                          : static_cast<std::size_t>(std::ceil(std::log(node_ratio) / std::log(r)));
 }
 
+// The impacts of a chatter so far, none where there is none under way.
+struct ChatterImpacts {
+  std::vector<std::size_t> contacts;  // of the mode, hit at every impact
+  std::vector<double> times, jumps;   // since the first impact; contacts.size() jumps each
+  double flight = 0.0;                // x of the latest impact
+  double since = 0.0;                 // flown since then
+};
+
 template <int D>
 struct Chatter {
   // A stop hit at every impact.
@@ -65,33 +73,38 @@ struct Chatter {
     // What a unit jump of the gap speed does to the lanes.
     typename State<D>::Lanes jump_value, jump_slope;
   };
-  State<D> start;  // just after the first impact; `start.mode` is the mode of all
-  std::vector<std::size_t> contacts;  // of the mode, hit at every impact
-  std::vector<Hit> hits;              // likewise
-  std::vector<double> times, jumps;   // of the impacts since the first; hits.size() jumps each
+  const ContactMode<D> *mode = nullptr;  // of all impacts
+  ChatterImpacts impacts;
+  std::vector<Hit> hits;  // by contact hit
   std::size_t stride = 1;
-  double flight = 0.0;  // x of the latest impact
   ChatterTable table;
 
   bool under_way() const {
-    return !times.empty();
+    return !impacts.times.empty();
+  }
+  // True when the latest impact is a node and nothing has been flown since.
+  bool at_node() const {
+    return under_way() && impacts.since == 0.0 && !table.nodes.empty() &&
+           table.nodes.back().impact + 1 == impacts.times.size();
   }
   bool hits_contact(std::size_t k) const {
-    return std::find(contacts.begin(), contacts.end(), k) != contacts.end();
+    return std::find(impacts.contacts.begin(), impacts.contacts.end(), k) != impacts.contacts.end();
+  }
+  void end() {
+    impacts.times.clear();
   }
 };
 
-// Begins a chatter with the impacts at `contacts`, which have just happened.
+// Begins a chatter of impacts at these contacts of the mode.
 template <int D>
-void begin(Chatter<D> &chatter, const State<D> &state, const Scene &scene,
+void begin(Chatter<D> &chatter, const ContactMode<D> &mode, const Scene &scene,
            const std::vector<std::size_t> &contacts) {
-  const ContactMode<D> &mode = *state.mode;
-  chatter.start = state;
-  chatter.contacts = contacts;
-  chatter.hits.resize(contacts.size());
-  chatter.times.clear();
-  chatter.jumps.clear();
+  chatter.mode = &mode;
+  chatter.impacts.contacts = contacts;
+  chatter.impacts.times.clear();
+  chatter.impacts.jumps.clear();
   chatter.table.nodes.clear();
+  chatter.hits.resize(contacts.size());
   for (std::size_t j = 0; j < contacts.size(); ++j) {
     const Contact<D> &contact = mode.contacts[contacts[j]];
     const auto i = static_cast<Eigen::Index>(contact.mass);
@@ -105,34 +118,34 @@ void begin(Chatter<D> &chatter, const State<D> &state, const Scene &scene,
   chatter.stride = chatter_stride(chatter.hits[0].restitution);
 }
 
-// Notes the impacts at `contacts`, `since` after the latest, with the flight expected next. True
-// when they go on with the chatter or begin one, and a node has been entered.
+// Notes the impacts at `contacts`, which have just happened, with the flight expected next. They go
+// on with the chatter, begin one, or end it.
 template <int D>
-bool note_impacts(Chatter<D> &chatter, const State<D> &state, const Scene &scene,
-                  const std::vector<std::size_t> &contacts, double since, double flight,
-                  Counters &counters) {
+void note_impacts(Chatter<D> &chatter, const State<D> &state, const Scene &scene,
+                  const std::vector<std::size_t> &contacts, double flight, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
-  const bool goes_on = chatter.under_way() && chatter.start.mode == &mode &&
-                       flight < chatter.flight && contacts == chatter.contacts;
+  ChatterImpacts &impacts = chatter.impacts;
+  const bool goes_on = chatter.under_way() && chatter.mode == &mode && flight < impacts.flight &&
+                       contacts == impacts.contacts;
   if (!goes_on) {
-    chatter.times.clear();
+    chatter.end();
     const double r = law_of(scene, scene.stops[mode.contacts[contacts[0]].stop]).at_rest();
     // No chatter where r = 0 (one impact stops the mass) and where r = 1 (it never ends).
-    if (!(r > 0.0 && r < 1.0 && flight * mode.fastest < 1.0)) return false;
-    begin(chatter, state, scene, contacts);
+    if (!(r > 0.0 && r < 1.0 && flight * mode.fastest < 1.0)) return;
+    begin(chatter, mode, scene, contacts);
   }
-  const double time = goes_on ? chatter.times.back() + since : 0.0;
-  const std::size_t impact = chatter.times.size();
-  chatter.times.push_back(time);
+  const double time = goes_on ? impacts.times.back() + impacts.since : 0.0;
+  const std::size_t impact = impacts.times.size();
+  impacts.times.push_back(time);
   for (const std::size_t k : contacts) {
     const AtStop &stop = state.stops[mode.contacts[k].stop];
-    chatter.jumps.push_back(stop.last_speed + stop.speed);
+    impacts.jumps.push_back(stop.last_speed + stop.speed);
   }
-  chatter.flight = flight;
-  if (impact % chatter.stride != 0) return false;
+  impacts.flight = flight;
+  impacts.since = 0.0;
+  if (impact % chatter.stride != 0) return;
   extend(chatter.table, {flight, time + flight / (1.0 - chatter.hits[0].restitution), impact});
   ++counters.chatter_nodes;
-  return true;
 }
 
 }  // namespace vibro_impact

@@ -28,7 +28,7 @@ std::optional<ChatterLimit> extrapolate(const Chatter<D> &chatter, double tolera
   const ChatterTable &table = chatter.table;
   if (table.nodes.size() < 2 || !(table.error <= tolerance)) return std::nullopt;
   const std::size_t last = table.nodes.size() - 1, first = last - table.best;
-  const double now = chatter.times.back(), predicted = table.nodes[last].predicted - now;
+  const double now = chatter.impacts.times.back(), predicted = table.nodes[last].predicted - now;
   ChatterLimit limit{table.limit[table.best] - now, table.error, table.best + 1, {}};
   if (!(std::abs(limit.left - predicted) < near_limit * predicted)) return std::nullopt;
   for (std::size_t i = first; i <= last; ++i) {
@@ -49,7 +49,8 @@ bool others_stay_clear(const Chatter<D> &chatter, const State<D> &state, double 
   typename State<D>::Lanes pushes = State<D>::Lanes::Zero(mode.lanes());
   for (std::size_t j = 0; j < chatter.hits.size(); ++j) {
     const auto &hit = chatter.hits[j];
-    const double latest = chatter.jumps[chatter.jumps.size() - chatter.hits.size() + j];
+    const double latest =
+        chatter.impacts.jumps[chatter.impacts.jumps.size() - chatter.hits.size() + j];
     pushes +=
         (jumps_to_come * latest * hit.restitution / (1.0 - hit.restitution)) * hit.jump_slope.abs();
   }
@@ -99,10 +100,10 @@ void extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit, s
   moments.fill(0.0);
   double before = 0.0;
   std::size_t node = chatter.table.nodes.size() - limit.nodes;
-  for (std::size_t k = chatter.table.nodes[node].impact; k < chatter.times.size(); ++k) {
+  for (std::size_t k = chatter.table.nodes[node].impact; k < chatter.impacts.times.size(); ++k) {
     const double weight = chatter.table.nodes[node].impact == k ? limit.weight[node++] : 0.0;
-    const double x = (chatter.times.back() - chatter.times[k] + left) / left;
-    double moment = chatter.jumps[k * chatter.hits.size() + j];
+    const double x = (chatter.impacts.times.back() - chatter.impacts.times[k] + left) / left;
+    double moment = chatter.impacts.jumps[k * chatter.hits.size() + j];
     for (std::size_t n = 0; n <= top; ++n, moment *= x)
       moments[n] += moment * (weight * ratio[n] - before);
     before += weight;
@@ -135,15 +136,15 @@ double move_to_limit(const Chatter<D> &chatter, const ChatterLimit &limit, const
     double sum = 0.0, power = path.power[1];
     for (std::size_t n = 2; n < changes.size(); ++n)
       sum += std::abs(changes[n]) * (power *= path.power[1] / static_cast<double>(n));
-    error = std::max(error, luck * sum / chatter.jumps[nodes[oldest].impact * hits + j]);
+    error = std::max(error, luck * sum / chatter.impacts.jumps[nodes[oldest].impact * hits + j]);
   }
   // The second moments bring the masses to their stops, the first ones to rest there.
   for (std::size_t j = 0; j < hits; ++j) {
-    moments[1] = -watched_now(state, mode.contacts[chatter.contacts[j]]) / path.span;
+    moments[1] = -watched_now(state, mode.contacts[chatter.impacts.contacts[j]]) / path.span;
     add_responses(state, chatter.hits[j], path, weights, moments.data(), 1, 1);
   }
   tie_decays(state);
-  for (const std::size_t k : chatter.contacts) place_at_stop(state, mode.contacts[k], 0.0);
+  for (const std::size_t k : chatter.impacts.contacts) place_at_stop(state, mode.contacts[k], 0.0);
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact<D> &contact = mode.contacts[k];
     if (contact.held || chatter.hits_contact(k))

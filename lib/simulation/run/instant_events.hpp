@@ -146,42 +146,41 @@ void settle(Run<D> &run, const Masses<D> *start = nullptr) {
 template <int D>
 void look_inside(Run<D> &run, const Instant &then);
 
-// Carries the chatter to its limit where that is certain.
+// Carries a chatter that has come to a node to its limit, where that is certain.
 template <int D>
-bool take_limit(Run<D> &run) {
+void take_limit(Run<D> &run) {
   Chatter<D> &chatter = run.chatter;
   State<D> &state = run.state;
   const double fastest = state.mode->fastest;
-  if (run.silent) return false;
+  if (run.over || run.silent || !chatter.at_node()) return;
   // The next impact may come in a little faster than the latest went out.
-  for (const std::size_t k : chatter.contacts)
+  for (const std::size_t k : chatter.impacts.contacts)
     if (!(next_speed * state.stops[state.mode->contacts[k].stop].speed <
           run.options.resolve_chatter))
-      return false;
+      return;
   const auto limit = extrapolate(chatter, run.options.chatter_tolerance / fastest);
-  if (!limit || !(limit->left > 0.0 && limit->left * fastest <= max_reach)) return false;
-  if (!others_stay_clear(chatter, state, limit->left)) return false;
+  if (!limit || !(limit->left > 0.0 && limit->left * fastest <= max_reach)) return;
+  if (!others_stay_clear(chatter, state, limit->left)) return;
   Expansion path;
   expand(fastest, limit->left, run.options.flight_tolerance, path, run.counters);
   State<D> &there = run.at_limit;
   there = state;
   const double error = move_to_limit(chatter, *limit, run.scene, run.clock,
                                      weights_of(run.flight.weights, *state.mode), path, there);
-  if (limit->error * fastest + error > run.options.chatter_tolerance) return false;
-  for (const std::size_t k : chatter.contacts)  // a border orbit or beyond
-    if (!(state.mode->contacts[k].press(there.value, there.slope) > 0.0)) return false;
+  if (limit->error * fastest + error > run.options.chatter_tolerance) return;
+  for (const std::size_t k : chatter.impacts.contacts)  // a border orbit or beyond
+    if (!(state.mode->contacts[k].press(there.value, there.slope) > 0.0)) return;
   const Instant then = there.now;
   if (run.end < then || next_sample(run) <= time_of(then, run.clock)) {
     look_inside(run, then);
-    if (run.over) return true;
+    if (run.over) return;
   }
   state = there;
-  chatter.times.clear();
+  chatter.end();
   ++run.counters.chatter_limits;
   run.hits.clear();
   run.roots.clear();
   settle(run);
-  return true;
 }
 
 // After impacts at `run.hits`: the flight expected next, and the chatter they may belong to. Not
@@ -195,13 +194,10 @@ void follow_chatter(Run<D> &run, const ContactMode<D> *mode) {
     leaving = leaving && state.stops[mode->contacts[k].stop].speed > 0.0;
     if (leaving) flight = std::max(flight, next_flight(state, run.scene, mode->contacts[k]));
   }
-  const double since = std::exchange(run.since, 0.0);
-  if (!leaving) return run.chatter.times.clear();
+  if (!leaving) return run.chatter.end();
   state.next_flight = beyond_expected * flight;
-  const bool node =
-      note_impacts(run.chatter, state, run.scene, run.hits, since, flight, run.counters);
-  if (run.chatter.times.size() == 1) run.told = 0;  // `resume` would start from here
-  if (node) take_limit(run);
+  note_impacts(run.chatter, state, run.scene, run.hits, flight, run.counters);
+  take_limit(run);
 }
 
 // The event at the end of the flight, to which the state has been moved.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "instant_events.hpp"
+#include "run_state.hpp"
 #include "start.hpp"
 
 namespace vibro_impact {
@@ -69,10 +70,9 @@ void run_on(Run<D> &run) {
     if (run.over) return;
     move_along(state, flight, flight.u, run.scene, run.clock);
     state.next_flight = std::numeric_limits<double>::infinity();
-    run.since += tau;
+    run.chatter.impacts.since += tau;
     state.clear = !flight.eventful && flight.all_clear;
     if (flight.eventful) handle_instant(run);
-    if (!run.chatter.under_way() && !run.silent) run.told = 0;  // `resume` would start from here
   }
   if (run.ending != Ending::reached && !(run.at_end.now < run.end)) run.at_end = state;
 }
@@ -129,47 +129,49 @@ void start_from(Run<D> &run, const MotionState &motion) {
   follow_chatter(run, mode);
 }
 
-// From where another run stood. Its latest impacts may have begun a chatter.
+// From where another run stood, which may have come to a node of a chatter just then.
 template <int D>
-void start_from(Run<D> &run, const RunState &from) {
+void start_from(Run<D> &run, const RunState::Numbers &from) {
   State<D> &state = run.state;
+  const ContactMode<D> &mode = run.modes.enter(run.scene, from.held, run.counters);
+  require_consistent(from, run.scene, mode);
   const auto lanes = static_cast<Eigen::Index>(from.value.size());
   state.now = from.instant;
-  state.mode = &run.modes.enter(run.scene, from.held, run.counters);
-  if (lanes != state.mode->lanes() || from.slope.size() != from.value.size())
-    throw std::invalid_argument(line(from.value.size(), " and ", from.slope.size(),
-                                     " modal coordinates given, the contact mode ",
-                                     contact_mode_name(from.held), " has ", state.mode->lanes()));
+  state.mode = &mode;
   state.value = Eigen::Map<const Eigen::ArrayXd>(from.value.data(), lanes);
   state.slope = Eigen::Map<const Eigen::ArrayXd>(from.slope.data(), lanes);
   state.stops = from.stops;
   state.next_flight = from.next_flight;
   state.clear = from.clear;
-  state.window_start = from.period_start;
-  state.impacts_in_window = from.impacts_this_period;
-  run.told_before = from.told;
-  if (!(from.next_flight < std::numeric_limits<double>::infinity())) return;
-  for (std::size_t k = 0; k < state.mode->contacts.size(); ++k) {
-    const AtStop &stop = state.stops[state.mode->contacts[k].stop];
-    if (!state.mode->contacts[k].held && stop.zeros == 1 && stop.last_speed > 0.0)
-      run.hits.push_back(k);
-  }
-  follow_chatter(run, state.mode);
+  state.window_start = from.window_start;
+  state.impacts_in_window = from.impacts_in_window;
+  if (from.chatter.times.empty()) return;
+  begin(run.chatter, mode, run.scene, from.chatter.contacts);
+  run.chatter.impacts = from.chatter;
+  for (const ChatterTable::Node &node : from.nodes) extend(run.chatter.table, node);
+  take_limit(run);
 }
 
 template <int D>
-RunState resume_from(const Run<D> &run) {
-  const State<D> &state = run.chatter.under_way() ? run.chatter.start : run.state;
-  return {state.now,
-          state.mode->held,
-          {state.value.begin(), state.value.end()},
-          {state.slope.begin(), state.slope.end()},
-          state.stops,
-          state.next_flight,
-          state.clear,
-          run.told + run.told_before,
-          state.window_start,
-          state.impacts_in_window};
+RunState state_of(const Run<D> &run) {
+  const State<D> &state = run.state;
+  const Chatter<D> &chatter = run.chatter;
+  RunState::Numbers numbers{state.now,
+                            state.mode->held,
+                            {state.value.begin(), state.value.end()},
+                            {state.slope.begin(), state.slope.end()},
+                            state.stops,
+                            state.next_flight,
+                            state.clear,
+                            state.window_start,
+                            state.impacts_in_window,
+                            {},
+                            {}};
+  if (chatter.under_way()) {
+    numbers.chatter = chatter.impacts;
+    numbers.nodes = chatter.table.nodes;
+  }
+  return RunState(std::make_shared<const RunState::Numbers>(std::move(numbers)));
 }
 
 template <int D>
@@ -184,9 +186,7 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
   if (start.motion != nullptr)
     start_from(run, *start.motion);
   else
-    start_from(run, *start.state);
-  run.window = scene.omega > 0.0 ? run.clock.period : 6.3 / run.unit;
-  run.told = 0;
+    start_from(run, start.state->numbers());
   run_on(run);
   const Masses<D> masses = masses_of(run.at_end, scene);
   return {{run.at_end.now,
@@ -197,7 +197,7 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
           run.ending,
           run.reason,
           run.counters,
-          resume_from(run)};
+          state_of(run)};
 }
 
 }  // namespace vibro_impact

@@ -30,11 +30,8 @@ struct Run {
   Flight<D> flight = {};
   Chatter<D> chatter = {};
   Counters counters = {};
-  double since = 0.0;   // flown since the last instant at which something happened
-  double window = 0.0;  // in which impacts are counted: the forcing period
-  // Events told since the state that `resume` would start from, and how many of those to come have
-  // been told before.
-  long long told = 0, told_before = 0;
+  // In which impacts are counted: the forcing period.
+  double window = scene.omega > 0.0 ? clock.period : 6.3 / unit;
   bool silent = false;  // a motion is looked at in between: nothing is told but samples
   bool takes_events = false, takes_samples = false;  // some recorder
   bool over = false;  // the end is reached, a recorder is done, or the run is given up
@@ -87,18 +84,11 @@ struct StateSource {
   }
 };
 
-// Tells of an event at a stop; velocities of an impact as told. Every event is told once, also when
-// the run was taken up before it.
+// Tells of an event at a stop; velocities of an impact as told.
 template <int D>
 void tell(Run<D> &run, EventKind kind, std::size_t stop, double before, double after,
           bool by_a_jump) {
-  if (run.silent) return;
-  ++run.told;
-  if (run.told_before > 0) {
-    --run.told_before;
-    return;
-  }
-  if (!run.takes_events) return;
+  if (run.silent || !run.takes_events) return;
   const State<D> &state = run.state;
   const Event event{kind,
                     stop,

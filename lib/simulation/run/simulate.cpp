@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "run_state.hpp"
 #include "simulation/chain/forces.hpp"
 #include "simulation/chain/require.hpp"
 #include "start.hpp"
@@ -18,28 +19,10 @@ void require_finite(const std::vector<double> &values, std::size_t size, const c
     require(std::isfinite(value), "start: ", what, " = ", value, ": must be finite");
 }
 
-// What both kinds of start have: an instant, and masses held at stops that exist.
-void check_common(const Scene &scene, const Instant &instant, const Held &held) {
-  const Clock clock(scene.omega);
-  require(instant.cycle >= 0 && instant.phase >= 0.0 && instant.phase < clock.period,
-          "start: phase = ", instant.phase, " in period ", instant.cycle, ": must lie in [0, ",
-          clock.period, ")");
-  require(held.size() == scene.mass.size(), "start: the contact mode of ", held.size(),
-          " masses given, the chain has ", scene.mass.size());
-  for (std::size_t i = 0; i < held.size(); ++i)
-    require(held[i] == 0 || std::any_of(scene.stops.begin(), scene.stops.end(),
-                                        [&](const Stop &stop) {
-                                          return static_cast<std::size_t>(stop.mass - 1) == i &&
-                                                 held[i] == static_cast<signed char>(stop.side);
-                                        }),
-            "start: mass ", i + 1, " held as ", static_cast<int>(held[i]),
-            ": it has no such stop (0 free, 1 upper, -1 lower)");
-}
-
 void check_start(const Scene &scene, const MotionState &start) {
   require_finite(start.displacement, scene.mass.size(), "displacement");
   require_finite(start.velocity, scene.mass.size(), "velocity");
-  check_common(scene, start.instant, start.held);
+  check_place(scene, start.instant, start.held);
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     const double x = start.displacement[i], v = start.velocity[i];
@@ -50,22 +33,6 @@ void check_start(const Scene &scene, const MotionState &start) {
               name(stop.side), " stop at ", stop.position, ", and stands at ", x, " with velocity ",
               v);
   }
-}
-
-void check_state(const Scene &scene, const RunState &state) {
-  require_finite(state.value, state.value.size(), "modal coordinate");
-  require_finite(state.slope, state.value.size(), "modal velocity");
-  check_common(scene, state.instant, state.held);
-  require(state.stops.size() == scene.stops.size(), "start: ", state.stops.size(),
-          " stops given, the scene has ", scene.stops.size());
-  for (const auto &stop : state.stops)
-    require(stop.gap >= 0.0 && std::isfinite(stop.gap) && std::isfinite(stop.speed) &&
-                stop.zeros >= 0 && std::isfinite(stop.leading),
-            "start: gap = ", stop.gap, ", speed = ", stop.speed, ", ", stop.zeros,
-            " zeros at a stop: not those of a run");
-  require(state.next_flight >= 0.0 && state.told >= 0 && state.impacts_this_period >= 0,
-          "start: next flight ", state.next_flight, ", ", state.told,
-          " events told: not those of a run");
 }
 
 void check_options(const RunOptions &options) {
@@ -96,15 +63,16 @@ Outcome run(const Scene &scene, const Start &start, const Instant &from, double 
     const double first = recorder.next_time(recorder.recorder);
     require(!(first < begins), "sample at t = ", first, ": the run begins at ", begins);
   }
-  // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. They
-  // have no room for a strongly damped mode split in two.
-  if (scene.forced() && scene.masses() == 2 &&
-      !strongly_damped(scene.beta, largest_eigenvalue_bound(scene)))
-    return run_lanes<4>(scene, start, until, options, recorders);
+  if (has_four_lanes(scene)) return run_lanes<4>(scene, start, until, options, recorders);
   return run_lanes<any_lanes>(scene, start, until, options, recorders);
 }
 
 }  // namespace
+
+bool has_four_lanes(const Scene &scene) {
+  return scene.forced() && scene.masses() == 2 &&
+         !strongly_damped(scene.beta, largest_eigenvalue_bound(scene));
+}
 
 MotionState start_of(const Scene &scene) {
   const std::size_t n = scene.mass.size();
@@ -129,8 +97,9 @@ Outcome simulate_seen(const Scene &scene, const MotionState &start, double until
 Outcome resume_seen(const Scene &scene, const RunState &state, double until,
                     const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
-  check_state(scene, state);
-  return run(scene, {nullptr, &state}, state.instant, until, options, recorders);
+  const RunState::Numbers &numbers = state.numbers();
+  check_place(scene, numbers.instant, numbers.held);
+  return run(scene, {nullptr, &state}, numbers.instant, until, options, recorders);
 }
 
 }  // namespace vibro_impact
