@@ -1,62 +1,68 @@
-# make figures        install what is missing, build, compute and draw every figure (build/figures)
-# make figure2 ...    one figure
+# make figures        install what is missing, build, and draw the paper (build/figures): Figures 2 to 5,
+#                     error against run time, and the key numbers, checked
+# make beyond         everything else that is drawn: stability, and what goes beyond the paper (minutes)
+# make report         the reproduction report, one HTML page, from what these two have left
+# make figure2 ...    one figure; also stability, reconstruction, multi_sliding, bifurcations, exit_boundary,
+#                     table1, atlas, curves, border_cascade, basins, long_chain
 # make error-vs-runtime  error against run time, beside other methods (under a minute)
 # make peers          install SUNDIALS and Siconos, and draw that with them in it
 # make atlas-full     the (Omega, r) atlas at 2000 x 1500 points (20 minutes on two processors; ended, it goes on when called again)
 # make build          the library and the scene runner, nothing else
 # make test           build and run every test
-# make check          the key numbers (paper, computed, error, verdict) and what others published
+# make check          every key number and published result: what agrees with the paper, differs from it, is not in it
 # make readme         the tables of key numbers in README.md and reference/README.md, from the same source
 # make test-sanitize  the tests under the address and undefined-behaviour sanitizers
 # make random-scenes  60,000 scenes, ordinary, extreme and degenerate, every property checked (minutes)
 # make fuzz           the command line and the table readers under libFuzzer, seconds=60 (needs clang)
 # make benchmarks     micro-benchmarks of the steps of the pipeline (needs libbenchmark-dev)
-# make pictures       copy the drawn figures to figures/pictures, where the README shows them
-# make report         the reproduction report, one HTML page, from what make figures has left
 # make compare        the tables drawn, against the run stored in the repository
-# make store          store this run instead
+# make store          draw everything and store that run instead
+# make pictures       draw everything and copy it to figures/pictures, where the README shows it
 # make docs           the public headers and a walk through one impact as HTML, build/docs/index.html
 # make reference      recompute the 50-digit tables in reference/ (a quarter of an hour)
+# make packages       install what is missing, and nothing else
 # make format         clang-format on every source
 # make dist           the source archive, build/vibro-impact-<version>.tar.gz
 # make clean          remove build/
 
-paper   := figure2 figure3 figure4 figure5
-methods := stability
-beyond  := reconstruction multi_sliding bifurcations exit_boundary table1 atlas curves border_cascade basins long_chain
-figures := $(paper) $(methods) $(beyond)
-jobs    := $(shell nproc 2>/dev/null || echo 1)
-werror  := OFF
+paper  := figure2 figure3 figure4 figure5
+beyond := stability reconstruction multi_sliding bifurcations exit_boundary table1 atlas curves border_cascade basins long_chain
+jobs   := $(shell nproc 2>/dev/null || echo 1)
+werror := OFF
 
-.PHONY: benchmarks figures programs-of-figures $(figures) error-vs-runtime atlas-full test check readme pictures random-scenes fuzz test-sanitize report compare store docs peers reference format dist clean help packages build
+.PHONY: benchmarks figures beyond $(paper) $(beyond) error-vs-runtime atlas-full test check readme pictures random-scenes fuzz test-sanitize report compare store docs peers reference format dist clean help packages build
 .NOTPARALLEL:  # the targets share build/; each of them uses all processors
 MAKEFLAGS += --no-print-directory
 
 help:
-	@sed -n 's/^# make /make /p' Makefile
+	@sed -n '/^# make /,/^$$/s/^# //p' Makefile
 
 # Every target installs the packages of its part (.ci/packages), configures build/, the same for
-# all parts, and builds in it what it needs and no more.
+# all parts, and builds in it what it needs and no more. The figures do without MPI, the search for
+# which takes longer than all else that is configured.
 configured-%:
 	@mkdir -p build
 	@.ci/packages $*
-	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DVIBRO_IMPACT_WERROR=$(werror) >build/configure.log 2>&1 || { cat build/configure.log; exit 2; }
+	@cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DVIBRO_IMPACT_WERROR=$(werror) \
+	  -DCMAKE_DISABLE_FIND_PACKAGE_MPI=$(if $(filter figures,$*),ON,OFF) >build/configure.log 2>&1 || { cat build/configure.log; exit 2; }
 
 make_target = @cmake --build build -j $(jobs) --target
 
 build: configured-runner
 	@cmake --build build -j $(jobs)
 
+figures: configured-figures
+	$(make_target) paper_programs
+	@$(MAKE) $(paper) error-vs-runtime
+	@build/bin/check --tables build/figures >build/check.log || { cat build/check.log; exit 1; }
+	@tail -n 1 build/check.log
+
 # All are computed before the first is drawn: the atlas shows the curves, the curves the atlas.
-figures: programs-of-figures $(figures:%=computed-%) $(figures:%=drawn-%) error-vs-runtime
-	$(make_target) check
-	@build/bin/check --tables build/figures >build/check.log || cat build/check.log
-	@build/bin/provenance || true
+beyond: configured-figures
+	$(make_target) beyond_programs
+	@$(MAKE) $(beyond:%=computed-%) $(beyond:%=drawn-%)
 
-programs-of-figures: configured-figures
-	$(make_target) figure_programs
-
-$(figures): %: computed-% drawn-%
+$(paper) $(beyond): %: computed-% drawn-%
 
 computed-%: configured-figures
 	$(make_target) $*
@@ -127,9 +133,9 @@ fuzz:
 	@build/fuzz/bin/fuzz_options -max_total_time=$(seconds) -timeout=10 -max_len=600 -print_final_stats=1 \
 	  -dict=tests/fuzz_options.dict -artifact_prefix=build/fuzz/found/ build/fuzz/corpus tests/fuzz_inputs
 
-pictures: figures
+pictures: figures beyond
 	@mkdir -p figures/pictures
-	@cp $(figures:%=build/figures/%.png) build/figures/error_vs_runtime.png figures/pictures/
+	@cp build/figures/*.png figures/pictures/
 
 reference: configured-library
 	$(make_target) reference-generate reference-generate-100
@@ -145,9 +151,10 @@ reference: configured-library
 	@for part in states events; do \
 	  build/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
 
-# From what `make figures` has left.
+# From what `make figures` and `make beyond` have left.
 report: configured-figures
-	$(make_target) report
+	$(make_target) provenance report
+	@build/bin/provenance >build/compare.log || true
 	@build/bin/report
 	@echo "written: build/report.html"
 
@@ -155,7 +162,8 @@ report: configured-figures
 compare: configured-figures
 	$(make_target) provenance
 	@build/bin/provenance
-store: figures
+store: figures beyond
+	$(make_target) provenance
 	@build/bin/provenance --store
 
 docs:
