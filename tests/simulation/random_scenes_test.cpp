@@ -1,13 +1,15 @@
 // Properties that must hold in every scene, tried on random ones: no penetration, hold forces that
 // press, what an event allows the next one to be, bounded work, the energy balance, a first chatter
 // limit where all impacts lead; and, bit for bit, the run while it is sampled, in two parts, in a
-// mirror and in other units.
+// mirror, in other units and beside others on other threads.
 //
 // With an argument, `random_scenes_test N [first seed]` tries N scenes of each distribution (`make
 // random-scenes`).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <cstring>
+#include <vector>
 
 #include "scene_properties.hpp"
 
@@ -98,6 +100,33 @@ TEST(DegenerateScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
 TEST(RandomScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
   for (const unsigned seed : {11744u, 14640u, 17920u, 703549u})
     EXPECT_EQ(try_scenes(ordinary, seed, 1), 0);
+}
+
+// Runs share nothing: many of them at once, on four threads, give the bits of one after another.
+TEST(RandomScenes, GiveTheSameBitsSideBySide) {
+  struct Record {
+    std::vector<Event> events;
+    Outcome outcome;
+  };
+  constexpr std::size_t count = 120;
+  const auto run_of = [](std::size_t k) -> Record {
+    const Scene scene = random_scene(static_cast<unsigned>(k) + 1);
+    EventRecorder recorder;
+    const Outcome outcome =
+        simulate(scene, run_length(scene, 1e9), {.max_impacts_per_period = 1000}, recorder);
+    return {recorder.events, outcome};
+  };
+  std::vector<Record> alone, beside(count);
+  for (std::size_t k = 0; k < count; ++k) alone.push_back(run_of(k));
+#pragma omp parallel for num_threads(4) schedule(dynamic, 1)
+  for (std::size_t k = 0; k < count; ++k) beside[k] = run_of(k);
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_EQ(difference(alone[k].events, alone[k].outcome, beside[k].events, beside[k].outcome),
+              "")
+        << "scene " << k + 1;
+    EXPECT_EQ(
+        std::memcmp(&alone[k].outcome.counters, &beside[k].outcome.counters, sizeof(Counters)), 0);
+  }
 }
 
 // The balance is sharp: with r + 1e-6 in the losses it fails wherever the impacts that lose energy
