@@ -69,12 +69,7 @@ std::string parameters_of(const Scene &scene) {
 std::string manifest(const Sums &sums) {
   std::vector<std::pair<std::string, std::string>> with, scenes, files;
   for (const auto &[name, value] : made_with()) with.emplace_back(name, json(value));
-  for (const auto &[name, scene] : {std::pair{"figure2", paper::figure2()},
-                                    {"figure4a", paper::figure4a()},
-                                    {"figure4b", paper::figure4b()},
-                                    {"figure5a", paper::figure5a()},
-                                    {"figure5b", paper::figure5b()},
-                                    {"figure5c", paper::figure5c()}})
+  for (const auto &[name, scene, until] : paper::named_scenes())
     scenes.emplace_back(name, parameters_of(scene));
   for (const auto &[name, sum] : sums.of) files.emplace_back(name, json(sum));
   const std::time_t now = std::time(nullptr);

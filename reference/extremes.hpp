@@ -11,32 +11,8 @@
 
 namespace vibro_impact_reference {
 
-/// The scene in 50 digits; every double is taken over exactly.
 inline Scene in_digits(const vibro_impact::extremes::Case &extreme) {
-  const vibro_impact::Scene &given = extreme.scene;
-  const auto digits = [](const std::vector<double> &values, std::size_t size) {
-    Vector result(size);
-    for (std::size_t i = 0; i < values.size(); ++i) result[i] = Real(values[i]);
-    return result;
-  };
-  const std::size_t n = given.mass.size();
-  Scene scene{.name = extreme.name,
-              .chain = {.masses = digits(given.mass, n),
-                        .stiffnesses = digits(given.stiffness, n),
-                        .damping_ratio = Real(given.beta),
-                        .amplitudes = digits(given.amplitude, n),
-                        .frequency = Real(given.omega)},
-              .stops = {},
-              .restitution = Real(given.restitution),
-              .initial_positions = digits(given.displacement, n),
-              .initial_velocities = digits(given.velocity, n),
-              .end_time = Real(extreme.until)};
-  for (const vibro_impact::Stop &stop : given.stops) {
-    scene.stops.push_back({static_cast<std::size_t>(stop.mass - 1),
-                           stop.side == vibro_impact::Side::upper ? Side::upper : Side::lower,
-                           Real(stop.position)});
-  }
-  return scene;
+  return in_digits(extreme.name, extreme.scene, extreme.until);
 }
 
 /// The thresholds of a case: its slowest impact, and bounces without a pressing force 1e-4 below

@@ -1,7 +1,9 @@
-// What is simulated: a chain of masses, its stops, and the scenes of the paper.
+// What is simulated, in many digits: a chain of masses and its stops. The numbers of every scene
+// stand in reference/scenes, in double.
 #pragma once
 
 #include "digits.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 
 #include <cstddef>
 #include <stdexcept>
@@ -67,53 +69,38 @@ inline void require_valid(const Scene &scene) {
   }
 }
 
-/// The two-mass system of section 3 of the paper, from rest. The arguments are doubles on purpose:
-/// the library computes in double, so the reference must use exactly the numbers the library
-/// receives (0.1 is the double nearest to 0.1). Each Real below is built from a double, which is
-/// exact.
-inline Scene paper_scene(const std::string &name, Stop stop_1, Stop stop_2, double restitution,
-                         double frequency, double end_time) {
-  const Chain chain{.masses = {Real(1), Real(1)},
-                    .stiffnesses = {Real(1), Real(1)},
-                    .damping_ratio = Real(0.1),
-                    .amplitudes = {Real(0.5), Real(0)},
-                    .frequency = Real(frequency)};
-  return {.name = name,
-          .chain = chain,
-          .stops = {stop_1, stop_2},
-          .restitution = Real(restitution),
-          .initial_positions = {Real(0), Real(0)},
-          .initial_velocities = {Real(0), Real(0)},
-          .end_time = Real(end_time)};
-}
-
-/// The scenes of Figures 2, 4 and 5. Reconstructed, because missing in the paper's text: Omega of
-/// Figures 2, 5(a) and 5(b), and both stops of Figure 5(c).
-inline std::vector<Scene> paper_scenes() {
-  const auto upper = [](std::size_t mass, double position) {
-    return Stop{mass, Side::upper, Real(position)};
+/// A scene of reference/scenes, which are in double, as the library computes: every number is taken
+/// over exactly, so that 0.1 is the double nearest to 0.1 here, too.
+inline Scene in_digits(const std::string &name, const vibro_impact::Scene &given, double until) {
+  const auto digits = [](const std::vector<double> &values, std::size_t size) {
+    std::vector<Real> result(size);  // at rest at zero where none are given
+    for (std::size_t i = 0; i < values.size(); ++i) result[i] = Real(values[i]);
+    return result;
   };
-  const auto lower = [](std::size_t mass, double position) {
-    return Stop{mass, Side::lower, Real(position)};
-  };
-  return {
-      paper_scene("figure2", lower(0, -0.3), upper(1, 0.1), 0.7, 0.2797, 750),
-      paper_scene("figure4a", lower(0, -0.3), upper(1, 0.1), 0.7, 0.256, 750),
-      paper_scene("figure4b", lower(0, -0.3), upper(1, 0.1), 0.7, 0.2561, 750),
-      paper_scene("figure5a", upper(0, 0.3), upper(1, 0.3), 0.7, 0.1769, 964),
-      paper_scene("figure5b", upper(0, 0.3), upper(1, 0.45), 0.001, 0.2995, 930),
-      paper_scene("figure5c", upper(0, 0.3), upper(1, 0.3), 0.7, 0.02, 1000),
-  };
+  const std::size_t n = given.mass.size();
+  Scene scene{.name = name,
+              .chain = {.masses = digits(given.mass, n),
+                        .stiffnesses = digits(given.stiffness, n),
+                        .damping_ratio = Real(given.beta),
+                        .amplitudes = digits(given.amplitude, n),
+                        .frequency = Real(given.omega)},
+              .stops = {},
+              .restitution = Real(given.restitution),
+              .initial_positions = digits(given.displacement, n),
+              .initial_velocities = digits(given.velocity, n),
+              .end_time = Real(until)};
+  for (const vibro_impact::Stop &stop : given.stops) {
+    scene.stops.push_back({static_cast<std::size_t>(stop.mass - 1),
+                           stop.side == vibro_impact::Side::upper ? Side::upper : Side::lower,
+                           Real(stop.position)});
+  }
+  return scene;
 }
 
 /// The named scene of the paper; throws std::invalid_argument if there is none of that name.
 inline Scene scene_named(const std::string &name) {
-  for (const Scene &scene : paper_scenes()) {
-    if (scene.name == name) return scene;
-  }
-  throw std::invalid_argument("scene '" + name +
-                              "': must be one of figure2, figure4a, figure4b, figure5a, figure5b, "
-                              "figure5c");
+  const auto [its_name, scene, until] = vibro_impact::paper::scene_named(name);
+  return in_digits(its_name, scene, until);
 }
 
 }  // namespace vibro_impact_reference

@@ -5,7 +5,8 @@
 // their scenes are simply chosen. The others need as many parameters as there are conditions beyond
 // the unknown time: one for DI (x1 = s1, x2 = s2) and GS (x2 = s2, x2' = 0), two for GI (x1 = s1,
 // x1' = 0, x2 = s2), three for DG (x_i = s_i, x_i' = 0). They are solved for, here, to the last
-// digits of a double. All numbers below that are not solved for are ours.
+// digits of a double.
+// The numbers that are not solved for stand in reference/scenes/pair_scenes.hpp.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/scenes/pair_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -60,17 +61,17 @@ inline double grazed_at(double place, Side side) {
 // Dual grazing: from rest, the forcing frequency for which the first minima of both masses
 // coincide, and lower stops at these minima.
 inline PairScene dual_grazing() {
-  const auto free = [](double omega) {
-    Scene scene = paper::two_masses({1, Side::lower, 0.0}, {2, Side::lower, 0.0}, 0.7, omega);
-    scene.stops.clear();
-    return scene;
+  const auto [earliest, latest] = pairs::dual_grazing_minimum;
+  const auto minimum = [&](double omega) {
+    return turning_time(pairs::without_stops(omega), 1, earliest, latest);
   };
-  const auto minimum = [&](double omega) { return turning_time(free(omega), 1, 6.0, 12.0); };
+  const auto other_speed = [&](double omega) {
+    return velocity_at(pairs::without_stops(omega), 2, minimum(omega));
+  };
   const double omega =
-      zero([&](double trial) { return velocity_at(free(trial), 2, minimum(trial)); }, 0.3, 0.5)
-          .value;
+      zero(other_speed, pairs::dual_grazing_omega.from, pairs::dual_grazing_omega.to).value;
   const double time = minimum(omega);
-  const MotionState both = state_at(free(omega), time);
+  const MotionState both = state_at(pairs::without_stops(omega), time);
   Scene scene =
       paper::two_masses({1, Side::lower, grazed_at(both.displacement[0], Side::lower)},
                         {2, Side::lower, grazed_at(both.displacement[1], Side::lower)}, 0.7, omega);
@@ -79,43 +80,43 @@ inline PairScene dual_grazing() {
 
 // Dual sticking: Figure 5(a) with the stop of mass 2 below that of mass 1.
 inline PairScene dual_sticking() {
-  Scene scene = paper::figure5a();
-  scene.stops[1].position = 0.25;
+  const Scene scene = pairs::dual_sticking();
+  const auto [from, to] = pairs::dual_sticking_window;
   PressedEventRecorder recorder{scene};
   require_complete(simulate(scene, 40.0, {}, recorder));
   for (const PairedEvents &pair : event_pairs(recorder.events))
-    if (pair.kind == EventPair::dual_sticking) return {pair.kind, scene, pair.from, 30.0, 44.0};
+    if (pair.kind == EventPair::dual_sticking) return {pair.kind, scene, pair.from, from, to};
   throw std::runtime_error("dual sticking: none before t = 40");
 }
 
 // Double impact: from rest, mass 2's stop where mass 2 is when mass 1 first hits its own.
 inline PairScene double_impact() {
-  Scene scene = paper::two_masses({1, Side::upper, 0.5}, {2, Side::upper, 0.0}, 0.7, 0.1769);
-  const Scene free = without_stop(without_stop(scene, 1), 2);
-  const double time =
-      zero([&](double t) { return place_at(free, 1, t) - scene.stops[0].position; }, 1.0, 3.0)
-          .value;
+  Scene scene = pairs::double_impact();
+  const Scene free = pairs::without_stops(scene.omega);
+  const auto [earliest, latest] = pairs::double_impact_time;
+  const double time = zero([&](double t) { return place_at(free, 1, t) - scene.stops[0].position; },
+                           earliest, latest)
+                          .value;
   scene.stops[1].position = place_at(free, 2, time);
   return {EventPair::double_impact, scene, time, 0.0, 7.0};
 }
 
-// Grazing-sticking: Figure 5(b) from a start near its settled motion, in the middle of a sticking
-// phase; mass 2's stop at its greatest displacement in the next one.
+// Grazing-sticking: mass 2's stop at its greatest displacement while mass 1 sticks.
 inline PairScene grazing_sticking() {
-  Scene scene = paper::figure5b();
-  scene.displacement = {scene.stops[0].position, 0.17};
-  scene.velocity = {0.0, -0.003};
+  Scene scene = pairs::grazing_sticking();
   const Scene free = without_stop(scene, 2);
-  const double time = turning_time(free, 2, 17.0, 19.0);
+  const auto [earliest, latest] = pairs::grazing_sticking_maximum;
+  const double time = turning_time(free, 2, earliest, latest);
   scene.stops[1].position = grazed_at(place_at(free, 2, time), Side::upper);
   return {EventPair::grazing_sticking, scene, time, 12.0, 26.0};
 }
 
 // Grazing-impact: from rest, mass 1's stop at its first maximum, mass 2's where mass 2 is then.
 inline PairScene grazing_impact() {
-  Scene scene = paper::two_masses({1, Side::upper, 0.0}, {2, Side::upper, 0.0}, 0.7, 0.5);
-  const Scene free = without_stop(without_stop(scene, 1), 2);
-  const double time = turning_time(free, 1, 1.0, 3.0);
+  Scene scene = pairs::grazing_impact();
+  const Scene free = pairs::without_stops(scene.omega);
+  const auto [earliest, latest] = pairs::grazing_impact_maximum;
+  const double time = turning_time(free, 1, earliest, latest);
   const MotionState both = state_at(free, time);
   scene.stops[0].position = grazed_at(both.displacement[0], Side::upper);
   scene.stops[1].position = both.displacement[1];

@@ -5,6 +5,10 @@
 // says of the figure and its axis box). Everything is non-dimensional.
 #pragma once
 
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 #include "vibro_impact/scene.hpp"
 
 namespace vibro_impact::paper {
@@ -80,6 +84,30 @@ constexpr AxisBox figure4_box{12.0, 17.5, -0.2, 0.02, 0.5, 0.02};  // F2, time w
 constexpr AxisBox figure5a_box{950.0, 964.0, -0.05, 0.35, 2.0, 0.05};
 constexpr AxisBox figure5b_box{916.0, 930.0, -0.4, 0.5, 2.0, 0.1};
 constexpr AxisBox figure5c_box{900.0, 1000.0, 0.2, 0.31, 20.0, 0.01};
+
+// The scenes that a run of its own is shown of, under their names in file names, and how far each
+// is followed: to the end of its window; in Figure 4, whose window is within a period, as in
+// Figure 2.
+struct NamedScene {
+  std::string name;
+  Scene scene;
+  double until;
+};
+
+inline std::vector<NamedScene> named_scenes() {
+  return {{"figure2", figure2(), figure2a_box.to},   {"figure4a", figure4a(), figure2a_box.to},
+          {"figure4b", figure4b(), figure2a_box.to}, {"figure5a", figure5a(), figure5a_box.to},
+          {"figure5b", figure5b(), figure5b_box.to}, {"figure5c", figure5c(), figure5c_box.to}};
+}
+
+// Throws std::invalid_argument if there is none of that name.
+inline NamedScene scene_named(const std::string &name) {
+  for (const NamedScene &named : named_scenes())
+    if (named.name == name) return named;
+  throw std::invalid_argument("scene '" + name +
+                              "': must be one of figure2, figure4a, figure4b, figure5a, figure5b, "
+                              "figure5c");
+}
 
 // Forcing periods left out before a motion counts as settled (ours: the paper does not say how long
 // it waits). A chatter that ends in sticking forgets most of what came before, so that the motion

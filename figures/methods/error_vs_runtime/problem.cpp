@@ -18,12 +18,6 @@ namespace vibro_impact::comparison {
 
 namespace {
 
-Scene scene_named(const std::string &name) {
-  if (name == "figure2") return paper::figure2();
-  if (name == "figure4a") return paper::figure4a();
-  throw std::runtime_error(name + ": not a scene of the work-precision figure");
-}
-
 EventKind kind_named(const std::string &name) {
   return name == "stick"     ? EventKind::stick
          : name == "release" ? EventKind::release
@@ -69,7 +63,7 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
     const auto number = [&](std::size_t i) { return figures::number_in(states, row[i]); };
     const std::array<bool, 2> held{row[8] == "1", row[9] == "1"};
     all.push_back({row[0],
-                   scene_named(row[1]),
+                   paper::scene_named(row[1]).scene,
                    {number(2), {number(4), number(5)}, {number(6), number(7)}, held},
                    number(3),
                    {},
