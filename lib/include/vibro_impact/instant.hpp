@@ -9,6 +9,11 @@
 
 namespace vibro_impact {
 
+// Throws std::invalid_argument: Omega >= 0, and times of at most so many periods as a double
+// counts.
+[[noreturn]] void refuse_omega(double omega);
+[[noreturn]] void refuse_time(double time);
+
 // The forcing period T = 2 pi / Omega as an unevaluated sum; infinite when Omega = 0.
 struct Clock {
   double omega = 0.0;
@@ -18,6 +23,7 @@ struct Clock {
   Clock() = default;
   explicit Clock(double omega_of_forcing) : omega(omega_of_forcing) {
     constexpr double two_pi = 6.283185307179586477, two_pi_rest = 2.4492935982947064e-16;
+    if (!(omega >= 0.0 && omega < std::numeric_limits<double>::infinity())) refuse_omega(omega);
     if (omega == 0.0) return;
     period = two_pi / omega;
     period_rest =
@@ -31,6 +37,9 @@ struct Instant {
   double phase = 0.0;
 };
 
+// The whole periods are counted, and the phase kept exact.
+constexpr double most_periods = 0x1p53;
+
 inline double time_of(const Instant &instant, const Clock &clock) {
   if (instant.cycle == 0) return instant.phase;
   const auto cycles = static_cast<double>(instant.cycle);
@@ -39,8 +48,9 @@ inline double time_of(const Instant &instant, const Clock &clock) {
 
 inline Instant later(Instant instant, double tau, const Clock &clock) {
   instant.phase += tau;
-  if (instant.phase >= clock.period) {
+  if (!(instant.phase < clock.period)) {
     const double cycles = std::floor(instant.phase / clock.period);
+    if (!(cycles <= most_periods)) refuse_time(instant.phase);
     instant.phase = std::fma(-cycles, clock.period, instant.phase) - cycles * clock.period_rest;
     instant.cycle += static_cast<long long>(cycles);
     if (instant.phase < 0.0) instant.phase = 0.0;  // rounding at the period boundary

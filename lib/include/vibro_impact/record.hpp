@@ -2,7 +2,8 @@
 //
 // A recorder is any value with one or more of
 //   void event(const Event &, const Moment &)          called at every event
-//   double next_time() and void sample(const Moment &) called at the times it asks for
+//   double next_time() and void sample(const Moment &) called at the times it asks for, each later
+//                                                      than the one before; infinite: no more
 // and beside them, if it likes,
 //   bool done()                 asked after each of these calls: true ends the run there
 //   void check(const Scene &)   called before the run; throws std::invalid_argument
@@ -93,6 +94,7 @@ struct EventRecorder {
   std::vector<Event> events = {};
 
   void event(const Event &event, const Moment &);
+  void check(const Scene &scene) const;
 };
 
 // Impact velocities (just before the impact) of one mass, from time `from` on: no trajectory.

@@ -77,7 +77,7 @@ struct Outcome {
   RunState resume;
 };
 
-// The initial state of a scene, at t = 0 with no mass held yet.
+// The initial state of a scene that `check` accepts, at t = 0 with no mass held yet.
 MotionState start_of(const Scene &scene);
 
 // Throws std::runtime_error with the reason when the run was given up.
@@ -106,7 +106,6 @@ Outcome simulate_from(const Scene &scene, const MotionState &start, double until
 template <class... Recorders>
 Outcome simulate(const Scene &scene, double until, const RunOptions &options = {},
                  Recorders &...recorders) {
-  check(scene);
   return simulate_from(scene, start_of(scene), until, options, recorders...);
 }
 

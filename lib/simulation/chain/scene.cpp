@@ -15,6 +15,11 @@ void require_one_per_mass(const std::vector<double> &values, const Scene &scene,
   for (double value : values) require(std::isfinite(value), what, " = ", value, ": must be finite");
 }
 
+void require_links(const Scene &scene) {
+  require(scene.stiffness.size() == scene.mass.size(), "stiffness: ", scene.stiffness.size(),
+          " values given, the chain has ", scene.mass.size(), " masses");
+}
+
 void require_restitution(double restitution) {
   require(restitution >= 0.0 && restitution <= 1.0, "restitution = ", restitution,
           ": must lie in [0, 1]");
@@ -24,6 +29,8 @@ void require_restitution(double restitution) {
 void check_stop(const Stop &stop, const Scene &scene) {
   require(stop.mass >= 1 && stop.mass <= scene.masses(), "stop on mass ", stop.mass,
           ": the chain has masses 1 to ", scene.masses());
+  require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
+          ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
   require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
           ": must be finite");
   if (stop.restitution) require_restitution(*stop.restitution);
@@ -43,6 +50,7 @@ const char *name(Side side) {
 }
 
 double largest_eigenvalue_bound(const Scene &scene) {
+  require_links(scene);
   double bound = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
     const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
@@ -59,8 +67,7 @@ double root_modulus(double kappa, double lambda) {
 void check(const Scene &scene) {
   const std::size_t n = scene.mass.size();
   require(n > 0, "masses = 0: a chain has at least one mass");
-  require(scene.stiffness.size() == n, "stiffness: ", scene.stiffness.size(),
-          " values given, the chain has ", n, " masses");
+  require_links(scene);
   for (double m : scene.mass)
     require(std::isfinite(m) && m > 0.0, "mass = ", m, ": must be positive and finite");
   for (std::size_t i = 0; i < n; ++i) {

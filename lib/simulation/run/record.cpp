@@ -13,6 +13,10 @@ void require_mass(int mass, int masses) {
   require(mass >= 1 && mass <= masses, "mass ", mass, ": the chain has masses 1 to ", masses);
 }
 
+void require_from(double from) {
+  require(!std::isnan(from), "from = ", from, ": must be a time");
+}
+
 void require_times(double from, double to, double every) {
   require(std::isfinite(every) && every > 0.0, "every = ", every, ": must be positive and finite");
   require(std::isfinite(from) && std::isfinite(to), "samples from ", from, " to ", to,
@@ -45,12 +49,17 @@ void EventRecorder::event(const Event &event, const Moment &) {
   events.push_back(event);
 }
 
+void EventRecorder::check(const Scene &) const {
+  require_from(from);
+}
+
 void ImpactSpeedRecorder::event(const Event &event, const Moment &) {
   if (event.kind == EventKind::impact && event.mass == mass && event.time >= from)
     velocities.push_back(event.velocity_before);
 }
 
 void ImpactSpeedRecorder::check(const Scene &scene) const {
+  require_from(from);
   require_mass(mass, scene.masses());
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/chain/require.hpp"
 #include "simulation/chatter/chatter.hpp"
 #include "simulation/flight/first_event.hpp"
 #include "simulation/stops/rest.hpp"
@@ -124,8 +125,10 @@ template <int D>
 void sample_flight(Run<D> &run, double tau) {
   for (double next = next_sample(run); std::isfinite(next) && !run.over; next = next_sample(run)) {
     const Instant instant = instant_at(next, run.clock);
-    const double after = std::max(0.0, elapsed(run.state.now, instant, run.clock));
+    const double since = elapsed(run.state.now, instant, run.clock), after = std::max(0.0, since);
     if (after > tau) return;
+    require(since >= -16.0 * std::numeric_limits<double>::epsilon() * next, "next_time = ", next,
+            ": lies before the motion, which is at t = ", time_of(run.state.now, run.clock));
     State<D> between = run.state;
     move_lanes(between, run.scene, run.clock, weights_of(run.flight.weights, *between.mode),
                run.flight.path, after);
@@ -136,6 +139,9 @@ void sample_flight(Run<D> &run, double tau) {
       if (ref.sample == nullptr || ref.next_time(ref.recorder) > next) continue;
       ref.sample(ref.recorder, moment);
       ask_whether_done(run, ref);
+      if (run.over) continue;
+      const double then = ref.next_time(ref.recorder);
+      require(then > next, "next_time = ", then, " after the sample at ", next, ": must be later");
     }
     if (run.over) {
       run.at_end = between;

@@ -157,6 +157,8 @@ RunState load(const Scene &scene, std::string_view text) {
 
 void check_place(const Scene &scene, const Instant &instant, const Held &held) {
   const Clock clock(scene.omega);
+  require(static_cast<double>(instant.cycle) <= most_periods, "start: period ", instant.cycle,
+          ": more forcing periods than double precision can count");
   require(instant.cycle >= 0 && instant.phase >= 0.0 && instant.phase < clock.period,
           "start: phase = ", instant.phase, " in period ", instant.cycle, ": must lie in [0, ",
           clock.period, ")");

@@ -52,16 +52,16 @@ Outcome run(const Scene &scene, const Start &start, const Instant &from, double 
   const double begins = time_of(from, clock);
   check_options(options);
   require(std::isfinite(until), "until = ", until, ": must be finite");
+  require(!(until * scene.omega > most_periods), "until = ", until,
+          ": more forcing periods than double precision can count");
   require(until >= begins || !(instant_at(until, clock) < from), "until = ", until,
           ": lies before the start at ", begins);
-  // The whole periods are counted, and the phase kept exact.
-  require(!(until * scene.omega > 0x1p53), "until = ", until,
-          ": more forcing periods than double precision can count");
   for (const RecorderRef &recorder : recorders) {
     if (recorder.check != nullptr) recorder.check(recorder.recorder, scene);
     if (recorder.sample == nullptr) continue;
+    require(recorder.next_time != nullptr, "a recorder takes samples and asks for no time");
     const double first = recorder.next_time(recorder.recorder);
-    require(!(first < begins), "sample at t = ", first, ": the run begins at ", begins);
+    require(first >= begins, "sample at t = ", first, ": the run begins at ", begins);
   }
   if (has_four_lanes(scene)) return run_lanes<4>(scene, start, until, options, recorders);
   return run_lanes<any_lanes>(scene, start, until, options, recorders);
@@ -75,6 +75,7 @@ bool has_four_lanes(const Scene &scene) {
 }
 
 MotionState start_of(const Scene &scene) {
+  check(scene);
   const std::size_t n = scene.mass.size();
   const auto or_zero = [n](const std::vector<double> &values) {
     return values.empty() ? std::vector<double>(n, 0.0) : values;
