@@ -1,0 +1,34 @@
+// What a call that must be refused says.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vibro_impact::testing {
+
+struct BadCall {
+  std::function<void()> call;
+  const char *says;  // part of the message: the value and the rule
+};
+
+// Every call throws std::invalid_argument, with one line.
+inline void expect_refused(const std::vector<BadCall> &calls) {
+  for (const auto &[call, says] : calls) {
+    std::string message = "accepted";
+    try {
+      call();
+    } catch (const std::invalid_argument &bad) {
+      message = bad.what();
+    } catch (const std::exception &other) {
+      message = std::string("refused in another way: ") + other.what();
+    }
+    EXPECT_NE(message.find(says), std::string::npos) << "'" << message << "' for '" << says << "'";
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
+}  // namespace vibro_impact::testing

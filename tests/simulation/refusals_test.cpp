@@ -1,0 +1,237 @@
+// The border of the simulation: every public function refuses bad input, with one line that names
+// the value and the rule. A change of what is accepted belongs into these tables.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/refusals.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using vibro_impact::testing::BadCall;
+using vibro_impact::testing::expect_refused;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr long long most = std::numeric_limits<long long>::max();
+
+// Of the scene of Figure 2 (mass 1 above -0.3, mass 2 below 0.1), spoilt.
+BadCall spoilt_scene(void (*spoil)(Scene &), const char *says) {
+  return {[spoil] {
+            Scene scene = paper::figure2();
+            spoil(scene);
+            simulate(scene, 1.0);
+          },
+          says};
+}
+
+TEST(Refusals, OfScenes) {
+  expect_refused({
+      spoilt_scene([](Scene &s) { s = {}; }, "masses = 0: a chain has at least one mass"),
+      spoilt_scene([](Scene &s) { s.mass[1] = -2.5; }, "mass = -2.5: must be positive and finite"),
+      spoilt_scene([](Scene &s) { s.mass[0] = nan; }, "mass = nan: must be positive and finite"),
+      spoilt_scene([](Scene &s) { s.stiffness = {1.0}; }, "1 values given, the chain has 2 masses"),
+      spoilt_scene([](Scene &s) { s.stiffness[0] = -1.0; }, "link 1 = -1: must be non-negative"),
+      spoilt_scene([](Scene &s) { s.stiffness[1] = 0.0; }, "link 2 = 0: must be positive"),
+      spoilt_scene([](Scene &s) { s.stiffness[1] = infinity; }, "link 2 = inf: must be positive"),
+      spoilt_scene([](Scene &s) { s.beta = -0.1; }, "beta = -0.1: must be non-negative"),
+      spoilt_scene([](Scene &s) { s.omega = nan; }, "omega = nan: must be non-negative"),
+      spoilt_scene([](Scene &s) { s.omega = infinity; }, "omega = inf: must be non-negative"),
+      spoilt_scene([](Scene &s) { s.restitution = 1.25; },
+                   "restitution = 1.25: must lie in [0, 1]"),
+      spoilt_scene([](Scene &s) { s.restitution = nan; }, "restitution = nan: must lie in [0, 1]"),
+      spoilt_scene([](Scene &s) { s.stops[1].restitution = -0.1; }, "restitution = -0.1: must lie"),
+      spoilt_scene([](Scene &s) { s.amplitude = {1.0}; }, "amplitude: 1 values given"),
+      spoilt_scene([](Scene &s) { s.amplitude[1] = nan; }, "amplitude = nan: must be finite"),
+      spoilt_scene(
+          [](Scene &s) {
+            s.displacement = {0.0, 0.2};
+          },
+          "beyond its upper stop at 0.1"),
+      spoilt_scene(
+          [](Scene &s) {
+            s.velocity = {0.0, infinity};
+          },
+          "velocity = inf: must be"),
+      spoilt_scene([](Scene &s) { s.stops[0].mass = 0; }, "stop on mass 0: the chain has masses 1"),
+      spoilt_scene([](Scene &s) { s.stops[0].mass = 3; }, "stop on mass 3: the chain has masses 1"),
+      spoilt_scene([](Scene &s) { s.stops[0].side = Side{9}; }, "side = 9: must be lower (-1) or"),
+      spoilt_scene([](Scene &s) { s.stops[0].position = nan; }, "at nan: must be finite"),
+      spoilt_scene([](Scene &s) { s.stops.push_back(s.stops[0]); }, "two stops on the same side"),
+      spoilt_scene(
+          [](Scene &s) {
+            s.stops = {{1, Side::lower, 0.1}, {1, Side::upper, -0.1}};
+          },
+          "the lower must lie below the upper"),
+      {[] {
+         largest_eigenvalue_bound({.mass = {1.0, 1.0}});
+       },
+       "0 values given, the chain has 2"},
+      {[] {
+         start_of({.mass = {1.0}, .stiffness = {1.0}, .displacement = {1.0, 2.0}});
+       },
+       "initial displacement: 2 values given"},
+  });
+  Scene free_chain = paper::figure2();
+  free_chain.stiffness[0] = 0.0;
+  free_chain.stops[1].restitution = 0.25;
+  EXPECT_NO_THROW(check(free_chain));
+}
+
+BadCall spoilt_start(void (*spoil)(MotionState &), const char *says) {
+  return {[spoil] {
+            MotionState start = start_of(paper::figure2());
+            spoil(start);
+            simulate_from(paper::figure2(), start, 10.0);
+          },
+          says};
+}
+
+TEST(Refusals, OfStarts) {
+  expect_refused({
+      spoilt_start([](MotionState &s) { s.displacement.pop_back(); }, "1 values of the displace"),
+      spoilt_start([](MotionState &s) { s.velocity.push_back(0.0); }, "3 values of the velocity"),
+      spoilt_start([](MotionState &s) { s.velocity[1] = nan; }, "velocity = nan: must be finite"),
+      spoilt_start([](MotionState &s) { s.displacement[0] = -0.31; },
+                   "mass 1 at -0.31, beyond its lower stop"),
+      spoilt_start(
+          [](MotionState &s) {
+            s.held = {1, 0};
+          },
+          "mass 1 held as 1: it has no such stop"),
+      spoilt_start([](MotionState &s) { s.held = {0}; }, "contact mode of 1 masses given"),
+      spoilt_start(
+          [](MotionState &s) {
+            s.held = {-1, 0};
+          },
+          "held at its lower stop at -0.3, and stands at 0"),
+      spoilt_start([](MotionState &s) { s.instant.phase = 1e3; }, "phase = 1000 in period 0: must"),
+      spoilt_start([](MotionState &s) { s.instant.phase = nan; }, "phase = nan in period 0: must"),
+      spoilt_start([](MotionState &s) { s.instant.cycle = -1; }, "in period -1: must lie in"),
+      spoilt_start([](MotionState &s) { s.instant.cycle = most; }, "more forcing periods than"),
+  });
+}
+
+// What else a state may be is in run_state_test.
+TEST(Refusals, OfStatesOfAnotherScene) {
+  const RunState state = simulate(paper::figure2(), 50.0).resume;
+  Scene unforced = paper::figure2(), with_one_stop = unforced;
+  unforced.amplitude = {0.0, 0.0};
+  with_one_stop.stops.pop_back();
+  expect_refused({
+      {[&] { resume(with_one_stop, state, 60.0); }, "2 stops given, the scene has 1"},
+      {[&] { resume(unforced, state, 60.0); }, "modal coordinates given"},
+  });
+}
+
+TEST(Refusals, OfTimesAndOptions) {
+  const Scene scene = paper::figure2();
+  const MotionState at_fifty = simulate(scene, 50.0).state;
+  const auto until = [&scene](double end) { return [&scene, end] { simulate(scene, end); }; };
+  const auto with = [&scene](RunOptions options) {
+    return [&scene, options] { simulate(scene, 1.0, options); };
+  };
+  expect_refused({
+      {until(infinity), "until = inf: must be finite"},
+      {until(nan), "until = nan: must be finite"},
+      {until(-1.0), "until = -1: lies before the start at 0"},
+      {until(1e300), "until = 1e+300: more forcing periods than double precision can count"},
+      {[&] { simulate_from(scene, at_fifty, 49.0); }, "until = 49: lies before the start"},
+      {with({.resolve_chatter = -1.0}), "resolve_chatter = -1: must be non-negative"},
+      {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
+      {with({.chatter_tolerance = 0.0}), "chatter_tolerance = 0: must lie between 0 and 1"},
+      {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
+      {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},
+      {with({.max_impacts_per_period = 0}), "max_impacts_per_period = 0: must be positive"},
+      {[] { Clock(-1.0); }, "omega = -1: must be non-negative and finite"},
+      {[] { Clock{nan}; }, "omega = nan: must be non-negative and finite"},
+      {[] { instant_at(1e300, Clock(1.0)); }, "time 1e+300: more forcing periods than"},
+      {[] { instant_at(nan, Clock(1.0)); }, "time nan: more forcing periods than"},
+      {[] { later({}, infinity, Clock(0.0)); }, "time inf: more forcing periods than"},
+  });
+  EXPECT_EQ(simulate(scene, 1.0, {.max_impacts_per_period = most}).ending, Ending::reached);
+}
+
+// Asks for the same time over and over, an earlier one each time, or none that is one.
+struct Stuck {
+  double at, step;
+  std::size_t taken = 0;
+  double next_time() const {
+    return at + step * static_cast<double>(taken);
+  }
+  void sample(const Moment &) {
+    ++taken;
+  }
+};
+
+// Goes back at an event.
+struct GoesBack {
+  double at = 10.0;
+  double next_time() const {
+    return at;
+  }
+  void sample(const Moment &) {
+    at += 1.0;
+  }
+  void event(const Event &event, const Moment &) {
+    if (event.time > 15.0) at = 12.0;
+  }
+};
+
+struct AsksForMassFive {
+  void event(const Event &, const Moment &moment) {
+    moment.hold_force(5);
+  }
+};
+
+template <class Recorder>
+BadCall recorded_by(const Recorder &recorder, const char *says) {
+  return {[recorder] {
+            Recorder mine = recorder;
+            simulate(paper::figure2(), 60.0, {}, mine);
+          },
+          says};
+}
+
+TEST(Refusals, OfRecorders) {
+  const Scene scene = paper::figure2();
+  const MotionState later = simulate(scene, 50.0).state;
+  const RecorderRef no_times{.sample = [](void *, const Moment &) {}};
+  expect_refused({
+      recorded_by(EventRecorder{nan}, "from = nan: must be a time"),
+      recorded_by(ImpactSpeedRecorder{3, 0.0}, "mass 3: the chain has masses 1 to 2"),
+      recorded_by(ImpactSpeedRecorder{1, nan}, "from = nan: must be a time"),
+      recorded_by(HoldForceRecorder{0, 0.0, 10.0, 0.1}, "mass 0: the chain has masses 1 to 2"),
+      recorded_by(HoldForceRecorder{1, 0.0, 10.0, 0.0}, "every = 0: must be positive and finite"),
+      recorded_by(HoldForceRecorder{1, nan, 10.0, 0.1}, "samples from nan to 10: must be finite"),
+      recorded_by(HoldForceRecorder{1, 0.1, 10.0, 1e-300}, "next_time = 0.1 after the sample"),
+      recorded_by(SampleRecorder{0.0, 10.0, -1.0}, "every = -1: must be positive and finite"),
+      recorded_by(SampleRecorder{0.0, 10.0, nan}, "every = nan: must be positive and finite"),
+      recorded_by(SampleRecorder{0.0, infinity, 1.0}, "samples from 0 to inf: must be finite"),
+      recorded_by(SampleRecorder{-1.0, 10.0, 1.0}, "sample at t = -1: the run begins at 0"),
+      recorded_by(SampleRecorder{0.1, 10.0, 1e-300}, "next_time = 0.1 after the sample at 0.1"),
+      recorded_by(Stuck{1.0, 0.0}, "next_time = 1 after the sample at 1: must be later"),
+      recorded_by(Stuck{1.0, -0.5}, "next_time = 0.5 after the sample at 1: must be later"),
+      recorded_by(Stuck{1.0, nan}, "sample at t = nan: the run begins at 0"),
+      recorded_by(GoesBack{}, "next_time = 12: lies before the motion"),
+      recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
+      {[&] {
+         SampleRecorder early{10.0, 60.0, 1.0};
+         simulate_from(scene, later, 60.0, {}, early);
+       },
+       "sample at t = 10: the run begins at 5"},
+      {[&] {
+         simulate_seen(scene, start_of(scene), 1.0, {}, {&no_times, 1});
+       },
+       "takes samples and asks for no time"},
+  });
+  EXPECT_FALSE(std::is_copy_constructible_v<Moment>);
+  EXPECT_FALSE(std::is_move_constructible_v<Moment>);
+}
+
+}  // namespace
