@@ -1,14 +1,14 @@
 // The periodic orbits of one impact of one mass before one stop, from a guess in words of the
-// impact: its speed, its time and the parameter of the scene.
+// impact: its time and its speed.
 #pragma once
 
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <functional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "vibro_impact/analysis/analysis.hpp"
-#include "vibro_impact/analysis/impact_family.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -24,38 +24,47 @@ inline MotionState after_impact(const Scene &scene, double time, double speed) {
   return state;
 }
 
-// The orbit with this impact speed, from a guess of the parameter (that of the family's scene) and
-// of the time of the impact. Throws std::runtime_error where there is none, another impact in
-// between included.
-inline ImpactOrbit one_impact_orbit(const ImpactFamily &family, double speed, double time) {
-  ImpactOrbit guess;
-  guess.speed = speed;
-  guess.parameter = get(family.scene, family.parameter);
-  guess.state = after_impact(family.scene, time, speed);
-  const std::optional<ImpactOrbit> orbit = impact_orbit(family, guess, speed);
-  if (!orbit || !orbit->real) throw std::runtime_error("no orbit of one impact with this speed");
-  return *orbit;
+struct OneImpactOrbit {
+  PeriodicOrbit orbit;
+  Event impact;
+
+  double speed() const {
+    return std::abs(impact.velocity_before);
+  }
+  // The multiplier next to -1: zero, with one added, at a period doubling.
+  double doubling_multiplier() const {
+    double nearest = orbit.multipliers.front().real();
+    for (const auto &multiplier : orbit.multipliers)
+      if (std::abs(multiplier + 1.0) < std::abs(nearest + 1.0)) nearest = multiplier.real();
+    return nearest;
+  }
+};
+
+// The orbit with one impact in `periods` periods near this guess. Throws std::runtime_error where
+// there is none.
+inline OneImpactOrbit one_impact_orbit(const Scene &scene, int periods, double time, double speed) {
+  const MotionState guess = at_quiet_phase(scene, after_impact(scene, time, speed));
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, guess, periods);
+  if (!orbit.converged) throw std::runtime_error("no orbit of one impact: " + orbit.why_not);
+  EventRecorder told;
+  stroboscopic_map(scene, orbit.state, periods, {}, told);
+  if (told.events.size() != 1)
+    throw std::runtime_error("the orbit has " + std::to_string(told.events.size()) +
+                             " events, not one impact");
+  return {orbit, told.events.front()};
 }
 
-// The multiplier next to `target`, +1 or -1.
-inline double multiplier_near(const ImpactOrbit &orbit, double target) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto &multiplier : orbit.multipliers)
-    if (std::abs(multiplier - target) < std::abs(nearest - target)) nearest = multiplier.real();
-  return nearest;
-}
-
-// The fold (target 1) or the period doubling (-1) within a hundredth of the speed of `orbit`.
-// Throws std::runtime_error where there is none.
-inline ImpactOrbit bifurcation(const ImpactFamily &family, const ImpactOrbit &orbit,
-                               double target) {
-  const auto slower = impact_orbit(family, orbit, 0.99 * orbit.speed);
-  const auto faster = impact_orbit(family, orbit, 1.01 * orbit.speed);
-  if (!slower || !faster) throw std::runtime_error("the family ends beside this orbit");
-  const auto found = target > 0.0 ? fold_between(family, *slower, *faster)
-                                  : doubling_between(family, *slower, *faster);
-  if (!found) throw std::runtime_error("no bifurcation beside this orbit");
-  return *found;
+// The zero of f near `x`, by secants from there and `step` away, to rounding.
+inline double zero_near(const std::function<double(double)> &f, double x, double step) {
+  double last = x, value = f(x);
+  x += step;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const double next_value = f(x), slope = (next_value - value) / (x - last);
+    last = std::exchange(x, x - next_value / slope);
+    value = next_value;
+    if (!(std::abs(x - last) > 1e-14 * std::abs(x))) return x;
+  }
+  return x;
 }
 
 }  // namespace vibro_impact::figures

@@ -87,24 +87,20 @@ inline double budd_dux_speed(const Parameters &p) {
   const BuddDux orbit(p["omega"], p["r"], n);
   const Scene scene = one_mass(0.0, 1.0, p["omega"], p["r"], p["stop"]);
   const double speed = orbit.speed(p["stop"], static_cast<int>(p["branch"]));
-  const MotionState guess = after_impact(scene, orbit.time(p["stop"], speed) + 0.01, 1.01 * speed);
-  const PeriodicOrbit found = find_periodic_orbit(scene, at_quiet_phase(scene, guess), n);
-  ImpactSpeedRecorder impacts{1, 0.0};
-  stroboscopic_map(scene, found.state, n, {}, impacts);
-  if (!found.converged || impacts.velocities.size() != 1)
-    throw std::runtime_error("no orbit of one impact");
-  return impacts.velocities.front();
+  return one_impact_orbit(scene, n, orbit.time(p["stop"], speed) + 0.01, 1.01 * speed).speed();
 }
 
 // Speed at which a multiplier of the orbit reaches -1 as the stop is moved.
 inline double budd_dux_doubling_speed(const Parameters &p) {
   const int n = static_cast<int>(p["n"]);
   const BuddDux orbit(p["omega"], p["r"], n);
-  const double speed = 1.001 * orbit.doubling_speed();
-  const double stop = orbit.stop(speed);
-  const ImpactFamily family{
-      one_mass(0.0, 1.0, p["omega"], p["r"], stop, stop - 1.0), {Parameter::Kind::stop, 1}, 0, n};
-  return bifurcation(family, one_impact_orbit(family, speed, orbit.time(stop, speed)), -1.0).speed;
+  const double speed = 1.001 * orbit.doubling_speed(), beside = orbit.stop(speed);
+  const auto orbit_at = [&](double stop) {
+    const Scene scene = one_mass(0.0, 1.0, p["omega"], p["r"], stop, stop - 1.0);
+    return one_impact_orbit(scene, n, orbit.time(beside, speed), speed);
+  };
+  const auto doubling = [&](double stop) { return orbit_at(stop).doubling_multiplier() + 1.0; };
+  return orbit_at(zero_near(doubling, beside, 1e-6)).speed();
 }
 
 // --- x'' + c x' + x = A cos(omega t), x <= 1 --------------------------------------------------

@@ -25,7 +25,10 @@ void draw(const std::filesystem::path &output) {
   constexpr int settling = 60;  // periods at every frequency of a branch
   Progress progress("bifurcations", 6);
   const std::vector<double> omegas = figures::sticking_grid(2000);
-  const auto followed = [](const auto &grid) { return figures::scan_following(grid, settling); };
+  const auto followed = [](const auto &grid) {
+    return figures::along_branch(grid, paper::stops_of_different_sign, settling,
+                                 figures::sticks_in);
+  };
   const figures::Counts rest = figures::scan_from_rest(omegas);
   progress.advance();
   const figures::Counts up = followed(omegas);
@@ -38,12 +41,17 @@ void draw(const std::filesystem::path &output) {
 
   std::vector<double> near_grazing;
   for (int i = 0; i <= 160; ++i) near_grazing.push_back(0.299514 + 5e-8 * i);
-  const auto speeds = [](const auto &grid) { return figures::speeds_followed(grid, settling); };
-  const auto speed_from_rest = figures::speeds_from_rest(near_grazing, figures::settling),
-             speed_up = speeds(near_grazing), speed_down = downwards(near_grazing, speeds);
+  const auto speeds = [](const auto &grid) {
+    return figures::along_branch(grid, figures::figure5b_at, settling, figures::last_speed);
+  };
+  const auto speed_up = speeds(near_grazing), speed_down = downwards(near_grazing, speeds);
   Table branches("omega,rest,up,down");
-  for (std::size_t i = 0; i < near_grazing.size(); ++i)
-    branches.row(near_grazing[i], speed_from_rest[i], speed_up[i], speed_down[i]);
+  for (std::size_t i = 0; i < near_grazing.size(); ++i) {
+    const Scene scene = figures::figure5b_at(near_grazing[i]);
+    MotionState from_rest = settled(scene, figures::settling);
+    branches.row(near_grazing[i], figures::last_speed(scene, from_rest), speed_up[i],
+                 speed_down[i]);
+  }
   progress.advance();
 
   auto points = figures::locate_all(omegas, rest);

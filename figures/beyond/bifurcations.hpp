@@ -13,11 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "curve_starts.hpp"
 #include "figures/bifurcation_point.hpp"
 #include "figures/parallel.hpp"
-#include "reference/scenes/paper_scenes.hpp"
-#include "vibro_impact/analysis/border_orbit.hpp"
-#include "vibro_impact/analysis/multi_sliding.hpp"
 
 namespace vibro_impact::figures {
 
@@ -59,75 +57,46 @@ inline std::optional<Located> multi_sliding(const Change &change, int mass) {
                             change.below + side * 1e-4, change.below + side * 2e-5);
 }
 
-// A border orbit with the orbit it was found from.
-struct FollowedBorder {
-  BorderOrbit border;
-  MotionState seed;  // on the orbit, where the chatter still completes
-  int periods = 1;
-  double complete = 0.0, incomplete = 0.0;
-};
-
 // The border orbit at the change: one of the chatters that complete on the side with more sticking
 // phases does not on the other.
-inline std::optional<FollowedBorder> border_orbit(const Change &change, int mass) {
+inline StartedCurve border_orbit(const Change &change, int mass) {
   const double side = change.count_below > change.count_above ? -1.0 : 1.0;
-  FollowedBorder found;
-  found.complete = change.below + side * 3e-7;
-  found.incomplete = change.below - side * 3e-7;
-  const Scene scene = paper::stops_of_different_sign(found.complete);
-  found.seed = at_quiet_phase(scene, settled(scene, 4 * settling));
-  found.periods = recurrence(scene, found.seed).periods;
-  if (found.periods == 0) return std::nullopt;  // no periodic orbit to follow
-  found.seed = orbit_near(scene, found.seed, found.periods, {});
-  for (const FallingSequence &chatter : falling_sequences(scene, found.seed, mass, found.periods)) {
-    if (!chatter.complete) continue;
-    const auto border =
-        find_border_orbit(paper::stops_of_different_sign, mass, found.seed, chatter.begin,
-                          found.periods, found.complete, found.incomplete);
-    if (!border) continue;
-    found.border = *border;
-    return found;
-  }
-  return std::nullopt;
+  return started(CurveStart{fmt::format("border_mass_{}", mass), Bifurcation::border_orbit, mass,
+                            change.below, side});
 }
 
-// The same border by bisection on the sticking phases of the orbit itself, followed from the side
-// where the chatter completes. Needed where another attractor lives beside the orbit and the motion
-// from rest goes there.
-inline double border_by_following(const FollowedBorder &found, int mass) {
+// The same border by bisection on the sticking phases of the orbit itself. Needed where another
+// attractor lives beside the orbit and the motion from rest goes there.
+inline double border_by_following(const StartedCurve &found, int mass) {
   const auto count = [&](double omega) {
     const Scene scene = paper::stops_of_different_sign(omega);
-    const MotionState at = orbit_near(scene, found.seed, found.periods, {});
-    EventRecorder recorder;
-    stroboscopic_map(scene, at, found.periods, {}, recorder);
-    return static_cast<int>(
-        std::count_if(recorder.events.begin(), recorder.events.end(), [mass](const Event &event) {
-          return event.kind == EventKind::stick && event.mass == mass;
-        }));
+    const int periods = found.curve.periods;
+    const auto events = events_after(scene, orbit_near(scene, found.point.state, periods), periods);
+    return static_cast<int>(std::count_if(events.begin(), events.end(), [mass](const Event &event) {
+      return event.kind == EventKind::stick && event.mass == mass;
+    }));
   };
-  const Change change = bisect(count, std::min(found.complete, found.incomplete),
-                               std::max(found.complete, found.incomplete));
+  const Change change = bisect(count, found.point.at.x - 3e-7, found.point.at.x + 3e-7);
   return 0.5 * (change.below + change.above);
 }
 
 // The points behind a change of the count from rest: a multi-sliding bifurcation or a border orbit;
 // and, where the motion from rest leaves the orbit for another attractor before its border, the
-// place where it does. Throws std::runtime_error when it is none of them.
+// place where it does. Throws std::runtime_error where there is none.
 inline std::vector<BifurcationPoint> locate(const Change &change, int mass) {
   const double check = 0.5 * (change.below + change.above);
   const std::string counting = "bisection on sticking phases from rest";
   if (const auto tangent = multi_sliding(change, mass))
     return {{fmt::format("multi_sliding_mass_{}", mass), *tangent,
              "hold force on the periodic orbit touches zero", check, counting}};
-  const auto found = border_orbit(change, mass);
-  if (!found)
-    throw std::runtime_error(fmt::format(
-        "mass {} at omega = {}: neither multi-sliding nor a border orbit", mass, check));
-  BifurcationPoint point{fmt::format("border_mass_{}", mass), found->border.parameter,
+  const StartedCurve found = border_orbit(change, mass);
+  BifurcationPoint point{found.name,
+                         {found.point.at.x, found.point.error},
                          "impact speeds on the periodic orbit keep the ratio of the border orbit",
-                         check, counting};
+                         check,
+                         counting};
   if (std::abs(point.omega.value - check) < 1e-11) return {point};
-  point.check = border_by_following(*found, mass);
+  point.check = border_by_following(found, mass);
   point.checked_by = "bisection on sticking phases of the orbit followed";
   const int m = mass;
   const Change again = bisect(
@@ -160,21 +129,15 @@ inline Counts scan_from_rest(const std::vector<double> &omegas) {
   return counts;
 }
 
-// The same along a branch: every frequency, in the order given, starts from the motion at the one
-// before and settles for `periods` periods.
-inline Counts scan_following(const std::vector<double> &omegas, int periods) {
-  Counts counts;
-  MotionState state = settled(paper::stops_of_different_sign(omegas.front()), settling);
-  for (double omega : omegas) {
-    const Scene scene = paper::stops_of_different_sign(omega);
-    EventRecorder recorder;
-    state = stroboscopic_map(scene, state, periods, {}).state;
-    state = stroboscopic_map(scene, state, counted, {}, recorder).state;
-    counts.push_back({0, 0});
-    for (const Event &event : recorder.events)
-      if (event.kind == EventKind::stick) ++counts.back()[static_cast<std::size_t>(event.mass - 1)];
-  }
-  return counts;
+// Sticking phases of both masses in the `counted` periods from `state` on, which is brought to
+// their end.
+inline std::array<int, 2> sticks_in(const Scene &scene, MotionState &state) {
+  EventRecorder recorder;
+  state = stroboscopic_map(scene, state, counted, {}, recorder).state;
+  std::array<int, 2> sticks{0, 0};
+  for (const Event &event : recorder.events)
+    if (event.kind == EventKind::stick) ++sticks[static_cast<std::size_t>(event.mass - 1)];
+  return sticks;
 }
 
 // Every change of the counts of a scan, located, in the order of the frequency; the orbits of one

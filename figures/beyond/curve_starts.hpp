@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "grazing.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -23,6 +21,13 @@ struct CurvePlane {
   Parameter x, y;
   PlaneBox box;
   double step = 0.03;  // longest along a curve, in units of the box
+
+  PlanePoint of_scene() const {
+    return {get(scene, x), get(scene, y)};
+  }
+  Scene at(const PlanePoint &point) const {
+    return with(with(scene, x, point.x), y, point.y);
+  }
 };
 
 inline CurvePlane omega_r_plane() {
@@ -120,156 +125,78 @@ inline std::vector<EdgeStart> dual_sticking_starts() {
   return {{"border_mass_1_5c", 1, {0.26, 0.2}, {0.45, 0.2}}};
 }
 
-// A period doubling or a fold on the family of the first impact of a mass in a settled motion of
-// period one at (omega, r), `speed` further in speed at most.
-struct FamilyStart {
-  std::string name;
-  Bifurcation what;
-  double omega, restitution, speed;
-  int mass = 2;
-};
-
-inline std::vector<FamilyStart> family_starts() {
-  using enum Bifurcation;
-  return {{"period_doubling_1", period_doubling, 0.7240, 0.77, 0.003, 1},
-          {"fold_1", fold, 0.7240, 0.77, 0.03},
-          {"period_doubling_2", period_doubling, 0.6226, 0.77, -0.04}};
+// When the shortest sticking phase of a mass begins: that next to its border orbit. Nothing where
+// no phase begins and ends among the events.
+inline std::optional<double> shortest_phase(const std::vector<Event> &events, int mass) {
+  std::optional<double> begun, found;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Event &event : events) {
+    if (event.mass != mass || event.kind == EventKind::impact) continue;
+    if (event.kind == EventKind::release && begun && event.time - *begun < shortest) {
+      shortest = event.time - *begun;
+      found = begun;
+    }
+    begun = event.kind == EventKind::stick ? std::optional(event.time) : std::nullopt;
+  }
+  return found;
 }
 
-// The end of the shortest sticking phase of a mass begun after `start`: next to its border orbit.
-struct ShortestStick {
-  int mass;
-  double begun = 0.0, shortest = std::numeric_limits<double>::infinity(), at = 0.0;
-  bool open = false;
-
-  void event(const Event &event, const Moment &) {
-    if (event.mass != mass || event.kind == EventKind::impact) return;
-    if (event.kind == EventKind::stick) begun = event.time;
-    if (event.kind == EventKind::release && open && event.time - begun < shortest) {
-      shortest = event.time - begun;
-      at = begun;
-    }
-    open = event.kind == EventKind::stick;
-  }
-};
+inline std::vector<Event> events_after(const Scene &scene, const MotionState &start, int periods) {
+  EventRecorder told{.from = time_of(start.instant, Clock(scene.omega))};
+  stroboscopic_map(scene, start, periods, {}, told);
+  return told.events;
+}
 
 struct StartedCurve {
+  std::string name;
   BifurcationCurve curve;
   CurvePoint point;
 };
 
-// The curve and its point at the y of the scene, from the motion from rest beside. Throws
-// std::runtime_error where there is none.
-inline StartedCurve started(const CurveStart &start, const CurvePlane &plane = omega_r_plane()) {
-  const bool border = start.what == Bifurcation::border_orbit;
-  const double near = start.x + start.side * (border ? 3e-7 : 1e-6);
-  const Scene scene = with(plane.scene, plane.x, near);
-  const MotionState seed = at_quiet_phase(scene, settled(scene, 600));
-  StartedCurve found{{start.what, scene, plane.x, plane.y, static_cast<std::size_t>(start.mass - 1),
-                      recurrence(scene, seed).periods},
-                     {}};
-  if (found.curve.periods == 0) throw std::runtime_error(start.name + ": no periodic orbit beside");
-  ShortestStick stick{start.mass};
-  stroboscopic_map(scene, seed, found.curve.periods, {}, stick);
-  const double time = stick.at - time_of(seed.instant, Clock(scene.omega));
-  const auto point =
-      point_of(found.curve, {near, get(scene, plane.y)}, {start.side, 0.0}, seed, time);
-  if (!point) throw std::runtime_error(start.name + ": no point of the curve found");
+// A curve and its point on the line through `beside` in direction `across`, from the motion that
+// settles from rest there: the phase is whole, the chatter completes, the stop is not touched; of a
+// border orbit the chatter is that before the shortest phase. Throws std::runtime_error where there
+// is none.
+inline StartedCurve started(const std::string &name, const CurvePlane &plane, Bifurcation what,
+                            int mass, const PlanePoint &beside, const PlanePoint &across) {
+  const Scene scene = plane.at(beside);
+  const SettledMotion motion =
+      settle(scene, at_quiet_phase(scene, settled(scene, 1)), {.run = {}, .longest = 1000});
+  if (motion.period == 0) throw std::runtime_error(name + ": no periodic orbit beside");
+  const MotionState seed = at_quiet_phase(scene, motion.state);
+  StartedCurve found{
+      name, {what, scene, plane.x, plane.y, static_cast<std::size_t>(mass - 1), motion.period}, {}};
+  const auto begun = shortest_phase(events_after(scene, seed, motion.period), mass);
+  const double time = begun.value_or(0.0) - time_of(seed.instant, Clock(scene.omega));
+  const auto point = point_of(found.curve, beside, across, seed, time);
+  if (!point) throw std::runtime_error(name + ": no point of the curve found");
   found.point = *point;
   return found;
 }
 
-// From the motion from rest just inside the edge, which is located by bisection first.
+inline StartedCurve started(const CurveStart &start, const CurvePlane &plane = omega_r_plane()) {
+  const double near = start.what == Bifurcation::border_orbit ? 3e-7 : 1e-6;
+  return started(start.name, plane, start.what, start.mass,
+                 {start.x + start.side * near, plane.of_scene().y}, {start.side, 0.0});
+}
+
+// From just inside the edge, which is located by bisection first.
 inline StartedCurve started(const EdgeStart &start, const CurvePlane &plane) {
-  const auto at = [&](double part) {
-    return PlanePoint{start.sticks.x + part * (start.does_not.x - start.sticks.x),
-                      start.sticks.y + part * (start.does_not.y - start.sticks.y)};
-  };
-  const auto scene_at = [&](double part) {
-    return with(with(plane.scene, plane.x, at(part).x), plane.y, at(part).y);
-  };
-  const auto seed_of = [](const Scene &scene) {
-    return at_quiet_phase(scene, settled(scene, 600));
-  };
+  const PlanePoint way{start.does_not.x - start.sticks.x, start.does_not.y - start.sticks.y};
   const auto sticks = [&](double part) {
-    const Scene scene = scene_at(part);
-    ShortestStick stick{start.mass};
-    stroboscopic_map(scene, seed_of(scene), 2, {}, stick);
-    return stick.shortest < std::numeric_limits<double>::infinity() ? 1 : 0;
+    const Scene scene = plane.at(moved(start.sticks, way, part));
+    const MotionState at = at_quiet_phase(scene, settled(scene, 600));
+    return shortest_phase(events_after(scene, at, 2), start.mass) ? 1 : 0;
   };
   const double edge = bisect(sticks, 0.0, 1.0, 1e-7).below - 1e-6;
-  const Scene scene = scene_at(edge);
-  const MotionState seed = seed_of(scene);
-  StartedCurve found{{Bifurcation::border_orbit, scene, plane.x, plane.y,
-                      static_cast<std::size_t>(start.mass - 1), recurrence(scene, seed).periods},
-                     {}};
-  if (found.curve.periods == 0) throw std::runtime_error(start.name + ": no periodic orbit beside");
-  ShortestStick stick{start.mass};
-  stroboscopic_map(scene, seed, found.curve.periods, {}, stick);
-  const auto point = point_of(
-      found.curve, at(edge), {start.does_not.x - start.sticks.x, start.does_not.y - start.sticks.y},
-      seed, stick.at - time_of(seed.instant, Clock(scene.omega)));
-  if (!point) throw std::runtime_error(start.name + ": no point of the curve found");
-  found.point = *point;
-  return found;
-}
-
-// The fold or the period doubling on the orbits of a family, in the plane of its parameter and r.
-inline std::optional<StartedCurve> started_on(Bifurcation what, const ImpactFamily &family,
-                                              const std::vector<ImpactOrbit> &orbits) {
-  const BifurcationCurve curve{
-      what,        family.scene,  family.parameter, parameter_named("restitution"),
-      family.stop, family.periods};
-  for (std::size_t k = 1; k < orbits.size(); ++k) {
-    const auto found = what == Bifurcation::fold
-                           ? fold_between(family, orbits[k - 1], orbits[k])
-                           : doubling_between(family, orbits[k - 1], orbits[k]);
-    const auto point = found ? point_of(curve, *found) : std::nullopt;
-    if (point) return StartedCurve{curve, *point};
-  }
-  return std::nullopt;
-}
-
-inline StartedCurve started(const FamilyStart &start) {
-  Scene scene = paper::stops_of_different_sign(start.omega);
-  scene.restitution = start.restitution;
-  const PeriodicOrbit orbit =
-      find_periodic_orbit(scene, at_quiet_phase(scene, settled(scene, 600)), 1);
-  const ImpactFamily family{scene, parameter_named("omega"),
-                            static_cast<std::size_t>(start.mass - 1), 1};
-  const ImpactOrbit first = impact_orbit_of(family, orbit);
-  const auto found =
-      started_on(start.what, family, follow(family, first, first.speed + start.speed, 0.002));
-  if (!found) throw std::runtime_error(start.name + ": not on the family");
-  return *found;
-}
-
-// Where the motion of Figure 5(b) with an impact of mass 2 every other period ends, towards lower
-// frequencies: from a little above.
-inline StartedCurve started_end_of_impacts() {
-  constexpr double beside = 2e-6;
-  MotionState last;
-  const double end = end_of_impacting_motion(100, last);
-  const Scene scene = figure5b_at(end + beside);
-  const PeriodicOrbit orbit =
-      find_periodic_orbit(scene, orbit_near(scene, at_quiet_phase(scene, last), 2, {}, 2000), 2);
-  const ImpactFamily family{scene, parameter_named("omega"), 1, 2};
-  const ImpactOrbit first = impact_orbit_of(family, orbit);
-  const auto found = started_on(Bifurcation::fold, family,
-                                follow(family, first, 0.3 * first.speed, 0.05 * first.speed));
-  if (!found) throw std::runtime_error("end of impacts: not on the family");
-  return *found;
+  return started(start.name, plane, Bifurcation::border_orbit, start.mass,
+                 moved(start.sticks, way, edge), {-way.x, -way.y});
 }
 
 // Mass 2 of Figure 5(b) grazes: from its scene, in the direction in which mass 2 is farther from
 // its stop.
 inline StartedCurve started_grazing(const CurvePlane &plane, const PlanePoint &clear) {
-  const MotionState seed = at_quiet_phase(plane.scene, settled(plane.scene, 200));
-  const BifurcationCurve curve{Bifurcation::grazing, plane.scene, plane.x, plane.y, 1, 1};
-  const auto point =
-      point_of(curve, {get(plane.scene, plane.x), get(plane.scene, plane.y)}, clear, seed, 0.0);
-  if (!point) throw std::runtime_error("grazing: no point of the curve found");
-  return {curve, *point};
+  return started("grazing_mass_2", plane, Bifurcation::grazing, 2, plane.of_scene(), clear);
 }
 
 }  // namespace vibro_impact::figures

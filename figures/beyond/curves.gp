@@ -4,7 +4,6 @@
 # the stops of Figure 5(b).
 load 'figures/style.gp'
 
-two = data.'/atlas_codimension_two.csv'
 ends = data.'/atlas_curve_ends.csv'
 
 # As in the atlas, paler.
@@ -13,12 +12,10 @@ set palette defined (1 '#f2f2f2', 2 '#f6d9a8', 3 '#c5e4f5', 4 '#b2e0d2', 5 '#a9c
 set cbrange [0.5:5.5]
 unset colorbox
 
-# Colour: the mass; of period doublings and folds, which belong to both, another. Dashes: the kind.
-colour(name) = strstrt(name, 'period_doubling') || strstrt(name, 'fold') ? '#7b3294' : strstrt(name, 'mass_1') ? '#12355b' : '#c8442c'
-dashes(name) = strstrt(name, 'multi_sliding') ? 2 : strstrt(name, 'fold') || strstrt(name, 'grazing') ? 3 : 1
-of(name, value) = strcol('curve') eq name ? value : NaN
-known(plane, value) = strcol('plane') eq plane && strcol('end') ne 'lost' && strcol('end') ne 'leaves the box' && strcol('end') ne 'closed' ? value : NaN
-lost(plane, value) = strcol('plane') eq plane && strcol('end') eq 'lost' ? value : NaN
+# Colour: the mass. Dashes: the kind. The keys are drawn as wide as their dashes need.
+colour(name) = strstrt(name, 'mass_1') ? '#12355b' : '#c8442c'
+of_kind(name, kind, value) = strstrt(name, kind) && strcol('curve') eq name ? value : NaN
+ended(plane, value) = strcol('plane') eq plane && strcol('end') ne 'leaves the box' ? value : NaN
 
 panels = 7
 array plane[panels] = ['omega_r', 'omega_r', 'omega_A1', '5a', '5b', '5c', '5b_omega_r']
@@ -44,29 +41,25 @@ do for [kind in 'png pdf'] {
     set origin k == 5 || k == 7 ? 0.5 : 0.0, k > 5 ? 0.0 : k > 3 ? row : 0.95 - row * k
     set size k > 3 ? 0.5 : 1.0, row
     set xtics autofreq; if (k == 7) { set xtics 0.004 }
-    if (k == 1) { set key at screen 0.97, screen 0.995 right top samplen 3 width 0 maxrows 4 font kind eq 'png' ? ',18' : ',8' } else { unset key }
+    if (k == 1) { set key at screen 0.98, screen 0.995 right top samplen 6 width 0 maxrows 3 font kind eq 'png' ? ',18' : ',8' } else { unset key }
     map = data.'/atlas_'.plane[k].'.csv'
     curves = data.'/atlas_curves'.table[k].'.csv'
     map_drawn = system("test -e '".map."' && echo 1") eq '1'
     below = map_drawn ? map : curves
     names = system("awk -F, 'NR > 1 && $1 != last {print $1; last = $1}' '".curves."'")
     plot below using x_column[k]:y_column[k]:(map_drawn ? of_sticks(column('sticks1'), column('sticks2'), column('dual_sticking')) : NaN) with image notitle, \
-      for [n in names] curves using (of(n, column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt dashes(n) lw 1.6 notitle, \
-      ends using (lost(plane[k], column('x'))):'y' with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' notitle, \
-      ends using (known(plane[k], column('x'))):'y' with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' notitle, \
-      two using (strcol('plane') eq plane[k] ? column('x') : NaN):'y' with points pt 7 ps 0.9 lc rgb '#202020' notitle, \
-      (k == 5 || k == 6 ? x : NaN) with lines lc rgb '#202020' dt 4 lw 1.2 notitle, \
-      NaN with lines lc rgb '#12355b' dt 1 lw 1.6 title 'border orbit, mass 1', \
-      NaN with lines lc rgb '#c8442c' dt 1 lw 1.6 title 'border orbit, mass 2', \
-      NaN with lines lc rgb '#12355b' dt 2 lw 1.6 title 'multi-sliding, mass 1', \
-      NaN with lines lc rgb '#c8442c' dt 2 lw 1.6 title 'multi-sliding, mass 2', \
-      NaN with lines lc rgb '#c8442c' dt 3 lw 1.6 title 'grazing, mass 2', \
-      NaN with lines lc rgb '#7b3294' dt 1 lw 1.6 title 'period doubling', \
-      NaN with lines lc rgb '#7b3294' dt 3 lw 1.6 title 'fold', \
-      NaN with lines lc rgb '#202020' dt 4 lw 1.2 title '{/:Italic s}_1 = {/:Italic s}_2', \
-      NaN with points pt 7 ps 0.9 lc rgb '#202020' title 'end of two curves', \
-      NaN with points pt 6 ps 1.2 lw 1.4 lc rgb '#202020' title 'end or corner, located', \
-      NaN with points pt 2 ps 0.9 lw 1.2 lc rgb '#606060' title 'given up'
+      for [n in names] curves using (of_kind(n, 'border', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt solid lw 1.6 notitle, \
+      for [n in names] curves using (of_kind(n, 'multi_sliding', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt (6, 3) lw 1.6 notitle, \
+      for [n in names] curves using (of_kind(n, 'grazing', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt (1.5, 2) lw 1.6 notitle, \
+      ends using (ended(plane[k], column('x'))):'y' with points pt 7 ps 0.7 lc rgb '#202020' notitle, \
+      (k == 5 || k == 6 ? x : NaN) with lines lc rgb '#202020' dt (8, 3, 2, 3) lw 1.2 notitle, \
+      NaN with lines lc rgb '#12355b' dt solid lw 1.6 title 'border orbit, mass 1', \
+      NaN with lines lc rgb '#c8442c' dt solid lw 1.6 title 'border orbit, mass 2', \
+      NaN with lines lc rgb '#12355b' dt (6, 3) lw 1.6 title 'multi-sliding, mass 1', \
+      NaN with lines lc rgb '#c8442c' dt (6, 3) lw 1.6 title 'multi-sliding, mass 2', \
+      NaN with lines lc rgb '#c8442c' dt (1.5, 2) lw 1.6 title 'grazing, mass 2', \
+      NaN with lines lc rgb '#202020' dt (8, 3, 2, 3) lw 1.2 title '{/:Italic s}_1 = {/:Italic s}_2', \
+      NaN with points pt 7 ps 0.7 lc rgb '#202020' title 'end inside the plane'
   }
   unset multiplot
   unset output

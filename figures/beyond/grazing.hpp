@@ -11,8 +11,7 @@
 
 #include "figures/bifurcation_point.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "vibro_impact/analysis/border_orbit.hpp"
-#include "vibro_impact/analysis/multi_sliding.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 
 namespace vibro_impact::figures {
 
@@ -114,31 +113,12 @@ inline BifurcationPoint end_of_impacts() {
           "motion with impacts followed downwards by 300 periods a step"};
 }
 
-// Speed of the last impact of mass 2 in two periods of the settled motion, which may have period
-// two (0: it does not reach its stop), at each of `omegas`: from rest, and along a branch, every
-// motion starting from the one before and settling for `periods` periods.
-inline std::vector<double> speeds_from_rest(const std::vector<double> &omegas, int periods) {
-  std::vector<double> speeds;
-  for (double omega : omegas) {
-    const Scene scene = figure5b_at(omega);
-    ImpactSpeedRecorder impacts{2, -1.0};
-    stroboscopic_map(scene, settled(scene, periods), 2, {}, impacts);
-    speeds.push_back(impacts.velocities.empty() ? 0.0 : impacts.velocities.back());
-  }
-  return speeds;
-}
-
-inline std::vector<double> speeds_followed(const std::vector<double> &omegas, int periods) {
-  std::vector<double> speeds;
-  MotionState state = settled(figure5b_at(omegas.front()), settling);
-  for (double omega : omegas) {
-    const Scene scene = figure5b_at(omega);
-    ImpactSpeedRecorder impacts{2, -1.0};
-    state = stroboscopic_map(scene, state, periods, {}).state;
-    state = stroboscopic_map(scene, state, 2, {}, impacts).state;
-    speeds.push_back(impacts.velocities.empty() ? 0.0 : impacts.velocities.back());
-  }
-  return speeds;
+// Speed of the last impact of mass 2 in the two periods from `state` on (0: it does not reach its
+// stop); the state is brought to their end. The motion may have period two.
+inline double last_speed(const Scene &scene, MotionState &state) {
+  ImpactSpeedRecorder impacts{2, -1.0};
+  state = stroboscopic_map(scene, state, 2, {}, impacts).state;
+  return impacts.velocities.empty() ? 0.0 : impacts.velocities.back();
 }
 
 }  // namespace vibro_impact::figures

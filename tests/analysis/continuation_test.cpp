@@ -28,13 +28,6 @@ std::optional<CurvePoint> on_ellipse(const PlanePoint &guess, const PlanePoint &
   return CurvePoint{at, {at.x / 2.0, 2.0 * at.y}, 1e-16, {}};
 }
 
-// x - y = 1 / 2.
-std::optional<CurvePoint> on_line(const PlanePoint &guess, const PlanePoint &across,
-                                  const CurvePoint &) {
-  const double s = (0.5 - guess.x + guess.y) / (across.x - across.y);
-  return CurvePoint{{guess.x + s * across.x, guess.y + s * across.y}, {1.0, -1.0}, 1e-16, {}};
-}
-
 const CurvePoint on_axis{{2.0, 0.0}, {1.0, 0.0}, 0.0, {}};
 
 TEST(FollowCurve, TurnsAndCloses) {
@@ -83,17 +76,22 @@ TEST(FollowCurve, RefusesWhatMeansNothing) {
                std::invalid_argument);
 }
 
-TEST(Crossing, OfAnEllipseAndALine) {
-  const CurvePoint near{{1.5, std::sqrt(1.0 - 1.5 * 1.5 / 4.0)},
-                        {0.75, 2.0 * std::sqrt(1.0 - 1.5 * 1.5 / 4.0)},
-                        0.0,
-                        {}};
-  const auto crossing = crossing_of(on_ellipse, on_line, near, {{1.0, 0.5}, {1.0, -1.0}, 0.0, {}},
-                                    {-3.0, 3.0, -3.0, 3.0}, 1e-13);
-  ASSERT_TRUE(crossing);
-  const double x = (1.0 + std::sqrt(4.75)) / 2.5;  // 5 x^2 / 4 - x - 3 / 4 = 0
-  EXPECT_NEAR(crossing->one.at.x, x, 1e-14);
-  EXPECT_NEAR(crossing->other.at.y, x - 0.5, 1e-14);
+// Behind x = 0.5003 the orbit has other events, or twice the period: the curve ends there.
+TEST(FollowCurve, EndsWhereTheEventsOrThePeriodChange) {
+  for (const bool by_period : {false, true}) {
+    const Corrector line = [&](const PlanePoint &guess, const PlanePoint &,
+                               const CurvePoint &) -> std::optional<CurvePoint> {
+      CurvePoint point{{guess.x, 0.0}, {0.0, 1.0}, 1e-16, {}};
+      if (guess.x > 0.5003 && by_period) point.period = 2;
+      if (guess.x > 0.5003 && !by_period) point.events = {{EventKind::stick, 1}};
+      return point;
+    };
+    const FollowedCurve curve = follow_curve(line, {{0.1, 0.0}, {0.0, 1.0}, 0.0, {}},
+                                             {0.0, 1.0, -1.0, 1.0}, 1, {.step = 0.02});
+    EXPECT_EQ(curve.end, CurveEnd::events);
+    EXPECT_LE(curve.points.back().at.x, 0.5003);
+    EXPECT_NEAR(curve.points.back().at.x, 0.5003, 2e-6);
+  }
 }
 
 // Every curve goes through its point at r = 0.7, which was located in another way: ten digits.
@@ -156,9 +154,8 @@ TEST(BifurcationCurves, DualStickingBeginsWhereTheStopsAreAlike) {
   for (const Scene &panel : {paper::figure5b(), paper::figure5c()}) {
     const auto sticks = [&](double s1) {
       Scene scene = with(with(panel, parameter_named("stop1"), s1), parameter_named("stop2"), 0.2);
-      ShortestStick stick{2};
-      stroboscopic_map(scene, at_quiet_phase(scene, settled(scene, 100)), 2, {}, stick);
-      return std::isfinite(stick.shortest) ? 1 : 0;
+      const MotionState at = at_quiet_phase(scene, settled(scene, 100));
+      return shortest_phase(events_after(scene, at, 2), 2) ? 1 : 0;
     };
     EXPECT_NEAR(bisect(sticks, 0.15, 0.25, 1e-8).above, 0.2, 1e-7);
   }
@@ -181,23 +178,42 @@ TEST(BifurcationCurves, RunAsTheDerivativesSay) {
   }
 }
 
-// Codimension two: the border orbits of both masses at once. Eight digits: closer to it the orbit
-// is no differentiable function of the parameters.
-TEST(BifurcationCurves, OfBothMassesCross) {
-  std::vector<StartedCurve> found;
-  for (const CurveStart &start : curve_starts())
-    if (start.name == "border_mass_2_3" || start.name == "border_mass_1_6")
-      found.push_back(started(start));
-  ASSERT_EQ(found.size(), 2u);
-  const auto crossing = crossing_of(corrector_of(found[0].curve), corrector_of(found[1].curve),
-                                    found[0].point, found[1].point, omega_r_plane().box, 3e-9);
-  ASSERT_TRUE(crossing);
-  for (const CurvePoint &point : {crossing->one, crossing->other}) {
-    EXPECT_NEAR(point.at.x, 0.40385105, 1e-8);
-    EXPECT_NEAR(point.at.y, 0.70001333, 1e-8);
+// The border orbits of both masses on one orbit: there the curve of either ends, as the sticks of
+// the other mass change, and they end at one point. Eight digits.
+TEST(BifurcationCurves, OfTwoMassesEndWhereTheyMeet) {
+  std::vector<PlanePoint> ends;
+  for (const CurveStart &start : curve_starts()) {
+    if (start.name != "border_mass_2_3" && start.name != "border_mass_1_6") continue;
+    const StartedCurve found = started(start);
+    const FollowedCurve curve =
+        follow_curve(corrector_of(found.curve), found.point, omega_r_plane().box, -1,
+                     {.step = 0.015, .least_step = 1e-8, .turn = 0.3});
+    EXPECT_EQ(curve.end, CurveEnd::events) << start.name;
+    ends.push_back(curve.points.back().at);
   }
-  EXPECT_LT(*distance_by_counting(found[0].curve, crossing->one, omega_r_plane().box), 1e-8);
-  EXPECT_LT(*distance_by_counting(found[1].curve, crossing->other, omega_r_plane().box), 1e-8);
+  ASSERT_EQ(ends.size(), 2u);
+  for (const PlanePoint &end : ends) {
+    EXPECT_NEAR(end.x, 0.40385105, 2e-8);
+    EXPECT_NEAR(end.y, 0.70001333, 2e-8);
+  }
+}
+
+// Beside the border orbits of mass 1 at 0.3678 of period two lies that of period one: their curves
+// end before it, every point with period two.
+TEST(BifurcationCurves, OfAPeriodTwoOrbitKeepThatPeriod) {
+  for (const CurveStart &start : curve_starts()) {
+    if (start.name != "border_mass_1_4" && start.name != "border_mass_1_5") continue;
+    const StartedCurve found = started(start);
+    for (const int direction : {1, -1}) {
+      const FollowedCurve curve = follow_curve(corrector_of(found.curve), found.point,
+                                               omega_r_plane().box, direction, {.turn = 0.3});
+      EXPECT_NE(curve.end, CurveEnd::most) << start.name;
+      for (const CurvePoint &point : curve.points) {
+        EXPECT_EQ(point.period, 2) << start.name << " " << point.at.x;
+        EXPECT_LT(point.at.x, 0.368) << start.name;
+      }
+    }
+  }
 }
 
 // Mass 2 of Figure 5(b) grazes: through the point of one parameter in frequency, and in the plane
@@ -208,13 +224,13 @@ TEST(BifurcationCurves, GrazingOfFigure5b) {
   const MotionState seed = at_quiet_phase(scene, settled(scene, 200));
   BifurcationCurve curve{Bifurcation::grazing,           scene, parameter_named("omega"),
                          parameter_named("restitution"), 1,     1};
-  const auto point = point_of(curve, {0.2995, 0.001}, {-1.0, 0.0}, seed, 0.0);
+  const auto point = point_of(curve, {0.2995, 0.001}, {-1.0, 0.0}, seed);
   ASSERT_TRUE(point);
   EXPECT_NEAR(point->at.x, stored.at("grazing_mass_2_figure5b").value, 1e-13);
 
   curve.x = parameter_named("stop1");
   curve.y = parameter_named("stop2");
-  const auto start = point_of(curve, {0.3, 0.45}, {0.0, 1.0}, seed, 0.0);
+  const auto start = point_of(curve, {0.3, 0.45}, {0.0, 1.0}, seed);
   ASSERT_TRUE(start);
   const FollowedCurve found = follow_curve(corrector_of(curve), *start, {0.28, 0.32, 0.4, 0.5}, 1);
   EXPECT_EQ(found.end, CurveEnd::box);

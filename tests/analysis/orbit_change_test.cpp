@@ -268,29 +268,6 @@ TEST(BifurcationFunctions, BorderExcessEqualsDifferences) {
                std::invalid_argument);
 }
 
-// The multipliers of the orbits beside are good to 1e-12 or so: 1e-7 over h = 2e-5. They vary on a
-// scale of 1e-2 of the frequency, fourth order leaves 1e-8.
-TEST(MultiplierChange, EqualsDifferencesOfMultipliers) {
-  const Scene scene = paper::stops_of_different_sign(0.6);
-  const PeriodicOrbit orbit = orbit_of(scene);
-  const OrbitChange change = orbit_change(scene, orbit, {{Kind::omega, 0}});
-  const auto slopes = multiplier_change(scene, orbit, change, 0, 2e-5);
-  ASSERT_EQ(slopes.size(), orbit.multipliers.size());
-  const auto parts = [&](double step) {
-    std::vector<double> values;
-    for (const auto &at : moved_orbit(scene, orbit, change, 0, step).multipliers) {
-      values.push_back(at.real());
-      values.push_back(at.imag());
-    }
-    return values;
-  };
-  const std::vector<double> expected = differences(parts, 2e-5);
-  for (std::size_t i = 0; i < slopes.size(); ++i) {
-    EXPECT_NEAR(slopes[i].real(), expected[2 * i], 1e-6);
-    EXPECT_NEAR(std::abs(slopes[i].imag()), std::abs(expected[2 * i + 1]), 1e-6);
-  }
-}
-
 TEST(OrbitChange, RefusesAnOrbitThatHasNotConverged) {
   EXPECT_THROW(orbit_change(paper::figure2(), PeriodicOrbit{}, lengths), std::invalid_argument);
 }

@@ -1,4 +1,4 @@
-// The stroboscopic map, its exact derivative, Newton's method on it, and the period of a motion.
+// The stroboscopic map, its exact derivative, and Newton's method on it.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -204,37 +204,48 @@ TEST(Newton, OfALinearChainTakesOneStepAndGivesItsMultipliers) {
               std::exp(-0.05 * lambda * Clock(scene.omega).period), 1e-13);
 }
 
-TEST(Newton, ReportsWhenItDoesNotConverge) {
-  NewtonOptions options;
-  options.max_iterations = 0;
-  const Scene scene = paper::figure2();
-  const PeriodicOrbit orbit = find_periodic_orbit(scene, section_after(scene, 2), 1, options);
-  EXPECT_FALSE(orbit.converged);
-  EXPECT_EQ(orbit.residuals.size(), 1u);
-}
-
-TEST(Recurrence, TellsThePeriodOfASettledMotionOrThatItDoesNotRepeat) {
-  const auto period_at = [](double omega) {
-    const Scene scene = paper::stops_of_different_sign(omega);
-    return recurrence(scene, settled(scene, 600)).periods;
-  };
-  EXPECT_EQ(period_at(0.28), 1);
-  EXPECT_EQ(period_at(0.607), 2);
-  EXPECT_EQ(period_at(0.653), 4);
-  EXPECT_EQ(period_at(0.7), 8);
-  EXPECT_EQ(period_at(0.697), 0);
-}
-
-TEST(Recurrence, AgreesWithNewtonOnAnOrbitOfPeriodTwo) {
+TEST(Newton, FindsAnOrbitOfPeriodTwo) {
   const Scene scene = paper::stops_of_different_sign(0.607);
-  const MotionState start = section_after(scene, 600);
-  const PeriodicOrbit twice = find_periodic_orbit(scene, start, 2);
+  const PeriodicOrbit twice = find_periodic_orbit(scene, section_after(scene, 600), 2);
   ASSERT_TRUE(twice.converged);
   EXPECT_TRUE(twice.stable());
   // Genuinely of period two: after one period it is elsewhere, by far more than any error.
-  EXPECT_GT(largest(image_of(scene, twice.state, coordinates_of(twice.state)) -
-                    coordinates_of(twice.state)),
-            1e-3);
+  const Eigen::VectorXd at = coordinates_of(twice.state);
+  EXPECT_GT(largest(image_of(scene, twice.state, at) - at), 1e-3);
+}
+
+// One line for each way in which the search can end without an orbit.
+TEST(Newton, SaysWhyItDidNotConverge) {
+  const auto why_not = [](const Scene &scene, const MotionState &guess, int most = 20) {
+    const PeriodicOrbit orbit =
+        find_periodic_orbit(scene, guess, 1, {.run = {}, .max_iterations = most});
+    EXPECT_FALSE(orbit.converged);
+    EXPECT_EQ(orbit.why_not.find('\n'), std::string::npos);
+    return orbit.why_not;
+  };
+  const auto starts = [](const std::string &text, const std::string &with) {
+    EXPECT_EQ(text.substr(0, with.size()), with) << text;
+  };
+  const Scene scene = paper::figure2();
+  starts(why_not(scene, section_after(scene, 2), 0), "residual = ");
+  MotionState held = section_after(scene, 30);
+  held.held = {-1, 0};  // that mass is let go, and does not stick at this phase
+  starts(why_not(scene, held),
+         "iterate 0: returns with other masses held (-) than it starts with (1)");
+  // A free mass without damping and forcing, at rest: every state is an orbit's, or none.
+  Scene free{.mass = {1.0}, .stiffness = {0.0}, .omega = 1.0, .displacement = {0.0}};
+  MotionState moving = start_of(free);
+  moving.velocity = {0.1};
+  starts(why_not(free, moving), "iterate 0: a Floquet multiplier is 1");
+  // Far below its stop a mass on a spring moves, for a short period, as if there were none: that
+  // orbit, rest at 0, is beyond the stop.
+  const Scene below{.mass = {1.0},
+                    .stiffness = {1.0},
+                    .omega = 50.0,
+                    .stops = {{1, Side::upper, -1.0}},
+                    .displacement = {-2.0}};
+  starts(why_not(below, start_of(below)), "iterate 1: a mass is beyond its stop");
+  EXPECT_TRUE(find_periodic_orbit(scene, section_after(scene, 30)).why_not.empty());
 }
 
 TEST(StroboscopicMap, RejectsASceneWithoutAForcingPeriod) {

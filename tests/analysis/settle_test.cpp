@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "figures/figure3.hpp"
+#include "recurrence.hpp"
 #include "reference/scenes/long_chain.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/analysis/greatest_common_press.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -1,52 +1,151 @@
 #include "vibro_impact/analysis/bifurcation_curve.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
+#include <cmath>
 
 #include "curve_kinds.hpp"
-#include "simulation/for_analysis.hpp"
+#include "fits.hpp"
+#include "motion_state.hpp"
+#include "vibro_impact/analysis/orbit_change.hpp"
 
 namespace vibro_impact {
 
+namespace {
+
+double product(const PlanePoint &a, const PlanePoint &b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+// The least number of periods, a divisor of those of the orbit, after which it is where it was:
+// sections of one orbit are no nearer to each other than 1e-6.
+int least_period(const Scene &scene, const MotionState &at, int periods) {
+  constexpr double apart = 1e-6;
+  for (int n = 1; n < periods; ++n) {
+    if (periods % n != 0) continue;
+    const MotionState end = stroboscopic_map(scene, at, n).state;
+    if ((view(coordinates(end)) - view(coordinates(at))).cwiseAbs().maxCoeff() < apart) return n;
+  }
+  return periods;
+}
+
+// The orbit from a neighbouring motion of scene `from`: by Newton's method, or where that fails,
+// from the motion followed for a while.
 std::optional<PeriodicOrbit> orbit_in(const Scene &scene, const Scene &from, MotionState seed,
-                                      int periods, const RunOptions &run) {
+                                      int periods) {
   seed.instant.phase = same_angle(seed.instant.phase, from, scene);
-  NewtonOptions options;
-  options.run = run;
-  options.tolerance = 1e-12;
-  options.max_iterations = 12;
+  const NewtonOptions options{.run = {}, .max_iterations = 12, .tolerance = 1e-12};
   PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods, options);
   if (!orbit.converged)
-    orbit = find_periodic_orbit(scene, orbit_near(scene, seed, periods, run, 40), periods, options);
+    orbit = find_periodic_orbit(scene, orbit_near(scene, seed, periods, {}, 40), periods, options);
   if (!orbit.converged) return std::nullopt;
   return orbit;
 }
 
-CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
-                      const Condition &reading, double error) {
-  CurvePoint point{at, reading.gradient, error, reading.state, reading.time};
-  const Scene scene = curve.at(read);
-  const Clock clock(scene.omega);
-  point.state = at_quiet_phase(scene, reading.state);
-  double later = point.state.instant.phase - reading.state.instant.phase;
-  if (later < 0.0) later += clock.period;
-  const double period = curve.periods * clock.period;
-  point.time -= later;
-  if (point.time < 0.0) point.time += period;
-  return point;
+// How often the mass sticks at the stop (multi-sliding) or hits it (grazing): another number is
+// another side of the curve.
+std::ptrdiff_t count_in(const BifurcationCurve &curve, const EventSequence &events) {
+  const EventKind kind = curve.what == Bifurcation::grazing ? EventKind::impact : EventKind::stick;
+  return std::count(events.begin(), events.end(), std::pair(kind, curve.stop));
 }
 
-double time_apart(const std::vector<Event> &events) {
-  double least = std::numeric_limits<double>::infinity();
-  const Event *last = nullptr;
-  for (const Event &event : events) {
-    if (event.kind != EventKind::impact) continue;
-    if (last != nullptr && last->mass != event.mass)
-      least = std::min(least, event.time - last->time);
-    last = &event;
+// The least pressing force, or gap, where it is positive. Nothing where the orbit does not stick,
+// or hit, as often as that of `beside`, if there is one.
+std::optional<Condition> least_value(const BifurcationCurve &curve, const PlanePoint &at,
+                                     const Scene &from, const MotionState &seed,
+                                     const EventSequence *beside) {
+  const Scene scene = curve.at(at);
+  const auto orbit = orbit_in(scene, from, seed, curve.periods);
+  if (!orbit) return std::nullopt;
+  EventRecorder told{.from = time_of(orbit->state.instant, Clock(scene.omega))};
+  stroboscopic_map(scene, orbit->state, curve.periods, {}, told);
+  EventSequence events = sequence_of(curve, told.events);
+  if (beside != nullptr && count_in(curve, events) != count_in(curve, *beside)) return std::nullopt;
+  const OrbitChange change = orbit_change(scene, *orbit, {curve.x, curve.y});
+  const Stop &stop = scene.stops[curve.stop];
+  const auto least = curve.what == Bifurcation::grazing
+                         ? least_gap_change(scene, *orbit, change, stop)
+                         : least_pressing_force_change(scene, *orbit, change, stop);
+  if (!least || !(least->value > 0.0)) return std::nullopt;
+  return Condition{
+      least->value, {least->by[0], least->by[1]}, orbit->state, 0.0, std::move(events)};
+}
+
+// Multi-sliding and grazing: on the line through `guess`, from the side where the value is
+// positive, the direction `side` of `across`; from a motion of scene `from`. Each step goes most of
+// the way left, the last 1e-10 by the derivative.
+std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const PlanePoint &guess,
+                                        const PlanePoint &across, const Scene &from,
+                                        const MotionState &start, double side,
+                                        const EventSequence *beside) {
+  constexpr double near = 1e-10, farthest = 2e-3;
+  double s = 0.0;
+  std::optional<Condition> reading = least_value(curve, guess, from, start, beside);
+  for (double margin = 1e-9; !reading && margin < farthest; margin *= 8.0) {
+    s = side * margin;
+    reading = least_value(curve, moved(guess, across, s), from, start, beside);
+  }
+  for (int step = 0; reading && step < 30; ++step) {
+    const double way = reading->value / product(reading->gradient, across);
+    if (!std::isfinite(way)) return std::nullopt;
+    if (std::abs(way) <= near)
+      return point_from(curve, moved(guess, across, s - way), moved(guess, across, s), *reading,
+                        way * way);
+    const Scene here = curve.at(moved(guess, across, s));
+    std::optional<Condition> next;
+    double part = 1.0 - std::max(1.0 / 30.0, 0.5 * near / std::abs(way));
+    for (int halving = 0; halving < 6 && !next; ++halving, part /= 2.0) {
+      next = least_value(curve, moved(guess, across, s - part * way), here, reading->state, beside);
+      if (next) s -= part * way;
+    }
+    reading = next;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+EventSequence sequence_of(const BifurcationCurve &curve, const std::vector<Event> &events,
+                          const Chatter *on_border) {
+  std::vector<bool> left_out(events.size(), false);
+  const auto leave_out = [&](const Chatter &chatter) {
+    for (const std::size_t k : chatter.impacts) left_out[k] = true;
+  };
+  for (const Chatter &chatter : chatters_of(events))
+    if (chatter.complete) leave_out(chatter);
+  if (on_border != nullptr) {
+    leave_out(*on_border);
+    for (std::size_t k = on_border->impacts.back() + 1; k < events.size(); ++k) {
+      if (events[k].stop != on_border->stop) continue;
+      if (events[k].kind == EventKind::impact) break;
+      left_out[k] = true;
+      if (events[k].kind == EventKind::release) break;
+    }
+  }
+  EventSequence kept;
+  for (std::size_t k = 0; k < events.size(); ++k)
+    if (!left_out[k] && (events[k].kind != EventKind::impact ||
+                         (curve.what == Bifurcation::grazing && events[k].stop == curve.stop)))
+      kept.emplace_back(events[k].kind, events[k].stop);
+  EventSequence least = kept;
+  for (std::size_t k = 1; k < kept.size(); ++k) {
+    std::rotate(kept.begin(), kept.begin() + 1, kept.end());
+    least = std::min(least, kept);
   }
   return least;
+}
+
+CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
+                      const Condition &reading, double error) {
+  const Scene scene = curve.at(read);
+  const double period = Clock(scene.omega).period;
+  CurvePoint point{at, reading.gradient, error, at_quiet_phase(scene, reading.state)};
+  point.period = least_period(scene, point.state, curve.periods);
+  point.events = reading.events;
+  double later = point.state.instant.phase - reading.state.instant.phase;
+  if (later < 0.0) later += period;
+  point.time = reading.time - later;
+  if (point.time < 0.0) point.time += curve.periods * period;
+  return point;
 }
 
 const char *name(Bifurcation bifurcation) {
@@ -56,13 +155,9 @@ const char *name(Bifurcation bifurcation) {
     case Bifurcation::border_orbit:
       return "border orbit";
     case Bifurcation::grazing:
-      return "grazing";
-    case Bifurcation::period_doubling:
-      return "period doubling";
-    case Bifurcation::fold:
       break;
   }
-  return "fold";
+  return "grazing";
 }
 
 Scene BifurcationCurve::at(const PlanePoint &point) const {
@@ -72,14 +167,12 @@ Scene BifurcationCurve::at(const PlanePoint &point) const {
 Corrector corrector_of(const BifurcationCurve &curve) {
   return [curve](const PlanePoint &guess, const PlanePoint &across,
                  const CurvePoint &neighbour) -> std::optional<CurvePoint> {
-    const Scene from = curve.at(neighbour.at);
     try {
-      if (of_impacts(curve.what))
-        return by_speed(curve, guess, across, impact_orbit_at(curve, neighbour));
-      const double side = along(neighbour.gradient, across) > 0.0 ? 1.0 : -1.0;
       if (curve.what == Bifurcation::border_orbit)
         return by_held_chatter(curve, guess, across, neighbour);
-      return from_one_side(curve, guess, across, from, neighbour.state, side, neighbour.count);
+      const double side = product(neighbour.gradient, across) > 0.0 ? 1.0 : -1.0;
+      return from_one_side(curve, guess, across, curve.at(neighbour.at), neighbour.state, side,
+                           &neighbour.events);
     } catch (const std::exception &) {  // outside the scene's limits, a run given up, a fold
       return std::nullopt;
     }
@@ -88,17 +181,12 @@ Corrector corrector_of(const BifurcationCurve &curve) {
 
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoint &guess,
                                    const PlanePoint &across, const MotionState &seed, double time) {
-  require(!of_impacts(curve.what), name(curve.what), ": is found from an orbit by impact speed");
-  const Scene from = curve.at(guess);
+  require(curve.stop < curve.scene.stops.size(), "stop ", curve.stop, ": the scene has ",
+          curve.scene.stops.size(), " stops");
   if (curve.what == Bifurcation::border_orbit)
     return by_held_chatter(curve, guess, across,
                            {.at = guess, .gradient = {}, .state = seed, .time = time});
-  return from_one_side(curve, guess, across, from, seed, 1.0, -1);
-}
-
-std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const ImpactOrbit &near) {
-  require(of_impacts(curve.what), name(curve.what), ": is found from a motion near the orbit");
-  return by_speed(curve, {near.parameter, get(curve.scene, curve.y)}, {1.0, 0.0}, near);
+  return from_one_side(curve, guess, across, curve.at(guess), seed, 1.0, nullptr);
 }
 
 }  // namespace vibro_impact

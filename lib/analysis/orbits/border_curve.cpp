@@ -5,6 +5,7 @@
 
 #include "held_chatter.hpp"
 #include "motion_state.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
@@ -80,19 +81,6 @@ PlanePoint gradient_of(const BorderEquations &eq) {
 
 }  // namespace
 
-std::optional<OnBorder> on_border(const BifurcationCurve &curve, const CurvePoint &point) {
-  const auto eq = equations(curve, {point.at, point.state, point.time});
-  if (!eq) return std::nullopt;
-  const std::vector<std::size_t> free = free_coordinates(point.state.held);
-  Matrix map(2 * point.state.held.size(), 2 * point.state.held.size());
-  for (std::size_t i = 0; i < free.size(); ++i)
-    for (std::size_t j = 0; j < free.size(); ++j)
-      map(free[i], free[j]) =
-          eq->residual_by(static_cast<Index>(i), static_cast<Index>(j)) + (i == j ? 1.0 : 0.0);
-  return OnBorder{eq->others, floquet_multipliers(map, point.state.held), eq->end, eq->press_rate,
-                  eq->apart};
-}
-
 std::optional<CurvePoint> by_held_chatter(const BifurcationCurve &curve, const PlanePoint &guess,
                                           const PlanePoint &across, const CurvePoint &from) {
   BorderIterate at{from.at, from.state, from.time};
@@ -106,8 +94,8 @@ std::optional<CurvePoint> by_held_chatter(const BifurcationCurve &curve, const P
     const auto step = newton_step(*eq, at.at, guess, across, aim);
     if (!step) return std::nullopt;
     const double size = std::hypot(step->place.x, step->place.y);
-    if (deeper && eq->compared.similar && (size < 1e-14 || (size < 1e-11 && size > 0.5 * last))) {
-      const Condition reading{eq->excess, gradient_of(*eq), at.section, eq->end};
+    if (deeper && eq->compared.similar && (size < 3e-15 || (size < 1e-11 && size > 0.5 * last))) {
+      const Condition reading{eq->excess, gradient_of(*eq), at.section, eq->end, eq->events};
       return point_from(curve, at.at, at.at, reading, std::max(size, 1e-16));
     }
     last = size;

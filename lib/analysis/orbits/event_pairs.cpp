@@ -165,23 +165,4 @@ std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
   return pairs;
 }
 
-double greatest_common_press(const Scene &scene, const Stop &first, const Stop &second) {
-  require(scene.masses() == 2, "masses = ", scene.masses(), ": the condition is for two masses");
-  require(first.mass == 1 && second.mass == 2, "stops on masses ", first.mass, " and ", second.mass,
-          ": must be on 1 and 2");
-  check(scene);
-  const auto place = [&](std::size_t i) { return i == 0 ? first.position : second.position; };
-  // The pressing forces are press + slope u.
-  const double sigma1 = sign(first.side), sigma2 = sign(second.side);
-  const double press1 = sigma1 * link_force(scene, 0, first.position, place),
-               press2 = sigma2 * link_force(scene, 1, second.position, place);
-  const double slope1 = sigma1 * amplitude_on(scene, 0), slope2 = sigma2 * amplitude_on(scene, 1);
-  const auto smaller = [&](double u) { return std::min(press1 + slope1 * u, press2 + slope2 * u); };
-  if (scene.omega == 0.0) return smaller(1.0);
-  // The smaller of two straight lines is greatest at an end of [-1, 1] or where they cross.
-  const double ends = std::max(smaller(1.0), smaller(-1.0));
-  const double crossing = (press2 - press1) / (slope1 - slope2);
-  return std::abs(crossing) <= 1.0 ? std::max(ends, smaller(crossing)) : ends;
-}
-
 }  // namespace vibro_impact

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fits.hpp"
 #include "motion_state.hpp"
-#include "vibro_impact/analysis/border_orbit.hpp"
+#include "vibro_impact/analysis/orbit_change.hpp"
 
 namespace vibro_impact {
 
@@ -15,87 +14,32 @@ namespace {
 using Eigen::Index;
 using Row = Eigen::RowVectorXd;
 
-// The impacts of a chatter: how many are at the stop before, which of the events they are, and
-// their speeds.
-struct ChatterFound {
-  std::size_t before = 0;
-  std::vector<std::size_t> events = {};
-  std::vector<double> speeds = {};
-  double end = 0.0;  // the last of them, after the section
-};
-
 // Of the chatters at a stop that which ends nearest to `time`, and not farther from it than
 // `window`.
-std::optional<ChatterFound> chatter_near(const std::vector<Event> &events, std::size_t stop,
-                                         double start, double time, double window) {
-  std::optional<ChatterFound> nearest, now;
-  const auto close = [&] {
-    if (now && std::abs(now->end - time) < window &&
-        (!nearest || std::abs(now->end - time) < std::abs(nearest->end - time)))
-      nearest = std::move(now);
-    now.reset();
-  };
-  std::size_t impacts = 0;
-  for (std::size_t k = 0; k < events.size(); ++k) {
-    const Event &event = events[k];
-    if (event.stop != stop) continue;
-    if (event.kind != EventKind::impact || event.falling == 0) close();
-    if (event.kind != EventKind::impact) continue;
-    if (!now) now.emplace(impacts);
-    now->events.push_back(k);
-    now->speeds.push_back(event.velocity_before);
-    now->end = event.time - start;
-    ++impacts;
+std::optional<Chatter> chatter_near(const std::vector<Event> &events, std::size_t stop, double time,
+                                    double window) {
+  std::optional<Chatter> nearest;
+  for (const Chatter &chatter : chatters_of(events)) {
+    const double away = std::abs(events[chatter.impacts.back()].time - time);
+    if (chatter.stop != stop || !(away < window)) continue;
+    nearest = chatter;
+    window = away;
   }
-  close();
   return nearest;
-}
-
-// Takes a chatter out of the events, and where it just completes, the phase that follows.
-void take_out(const ChatterFound &chatter, std::vector<Event> &events) {
-  const std::size_t stop = events[chatter.events.back()].stop;
-  bool after = true;
-  std::vector<Event> others;
-  for (std::size_t k = 0, next = 0; k < events.size(); ++k) {
-    if (next < chatter.events.size() && chatter.events[next] == k) {
-      ++next;
-      continue;
-    }
-    if (next == chatter.events.size() && after && events[k].stop == stop) {
-      after = events[k].kind == EventKind::stick;
-      if (events[k].kind != EventKind::impact) continue;
-    }
-    others.push_back(events[k]);
-  }
-  events = std::move(others);
-}
-
-// The least time between impacts of two masses. Of the chatter the first ones count only: where an
-// impact of another mass meets its limit, it has met all the late ones in a row.
-double time_apart(std::vector<Event> others, const ChatterFound &chatter,
-                  const std::vector<Event> &events) {
-  constexpr std::size_t first = 3;
-  for (std::size_t k = 0; k < std::min(first, chatter.events.size()); ++k)
-    others.push_back(events[chatter.events[k]]);
-  std::sort(others.begin(), others.end(),
-            [](const Event &a, const Event &b) { return a.time < b.time; });
-  return time_apart(others);
 }
 
 // The last impact that leaves in proportion to how far the motion is from the border orbit: by how
 // much the speed falls to the next is then nearly what it is there. Impacts before it know less of
 // the border, those after it are carried away from it. Number `least`, if that is later and not yet
 // far away.
-std::optional<Compared> last_near_border(const ChatterFound &chatter, const ImpactLaw &law,
+std::optional<Compared> last_near_border(const std::vector<double> &speeds, const ImpactLaw &law,
                                          std::size_t least) {
   // At r the ratio of a chatter that completes, at 0 that of one which is over: of the way there.
   constexpr double near = 0.2, not_far = 0.5;
   const BorderChatter border = border_chatter(law.at_rest());
   const double ratio = border.speed_ratio, way = std::min(ratio, law.at_rest() - ratio);
-  const auto off = [&](std::size_t n) {
-    return std::abs(chatter.speeds[n + 1] / chatter.speeds[n] - ratio);
-  };
-  const std::size_t ratios = chatter.speeds.size() - 1;
+  const auto off = [&](std::size_t n) { return std::abs(speeds[n + 1] / speeds[n] - ratio); };
+  const std::size_t ratios = speeds.size() - 1;
   if (ratios == 0) return std::nullopt;
   std::size_t best = 0;
   for (std::size_t n = 1; n + 1 < ratios; ++n)
@@ -108,14 +52,13 @@ std::optional<Compared> last_near_border(const ChatterFound &chatter, const Impa
   return Compared{best, similar, near * way / border.escape};
 }
 
-// Ends the run right after an event of a kind at a stop, counted from 0.
-struct UntilEvent {
-  EventKind kind;
+// Ends the run right after an impact at a stop, counted from 0.
+struct UntilImpact {
   std::size_t stop, number;
   std::size_t seen = 0;
 
   void event(const Event &event, const Moment &) {
-    if (event.kind == kind && event.stop == stop) ++seen;
+    if (event.kind == EventKind::impact && event.stop == stop) ++seen;
   }
   bool done() const {
     return seen > number;
@@ -140,25 +83,29 @@ class HeldChatter {
                  end = time_after(scene_, start, curve_.periods);
     EventRecorder told{.from = begin};
     simulate_from(scene_, start, end, every_impact(), told);
-    const auto chatter = chatter_near(told.events, curve_.stop, begin, time,
+    const auto chatter = chatter_near(told.events, curve_.stop, begin + time,
                                       (end - begin) / (16.0 * curve_.periods));
     if (!chatter) return std::nullopt;
+    const auto first = static_cast<std::ptrdiff_t>(chatter->impacts.front());
+    std::vector<double> speeds;
+    for (const std::size_t k : chatter->impacts) speeds.push_back(told.events[k].velocity_before);
+    const auto before = static_cast<std::size_t>(
+        std::count_if(told.events.begin(), told.events.begin() + first, [&](const Event &event) {
+          return event.kind == EventKind::impact && event.stop == curve_.stop;
+        }));
     const Stop &stop = scene_.stops[curve_.stop];
-    auto n = last_near_border(*chatter, law_of(scene_, stop), least);
+    auto n = last_near_border(speeds, law_of(scene_, stop), least);
     if (!n) return std::nullopt;
     const Matrix unmoved = columns_;
     std::vector<EventChange> impacts;
     for (bool holding = false; !holding;) {
       at_ = start;
       columns_ = unmoved;
-      UntilEvent next{EventKind::impact, curve_.stop, chatter->before + n->impact + 1};
+      UntilImpact next{curve_.stop, before + n->impact + 1};
       impacts = fly(end, every_impact(), next);
       holding = next.done() && hold(impacts.back());
       if (!holding && n->impact-- == 0) return std::nullopt;
     }
-    UntilEvent release{EventKind::release, curve_.stop, 0};
-    fly(end, {}, release);
-    const double press_rate = pressing_force_rate(scene_, stop, at_);
     fly(end, {});
     if (at_.held != start.held) return std::nullopt;
     const ValueChange excess =
@@ -168,12 +115,9 @@ class HeldChatter {
                           view(columns_)(free, Eigen::all),
                           excess.value,
                           view(excess.by),
-                          chatter->end,
+                          told.events[chatter->impacts.back()].time - begin,
                           *n,
-                          press_rate,
-                          told.events};
-    take_out(*chatter, found.others);
-    found.apart = time_apart(found.others, *chatter, told.events);
+                          sequence_of(curve_, told.events, &*chatter)};
     for (std::size_t k = 0; k < free.size(); ++k)
       found.residual_by(static_cast<Index>(k), static_cast<Index>(k)) -= 1.0;
     if (!found.residual_by.allFinite() || !found.excess_by.allFinite()) return std::nullopt;

@@ -25,9 +25,7 @@ struct BorderEquations {
   Eigen::RowVectorXd excess_by;
   double end = 0.0;  // of the chatter, after the section
   Compared compared;
-  double press_rate = 0.0;         // of the pressing force at its limit
-  std::vector<Event> others = {};  // all events but the impacts of the chatter
-  double apart = 0.0;              // the least time between impacts of two masses
+  EventSequence events;  // of the orbit but for the chatter
 };
 
 // At a place of the plane, from a section; `time`: of the end of the chatter, after it. `least`:

@@ -1,6 +1,5 @@
 #include "vibro_impact/analysis/orbit_change.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -149,38 +148,6 @@ ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter
                         (of_stop ? by_r : 0.0));
   }
   return excess;
-}
-
-std::vector<std::complex<double>> multiplier_change(const Scene &scene, const PeriodicOrbit &orbit,
-                                                    const OrbitChange &change, std::size_t k,
-                                                    double step, const RunOptions &options) {
-  require(k < change.by.size(), "parameter ", k, ": the change has ", change.by.size());
-  require(std::isfinite(step) && step > 0.0, "step = ", step, ": must be positive and finite");
-  const std::vector<std::size_t> free = free_coordinates(orbit.state.held);
-  const auto derivative_at = [&](double shift) -> Eigen::MatrixXd {
-    const Scene moved = with(scene, change.by[k], get(scene, change.by[k]) + shift);
-    const Matrix found =
-        stroboscopic_map_and_derivative(moved, predicted(scene, orbit, change, k, shift),
-                                        orbit.periods, options)
-            .derivative;
-    return view(found)(free, free);
-  };
-  const Eigen::MatrixXd slope = (8.0 * (derivative_at(step) - derivative_at(-step)) -
-                                 (derivative_at(2.0 * step) - derivative_at(-2.0 * step))) /
-                                (12.0 * step);
-  // Of the eigenvalues of A: the diagonal of V^-1 A' V.
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(
-      Eigen::MatrixXd(view(orbit.derivative)(free, free)));
-  const Eigen::MatrixXcd vectors = solver.eigenvectors();
-  const Eigen::VectorXcd slopes =
-      (vectors.partialPivLu().solve(slope.cast<std::complex<double>>() * vectors)).diagonal();
-  std::vector<std::complex<double>> changes;
-  for (const std::complex<double> &multiplier : orbit.multipliers) {
-    Eigen::Index nearest = 0;
-    (solver.eigenvalues().array() - multiplier).abs().minCoeff(&nearest);
-    changes.push_back(slopes(nearest));
-  }
-  return changes;
 }
 
 }  // namespace vibro_impact

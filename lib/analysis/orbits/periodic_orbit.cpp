@@ -190,14 +190,22 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
   PeriodicOrbit orbit;
   orbit.periods = periods;
   MotionState at = orbit.state = moved_into(scene, guess);
+  const auto ended = [&orbit](std::string why) {
+    orbit.why_not = std::move(why);
+    return orbit;
+  };
   double best = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration <= options.max_iterations; ++iteration) {
+  for (int iteration = 0;; ++iteration) {
     const Iterate iterate = evaluate(scene, at, periods, options.run);
     orbit.expansions += iterate.image.counters.expansions;
-    if (iterate.image.state.held != guess.held) return orbit;
+    if (iterate.image.state.held != at.held)
+      return ended(line("iterate ", iteration, ": returns with other masses held (",
+                        contact_mode_name(iterate.image.state.held), ") than it starts with (",
+                        contact_mode_name(at.held), ")"));
     const double size = largest_component(iterate.residual);
     orbit.residuals.push_back(size);
-    if (!iterate.usable) return orbit;
+    if (!iterate.usable)
+      return ended(line("iterate ", iteration, ": the map or its derivative is not finite"));
     if (size < best) {
       best = size;
       accept(orbit, at, iterate);
@@ -205,11 +213,15 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
     const double scale = std::max(1.0, largest_component(view(coordinates(at))));
     orbit.converged = size <= options.tolerance * scale;
     if (orbit.converged) return orbit;
-    if (!iterate.step.allFinite()) return orbit;  // a multiplier of 1: no step leads on
+    if (iteration == options.max_iterations)
+      return ended(line("residual = ", best, " after ", iteration, " iterations: above ",
+                        options.tolerance * scale));
+    if (!iterate.step.allFinite())
+      return ended(line("iterate ", iteration, ": a Floquet multiplier is 1, no step leads on"));
     move(at, iterate.step);
-    if (!admissible(scene, at)) return orbit;
+    if (!admissible(scene, at))
+      return ended(line("iterate ", iteration + 1, ": a mass is beyond its stop"));
   }
-  return orbit;
 }
 
 MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods,
@@ -220,21 +232,6 @@ MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods,
   if (orbit.converged) return orbit.state;
   const int whole = std::max(periods, settling - settling % periods);
   return stroboscopic_map(scene, moved_into(scene, seed), whole, options).state;
-}
-
-Recurrence recurrence(const Scene &scene, const MotionState &state, int most, double tolerance,
-                      const RunOptions &options) {
-  require(most >= 1, "most = ", most, ": must be at least 1");
-  require(tolerance >= 0.0, "tolerance = ", tolerance, ": must be non-negative");
-  MotionState at = state;
-  double least = std::numeric_limits<double>::infinity();
-  for (int n = 1; n <= most; ++n) {
-    at = stroboscopic_map(scene, at, 1, options).state;
-    const double distance = largest_component(difference(at, state));
-    if (at.held == state.held && distance <= tolerance) return {n, distance};
-    least = std::min(least, distance);
-  }
-  return {0, least};
 }
 
 }  // namespace vibro_impact

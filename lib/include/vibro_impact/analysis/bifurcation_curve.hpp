@@ -1,48 +1,45 @@
-// Bifurcations of periodic orbits as curves in the plane of two parameters: where the least
-// pressing force inside a sticking phase is zero (multi-sliding), where a chatter just fails to
-// complete (border orbit), where the least gap is zero (grazing), where a Floquet multiplier is -1
-// (period doubling) or +1 (fold). The orbit is solved for inside; how what is zero changes with the
-// parameters is that of orbit_change.hpp or, for the last two, of a family by impact speed.
+// Bifurcations of periodic orbits in the plane of two parameters: where the least pressing force
+// inside a sticking phase is zero (multi-sliding), where a chatter just fails to complete (border
+// orbit), where the least gap is zero (grazing). Their points on a line, of one parameter or any
+// other, and the curves through these. The orbit is solved for inside; how what is zero changes
+// with the parameters is that of orbit_change.hpp.
 #pragma once
 
 #include "continuation.hpp"
-#include "impact_family.hpp"
-#include "orbit_change.hpp"
+#include "parameter.hpp"
 
 namespace vibro_impact {
 
-enum class Bifurcation { multi_sliding, border_orbit, grazing, period_doubling, fold };
+enum class Bifurcation { multi_sliding, border_orbit, grazing };
 
-// "multi-sliding", "border orbit", "grazing", "period doubling", "fold".
+// "multi-sliding", "border orbit", "grazing".
 const char *name(Bifurcation bifurcation);
 
+// Its orbits keep their sticks and releases (CurvePoint::events), but for those after the chatter
+// that is on the border; of a grazing, also the impacts at its stop outside complete chatters. Where
+// another impact comes or goes by a grazing the curve has a corner, and is the same.
 struct BifurcationCurve {
   Bifurcation what = Bifurcation::multi_sliding;
   Scene scene;           // but for the parameters x and y
   Parameter x, y;        // as TangentRecorder takes them
-  std::size_t stop = 0;  // of the phase, the chatter, the gap, the impact: index in Scene::stops
+  std::size_t stop = 0;  // of the phase, the chatter, the gap: index in Scene::stops
   int periods = 1;       // of the orbit
 
   Scene at(const PlanePoint &point) const;
 };
 
-// What finds the points of the curve: see bifurcation_curve.cpp for how. A multi-sliding and a
-// grazing are approached from the side where the phase is whole, or the stop not touched, because
-// the motion is another on the other side: `error` is that of the last, linear, step. A border
-// orbit is a zero for every depth of the chatter, which converges with it. A period doubling and a
-// fold are zeros of smooth functions of the speed of an impact and one of the parameters (x is then
-// the parameter of the ImpactFamily); they end where the orbit is no longer real.
+// What finds the points of the curve. A multi-sliding and a grazing are approached from the side
+// where the phase is whole, or the stop not touched, because the motion is another on the other
+// side: `error` is that of the last, linear, step. A border orbit is a zero for every depth of the
+// chatter, and converges with it to rounding.
 Corrector corrector_of(const BifurcationCurve &curve);
 
 // A first point of the curve on the line through `guess` in direction `across`, which points to
 // where the phase is whole, the stop not touched, the chatter complete; from a motion near the
-// orbit. `time`: of the end of the chatter of a border orbit, after the section. Throws
-// std::invalid_argument for a period doubling or a fold.
+// orbit. `time`: of the end of the chatter of a border orbit, after the section. Nothing where it
+// finds none. Throws std::invalid_argument for a scene, a stop or parameters out of range.
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoint &guess,
-                                   const PlanePoint &across, const MotionState &seed, double time);
-
-// The same of a period doubling or a fold, from an orbit near it of the family in x, of
-// curve.scene: at the y of that scene. Throws std::invalid_argument for other kinds.
-std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const ImpactOrbit &near);
+                                   const PlanePoint &across, const MotionState &seed,
+                                   double time = 0.0);
 
 }  // namespace vibro_impact

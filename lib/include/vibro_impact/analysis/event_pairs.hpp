@@ -78,22 +78,4 @@ struct PairedEvents {
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
                                       const PairTolerances &tolerances = {});
 
-// The greatest force, over a forcing period, that presses both masses of a two-mass chain into
-// their stops `first` and `second` at once (the smaller of the two forces). Positive if and only if
-// dual sticking is possible.
-//
-// With both masses at rest at their stops, u = cos(Omega t), and A = (A1, A2), Eqs. 12-13 read
-//   F1 = k2 (s2 - s1) - k1 s1 + A1 u,   F2 = k2 (s1 - s2) + A2 u,
-// and dual sticking needs sigma1 F1 > 0 and sigma2 F2 > 0 at the same u in [-1, 1]. The condition
-// is sufficient, too: both forces stay positive for some time about such an instant, two masses at
-// rest at their stops stay there for that time, and so do, after complete chatter, masses that
-// arrive slowly enough. (It does not say that a given initial state leads there.)
-//
-// For A2 = 0, the paper's case, F2 is constant: sigma2 (s1 - s2) > 0, which for an upper stop is
-// s2 < s1, and sigma1 (k2 (s2 - s1) - k1 s1) + |A1| > 0. At s2 = s1, Figure 5(c), F2 is zero: mass
-// 2 bounces about its own equilibrium at a constant interval, for ever, and does not stick.
-//
-// Throws std::invalid_argument unless the chain has two masses and the stops are on masses 1 and 2.
-double greatest_common_press(const Scene &scene, const Stop &first, const Stop &second);
-
 }  // namespace vibro_impact

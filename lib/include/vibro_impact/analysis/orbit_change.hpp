@@ -6,7 +6,6 @@
 // run with that as the change of the start; of a minimum over time, it is that at a fixed time.
 #pragma once
 
-#include <complex>
 #include <optional>
 #include <vector>
 
@@ -56,14 +55,5 @@ std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
 // both are impacts at one stop of which the restitution lies in (0, 1), and of as many changes.
 ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter> &by,
                                  const EventChange &one, const EventChange &next);
-
-// The derivatives of the Floquet multipliers, in the order of orbit.multipliers. They need the
-// second derivatives of the map: taken as central differences, of fourth order in `step`, of its
-// exact first derivative along the family of orbits. Not defined (NaN, or without meaning) where
-// multipliers coincide, as those of the directions that sticking forgets do at 0. The orbit's
-// events must stay what they are within 2 `step`.
-std::vector<std::complex<double>> multiplier_change(const Scene &scene, const PeriodicOrbit &orbit,
-                                                    const OrbitChange &change, std::size_t k,
-                                                    double step, const RunOptions &options = {});
 
 }  // namespace vibro_impact

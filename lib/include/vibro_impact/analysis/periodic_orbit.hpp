@@ -1,5 +1,5 @@
 // Periodic orbits as fixed points of the stroboscopic map, found by Newton's method with the exact
-// derivative of the map; their Floquet multipliers; and the period of a settled motion.
+// derivative of the map, and their Floquet multipliers.
 //
 // The stroboscopic map takes the state at one phase of the forcing to the state n forcing periods
 // later. Masses held at that phase have no freedom: the unknowns are the displacements and
@@ -9,6 +9,7 @@
 #pragma once
 
 #include <complex>
+#include <string>
 #include <vector>
 
 #include "matrix.hpp"
@@ -75,7 +76,8 @@ struct PeriodicOrbit {
   MotionState state;                              // at the section
   std::vector<std::complex<double>> multipliers;  // Floquet multipliers, largest modulus first
   Matrix derivative;                              // of the map, as in StroboscopicImage
-  bool converged = false;                         // false: the rest describes the last iterate
+  bool converged = false;                         // false: the rest describes the best iterate
+  std::string why_not;                            // ... and why, in one line
   std::vector<double> residuals;  // largest component of P(z) - z, one per map evaluation
   double error = 0.0;             // estimated error of `state`: the size of the next Newton step
   bool differentiable = true;
@@ -93,7 +95,8 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
 
 // Newton's method for the fixed point of the `periods`-fold stroboscopic map near `guess`, whose
 // phase is the section. The contact mode at the section is that of the guess; the search ends
-// without convergence when an iterate returns in another one or leaves the admissible region.
+// without convergence, and says so in `why_not`, when an iterate returns in another one or leaves
+// the admissible region, when a multiplier is 1, and after the most iterations allowed.
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods = 1,
                                   const NewtonOptions &options = {});
 
@@ -101,17 +104,5 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
 // following the motion for `settling` periods.
 MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods,
                        const RunOptions &options = {}, int settling = 200);
-
-// How often a settled motion repeats.
-struct Recurrence {
-  int periods = 0;        // smallest n <= most with z after n periods = z; 0 when there is none
-  double distance = 0.0;  // largest component of z after `periods` periods minus z (0: the least)
-};
-
-// The period, in forcing periods, of the motion through `state`, which should lie on an attractor.
-// States closer than `tolerance` count as equal. An orbit that does not repeat within `most`
-// periods (quasi-periodic, chaotic, of longer period, not settled) gives 0.
-Recurrence recurrence(const Scene &scene, const MotionState &state, int most = 8,
-                      double tolerance = 1e-8, const RunOptions &options = {});
 
 }  // namespace vibro_impact
