@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "figures/beyond/table1_scenes.hpp"
+#include "figures/printed.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -19,7 +20,7 @@ namespace vibro_impact::figures {
 struct KeyNumber {
   std::string symbol;  // in reference/key_numbers.csv
   std::string meaning;
-  std::string printed;   // what the paper says, in its words or digits; empty where it is silent
+  Printed printed;       // what the paper says, and what that can tell
   std::string decimals;  // how many digits to show, as a format
   double tolerance;      // absolute
   std::string why;       // why that tolerance
@@ -73,6 +74,14 @@ inline double count(const std::vector<Event> &events, EventKind kind, int mass =
   double n = 0.0;
   for (const Event &event : events)
     if (event.kind == kind && (mass == 0 || event.mass == mass)) n += 1.0;
+  return n;
+}
+
+// How often a mass comes to rest while the other one is held.
+inline double dual_sticks(const Scene &scene, double until) {
+  double n = 0.0;
+  for (const Event &event : events_of(scene, until))
+    if (event.kind == EventKind::stick && contact_mode_name(event.held) == "1+2") n += 1.0;
   return n;
 }
 
@@ -133,78 +142,125 @@ inline std::vector<KeyNumber> key_numbers() {
   const std::string event_time = "event times are asserted to 1e-10 up to t = 750";
   const std::string exact = "a count";
   return {
-      {"lambda1", "eigenvalue of E, N = 2", "0.382", "{:.15f}", 1e-14, rounding, modes(0, 1)},
-      {"lambda2", "eigenvalue of E, N = 2", "2.618", "{:.15f}", 1e-14, rounding, modes(0, 2)},
-      {"xi1_mass1", "first eigenvector, mass 1", "0.526", "{:.15f}", 1e-14, rounding, modes(1, 1)},
-      {"xi1_mass2", "first eigenvector, mass 2", "0.851", "{:.15f}", 1e-14, rounding, modes(2, 1)},
-      {"xi2_mass1", "second eigenvector, mass 1", "-0.851", "{:.15f}", 1e-14, rounding,
+      {"lambda1", "eigenvalue of E, N = 2", digits("0.382"), "{:.15f}", 1e-14, rounding,
+       modes(0, 1)},
+      {"lambda2", "eigenvalue of E, N = 2", digits("2.618"), "{:.15f}", 1e-14, rounding,
+       modes(0, 2)},
+      {"xi1_mass1", "first eigenvector, mass 1", digits("0.526"), "{:.15f}", 1e-14, rounding,
+       modes(1, 1)},
+      {"xi1_mass2", "first eigenvector, mass 2", digits("0.851"), "{:.15f}", 1e-14, rounding,
+       modes(2, 1)},
+      {"xi2_mass1", "second eigenvector, mass 1", digits("-0.851"), "{:.15f}", 1e-14, rounding,
        modes(1, 2)},
-      {"xi2_mass2", "second eigenvector, mass 2", "0.526", "{:.15f}", 1e-14, rounding, modes(2, 2)},
-      {"exit_slope", "exit boundary of mass 2, slope (fitted to simulated releases)", "-10",
+      {"xi2_mass2", "second eigenvector, mass 2", digits("0.526"), "{:.15f}", 1e-14, rounding,
+       modes(2, 2)},
+      {"exit_slope", "exit boundary of mass 2, slope (fitted to simulated releases)", digits("-10"),
        "{:.12f}", 1e-9, "rounding of a release point times c/k over the spread of the points",
        [] { return exit_boundary_of_mass_2().slope; }},
-      {"exit_intercept", "exit boundary of mass 2, intercept", "1", "{:.12f}", 1e-9, "as the slope",
-       [] { return exit_boundary_of_mass_2().intercept; }},
-      {"figure2_sticks", "Figure 2: sticks to t = 750", "", "{:.0f}", 0.0, exact,
+      {"exit_intercept", "exit boundary of mass 2, intercept", digits("1"), "{:.12f}", 1e-9,
+       "as the slope", [] { return exit_boundary_of_mass_2().intercept; }},
+      {"figure2_sticks",
+       "Figure 2: sticks to t = 750",
+       {},
+       "{:.0f}",
+       0.0,
+       exact,
        [] { return count(events_of(figure2(), 750.0), EventKind::stick); }},
-      {"figure2_releases", "Figure 2: releases to t = 750", "", "{:.0f}", 0.0, exact,
+      {"figure2_releases",
+       "Figure 2: releases to t = 750",
+       {},
+       "{:.0f}",
+       0.0,
+       exact,
        [] { return count(events_of(figure2(), 750.0), EventKind::release); }},
-      {"figure2_x2_min", "Figure 2(a): lowest x2", "inside [-0.5, 0.4]", "{:.9f}", 1e-8,
-       "samples every 1e-4: (1e-4)^2 x'' / 8",
+      {"figure2_x2_min", "Figure 2(a): lowest x2 (by which Omega is inferred)",
+       between("-0.5", "-0.4"), "{:.9f}", 1e-8, "samples every 1e-4: (1e-4)^2 x'' / 8",
        [] { return extreme(figure2(), 2, -1.0, 700.0, 750.0, 1e-4); }},
-      {"figure2_x1_max", "Figure 2(a): highest x1", "inside [-0.5, 0.4]", "{:.9f}", 1e-8,
-       "samples every 1e-4: (1e-4)^2 x'' / 8",
+      {"figure2_x1_max", "Figure 2(a): highest x1 (by which Omega is inferred)",
+       between("0.3", "0.4"), "{:.9f}", 1e-8, "samples every 1e-4: (1e-4)^2 x'' / 8",
        [] { return extreme(figure2(), 1, 1.0, 700.0, 750.0, 1e-4); }},
-      {"figure2b_x2_min", "Figure 2(b): lowest x2", "between -0.06 and -0.04", "{:.9f}", 1e-8,
-       "samples every 1e-4: (1e-4)^2 x'' / 8",
+      {"figure2b_x2_min", "Figure 2(b): lowest x2 (by which Omega is inferred)",
+       between("-0.06", "-0.04"), "{:.9f}", 1e-8, "samples every 1e-4: (1e-4)^2 x'' / 8",
        [] { return extreme(figure2(), 2, -1.0, 715.0, 722.0, 1e-4); }},
-      {"figure2b_chatter_start", "Figure 2(b): mass 2's first impact", "", "{:.11f}", 1e-10,
+      {"figure2b_chatter_start",
+       "Figure 2(b): mass 2's first impact",
+       {},
+       "{:.11f}",
+       1e-10,
        event_time,
        [] { return first_time(events_of(figure2(), 750.0), EventKind::impact, 2, 715.0); }},
-      {"figure2b_chatter_end", "Figure 2(b): mass 2's chatter is complete", "", "{:.11f}", 1e-10,
+      {"figure2b_chatter_end",
+       "Figure 2(b): mass 2's chatter is complete",
+       {},
+       "{:.11f}",
+       1e-10,
        event_time,
        [] { return first_time(events_of(figure2(), 750.0), EventKind::stick, 2, 715.0); }},
       {"figure4a_sticks_of_mass_1", "sticks of mass 1 in ten periods, Omega = 0.256",
-       "one phase per period", "{:.0f}", 0.0, exact,
+       exactly("one a period", 10.0), "{:.0f}", 0.0, exact,
        [sticks_of_mass_1] { return sticks_of_mass_1(figure4a()); }},
       {"figure4b_sticks_of_mass_1", "sticks of mass 1 in ten periods, Omega = 0.2561",
-       "two phases per period", "{:.0f}", 0.0, exact,
+       exactly("two a period", 20.0), "{:.0f}", 0.0, exact,
        [sticks_of_mass_1] { return sticks_of_mass_1(figure4b()); }},
-      {"figure4a_hold_force_peak", "Figure 4(a): the force just short of zero", "just below 0",
-       "{:.9e}", 1e-9, "samples every 1e-4: (1e-4)^2 F'' / 8",
+      {"figure3_sticks_of_mass_1_at_0_65",
+       "Figure 3: sticks of mass 1 in ten periods, Omega = 0.65", exactly("none above 0.5", 0.0),
+       "{:.0f}", 0.0, exact, [sticks_of_mass_1] { return sticks_of_mass_1(paper::figure3(0.65)); }},
+      {"figure4a_hold_force_peak", "Figure 4(a): the force just short of zero",
+       between("-0.02", "0"), "{:.9e}", 1e-9, "samples every 1e-4: (1e-4)^2 F'' / 8",
        [] { return hold_force_peak(figure4a(), 750.0); }},
-      {"figure5a_stick_time", "Figure 5(a): mass 1 sticks", "", "{:.11f}", 1e-10, event_time,
+      {"figure5a_stick_time",
+       "Figure 5(a): mass 1 sticks",
+       {},
+       "{:.11f}",
+       1e-10,
+       event_time,
        [] { return first_time(events_of(figure5a(), 964.0), EventKind::stick, 1, 950.0); }},
-      {"figure5a_impacts_while_stuck", "Figure 5(a): impacts of mass 2 in the sticking phase", "2",
-       "{:.0f}", 0.0, exact,
+      {"figure5a_impacts_while_stuck",
+       "Figure 5(a): impacts of mass 2 in the sticking phase (by which Omega is inferred)",
+       exactly("two", 2.0), "{:.0f}", 0.0, exact,
        [] {
          const auto events = events_of(figure5a(), 964.0);
          const double from = first_time(events, EventKind::stick, 1, 950.0);
          return count(events_of(figure5a(), 964.0, from), EventKind::impact, 2);
        }},
-      {"figure5b_nearest_time", "Figure 5(b): mass 2 is nearest s2 while mass 1 is stuck",
-       "about 920", "{:.11f}", 1e-10, event_time,
+      {"figure5b_nearest_time",
+       "Figure 5(b): time at which mass 2 is nearest s2 (by which Omega is inferred)",
+       digits("920"), "{:.11f}", 1e-10, event_time,
        [] { return turning_time(paper::figure5b(), 2, 919.6, 920.3); }},
-      {"figure5b_nearest_gap", "Figure 5(b): gap of mass 2 then", "grazes", "{:.9e}", 1e-12,
-       "rounding of x: the gap turns there",
+      {"figure5b_nearest_gap", "Figure 5(b): gap of mass 2 then (by which Omega is inferred)",
+       exactly("it grazes", 0.0), "{:.9e}", 1e-12, "rounding of x: the gap turns there",
        [] {
          const Scene scene = paper::figure5b();
          const double time = turning_time(scene, 2, 919.6, 920.3);
          return scene.stops[1].position - place_at(scene, 2, time);
        }},
-      {"figure5b_x2_min", "Figure 5(b): lowest x2", "between -0.4 and -0.3", "{:.9f}", 1e-8,
-       "samples every 1e-4: (1e-4)^2 x'' / 8",
+      {"figure5b_x2_min", "Figure 5(b): lowest x2 (by which Omega is inferred)",
+       between("-0.4", "-0.3"), "{:.9f}", 1e-8, "samples every 1e-4: (1e-4)^2 x'' / 8",
        [] { return extreme(paper::figure5b(), 2, -1.0, 916.0, 930.0, 1e-4); }},
-      {"figure5c_release_time", "Figure 5(c): mass 1 is released", "about 989", "{:.11f}", 1e-10,
+      {"figure5b_dual_sticks", "Figure 5(b): times at which both masses stick, to t = 930",
+       at_least_once("dual sticking"), "{:.0f}", 0.0, exact,
+       [] { return dual_sticks(paper::figure5b(), paper::figure5b_box.to); }},
+      {"figure5c_release_time",
+       "Figure 5(c): mass 1 is released",
+       {},
+       "{:.11f}",
+       1e-10,
        event_time,
        [] { return first_time(events_of(figure5c(), 1000.0), EventKind::release, 1, 900.0); }},
-      {"figure5c_bounce_interval", "Figure 5(c): bounce interval of mass 2", "", "{:.12f}", 1e-12,
+      {"figure5c_bounce_interval",
+       "Figure 5(c): bounce interval of mass 2",
+       {},
+       "{:.12f}",
+       1e-12,
        "t near 1000: a few units in the last place, averaged over 20 bounces",
        [] {
          const auto events = events_of(figure5c(), 985.0, 920.0);
          const Event &first = events.front(), &last = events.back();
          return (last.time - first.time) / static_cast<double>(events.size() - 1);
        }},
+      {"figure5c_dual_sticks", "Figure 5(c) at lower Omega and r: times at which both masses stick",
+       at_least_once("leads to dual sticking"), "{:.0f}", 0.0, exact,
+       [] { return dual_sticks(paper::figure5c_reduced(), paper::figure5c_box.to); }},
   };
 }
 

@@ -26,6 +26,13 @@ inline std::size_t count(const std::vector<Event> &events, Event::Kind kind,
   }));
 }
 
+/// How often a mass comes to rest while the other one is held.
+inline std::size_t dual_sticks(const std::vector<Event> &events) {
+  return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [](const Event &e) {
+    return e.kind == Event::Kind::stick && e.stuck[0] && e.stuck[1];
+  }));
+}
+
 /// First event of a kind on a mass in [from, to]; throws std::logic_error if there is none.
 inline const Event &first(const std::vector<Event> &events, Event::Kind kind, std::size_t mass,
                           const Real &from, const Real &to) {
@@ -115,6 +122,14 @@ inline std::vector<KeyNumber> computed_numbers() {
         completion.of(first(events, Kind::stick, mass_2, Real(715), Real(722))), scene,
         "the chatter of mass 2 in Figure 2(b) is complete and it sticks");
   }
+  {
+    const Scene scene = in_digits("figure3 at 0.65", vibro_impact::paper::figure3(0.65), 750);
+    const Real ten_periods = 20 * acos(Real(-1)) / scene.chain.frequency;
+    add_count(
+        "figure3_sticks_of_mass_1_at_0_65",
+        count(simulate(scene, {}, resolution), Kind::stick, mass_1, scene.end_time - ten_periods),
+        "scene figure3", "sticks of mass 1 in the last ten forcing periods before t = 750");
+  }
   for (const std::string name : {"figure4a", "figure4b"}) {
     const Scene scene = scene_named(name);
     const Real period = 2 * acos(Real(-1)) / scene.chain.frequency;
@@ -167,6 +182,8 @@ inline std::vector<KeyNumber> computed_numbers() {
     add_count("figure5b_impacts_of_mass_2",
               count(events, Kind::impact, mass_2, Real(916), Real(930)), "scene figure5b",
               "impacts of mass 2 for t in 916-930");
+    add_count("figure5b_dual_sticks", dual_sticks(events), "scene figure5b",
+              "times to t = 930 at which both masses stick");
   }
   {
     const auto events = simulate(scene_named("figure5c"), {}, resolution);
@@ -184,6 +201,12 @@ inline std::vector<KeyNumber> computed_numbers() {
         "scene figure5c", "ratio of their impact speeds");
     add("figure5c_last_bounce_speed", last.velocity_before, "scene figure5c",
         "speed of the last of them: mass 2 still bounces, it never sticks");
+  }
+  {
+    const Scene scene = in_digits("reduced", vibro_impact::paper::figure5c_reduced(), 1000);
+    add_count("figure5c_dual_sticks", dual_sticks(simulate(scene, {}, resolution)),
+              "Figure 5(c) with Omega = 0.015 and r = 0.5",
+              "times to t = 1000 at which both masses stick");
   }
   return rows;
 }

@@ -6,6 +6,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 
+#include "figures/printed.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/analysis/greatest_common_press.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -158,6 +159,46 @@ TEST(Corrections, Figure5cHasNoDualStickingAtLowerFrequencyOrRestitution) {
     EXPECT_GT(events.events.size(), 50u);
     for (const Event &event : events.events) EXPECT_NE(contact_mode_name(event.held), "1+2");
   }
+}
+
+// Section 3.2, "the region of sticking motions all exist at forcing frequencies < 0.5": mass 1
+// sticks again between 0.632 and about 0.69, every period or every other one, with gaps; mass 2
+// does not.
+TEST(Corrections, Mass1SticksAgainAboveTheFrequencyOneHalf) {
+  const auto sticks_in_ten_periods = [](double omega, int mass) {
+    const double period = Clock(omega).period, until = 200.0 * period;
+    int sticks = 0;
+    EventRecorder recorder;
+    recorder.from = until - 10.0 * period;
+    require_complete(simulate(paper::figure3(omega), until, {}, recorder));
+    for (const Event &event : recorder.events)
+      sticks += event.kind == EventKind::stick && event.mass == mass;
+    return sticks;
+  };
+  for (const double omega : {0.48, 0.51, 0.6, 0.63, 0.68, 0.695})
+    EXPECT_EQ(sticks_in_ten_periods(omega, 1), 0) << omega;
+  for (const double omega : {0.633, 0.65, 0.685})  // every other period
+    EXPECT_EQ(sticks_in_ten_periods(omega, 1), 5) << omega;
+  EXPECT_EQ(sticks_in_ten_periods(0.665, 1), 10);
+  for (const double omega : {0.51, 0.6, 0.65, 0.665, 0.695})
+    EXPECT_EQ(sticks_in_ten_periods(omega, 2), 0) << omega;
+}
+
+// The verdicts of `make check` follow from the print: half a unit of its last digit, the ticks that
+// a value lies between, a twentieth of a tick where it is read off Figure 3.
+TEST(Verdicts, FollowFromWhatThePrintCanTell) {
+  using namespace figures;
+  EXPECT_EQ(verdict_on(digits("0.382"), 0.38197), Verdict::agrees);
+  EXPECT_EQ(verdict_on(digits("0.382"), 0.38251), Verdict::differs);
+  EXPECT_EQ(verdict_on(digits("920"), 919.51), Verdict::agrees);
+  EXPECT_EQ(verdict_on(digits("920"), 919.49), Verdict::differs);
+  EXPECT_EQ(verdict_on(between("-0.06", "-0.04"), -0.0464), Verdict::agrees);
+  EXPECT_EQ(verdict_on(read_off_figure3("0.37"), 0.3678), Verdict::agrees);
+  EXPECT_EQ(verdict_on(read_off_figure3("0.35"), 0.33098), Verdict::differs);
+  EXPECT_EQ(verdict_on(exactly("it grazes", 0.0), 7.5e-5), Verdict::differs);
+  EXPECT_EQ(verdict_on(at_least_once("dual sticking"), 0.0), Verdict::differs);
+  EXPECT_EQ(verdict_on({}, 1.0), Verdict::not_in_the_paper);
+  EXPECT_EQ(in_words(read_off_figure3("0.35"), 0.33098), "differs from the paper by -0.019");
 }
 
 }  // namespace
