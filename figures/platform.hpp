@@ -11,8 +11,6 @@
 #include <fstream>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace vibro_impact::figures {
 
@@ -52,14 +50,10 @@ inline std::string compiler() {
 #else
   std::string text = "g++ " __VERSION__;
 #endif
-#ifdef __FMA__
-  text += " fma";
-#endif
-#ifdef __AVX2__
+#if defined __AVX512F__
+  text += " fma avx2 avx512f";
+#elif defined __AVX2__
   text += " avx2";
-#endif
-#ifdef __AVX512F__
-  text += " avx512f";
 #endif
   return text;
 }
@@ -70,19 +64,10 @@ inline std::string platform() {
                      EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, processor());
 }
 
-// The same and all else, by name.
-inline std::vector<std::pair<std::string, std::string>> made_with() {
-  return {{"compiler", compiler()},
-          {"C library", gnu_get_libc_version()},
-          {"Eigen",
-           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
-                                BOOST_VERSION % 100)},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                              FMT_VERSION % 100)},
-          {"gnuplot", first_line_of("gnuplot --version")},
-          {"processor", processor()},
-          {"system", first_line_of("uname -sr")}};
+// What else has a part in it.
+inline std::string made_with() {
+  return fmt::format("Boost {}, fmt {}, {}, {}", BOOST_LIB_VERSION, FMT_VERSION,
+                     first_line_of("gnuplot --version"), first_line_of("uname -sr"));
 }
 
 }  // namespace vibro_impact::figures

@@ -1,62 +1,83 @@
-// The tables of a fresh run against those stored in the repository: byte for byte by their SHA-256,
-// and number by number in the rows of which the repository keeps a copy.
+// How a table of a fresh run is held against the one stored in the repository, which keeps a few of
+// its rows: number by number, by Debian's numdiff.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <map>
 #include <string>
-#include <vector>
+
+#include "platform.hpp"
+#include "table_reader.hpp"
 
 namespace vibro_impact::figures {
 
-// The file name of a table or picture -> its SHA-256, as `sha256sum` prints and checks it.
-struct Sums {
-  std::string platform;  // what decides the last bits of a result
-  std::map<std::string, std::string> of;
-};
-
-// The sums of all tables (.csv) and pictures (.png) of a folder, by coreutils' sha256sum. Throws
-// std::runtime_error when that fails.
-Sums sums_of(const std::filesystem::path &folder, const std::string &platform);
-Sums read_sums(const std::filesystem::path &file);
-std::string text_of(const Sums &sums);
-
-// Some rows of a table, evenly spread, with their numbers (from 0) in the whole one.
-struct Extract {
-  std::string header;
-  std::vector<std::size_t> numbers = {};
-  std::vector<std::vector<std::string>> rows = {};
-  std::size_t rows_in_all = 0;
-};
-
-// At most `most` rows, the first and the last among them, of those whose first cell is at most
-// `until`.
-Extract extract(const std::filesystem::path &table, std::size_t most, double until);
-Extract read_extract(const std::filesystem::path &file);
-std::string text_of(const Extract &extract);
-
-// How the numbers of a table may differ between platforms: by `tolerance` times the largest modulus
-// in their column, where the first column is at most `until`. Not compared at all: `not compared`
-// in place of a number.
+// How the numbers of a table may differ between platforms: by `tolerance` times their size, near
+// zero by a tenth of it, where the first column is at most `until`; or the table is not compared.
 struct Rule {
-  double tolerance = 0.0, until = 0.0;
+  double tolerance = 0.0, until = std::numeric_limits<double>::infinity();
   bool compared = true;
-  std::string reason;
 };
 
 // The rules by the beginning of a table's name; the longest that fits applies.
 using Rules = std::map<std::string, Rule>;
-Rules read_rules(const std::filesystem::path &file);
-const Rule &rule_for(const Rules &rules, const std::string &table);
 
-// The largest difference of two extracts relative to the largest modulus in its column, or why they
-// cannot be compared. A column `error` holds estimates, most at the level of rounding: they are
-// compared relative to 1, the order of the numbers they belong to.
-struct Difference {
-  double largest = 0.0;
-  std::string where = {};   // the row and column of the largest
-  std::string reason = {};  // not empty: another header, number of rows or text
-};
-Difference difference(const Extract &fresh, const Extract &stored);
+inline Rules read_rules(const std::filesystem::path &path) {
+  std::ifstream file = opened(path.string());
+  Rules rules;
+  for (const auto &cells : read_rows(file, path.string(), 4)) {
+    Rule &rule = rules[cells[0]];
+    rule.compared = cells[1] != "not compared";
+    if (rule.compared) rule.tolerance = number_in(path.string(), cells[1]);
+    if (!cells[2].empty()) rule.until = number_in(path.string(), cells[2]);
+  }
+  return rules;
+}
+
+inline const Rule &rule_for(const Rules &rules, const std::string &table) {
+  for (std::size_t length = table.size() + 1; length-- > 0;)
+    if (const auto found = rules.find(table.substr(0, length)); found != rules.end())
+      return found->second;
+  throw std::runtime_error(table + ": no rule says how it is compared");
+}
+
+// At most `most` rows of a table as they stand there, evenly spread, the first and the last among
+// them, each after its number (from 0); in front of them the header after the number of all rows.
+// The table ends for this purpose where its first cell is above `until`.
+inline std::string extract(const std::filesystem::path &table, double until,
+                           std::size_t most = 41) {
+  std::ifstream file = opened(table.string());
+  std::string header;
+  std::getline(file, header);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(file, line); rows.push_back(line)) {
+    const auto value = as_number(line.substr(0, line.find(',')));
+    if (value && *value > until) break;
+  }
+  std::string text = fmt::format("row of {},{}\n", rows.size(), header);
+  const std::size_t kept = std::min(most, rows.size());
+  for (std::size_t k = 0; k < kept; ++k) {
+    const std::size_t number = kept == 1 ? 0 : k * (rows.size() - 1) / (kept - 1);
+    text += fmt::format("{},{}\n", number, rows[number]);
+  }
+  return text;
+}
+
+// Why an extract is not the stored one within `tolerance`: what numdiff says; nothing when it is.
+inline std::string difference(const std::string &extract, const std::filesystem::path &stored,
+                              double tolerance) {
+  const auto fresh = std::filesystem::temp_directory_path() /
+                     fmt::format("{}.{}", getpid(), stored.filename().string());
+  std::ofstream(fresh) << extract;
+  const std::string said =
+      output_of(fmt::format("numdiff -s ',\\n' -a {} -r {} '{}' '{}' 2>&1", 0.1 * tolerance,
+                            tolerance, fresh.string(), stored.string()));
+  std::filesystem::remove(fresh);
+  return said.find("are equal") != std::string::npos ? "" : said;
+}
 
 }  // namespace vibro_impact::figures
