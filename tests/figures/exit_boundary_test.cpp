@@ -13,24 +13,6 @@ namespace {
 
 using namespace vibro_impact;
 
-// Points (a, b) with b close to a straight line of a: slope and value at a = 0 by least squares.
-struct Line {
-  double slope, intercept;
-};
-Line fitted(const std::vector<std::array<double, 2>> &points) {
-  double a = 0.0, b = 0.0, aa = 0.0, ab = 0.0;
-  const auto n = static_cast<double>(points.size());
-  for (const auto &point : points) {
-    a += point[0] / n;
-    b += point[1] / n;
-  }
-  for (const auto &point : points) {
-    aa += (point[0] - a) * (point[0] - a);
-    ab += (point[0] - a) * (point[1] - b);
-  }
-  return {ab / aa, b - ab / aa * a};
-}
-
 // Where the other mass is when a mass is let go at a root of its hold force.
 struct ReleaseRecorder {
   int mass = 1;
@@ -49,8 +31,7 @@ constexpr double on_boundary = 1e-13;
 
 TEST(ExitBoundary, OfMassTwoIsTheLineOfEquation23) {
   // The boundary does not depend on the forcing: transients at several frequencies and amplitudes
-  // spread the points along it. They span more than 0.05 in x1, so that 1e-13 in the velocity is
-  // less than 1e-11 in slope and intercept.
+  // spread the points along it.
   ReleaseRecorder releases{2};
   for (double amplitude : {0.3, 0.5, 0.9, 1.5})
     for (double omega : {0.25, 0.28, 0.31, 0.34, 0.36, 0.41, 0.45}) {
@@ -61,9 +42,7 @@ TEST(ExitBoundary, OfMassTwoIsTheLineOfEquation23) {
   ASSERT_GT(releases.others.size(), 100u);
   const auto [left, right] = std::minmax_element(releases.others.begin(), releases.others.end());
   EXPECT_GT((*right)[0] - (*left)[0], 0.05);
-  const Line line = fitted(releases.others);
-  EXPECT_NEAR(line.slope, -10.0, 1e-11);    // printed, and derived: -k / c
-  EXPECT_NEAR(line.intercept, 1.0, 1e-11);  // printed, and derived: k s2 / c
+  // Printed, and derived: slope -k / c and intercept k s2 / c.
   for (const auto &[x1, v1] : releases.others) EXPECT_NEAR(v1, -10.0 * x1 + 1.0, on_boundary);
 }
 

@@ -3,8 +3,10 @@
 // defaults of the scene runner and in the examples, which users copy, they are the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
@@ -17,25 +19,27 @@ using namespace vibro_impact;
 
 // Scenes compare member by member; a double made a Real is itself.
 void expect_equal(const Scene &scene, const vibro_impact_reference::Scene &reference) {
-  using ReferenceSide = vibro_impact_reference::Side;
+  SCOPED_TRACE(reference.name);
   const auto &chain = reference.chain;
-  ASSERT_EQ(scene.mass.size(), chain.masses.size()) << reference.name;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    EXPECT_EQ(scene.mass[i], chain.masses[i]) << reference.name;
-    EXPECT_EQ(scene.stiffness[i], chain.stiffnesses[i]) << reference.name;
-    EXPECT_EQ(scene.amplitude[i], chain.amplitudes[i]) << reference.name;
-    EXPECT_EQ(reference.initial_positions[i], 0) << reference.name;
-    EXPECT_EQ(reference.initial_velocities[i], 0) << reference.name;
-  }
-  EXPECT_TRUE(scene.displacement.empty() && scene.velocity.empty()) << "at rest";
-  EXPECT_EQ(scene.beta, chain.damping_ratio) << reference.name;
-  EXPECT_EQ(scene.omega, chain.frequency) << reference.name;
-  EXPECT_EQ(scene.restitution, reference.restitution) << reference.name;
-  ASSERT_EQ(scene.stops.size(), reference.stops.size()) << reference.name;
+  const auto same = [](const std::vector<double> &ours, const auto &theirs) {
+    return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end());
+  };
+  EXPECT_TRUE(same(scene.mass, chain.masses));
+  EXPECT_TRUE(same(scene.stiffness, chain.stiffnesses));
+  EXPECT_TRUE(same(scene.amplitude, chain.amplitudes));
+  const std::vector<double> at_rest(scene.mass.size(), 0.0);
+  EXPECT_TRUE(same(at_rest, reference.initial_positions));
+  EXPECT_TRUE(same(at_rest, reference.initial_velocities));
+  EXPECT_TRUE(scene.displacement.empty() && scene.velocity.empty());
+  EXPECT_EQ(scene.beta, chain.damping_ratio);
+  EXPECT_EQ(scene.omega, chain.frequency);
+  EXPECT_EQ(scene.restitution, reference.restitution);
+  ASSERT_EQ(scene.stops.size(), reference.stops.size());
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    EXPECT_EQ(scene.stops[i].mass, static_cast<int>(reference.stops[i].mass) + 1);
-    EXPECT_EQ(scene.stops[i].side == Side::upper, reference.stops[i].side == ReferenceSide::upper);
-    EXPECT_EQ(scene.stops[i].position, reference.stops[i].position) << reference.name;
+    const auto &[mass, side, position] = reference.stops[i];
+    EXPECT_EQ(scene.stops[i].mass, static_cast<int>(mass) + 1);
+    EXPECT_EQ(scene.stops[i].side == Side::upper, side == vibro_impact_reference::Side::upper);
+    EXPECT_EQ(scene.stops[i].position, position);
   }
 }
 

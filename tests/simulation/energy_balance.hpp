@@ -185,7 +185,7 @@ struct EnergyAudit {
     if (event.kind == EventKind::impact) {
       const Real v = event.velocity_before;
       const Real energy = scene.mass[static_cast<std::size_t>(event.mass - 1)] * v * v / 2;
-      const Real r = law_of(scene, scene.stops[event.stop]).restitution + off;
+      const Real r = scene.stops[event.stop].restitution.value_or(scene.restitution) + off;
       const Real loss = (1 - r * r) * energy;
       noticed += 2 * r * energy;
       lost += loss;

@@ -100,6 +100,7 @@ inline std::string broken_by_samples(const Run &run, SampleRecorder &samples) {
   const Outcome outcome = simulate(run.scene, run.until, run.options, rules, watch, samples);
   if (!rules.broken.empty()) return rules.broken;
   if (!watch.finite) return "not finite";
+  if (!watch.exact) return "held off its stop";
   const double scale = std::max(1.0, watch.size);
   if (watch.penetration > 1e-12 * scale + 64.0 * rounding_of_steady_response(run.scene))
     return fmt::format("penetration {:.3g}", watch.penetration);
