@@ -26,10 +26,10 @@ inline std::vector<KeyNumber> key_bifurcations() {
   };
   change("multi_sliding_mass_1", "Omega of the multi-sliding of mass 1", between("0.256", "0.2561"),
          1, 0.256, 0.2561);
-  change("border_mass_1_1", "Omega of its end: the second stick of mass 1 goes", {}, 1, 0.2574,
+  change("border_mass_1_1", "Omega at which the second stick of mass 1 ends", {}, 1, 0.2574,
          0.2575);
   change("multi_sliding_mass_2", "Omega of the multi-sliding of mass 2", {}, 2, 0.268, 0.2682);
-  change("border_mass_2_1", "Omega of its end: the second stick of mass 2 goes", {}, 2, 0.2684,
+  change("border_mass_2_1", "Omega at which the second stick of mass 2 ends", {}, 2, 0.2684,
          0.2685);
   change("border_mass_1_2", "Figure 3: chatter of mass 1 incomplete from Omega",
          read_off_figure3("0.3"), 1, 0.2965, 0.2966);

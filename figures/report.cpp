@@ -1,15 +1,13 @@
-// `make report`: the reproduction report, one HTML page with everything in it, from the template
-// figures/report.html, the tables and pictures of `make figures` and those of reference/.
+// `make report`: the reproduction report, one HTML page with everything in it, from the tables and
+// pictures that `make figures` and `make beyond` have left. Every number is looked up.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "driver.hpp"
-#include "report_template.hpp"
 #include "table_reader.hpp"
 
 namespace {
@@ -17,18 +15,103 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::figures;
 using std::filesystem::path;
+using Rows = std::vector<std::vector<std::string>>;
 
-std::string read(const path &file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw std::runtime_error(file.string() + ": cannot be read (make figures, make check)");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+// The columns of key_numbers_checked.csv.
+enum Column : std::size_t {
+  symbol,
+  meaning,
+  printed,
+  computed,
+  kind,
+  digits,
+  error,
+  allowed,
+  verdict
+};
 
-Sheet sheet(const path &file) {
-  std::istringstream lines(read(file));
-  const std::string header = lines.str().substr(0, lines.str().find('\n'));
-  return {file.filename().string(), cells_of(header), read_rows(lines, file.string(), 1)};
+constexpr const char *head = R"(<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Reproduction report: Wagg (2006), multiple nonsmooth events</title>
+<style>
+  body { font: 17px/1.5 Georgia, "Liberation Serif", serif; color: #1c1c1c; max-width: 52rem;
+         margin: 0 auto; padding: 1rem; }
+  h1 { font-size: 1.6rem; } h2 { font-size: 1.25rem; margin-top: 2.2rem; border-top: 1px solid #ccc; }
+  img { max-width: 100%; height: auto; } .wide { overflow-x: auto; }
+  table { border-collapse: collapse; font-size: .82rem; width: 100%; }
+  th, td { text-align: left; padding: .15rem .5rem .15rem 0; border-bottom: 1px solid #e4e4e4;
+           vertical-align: top; font-variant-numeric: tabular-nums; }
+  .agrees { color: #1d6b3a; } .differs, .FAIL { color: #b3261e; } pre { overflow-x: auto; }
+  @media print { body { font-size: 10pt; max-width: none; } tr, img { break-inside: avoid; } }
+</style>
+<h1>Reproduction report</h1>
+<p>D. J. Wagg, <cite>Multiple nonsmooth events in multi-degree-of-freedom vibro-impact systems</cite>,
+Nonlinear Dynamics 43 (2006) 137-148,
+<a href="https://doi.org/10.1007/s11071-006-0757-7">doi 10.1007/s11071-006-0757-7</a>. All quantities are
+non-dimensional. The paper's text that we have does not give Omega of Figures 2, 5(a) and 5(b) nor the
+stops of Figure 5(c); they are inferred from it and from the axes of its plots (figures/README.md).</p>
+)";
+
+// A picture, the rows of the key numbers that belong to it (by the beginnings of their symbols),
+// and what it shows.
+struct Section {
+  const char *title, *picture;
+  std::vector<const char *> symbols;
+  const char *text;
+};
+
+const std::vector<Section> sections{
+    {"The model", "", {"lambda", "xi"}, "The modes of the chain in which nobody sticks."},
+    {"Figure 2: chatter and sticking",
+     "figure2",
+     {"figure2"},
+     "In every forcing period both masses have a complete chatter and a sticking phase."},
+    {"Figure 3: impact velocities against the forcing frequency",
+     "figure3",
+     {"border_mass", "figure3"},
+     "The picture is reproduced; the ends of the intervals, which the paper reads off it, are "
+     "located "
+     "as border orbits, and differ where the table says so."},
+    {"Figure 4: multi-sliding",
+     "figure4",
+     {"figure4", "multi_sliding"},
+     "The hold force on mass 1, which the paper calls F2, over one settled forcing period."},
+    {"Figure 5: pairs of events",
+     "figure5",
+     {"figure5", "grazing"},
+     "(a) Mass 2 hits twice while mass 1 sticks. (b) It turns just short of its stop. (c) It still "
+     "bounces when mass 1 is let go. The dual sticking of which the text speaks in (b) and (c) "
+     "cannot "
+     "be: the force on mass 2, both at rest, is k(s1 - s2), negative in (b) and zero in (c)."},
+    {"Exit boundaries", "exit_boundary", {"exit"}, "Where the sticking phases of either mass end."},
+    {"Table I",
+     "table1",
+     {"DG", "DS", "DI", "GS", "GI"},
+     "A motion for each pair of events; those that need a coincidence are solved for."},
+    {"Frequencies inferred",
+     "reconstruction",
+     {},
+     "Lowest and highest displacements over the frequency, and the boxes they must lie in."},
+    {"Multi-sliding located", "multi_sliding", {}, ""},
+    {"Bifurcation points", "bifurcations", {}, ""},
+    {"Error against run time", "error_vs_runtime", {}, ""},
+    {"Stiff and extreme cases",
+     "stability",
+     {},
+     "The error of every case, against 50 digits or a closed formula, over its sensitivity."},
+    {"Atlas", "atlas", {}, ""},
+    {"Curves of bifurcations", "curves", {}, ""},
+    {"The border orbit unfolded", "border_cascade", {}, ""},
+    {"Basins of attraction", "basins", {}, ""},
+    {"A chain of ten masses", "long_chain", {}, ""}};
+
+std::string escaped(const std::string &text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return result;
 }
 
 std::string base64(const std::string &bytes) {
@@ -39,107 +122,106 @@ std::string base64(const std::string &bytes) {
   return text;
 }
 
-// A cell as shown: a number in so many significant digits, anything else as it is.
-std::string shown(const std::string &cell, int digits) {
-  const auto value = as_number(cell);
-  return value && cell.size() > 8 ? fmt::format("{:.{}g}", *value, digits) : escaped(cell);
+std::string picture(const path &file, const std::string &title) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return fmt::format("<p>{} is not drawn (make beyond).</p>\n", file.stem().string());
+  return fmt::format("<p><img alt=\"{}\" src=\"data:image/png;base64,{}\"></p>\n", title,
+                     base64({std::istreambuf_iterator<char>(stream), {}}));
 }
 
-// Rows of a table, all or those whose first cell begins with `prefix`, the columns named.
-std::string table(const Sheet &from, const std::string &columns, const std::string &prefix,
-                  int digits) {
-  std::vector<std::size_t> kept;
-  std::string text = "<div class=wide><table><thead><tr>";
-  for (const std::string &column : cells_of(columns)) {
-    kept.push_back(from.column(column));
-    text += fmt::format("<th>{}</th>", escaped(column));
+// The columns named of some rows, headed by their names; a cell's first word is its class.
+std::string table(const std::vector<std::pair<std::string, std::size_t>> &columns,
+                  const Rows &rows) {
+  std::string text = "<div class=wide><table><tr>";
+  for (const auto &[name, at] : columns) text += fmt::format("<th>{}</th>", name);
+  for (const auto &cells : rows) {
+    text += "</tr>\n<tr>";
+    for (const auto &[name, at] : columns)
+      text += fmt::format("<td class=\"{}\">{}</td>",
+                          name == "verdict" ? cells[at].substr(0, cells[at].find(' ')) : "",
+                          escaped(cells[at]));
   }
-  text += "</tr></thead><tbody>\n";
-  std::size_t rows = 0;
-  for (const auto &cells : from.rows) {
-    if (!cells[0].starts_with(prefix)) continue;
-    ++rows;
-    text += "<tr>";
-    for (const std::size_t k : kept) {
-      const std::string &cell = cells.at(k);
-      const char *mark = cell == "pass" ? " class=pass" : cell == "FAIL" ? " class=fail" : "";
-      text += fmt::format("<td{}>{}</td>", mark, shown(cell, digits));
-    }
-    text += "</tr>\n";
-  }
-  if (rows == 0) throw std::runtime_error("no row begins with " + prefix);
-  return text + "</tbody></table></div>";
+  return text + "</tr></table></div>\n";
 }
 
-// "7 of 7 pass": the rows whose first cell begins with `prefix`, by their verdict.
-std::string verdict(const Sheet &from, const std::string &prefix) {
-  const std::size_t column = from.column("verdict");
-  int rows = 0, passed = 0;
-  for (const auto &cells : from.rows) {
-    if (!cells[0].starts_with(prefix)) continue;
-    ++rows;
-    passed += cells.at(column) == "pass";
-  }
-  if (rows == 0) throw std::runtime_error("no row begins with " + prefix);
-  return fmt::format("<strong class={}>{} of {} numbers reproduced</strong>",
-                     rows == passed ? "pass" : "fail", passed, rows);
+std::string key_numbers(const Rows &rows) {
+  return table({{"number", meaning},
+                {"the paper says", printed},
+                {"computed", computed},
+                {"error", error},
+                {"allowed", allowed},
+                {"verdict", verdict}},
+               rows);
 }
 
-std::string picture(const path &file, const std::string &words) {
-  return fmt::format("<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"></figure>",
-                     escaped(words), base64(read(file)));
+Rows rows_of(const path &file) {
+  std::ifstream stream = opened(file.string());
+  return read_rows(stream, file.string(), 8);
 }
 
-// The value of a key of the manifest, at any depth.
-std::string of_manifest(const std::string &manifest, const std::string &key) {
-  const std::string mark = fmt::format("\"{}\": \"", key);
-  const std::size_t begin = manifest.find(mark);
-  if (begin == std::string::npos) throw std::runtime_error("manifest.json: no " + key);
-  const std::size_t from = begin + mark.size();
-  return escaped(manifest.substr(from, manifest.find('"', from) - from));
+template <class Condition>
+Rows those_with(const Rows &rows, const Condition &condition) {
+  Rows some;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(some), condition);
+  return some;
 }
 
-void report(const path &folder, const path &reference, const path &text, const path &to) {
-  const auto at = [&](const std::string &name) {
-    const path here = folder / name;
-    return std::filesystem::exists(here) ? here : reference / name;
+std::string page(const path &folder) {
+  const Rows keys = rows_of(folder / "key_numbers_checked.csv"),
+             others = rows_of(folder / "published_checked.csv");
+  const auto count = [&](const char *word) {
+    return those_with(keys, [&](const auto &row) { return row[verdict].starts_with(word); }).size();
   };
-  const Verbs verbs{
-      {"picture",
-       [&](const Arguments &a) { return picture(folder / (a.at(0) + ".png"), a.at(1)); }},
-      {"table",
-       [&](const Arguments &a) {
-         return table(sheet(at(a.at(0))), a.at(1), a.size() > 2 ? a[2] : "",
-                      a.size() > 3 ? std::stoi(a[3]) : 6);
-       }},
-      {"cell",
-       [&](const Arguments &a) {
-         const Sheet from = sheet(at(a.at(0)));
-         return shown(from.row(a.at(1)).at(from.column(a.at(2))),
-                      a.size() > 3 ? std::stoi(a[3]) : 17);
-       }},
-      {"rows", [&](const Arguments &a) { return std::to_string(sheet(at(a.at(0))).rows.size()); }},
-      {"verdict",
-       [&](const Arguments &a) { return verdict(sheet(at(a.at(0))), a.size() > 1 ? a[1] : ""); }},
-      {"manifest",
-       [&](const Arguments &a) { return of_manifest(read(folder / "manifest.json"), a.at(0)); }}};
-  Table page("");
-  page.text = filled(read(text), verbs);
-  write(page, to.string());
+  const auto met = those_with(keys, [](const auto &row) { return row.back() == "pass"; }).size(),
+             passed =
+                 those_with(others, [](const auto &row) { return row.back() == "pass"; }).size();
+  std::string text = head;
+  text += fmt::format(
+      "<p>Of {} key numbers <strong class=agrees>{} agree with the paper</strong>, within what its "
+      "print or plot can tell, <strong class=differs>{} differ from it</strong>, and <strong>{} "
+      "are "
+      "not in it</strong>. {} of {} are within what is allowed of their references, from 50 digits "
+      "or "
+      "formulas; of {} results that others have published, {}.</p>\n",
+      keys.size(), count("agrees"), count("differs"), count("not"), met, keys.size(), others.size(),
+      passed);
+  for (const Section &section : sections) {
+    text += fmt::format("<h2>{}</h2>\n<p>{}</p>\n", section.title, section.text);
+    const Rows rows = those_with(keys, [&](const auto &row) {
+      return std::any_of(section.symbols.begin(), section.symbols.end(),
+                         [&](const char *beginning) { return row[symbol].starts_with(beginning); });
+    });
+    if (*section.picture != '\0')
+      text += picture(folder / (section.picture + std::string(".png")), section.title);
+    if (!rows.empty()) text += key_numbers(rows);
+  }
+  text += "<h2>Published by others</h2>\n<p>Sources: reference/README.md.</p>\n";
+  text += table({{"result", 0},
+                 {"printed", 2},
+                 {"computed", 3},
+                 {"difference", 4},
+                 {"allowed", 5},
+                 {"limited by", 6},
+                 {"verdict", 7}},
+                others);
+  std::ifstream manifest = opened((folder / "SHA256SUMS").string());
+  text += "<h2>Made with</h2>\n<pre>";
+  for (std::string line; std::getline(manifest, line) && line.starts_with('#');)
+    text += escaped(line.substr(2)) + "\n";
+  return text + "</pre>\n";
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string output = "build/figures", reference = "reference", text = "figures/report.html",
-              to = "build/report.html";
+  std::string output = "build/figures", to = "build/report.html";
   return command(argc, argv, "The reproduction report as one HTML page",
                  {{"--output", "Folder of the tables and pictures", &output},
-                  {"--reference", "Folder of the tables of references", &reference},
-                  {"--template", "The text with the places to be filled", &text},
                   {"--report", "The page to be written", &to}},
                  [&] {
-                   report(output, reference, text, to);
+                   Table text("");
+                   text.text = page(output);
+                   write(text, to);
                    return 0;
                  });
 }
