@@ -46,14 +46,14 @@ inline std::optional<Located> multi_sliding(const Change &change, int mass) {
   const double near = change.below + side * 1e-6;
   const Scene scene = paper::stops_of_different_sign(near);
   const MotionState seed = at_quiet_phase(scene, settled(scene, settling));
-  const auto force = [&](double omega) -> std::optional<double> {
+  const auto force = [&](double omega) {
     const Scene at = paper::stops_of_different_sign(omega);
     return least_pressing_force(at, orbit_near(at, seed, 1, {}),
                                 at.stops[static_cast<std::size_t>(mass - 1)]);
   };
   const auto touching = force(near);
-  if (!touching || *touching > 1e-5) return std::nullopt;
-  return zero_from_one_side([&](double omega) { return force(omega).value(); },
+  if (!touching || touching->value > 1e-5) return std::nullopt;
+  return zero_from_one_side([&](double omega) { return force(omega).value().value; },
                             change.below + side * 1e-4, change.below + side * 2e-5);
 }
 

@@ -111,12 +111,18 @@ struct EdgeStart {
   PlanePoint sticks, does_not;
 };
 
-// The edges of sticking of Figure 3 above 0.59 in frequency, where r = 0.7 has none or too many.
-inline std::vector<EdgeStart> high_frequency_starts() {
+// Edges of sticking in frequency and restitution away from r = 0.7, or where that has too many.
+inline std::vector<EdgeStart> omega_r_edges() {
   return {{"border_mass_1_8", 1, {0.75, 0.25}, {0.75, 0.38}},
           {"border_mass_2_5", 2, {0.75, 0.38}, {0.75, 0.48}},
           {"border_mass_2_6", 2, {0.62, 0.5}, {0.62, 0.6}},
-          {"border_mass_1_9", 1, {0.62, 0.58}, {0.62, 0.7}}};
+          {"border_mass_1_9", 1, {0.62, 0.58}, {0.62, 0.7}},
+          {"border_mass_2_7", 2, {0.24, 0.7}, {0.24, 0.85}},
+          {"border_mass_2_8", 2, {0.3, 0.69}, {0.3, 0.76}},
+          {"border_mass_2_9", 2, {0.43, 0.7}, {0.43, 0.76}},
+          {"border_mass_1_10", 1, {0.515, 0.52}, {0.515, 0.58}},
+          {"border_mass_2_10", 2, {0.515, 0.52}, {0.515, 0.58}},
+          {"border_mass_2_11", 2, {0.72, 0.44}, {0.72, 0.52}}};
 }
 
 // What bounds dual sticking at the frequency of Figure 5(c), towards larger s1. Towards smaller

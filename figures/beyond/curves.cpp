@@ -107,7 +107,7 @@ std::vector<Work> work_on(const std::vector<CurvePlane> &planes) {
       work.push_back({&plane, [clear, &plane] { return figures::started_grazing(plane, clear); }});
     };
     if (plane.name == "omega_r") add(figures::curve_starts());
-    if (plane.name == "omega_r") add(figures::high_frequency_starts());
+    if (plane.name == "omega_r") add(figures::omega_r_edges());
     if (plane.name == "omega_A1") add(figures::amplitude_starts());
     if (plane.name == "5a") add(figures::stops_starts());
     if (plane.name == "5b") graze({0.0, 1.0});

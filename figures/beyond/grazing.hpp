@@ -46,7 +46,7 @@ inline BifurcationPoint grazing() {
   const auto gap = [&](double omega) {
     Scene scene = figure5b_at(omega);
     scene.stops.pop_back();
-    return least_gap(scene, motion_without_second_stop(omega), second).value();
+    return least_gap(scene, motion_without_second_stop(omega), second).value().value;
   };
   const Change change = bisect(
       [](double omega) {

@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <functional>
 
-#include "figures/beyond/grazing.hpp"
-#include "figures/table_reader.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -152,58 +150,6 @@ TEST(OrbitChange, PredictsToFirstOrder) {
   };
   const double ratio = residual(2e-4) / residual(1e-4);
   EXPECT_NEAR(ratio, 4.0, 0.2);  // the third order is 1e-4 times some hundreds
-}
-
-// The 50-digit place of a bifurcation, reached by Newton's method on what is zero there from a
-// frequency beside it. The value is good to 1e-13 or so and its slope of size one.
-double reached(const std::function<std::pair<double, double>(double)> &value_and_slope,
-               double omega) {
-  for (int step = 0; step < 5; ++step) {
-    const auto [value, slope] = value_and_slope(omega);
-    omega -= value / slope;
-  }
-  return omega;
-}
-
-double located(const char *symbol) {
-  return figures::read_references(REFERENCE_DIR "/located.csv").at(symbol).value;
-}
-
-TEST(BifurcationFunctions, NewtonReachesTheMultiSlidingOfMass1) {
-  Scene scene = paper::figure4a();
-  PeriodicOrbit orbit = orbit_of(scene);
-  double value_now = 1.0;
-  const auto force = [&](double omega) {
-    const OrbitChange before = orbit_change(scene, orbit, {{Kind::omega, 0}});
-    orbit = moved_orbit(scene, orbit, before, 0, omega - scene.omega);
-    scene.omega = omega;
-    const OrbitChange change = orbit_change(scene, orbit, {{Kind::omega, 0}});
-    const auto least = least_pressing_force_change(scene, orbit, change, scene.stops[0]).value();
-    value_now = least.value;
-    return std::pair(least.value, least.by[0]);
-  };
-  // Never across, where the phase splits: the first steps halve the distance less than 2e-6.
-  const auto [value, slope] = force(0.256);
-  const double near = 0.256 - value / slope;
-  EXPECT_NEAR(near, located("multi_sliding_mass_1"), 1e-7);  // one step, from 6e-6 away
-  const double nearer = 0.256 + 0.999 * (near - 0.256);
-  const auto [rest, steeper] = force(nearer);
-  EXPECT_NEAR(nearer - rest / steeper, located("multi_sliding_mass_1"), 1e-13);
-  EXPECT_GT(value_now, 0.0);
-}
-
-TEST(BifurcationFunctions, NewtonReachesTheGrazingOfMass2) {
-  const Stop second = paper::figure5b().stops[1];
-  const auto gap = [&](double omega) {
-    Scene scene = figures::figure5b_at(omega);
-    scene.stops.pop_back();
-    const PeriodicOrbit orbit =
-        find_periodic_orbit(scene, figures::motion_without_second_stop(omega));
-    const OrbitChange change = orbit_change(scene, orbit, {{Kind::omega, 0}});
-    const auto least = least_gap_change(scene, orbit, change, second).value();
-    return std::pair(least.value, least.by[0]);
-  };
-  EXPECT_NEAR(reached(gap, 0.2996), located("grazing_mass_2_figure5b"), 1e-13);
 }
 
 // The least force and the least gap in other units of length: times c, a stop that is never met

@@ -113,9 +113,8 @@ void require_stop(const Scene &scene, const Stop &stop) {
 
 }  // namespace
 
-std::optional<LeastValue> where_pressing_force_is_least(const Scene &scene,
-                                                        const MotionState &start,
-                                                        const Stop &stop) {
+std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionState &start,
+                                               const Stop &stop) {
   require_stop(scene, stop);
   return least_minimum(
       scene, start,
@@ -124,8 +123,8 @@ std::optional<LeastValue> where_pressing_force_is_least(const Scene &scene,
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
 }
 
-std::optional<LeastValue> where_gap_is_least(const Scene &scene, const MotionState &start,
-                                             const Stop &stop) {
+std::optional<LeastValue> least_gap(const Scene &scene, const MotionState &start,
+                                    const Stop &stop) {
   require_stop(scene, stop);
   const double sigma = sign(stop.side);
   const auto p = static_cast<std::size_t>(stop.mass - 1);
@@ -134,17 +133,6 @@ std::optional<LeastValue> where_gap_is_least(const Scene &scene, const MotionSta
       {[p](const MotionState &at) { return at.held[p] == 0; },
        [&](const MotionState &at) { return sigma * (stop.position - at.displacement[p]); },
        [&](const MotionState &at) { return -sigma * at.velocity[p]; }});
-}
-
-std::optional<double> least_pressing_force(const Scene &scene, const MotionState &start,
-                                           const Stop &stop) {
-  const auto least = where_pressing_force_is_least(scene, start, stop);
-  return least ? std::optional(least->value) : std::nullopt;
-}
-
-std::optional<double> least_gap(const Scene &scene, const MotionState &start, const Stop &stop) {
-  const auto least = where_gap_is_least(scene, start, stop);
-  return least ? std::optional(least->value) : std::nullopt;
 }
 
 }  // namespace vibro_impact

@@ -102,7 +102,7 @@ MotionState predicted(const Scene &scene, const PeriodicOrbit &orbit, const Orbi
 std::optional<ValueChange> least_gap_change(const Scene &scene, const PeriodicOrbit &orbit,
                                             const OrbitChange &change, const Stop &stop) {
   const PeriodicOrbit counted = from_zero(orbit);
-  const auto least = where_gap_is_least(scene, counted.state, stop);
+  const auto least = least_gap(scene, counted.state, stop);
   if (!least) return std::nullopt;
   const Moved moved = moved_to(scene, counted, change, least->at);
   return value_change(least->value, sign(stop.side) * (stop_change(scene, change.by, stop) -
@@ -114,7 +114,7 @@ std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
                                                        const OrbitChange &change,
                                                        const Stop &stop) {
   const PeriodicOrbit counted = from_zero(orbit);
-  const auto least = where_pressing_force_is_least(scene, counted.state, stop);
+  const auto least = least_pressing_force(scene, counted.state, stop);
   if (!least) return std::nullopt;
   const Moved moved = moved_to(scene, counted, change, least->at);
   return value_change(

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "simulation/for_analysis.hpp"
+#include "tangent_flow.hpp"
 
 namespace vibro_impact {
 
@@ -60,21 +60,15 @@ double slip(const Scene &scene, const Parameter &by) {
   return by.kind == Kind::omega ? 1.0 / scene.omega : 0.0;
 }
 
-// One term of the Taylor series of the motion, or of changes of it, in units of the step to the
-// n-th; from these the term of order n + 2:
-//   M x_(n+2) (n+1) (n+2) / h^2 = force of the links by x_n + beta (n+1) x_(n+1) / h, and `extra`.
+// The term of order n + 2 with the forces `extra` of order n on the right-hand side.
 template <class Extra>
-Eigen::VectorXd next_term(const Scene &scene, const Held &held, double h, int n,
-                          const Eigen::VectorXd &before, const Eigen::VectorXd &last,
-                          const Extra &extra) {
-  const Eigen::VectorXd pulling = before + (scene.beta * (n + 1) / h) * last;
-  Eigen::VectorXd term = Eigen::VectorXd::Zero(before.size());
+Eigen::VectorXd forced_term(const Scene &scene, const Held &held, double h, int n,
+                            const Eigen::VectorXd &before, const Eigen::VectorXd &last,
+                            const Extra &extra) {
+  Eigen::VectorXd term = next_term(scene, held, h, n, before, last);
   for (std::size_t i = 0; i < held.size(); ++i)
-    if (held[i] == 0) {
-      const auto row = static_cast<Index>(i);
-      term(row) = h * h * (link_force(scene, i, pulling(row), of(pulling)) + extra(i)) /
-                  (scene.mass[i] * (n + 1.0) * (n + 2.0));
-    }
+    if (held[i] == 0)
+      term(static_cast<Index>(i)) += h * h * extra(i) / (scene.mass[i] * (n + 1.0) * (n + 2.0));
   return term;
 }
 
@@ -107,14 +101,14 @@ void step(const Scene &scene, const std::vector<Parameter> &by, const Held &held
   std::complex<double> forcing = std::polar(1.0, scene.omega * phase);
   for (int m = 0; m + 2 <= order; ++m) {
     const Eigen::VectorXd x_m = x.before, v_m = ((m + 1) / h) * x.last;
-    x.add(next_term(scene, held, h, m, x.before, x.last,
-                    [&](std::size_t i) { return amplitude_on(scene, i) * forcing.real(); }),
+    x.add(forced_term(scene, held, h, m, x.before, x.last,
+                      [&](std::size_t i) { return amplitude_on(scene, i) * forcing.real(); }),
           m + 2);
     const Eigen::VectorXd a_m = ((m + 1) * (m + 2) / (h * h)) * x.last;
     const Position at{x_m, v_m, a_m, forcing.real()};
     for (std::size_t k = 0; k < by.size(); ++k)
-      moved[k].add(next_term(scene, held, h, m, moved[k].before, moved[k].last,
-                             [&](std::size_t i) { return force_by(scene, by[k], i, at); }),
+      moved[k].add(forced_term(scene, held, h, m, moved[k].before, moved[k].last,
+                               [&](std::size_t i) { return force_by(scene, by[k], i, at); }),
                    m + 2);
     forcing *= std::complex<double>(0.0, scene.omega * h / (m + 1));
   }

@@ -8,24 +8,6 @@ namespace vibro_impact {
 
 namespace {
 
-// The Taylor terms of order n + 2 of the columns, in units of tau^(n+2), from those of orders n and
-// n + 1 (Eq. 4 without forcing):
-//   x_(n+2) = -M^-1 K (tau^2 x_n + (n+1) tau beta x_(n+1)) / ((n+1) (n+2)).
-Eigen::MatrixXd next_term(const Scene &scene, const Held &held, double tau, int n,
-                          const Eigen::MatrixXd &before, const Eigen::MatrixXd &last) {
-  using Eigen::Index;
-  const Eigen::MatrixXd pulling = tau * tau * before + (tau * scene.beta * (n + 1)) * last;
-  Eigen::MatrixXd term = Eigen::MatrixXd::Zero(before.rows(), before.cols());
-  for (Index column = 0; column < term.cols(); ++column) {
-    const auto pull = [&](std::size_t j) { return pulling(static_cast<Index>(j), column); };
-    for (std::size_t i = 0; i < held.size(); ++i)
-      if (held[i] == 0)
-        term(static_cast<Index>(i), column) =
-            link_force(scene, i, pull(i), pull) / (scene.mass[i] * (n + 1.0) * (n + 2.0));
-  }
-  return term;
-}
-
 // A short time, in physical coordinates: late in a chatter the change of the chattering mass is
 // small, and modal coordinates would lose it beside the others. For the same reason the series goes
 // on until its terms lie below the rounding not of the sum but, in every column, of the first
@@ -70,6 +52,21 @@ void carry_by_modes(const ContactMode<Eigen::Dynamic> &mode, double tau, Eigen::
 }
 
 }  // namespace
+
+Eigen::MatrixXd next_term(const Scene &scene, const Held &held, double tau, int n,
+                          const Eigen::MatrixXd &before, const Eigen::MatrixXd &last) {
+  using Eigen::Index;
+  const Eigen::MatrixXd pulling = tau * tau * before + (tau * scene.beta * (n + 1)) * last;
+  Eigen::MatrixXd term = Eigen::MatrixXd::Zero(before.rows(), before.cols());
+  for (Index column = 0; column < term.cols(); ++column) {
+    const auto pull = [&](std::size_t j) { return pulling(static_cast<Index>(j), column); };
+    for (std::size_t i = 0; i < held.size(); ++i)
+      if (held[i] == 0)
+        term(static_cast<Index>(i), column) =
+            link_force(scene, i, pull(i), pull) / (scene.mass[i] * (n + 1.0) * (n + 2.0));
+  }
+  return term;
+}
 
 TangentFlow tangent_flow(const Scene &scene) {
   TangentFlow flow{scene};

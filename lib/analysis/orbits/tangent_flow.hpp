@@ -16,6 +16,12 @@ struct TangentFlow {
 
 TangentFlow tangent_flow(const Scene &scene);
 
+// The Taylor terms of order n + 2 of motions or changes of them (columns), in units of tau^(n+2),
+// from those of orders n and n + 1 (Eq. 4, but for its right-hand side):
+//   x_(n+2) = -M^-1 K (tau^2 x_n + (n+1) tau beta x_(n+1)) / ((n+1) (n+2)).
+Eigen::MatrixXd next_term(const Scene &scene, const Held &held, double tau, int n,
+                          const Eigen::MatrixXd &before, const Eigen::MatrixXd &last);
+
 // The rate of the fastest mode.
 double fastest_rate(TangentFlow &flow, const Held &held);
 

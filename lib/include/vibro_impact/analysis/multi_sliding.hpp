@@ -9,24 +9,20 @@
 
 namespace vibro_impact {
 
-// Least interior local minimum of the pressing force over the sticking phases of `stop` in the
-// period after `start`: where it reaches zero the phase is about to split (multi-sliding). Nothing
-// when the force has no minimum inside a phase.
-std::optional<double> least_pressing_force(const Scene &scene, const MotionState &start,
-                                           const Stop &stop);
-
-// Least local minimum of the gap of a mass to a stop (which the scene need not contain) in the
-// period after `start`: where it reaches zero the mass grazes the stop.
-std::optional<double> least_gap(const Scene &scene, const MotionState &start, const Stop &stop);
-
-// The same with the motion at the minimum, the cycle of `start` counted as 0.
+// A minimum, and the motion there, the cycle of the start counted as 0.
 struct LeastValue {
   double value = 0.0;
   MotionState at;
 };
-std::optional<LeastValue> where_pressing_force_is_least(const Scene &scene,
-                                                        const MotionState &start, const Stop &stop);
-std::optional<LeastValue> where_gap_is_least(const Scene &scene, const MotionState &start,
-                                             const Stop &stop);
+
+// Least interior local minimum of the pressing force over the sticking phases of `stop` in the
+// period after `start`: where it reaches zero the phase is about to split (multi-sliding). Nothing
+// when the force has no minimum inside a phase.
+std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionState &start,
+                                               const Stop &stop);
+
+// Least local minimum of the gap of a mass to a stop (which the scene need not contain) in the
+// period after `start`: where it reaches zero the mass grazes the stop.
+std::optional<LeastValue> least_gap(const Scene &scene, const MotionState &start, const Stop &stop);
 
 }  // namespace vibro_impact
