@@ -2,7 +2,7 @@
 #                     error against run time, and the key numbers, checked
 # make beyond         everything else that is drawn: stability, and what goes beyond the paper (minutes)
 # make report         the reproduction report, one HTML page, from what these two have left
-# make figure2 ...    one figure; also stability, reconstruction, multi_sliding, bifurcations, exit_boundary,
+# make figure2 ...    one figure; also stability, figure3_followed, reconstruction, multi_sliding, bifurcations, exit_boundary,
 #                     table1, atlas, curves, border_cascade, basins, long_chain
 # make error-vs-runtime  error against run time, beside other methods (under a minute)
 # make peers          install SUNDIALS and Siconos, and draw that with them in it
@@ -26,7 +26,7 @@
 # make clean          remove build/
 
 paper  := figure2 figure3 figure4 figure5
-beyond := stability reconstruction multi_sliding bifurcations exit_boundary table1 atlas curves border_cascade basins long_chain
+beyond := stability figure3_followed reconstruction multi_sliding bifurcations exit_boundary table1 atlas curves border_cascade basins long_chain
 jobs   := $(shell nproc 2>/dev/null || echo 1)
 werror := OFF
 

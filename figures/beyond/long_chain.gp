@@ -28,7 +28,7 @@ do for [kind in 'png pdf'] {
   set key at graph 0.46, graph 0.12 opaque maxrows 1 samplen 1
   plot diagram using 'omega':(of_mass(1)) with points lt 1 pt 7 ps size title 'mass 1', \
     '' using 'omega':(of_mass(5)) with points lt 2 pt 7 ps size title 'mass 5', \
-    '' using 'omega':(of_mass(10)) with points pt 7 ps size lc rgb '#c9952c' title 'mass 10'
+    '' using 'omega':(of_mass(10)) with points pt 7 ps size * 2.2 lc rgb '#c9952c' title 'mass 10'
   set ylabel '{/:Italic r}'
   set autoscale xfix; set autoscale yfix
   set tmargin 3.2
