@@ -28,7 +28,7 @@ constexpr Range scanned{0.1, 0.5};
 // incomplete at about 0.3 (printed, Section 3.2).
 constexpr Range scanned_of_figure2{0.1, 0.3};
 
-struct Verdict {
+struct Passed {
   bool boxes = false, text = false;
   // Of those left the one with the least is chosen.
   double apart = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ struct Figure2Trial {
   Range shown, close_up;    // displacement: of both masses in (a), of mass 2 in (b)
   double begins, complete;  // the chatter of mass 2 in (b)
   int sticks[2];            // of each mass in the last ten forcing periods
-  Verdict verdict;
+  Passed verdict;
 };
 
 inline Figure2Trial try_figure2(double omega) {
@@ -154,7 +154,7 @@ struct Figure5aTrial {
   double begins, complete, released;  // chatter and sticking phase of mass 1
   int impacts;                        // of mass 2 in that phase
   double last_impact;                 // of these
-  Verdict verdict;
+  Passed verdict;
 };
 
 inline Figure5aTrial try_figure5a(double omega) {
@@ -211,7 +211,7 @@ struct Figure5bTrial {
   double omega;
   Range shown;
   double nearest_time, gap;  // mass 2 nearest its stop while mass 1 is stuck
-  Verdict verdict;
+  Passed verdict;
 };
 
 inline Figure5bTrial try_figure5b(double omega) {
