@@ -21,16 +21,17 @@ namespace vibro_impact::comparison {
 // Looked at at least this often: a sixteenth of a cycle of the fastest mode (w = 1.618).
 constexpr double longest_unseen = 0.25;
 
-// First zero of guard i in (a, b], where it is positive at or just after a and not at b. The end of
-// the bracket where the guard is not positive is returned.
+constexpr double shortest_step = 1e-15;
+
+// First zero in (a, b] of a guard whose values at the ends are given: positive at or just after a
+// and not at b. The end of the bracket where the guard is not positive is returned.
 template <class GuardAt>
-double first_zero(const GuardAt &guard_at, double a, double b) {
-  double at_a = guard_at(a), at_b = guard_at(b);
+double first_zero(const GuardAt &guard_at, double a, double at_a, double b, double at_b) {
   if (at_b == 0.0) return b;
   double left = a;
   while (!(at_a > 0.0)) {  // the step starts on the stop
     left = 0.5 * (a + b);
-    if (left <= a || left >= b) return b;
+    if (left <= a || left >= b || left - a < shortest_step) return b;
     at_a = guard_at(left);
     if (at_a < 0.0) {
       b = left;
@@ -38,9 +39,9 @@ double first_zero(const GuardAt &guard_at, double a, double b) {
     }
   }
   std::uintmax_t evaluations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      guard_at, left, b, at_a, at_b, boost::math::tools::eps_tolerance<double>(), evaluations);
-  return bracket.second;
+  return boost::math::tools::toms748_solve(guard_at, left, b, at_a, at_b,
+                                           boost::math::tools::eps_tolerance<double>(), evaluations)
+      .second;
 }
 
 template <class State>
@@ -82,7 +83,7 @@ Result run_with_dense_output(const Problem &problem, Stepper stepper, double tol
           stepper.calc_state(t, between);
           return guard(chain, now.held, i, between, t);
         };
-        const double zero = first_zero(guard_at, a, b);
+        const double zero = first_zero(guard_at, a, guard_at(a), b, guard_at(b));
         if (who == 2 || zero < event) {
           event = zero;
           who = i;

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
-#include <cstdint>
 
-#include "two_masses.hpp"
+#include "odeint_events.hpp"
 
 namespace vibro_impact::comparison {
 
@@ -20,29 +18,6 @@ namespace odeint = boost::numeric::odeint;
 // The guards are looked at at the ends of steps only, so steps stay below a sixteenth of a cycle
 // of the fastest mode (w = 1.618).
 constexpr double longest_step = 0.25;
-
-constexpr double shortest_step = 1e-15;
-
-// First zero in (0, h] of a guard that is positive just after 0 and not at h; the end where it is
-// not positive.
-template <class GuardAfter>
-double first_zero(const GuardAfter &guard_after, double at_start, double h, double at_h) {
-  if (at_h == 0.0) return h;
-  double left = 0.0, at_left = at_start;
-  while (!(at_left > 0.0)) {
-    left = 0.5 * h;
-    if (left < shortest_step) return h;
-    at_left = guard_after(left);
-    if (at_left < 0.0) {
-      h = left;
-      at_h = at_left;
-    }
-  }
-  std::uintmax_t evaluations = 100;
-  return boost::math::tools::toms748_solve(guard_after, left, h, at_left, at_h,
-                                           boost::math::tools::eps_tolerance<double>(), evaluations)
-      .second;
-}
 
 Result fehlberg(const Problem &problem, double tolerance) {
   const TwoMasses chain = two_masses(problem.scene);
@@ -74,7 +49,7 @@ Result fehlberg(const Problem &problem, double tolerance) {
         return guard(chain, now.held, i, between, now.time + tau);
       };
       const double at_start = guard(chain, now.held, i, now.y, now.time);
-      const double zero = first_zero(guard_after, at_start, taken, at_end);
+      const double zero = first_zero(guard_after, 0.0, at_start, taken, at_end);
       if (who == 2 || zero < event) {
         event = zero;
         who = i;
