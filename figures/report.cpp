@@ -38,7 +38,8 @@ constexpr const char *head = R"(<!DOCTYPE html>
 <style>
   body { font: 17px/1.5 Georgia, "Liberation Serif", serif; color: #1c1c1c; max-width: 52rem;
          margin: 0 auto; padding: 1rem; }
-  h1 { font-size: 1.6rem; } h2 { font-size: 1.25rem; margin-top: 2.2rem; border-top: 1px solid #ccc; }
+  h1 { font-size: 1.6rem; }
+  h2 { font-size: 1.25rem; margin-top: 2.2rem; border-top: 1px solid #ccc; }
   img { max-width: 100%; height: auto; } .wide { overflow-x: auto; }
   table { border-collapse: collapse; font-size: .82rem; width: 100%; }
   th, td { text-align: left; padding: .15rem .5rem .15rem 0; border-bottom: 1px solid #e4e4e4;
@@ -47,11 +48,12 @@ constexpr const char *head = R"(<!DOCTYPE html>
   @media print { body { font-size: 10pt; max-width: none; } tr, img { break-inside: avoid; } }
 </style>
 <h1>Reproduction report</h1>
-<p>D. J. Wagg, <cite>Multiple nonsmooth events in multi-degree-of-freedom vibro-impact systems</cite>,
-Nonlinear Dynamics 43 (2006) 137-148,
-<a href="https://doi.org/10.1007/s11071-006-0757-7">doi 10.1007/s11071-006-0757-7</a>. All quantities are
-non-dimensional. The paper's text that we have does not give Omega of Figures 2, 5(a) and 5(b) nor the
-stops of Figure 5(c); they are inferred from it and from the axes of its plots (figures/README.md).</p>
+<p>D. J. Wagg, <cite>Multiple nonsmooth events in multi-degree-of-freedom vibro-impact
+systems</cite>, Nonlinear Dynamics 43 (2006) 137-148,
+<a href="https://doi.org/10.1007/s11071-006-0757-7">doi 10.1007/s11071-006-0757-7</a>.
+All quantities are non-dimensional. The paper's text that we have does not give Omega of
+Figures 2, 5(a) and 5(b) nor the stops of Figure 5(c); they are inferred from it and from
+the axes of its plots (figures/README.md).</p>
 )";
 
 // A picture, the rows of the key numbers that belong to it (by the beginnings of their symbols),
