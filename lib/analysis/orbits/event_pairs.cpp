@@ -139,7 +139,9 @@ void sort_once_each(std::vector<PairedEvents> &pairs) {
 
 const char *abbreviation(EventPair kind) {
   constexpr std::array<const char *, 6> names{"DG", "DS", "DI", "GS", "GI", "SI"};
-  return names[static_cast<std::size_t>(kind)];
+  const auto k = static_cast<std::size_t>(kind);
+  require(k < names.size(), "pair of events = ", k, ": there are 0 to ", names.size() - 1);
+  return names[k];
 }
 
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {

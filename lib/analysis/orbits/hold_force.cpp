@@ -16,6 +16,15 @@ std::size_t index_of(const Stop &stop) {
   return static_cast<std::size_t>(stop.mass - 1);
 }
 
+void require_stop(const Scene &scene, const Stop &stop) {
+  check(scene);
+  require_mass(scene, stop.mass);
+  require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
+          ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
+  require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
+          ": must be finite");
+}
+
 // The coordinate j (from 0) that link_force asks for.
 auto of(const std::vector<double> &values) {
   return [&values](std::size_t j) { return values[j]; };
@@ -62,15 +71,14 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &at) {
 }
 
 double pressing_force(const Scene &scene, const Stop &stop, const MotionState &at) {
-  check(scene);
-  require_mass(scene, stop.mass);
+  require_stop(scene, stop);
   require_fits(scene, at);
   return sign(stop.side) * force_at_rest(scene, index_of(stop), stop.position, at.instant.phase,
                                          of(at.displacement), of(at.velocity));
 }
 
 double pressing_force(const Scene &scene, const Stop &stop, const Moment &at) {
-  require_mass(scene, stop.mass);
+  require_stop(scene, stop);
   require(at.masses() == scene.masses(), "motion of ", at.masses(), " masses: the chain has ",
           scene.masses());
   const auto mass = [](std::size_t j) { return static_cast<int>(j) + 1; };
@@ -81,7 +89,7 @@ double pressing_force(const Scene &scene, const Stop &stop, const Moment &at) {
 }
 
 double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &at) {
-  require_mass(scene, stop.mass);
+  require_stop(scene, stop);
   require_fits(scene, at);
   const std::size_t p = index_of(stop);
   MotionState resting = at;  // the neighbours are pulled by the mass as it stands at its stop

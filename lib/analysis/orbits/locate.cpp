@@ -4,6 +4,8 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -28,6 +30,13 @@ struct StickCounter {
 void require_interval(double below, double above) {
   require(std::isfinite(below) && std::isfinite(above) && below < above, "interval from ", below,
           " to ", above, ": must be finite and not empty");
+  require(std::isfinite(above - below), "interval from ", below, " to ", above,
+          ": wider than the range of double precision");
+}
+
+template <class Function>
+void require_function(const Function &function, const char *what) {
+  require(static_cast<bool>(function), what, ": no function given");
 }
 
 // A point (x, f(x)).
@@ -57,6 +66,8 @@ int sticking_phases(const Scene &scene, int mass, int settling, int periods,
   require_mass(scene, mass);
   require(settling >= 0, "settling = ", settling, ": must be non-negative");
   require(periods >= 1, "periods = ", periods, ": must be at least 1");
+  require(periods <= std::numeric_limits<int>::max() - settling, "settling = ", settling,
+          " and periods = ", periods, ": more than an int can count");
   const MotionState start = start_of(scene);
   StickCounter counter{mass, time_of({settling, 0.0}, Clock(scene.omega))};
   require_complete(
@@ -65,13 +76,14 @@ int sticking_phases(const Scene &scene, int mass, int settling, int periods,
 }
 
 Change bisect(const std::function<int(double)> &count, double below, double above, double width) {
+  require_function(count, "count");
   require_interval(below, above);
   require(width >= 0.0, "width = ", width, ": must be non-negative");
   Change change{below, above, count(below), count(above)};
   require(change.count_below != change.count_above, "count = ", change.count_below, " at both ",
           below, " and ", above, ": no change to locate");
   while (change.above - change.below > width) {
-    const double middle = 0.5 * (change.below + change.above);
+    const double middle = std::midpoint(change.below, change.above);
     if (!(change.below < middle && middle < change.above)) break;
     const int counted = count(middle);
     if (counted == change.count_below) {
@@ -85,6 +97,7 @@ Change bisect(const std::function<int(double)> &count, double below, double abov
 }
 
 Located zero(const std::function<double(double)> &f, double below, double above) {
+  require_function(f, "f");
   require_interval(below, above);
   const double at_below = f(below), at_above = f(above);
   // By the signs: a product of the two may underflow.
@@ -100,6 +113,9 @@ Located zero(const std::function<double(double)> &f, double below, double above)
 }
 
 Located zero_from_one_side(const std::function<double(double)> &f, double far, double near) {
+  require_function(f, "f");
+  require(std::isfinite(far) && std::isfinite(near) && far != near, "from ", far, " to ", near,
+          ": must be two finite numbers");
   std::vector<Point> points{{far, f(far)}, {near, f(near)}};
   Located root{near, std::abs(far - near)};
   for (int step = 0; step < 40; ++step) {

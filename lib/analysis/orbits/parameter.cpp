@@ -29,8 +29,11 @@ constexpr std::array<Word, 9> words{{{Kind::omega, "omega", true, false},
                                      {Kind::velocity, "velocity", false, true}}};
 
 const Word &word_of(const Parameter &parameter) {
-  return *std::find_if(words.begin(), words.end(),
-                       [&](const Word &word) { return word.kind == parameter.kind; });
+  const auto *const found = std::find_if(
+      words.begin(), words.end(), [&](const Word &word) { return word.kind == parameter.kind; });
+  require(found != words.end(), "kind of parameter = ", static_cast<int>(parameter.kind),
+          ": there are kinds 0 to ", words.size() - 1);
+  return *found;
 }
 
 bool has_form(const Word &word, int index) {

@@ -105,6 +105,8 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
   require(scene.omega > 0.0, "omega = ", scene.omega,
           ": a stroboscopic map needs a forcing period");
   require(periods >= 1, "periods = ", periods, ": must be at least 1");
+  require(start.instant.cycle >= 0 && static_cast<double>(start.instant.cycle) <= most_periods,
+          "start: period ", start.instant.cycle, ": must lie in [0, 2^53]");
   return time_of({start.instant.cycle + periods, start.instant.phase}, Clock(scene.omega));
 }
 
