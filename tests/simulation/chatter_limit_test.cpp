@@ -3,29 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "figures/event_tables.hpp"
 #include "random_scenes.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "tests/events.hpp"
 
 namespace {
 
 using namespace vibro_impact;
+using namespace vibro_impact::testing;
 
-std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,
-                               const RunOptions &options) {
-  EventRecorder recorder;
-  recorder.from = -1.0;
-  require_complete(simulate_from(scene, start, until, options, recorder));
-  return recorder.events;
-}
-
-std::vector<Event> select(const std::vector<Event> &events, EventKind kind) {
-  std::vector<Event> found;
-  std::copy_if(events.begin(), events.end(), std::back_inserter(found),
-               [kind](const Event &event) { return event.kind == kind; });
-  return found;
+std::vector<Event> sticks_from(const Scene &scene, const MotionState &start, double until,
+                               const RunOptions &options = {}) {
+  return select(events_from(scene, start, until, options), EventKind::stick);
 }
 
 double impacts_per_period(const Scene &scene, int from, int to) {
@@ -59,8 +50,8 @@ TEST(ChatterLimit, NeedsFewImpactsWhereRestitutionIsHigh) {
 // chatters.
 TEST(ChatterLimit, NeedsFewImpactsWhereModesAreStronglyDamped) {
   for (const auto &[seed, impacts] : {std::pair{30u, 820}, {202u, 850}, {257u, 775}}) {
-    const Scene scene = vibro_impact::testing::random_scene(seed);
-    const double until = vibro_impact::testing::run_length(scene, 1e9);
+    const Scene scene = random_scene(seed);
+    const double until = run_length(scene, 1e9);
     EXPECT_LE(simulate(scene, until).counters.impacts, impacts) << seed;
   }
 }
@@ -98,8 +89,8 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
   Worst worst;
   MotionState start = start_of(scene);
   for (int k = 0; k < 12; ++k) {
-    const auto a = select(events_from(scene, start, period, options), EventKind::stick);
-    const auto b = select(events_from(scene, start, period, resolved), EventKind::stick);
+    const auto a = sticks_from(scene, start, period, options);
+    const auto b = sticks_from(scene, start, period, resolved);
     EXPECT_EQ(a.empty(), b.empty());
     if (!a.empty() && !b.empty()) {
       const auto beyond_rounding = [&](double error) {
@@ -160,16 +151,11 @@ TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
 // a, then for 2 v r / a, and so on: the time of the stick is 2 v / (a (1 - r)).
 TEST(ChatterLimit, InFreeFallIsThatOfTheGeometricSeries) {
   constexpr double mass = 2.0, force = 1.0, v = 1.5;
-  Scene scene;
-  scene.mass = {mass};
-  scene.stiffness = {0.0};
-  scene.amplitude = {force};
-  scene.omega = 0.0;
-  scene.stops = {{1, Side::upper, 0.0}};
-  scene.velocity = {-v};
   for (const double r : {1e-6, 1e-3, 0.3, 0.7, 0.9, 0.99}) {
-    scene.restitution = r;
-    const auto sticks = select(events_from(scene, start_of(scene), 1e6, {}), EventKind::stick);
+    Scene scene = extremes::one_mass(0.0, force, 0.0, r, 0.0, 0.0, -v);
+    scene.mass = {mass};
+    scene.stiffness = {0.0};
+    const auto sticks = sticks_from(scene, start_of(scene), 1e6);
     ASSERT_EQ(sticks.size(), 1u) << r;
     EXPECT_NEAR(sticks[0].time / (2.0 * v * mass / force / (1.0 - r)), 1.0, 1e-13) << r;
   }
@@ -192,8 +178,7 @@ TEST(ChatterLimit, ErrorAgainstTheFiftyDigitTables) {
       const auto table =
           figures::read_event_table(std::string(REFERENCE_DIR "/") + name + "_events.csv");
       const double until = std::min(3.0 * Clock(scene.omega).period, 300.0);
-      const auto sticks =
-          select(events_from(scene, start_of(scene), until, options), EventKind::stick);
+      const auto sticks = sticks_from(scene, start_of(scene), until, options);
       ASSERT_GE(sticks.size(), 1u) << name;
       std::size_t k = 0;
       for (const auto &row : table) {
@@ -217,23 +202,20 @@ Scene pushed_off(double restitution, double v) {
 constexpr double after_release = 6.0;
 
 std::size_t sticks_of(const Scene &scene, const RunOptions &options) {
-  return select(events_from(scene, start_of(scene), after_release, options), EventKind::stick)
-      .size();
+  return sticks_from(scene, start_of(scene), after_release, options).size();
 }
 
 // At the border between the two, found by bisection, a limit taken too early would stick a mass
 // that is let go. Measured: 1e-12 in the time of the stick, whose derivative grows without bound
 // towards the border.
 TEST(ChatterLimit, IsNotTakenBeyondABorderOrbit) {
-  RunOptions resolved;
-  resolved.resolve_chatter = 0.0;
   for (const double r : {0.3, 0.7, 0.9}) {
     double sticks = 1e-3, escapes = 2.0;
-    ASSERT_EQ(sticks_of(pushed_off(r, sticks), resolved), 1u) << r;
-    ASSERT_EQ(sticks_of(pushed_off(r, escapes), resolved), 0u) << r;
+    ASSERT_EQ(sticks_of(pushed_off(r, sticks), all_impacts), 1u) << r;
+    ASSERT_EQ(sticks_of(pushed_off(r, escapes), all_impacts), 0u) << r;
     while (escapes - sticks > 1e-13) {
       const double v = 0.5 * (sticks + escapes);
-      (sticks_of(pushed_off(r, v), resolved) > 0 ? sticks : escapes) = v;
+      (sticks_of(pushed_off(r, v), all_impacts) > 0 ? sticks : escapes) = v;
     }
     for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
       RunOptions options;
@@ -254,10 +236,8 @@ TEST(ChatterLimit, OfTwoMassesInStepSurvivesRounding) {
     const Scene scene = extremes::in_step(0.1, 0.5, 0.28, r, 0.25, 0.0);
     const Outcome outcome = simulate(scene, 60.0);
     EXPECT_LE(outcome.counters.impacts, impacts) << r;
-    RunOptions resolved;
-    resolved.resolve_chatter = 0.0;
-    const auto a = select(events_from(scene, start_of(scene), 60.0, {}), EventKind::stick);
-    const auto b = select(events_from(scene, start_of(scene), 60.0, resolved), EventKind::stick);
+    const auto a = sticks_from(scene, start_of(scene), 60.0);
+    const auto b = sticks_from(scene, start_of(scene), 60.0, all_impacts);
     ASSERT_EQ(a.size(), b.size());
     EXPECT_GE(a.size(), 4u);
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i].time, b[i].time, 1e-12) << r;
@@ -267,11 +247,10 @@ TEST(ChatterLimit, OfTwoMassesInStepSurvivesRounding) {
 // A third mass rests on its stop without force while the first chatters: nothing can be said of
 // when it will move, and the chatter went on to speeds of 1e-288, 400 impacts.
 TEST(ChatterLimit, EndsWithinRoundingWhateverElseIsAboutToHappen) {
-  const Scene scene = vibro_impact::testing::extreme_scene(266);
-  EventRecorder recorder;
-  require_complete(simulate(scene, vibro_impact::testing::run_length(scene, 3000.0), {}, recorder));
-  EXPECT_LT(recorder.events.size(), 60u);
-  for (const Event &event : recorder.events)
+  const Scene scene = extreme_scene(266);
+  const auto events = events_of(scene, 0.0, run_length(scene, 3000.0));
+  EXPECT_LT(events.size(), 60u);
+  for (const Event &event : events)
     if (event.kind == EventKind::impact && event.mass == 1) {
       EXPECT_GT(std::abs(event.velocity_before), 1e-17);
     }

@@ -1,0 +1,164 @@
+// The border of the analysis of orbits: every public function refuses bad input, with one line that
+// names the value and the rule.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/refusals.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using vibro_impact::testing::expect_refused;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most = std::numeric_limits<int>::max();
+
+const Scene scene = paper::figure2();
+
+// At rest, and spoilt.
+MotionState start(void (*spoil)(MotionState &) = [](MotionState &) {}) {
+  MotionState at = start_of(scene);
+  spoil(at);
+  return at;
+}
+
+TEST(Refusals, OfForcesAndModes) {
+  const Stop none{5, Side::upper, 0.1}, on_no_side{1, Side{9}, 0.1}, nowhere{1, Side::upper, nan};
+  const auto two_values = [](MotionState &at) { at.velocity = {1.0, 2.0, 3.0}; };
+  expect_refused({
+      {[] { natural_modes(scene, {0}); }, "held: 1 values given, the chain has 2 masses"},
+      {[] {
+         natural_modes(scene, {0, 9});
+       },
+       "held = 9: must be -1, 0 or 1"},
+      {[&] { acceleration(scene, start(two_values)); }, "velocity: 3 values given"},
+      {[&] { acceleration({}, start()); }, "masses = 0"},
+      {[&] { pressing_force(scene, none, start()); }, "mass = 5: the chain has masses 1 to 2"},
+      {[&] { pressing_force(scene, on_no_side, start()); }, "side = 9: must be lower (-1) or"},
+      {[&] { pressing_force(scene, nowhere, start()); }, "at nan: must be finite"},
+      {[&] { pressing_force_rate(scene, none, start()); }, "mass = 5: the chain has"},
+      {[&] { pressing_force_rate(scene, nowhere, start()); }, "at nan: must be finite"},
+      {[&] { pressing_force_rate(scene, scene.stops[0], start(two_values)); }, "3 values given"},
+  });
+}
+
+TEST(Refusals, OfParameters) {
+  Scene mine = scene;
+  using Kind = Parameter::Kind;
+  expect_refused({
+      {[&] {
+         value_of(mine, {Kind{99}, 1});
+       },
+       "kind of parameter = 99: there are kinds 0 to 8"},
+      {[] {
+         name(Parameter{Kind{-1}, 0});
+       },
+       "kind of parameter = -1: there are kinds 0 to 8"},
+      {[] {
+         get(scene, {Kind::mass, 3});
+       },
+       "mass3: the chain has masses 1 to 2"},
+      {[] {
+         get(scene, {Kind::mass, -1});
+       },
+       "mass-1: no such number of it"},
+      {[] {
+         get(scene, {Kind::mass, 0});
+       },
+       "needs the number of a mass, link or stop"},
+      {[] {
+         with(scene, {Kind::stop, most}, 0.1);
+       },
+       "the scene has 2 stops"},
+      {[] {
+         with(scene, {Kind::omega, 1}, 0.1);
+       },
+       "omega1: no such number of it"},
+      {[] { parameter_named("mass0"); }, "parameter 'mass0': must be omega"},
+      {[] { parameter_named(""); }, "parameter '': must be omega"},
+      {[] { parameter_named("mass99999999999"); }, "parameter 'mass99999999999': must be"},
+  });
+}
+
+TEST(Refusals, OfWhatIsLocated) {
+  const auto line = [](double x) { return x - 0.5; };
+  const auto steps = [](double x) { return x > 0.5 ? 1 : 0; };
+  expect_refused({
+      {[&] { zero(line, nan, 1.0); }, "interval from nan to 1: must be finite"},
+      {[&] { zero(line, 1.0, 0.0); }, "interval from 1 to 0: must be finite and not empty"},
+      {[&] { zero(line, -1.7e308, 1.7e308); }, "wider than the range of double precision"},
+      {[&] { zero(line, 1.0, 2.0); }, "no change of sign"},
+      {[] { zero([](double) { return nan; }, 0.0, 1.0); }, "f = nan at 0"},
+      {[] { zero({}, 0.0, 1.0); }, "f: no function given"},
+      {[&] { bisect(steps, 0.0, infinity); }, "interval from 0 to inf: must be finite"},
+      {[&] { bisect(steps, -1.7e308, 1.7e308); }, "wider than the range of double precision"},
+      {[&] { bisect(steps, 0.0, 1.0, nan); }, "width = nan: must be non-negative"},
+      {[&] { bisect(steps, 0.6, 1.0); }, "no change to locate"},
+      {[] { bisect({}, 0.0, 1.0); }, "count: no function given"},
+      {[&] { zero_from_one_side(line, nan, 1.0); }, "from nan to 1: must be two finite numbers"},
+      {[&] { zero_from_one_side(line, 1.0, 1.0); }, "from 1 to 1: must be two finite numbers"},
+      {[] { zero_from_one_side({}, 2.0, 1.0); }, "f: no function given"},
+      {[] { sticking_phases(scene, 3, 1, 1); }, "mass = 3: the chain has masses 1 to 2"},
+      {[] { sticking_phases(scene, 1, -1, 1); }, "settling = -1: must be non-negative"},
+      {[] { sticking_phases(scene, 1, 1, 0); }, "periods = 0: must be at least 1"},
+      {[] { sticking_phases(scene, 1, most, most); }, "more than an int can count"},
+  });
+  // Next to the largest double: the middle does not overflow.
+  const auto huge = [](double x) { return x > 1.5e308 ? 1 : 0; };
+  EXPECT_NEAR(bisect(huge, 1e308, 1.7e308).below / 1.5e308, 1.0, 1e-15);
+}
+
+TEST(Refusals, OfOrbits) {
+  Scene unforced = scene;
+  unforced.omega = 0.0;
+  const auto far = [](MotionState &at) {
+    at.instant.cycle = std::numeric_limits<long long>::max();
+  };
+  const auto short_of_one = [](MotionState &at) { at.displacement.pop_back(); };
+  expect_refused({
+      {[&] { time_after(unforced, start(), 1); }, "omega = 0: a stroboscopic map needs a forcing"},
+      {[&] { time_after(scene, start(), -most); }, "periods = -2147483647: must be at least 1"},
+      {[&] { time_after(scene, start(far), most); }, "period 9223372036854775807: must lie in"},
+      {[&] { stroboscopic_map(scene, start(short_of_one), 1); }, "1 values of the displacement"},
+      {[&] { stroboscopic_map_and_derivative(scene, start(short_of_one), 1); }, "1 values given"},
+      {[&] { settled(scene, 0); }, "periods = 0: must be at least 1"},
+      {[&] { at_quiet_phase(unforced, start()); }, "omega = 0: a stroboscopic map needs"},
+      {[&] { find_periodic_orbit(scene, start(), 0); }, "periods = 0: must be at least 1"},
+      {[&] { find_periodic_orbit(scene, start(), 1, {.run = {}, .max_iterations = -1}); },
+       "= -1: must be"},
+      {[&] { find_periodic_orbit(scene, start(), 1, {.run = {}, .tolerance = nan}); },
+       "tolerance = nan"},
+      {[&] { find_periodic_orbit(scene, start(short_of_one)); }, "displacement: 1 values given"},
+      {[] {
+         floquet_multipliers(Matrix(3, 4), {0, 0});
+       },
+       "derivative: 3 x 4 values given"},
+      {[&] { TangentRecorder(scene, start(), Matrix(3, 1)); }, "columns"},
+      {[&] {
+         TangentRecorder(scene, start(), Matrix(4, 1), {.by = {{}, {}}});
+       },
+       "columns: 1"},
+      {[] { orbit_change(scene, {}, {}); }, "orbit: has not converged"},
+  });
+}
+
+TEST(Refusals, OfPairsOfEvents) {
+  expect_refused({
+      {[] { event_pairs({}, {.time = nan}); }, "tolerance = nan: must be non-negative and finite"},
+      {[] { event_pairs({}, {.force = -1.0}); }, "tolerance = -1: must be non-negative"},
+      {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
+      {[] {
+         PressedEventRecorder recorder{{}};
+         simulate(scene, 60.0, {}, recorder);
+       },
+       "the scene has 0 stops"},
+  });
+}
+
+}  // namespace
