@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "figures/driver.hpp"
-#include "figures/methods/error_vs_runtime/problem.hpp"
 #include "figures/platform.hpp"
 #include "figures/table_reader.hpp"
 

@@ -3,20 +3,13 @@
 namespace vibro_impact::comparison {
 
 Methods all_methods() {
+  const std::vector<Method> of_cvode = cvode(), of_siconos = siconos();
   Methods all;
-  const auto add = [&all](std::vector<Method> family, const char *without) {
-    if (family.empty()) all.left_out.emplace_back(without);
-    for (Method &method : family) all.methods.push_back(std::move(method));
-  };
-  add(this_library(), "");
-  add(plain_event_driven(), "");
-  add(odeint_with_dense_output(), "");
-  add(odeint_without_dense_output(), "");
-  add(odeint_rosenbrock(), "");
-  add(cvode(), "CVODE (SUNDIALS)");
-  add(siconos_time_stepping(), "Siconos Moreau-Jean");
-  add(siconos_event_driven(), "Siconos LsodarOSI");
-  add(stiff_spring(), "");
+  for (const auto &family :
+       {this_library(), plain_event_driven(), odeint(), of_cvode, of_siconos, stiff_spring()})
+    all.methods.insert(all.methods.end(), family.begin(), family.end());
+  if (of_cvode.empty()) all.left_out.emplace_back("CVODE (SUNDIALS)");
+  if (of_siconos.empty()) all.left_out.emplace_back("Siconos");
   return all;
 }
 

@@ -46,16 +46,9 @@ int jacobian(double, N_Vector, N_Vector, SUNMatrix matrix, void *user, N_Vector,
              N_Vector) {
   const Model &model = *static_cast<Model *>(user);
   SUNMatZero(matrix);
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (model.now.held[i]) continue;
-    const auto row = static_cast<sunindextype>(2 * i);
-    SM_ELEMENT_D(matrix, row, row + 1) = 1.0;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const auto column = static_cast<sunindextype>(2 * j);
-      SM_ELEMENT_D(matrix, row + 1, column) = model.chain.equation[i].gap[j];
-      SM_ELEMENT_D(matrix, row + 1, column + 1) = model.chain.equation[i].speed[j];
-    }
-  }
+  set_jacobian(model.chain, model.now.held, [&](auto row, auto column, double value) {
+    SM_ELEMENT_D(matrix, static_cast<sunindextype>(row), static_cast<sunindextype>(column)) = value;
+  });
   return 0;
 }
 
@@ -68,10 +61,6 @@ auto owned(Pointer pointer, Free free) {
   require(pointer != nullptr, "allocation by SUNDIALS");
   return std::unique_ptr<std::remove_pointer_t<Pointer>, Free>(pointer, free);
 }
-
-// Steps longer than this could jump over two roots of a guard (a sixteenth of a cycle of the
-// fastest mode, as for the other methods with a right-hand side).
-constexpr double longest_step = 0.25;
 
 // The absolute tolerances of the coming flights: relative to its height and speed for a mass that
 // has just hit its stop. With one absolute tolerance for all, flights lower than it would be taken
@@ -113,7 +102,7 @@ Result integrate(const Problem &problem, int linear_multistep, double tolerance)
   tolerate();
   CVodeSetUserData(solver.get(), &model);
   CVodeSetMaxNumSteps(solver.get(), 1'000'000);
-  CVodeSetMaxStep(solver.get(), longest_step);
+  CVodeSetMaxStep(solver.get(), longest_unseen);
   CVodeSetStopTime(solver.get(), problem.until);
   require(CVodeRootInit(solver.get(), 2, guards) == CV_SUCCESS, "CVodeRootInit");
   std::array<int, 2> falling{-1, -1};
@@ -150,37 +139,28 @@ Result integrate(const Problem &problem, int linear_multistep, double tolerance)
     CVodeReInit(solver.get(), now.time, y.get());
     // A first step that is not longer than the flight ahead, else one of the solver's own choice.
     const double flight = flight_ahead(model.chain, now);
-    CVodeSetInitStep(solver.get(), flight < longest_step ? 0.1 * flight : 0.0);
+    CVodeSetInitStep(solver.get(), flight < longest_unseen ? 0.1 * flight : 0.0);
   }
   result.work = model.evaluations;
   result.end = physical_state(model.chain, now);
   return result;
 }
 
-Result run(const Problem &problem, int linear_multistep, double tolerance) {
-  try {
-    return integrate(problem, linear_multistep, tolerance);
-  } catch (const std::runtime_error &error) {
-    Result failed;
-    failed.failure = error.what();
-    return failed;
-  }
-}
-
-Result adams(const Problem &problem, double tolerance) {
-  return run(problem, CV_ADAMS, tolerance);
-}
-
-Result bdf(const Problem &problem, double tolerance) {
-  return run(problem, CV_BDF, tolerance);
+template <int linear_multistep>
+Result run(const Problem &problem, double tolerance) try {
+  return integrate(problem, linear_multistep, tolerance);
+} catch (const std::runtime_error &error) {
+  Result failed;
+  failed.failure = error.what();
+  return failed;
 }
 
 }  // namespace
 
 std::vector<Method> cvode() {
   const std::vector<double> tolerances{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
-  return {{"CVODE Adams", "tolerance", "right-hand sides", tolerances, adams},
-          {"CVODE BDF", "tolerance", "right-hand sides", tolerances, bdf}};
+  return {{"CVODE Adams", "tolerance", "right-hand sides", tolerances, run<CV_ADAMS>},
+          {"CVODE BDF", "tolerance", "right-hand sides", tolerances, run<CV_BDF>}};
 }
 
 }  // namespace vibro_impact::comparison

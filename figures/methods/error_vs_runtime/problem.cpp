@@ -1,4 +1,3 @@
-#include "problem.hpp"
 
 #include <fmt/format.h>
 
@@ -8,20 +7,22 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "figures/event_tables.hpp"
 #include "figures/table_reader.hpp"
+#include "method.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/record.hpp"
 
 namespace vibro_impact::comparison {
 
 namespace {
 
+static_assert(impact == EventKind::impact && stick == EventKind::stick &&
+              release == EventKind::release);
+
 EventKind kind_named(const std::string &name) {
-  return name == "stick"     ? EventKind::stick
-         : name == "release" ? EventKind::release
-                             : EventKind::impact;
+  return name == "stick" ? stick : name == "release" ? release : impact;
 }
 
 // The events of one mass, split at its sticks and releases.
@@ -36,7 +37,7 @@ Course course_of(const std::vector<Happened> &events, int mass, double slowest) 
   bool open = true;
   for (const Happened &event : events) {
     if (event.mass != mass) continue;
-    if (event.kind != EventKind::impact) {
+    if (event.kind != impact) {
       course.marks.push_back(event);
       course.impacts.emplace_back();
       open = true;

@@ -8,15 +8,13 @@
 // error is of the order of the duration of a contact, pi sqrt(m / kappa).
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-#include <cmath>
 #include <numbers>
 
-#include "two_masses.hpp"
+#include "event_loop.hpp"
 
 namespace vibro_impact::comparison {
 
@@ -26,27 +24,18 @@ namespace {
 // about one.
 constexpr double half_periods_of_a_stick = 6.0;
 
-constexpr double longest_step = 0.25;
-
 struct Springs {
   TwoMasses chain;
   std::array<double, 2> stiffness, damping;  // per mass
   std::array<bool, 2> contact;
-  long long *evaluations;
-
-  void operator()(const Vec &y, Vec &dydt, double t) const {
-    ++*evaluations;
-    right_hand_side(chain, {false, false}, y, dydt, t);
-    for (std::size_t i = 0; i < 2; ++i)
-      if (contact[i]) dydt[2 * i + 1] -= stiffness[i] * y[2 * i] + damping[i] * y[2 * i + 1];
-  }
 };
 
 Result integrate(const Problem &problem, double kappa) {
   Result result;
   const double log_r = std::log(problem.scene.restitution);
   const double zeta = -log_r / std::hypot(std::numbers::pi, log_r);
-  Springs springs{two_masses(problem.scene), {}, {}, problem.start.held, &result.work};
+  Springs springs{two_masses(problem.scene), {}, {}, problem.start.held};
+  GapState now = gap_state(springs.chain, problem.start);
   std::array<double, 2> lasting{}, since{};
   for (std::size_t i = 0; i < 2; ++i) {
     springs.stiffness[i] = kappa / problem.scene.mass[i];
@@ -54,64 +43,49 @@ Result integrate(const Problem &problem, double kappa) {
     lasting[i] = half_periods_of_a_stick * std::numbers::pi / std::sqrt(springs.stiffness[i]);
     since[i] = problem.start.time - lasting[i];
   }
-  GapState now = gap_state(springs.chain, problem.start);
   for (std::size_t i = 0; i < 2; ++i)  // a held mass rests on its compressed spring
     if (now.held[i])
       now.y[2 * i] =
           springs.chain.acceleration(i, now.y, std::cos(springs.chain.omega * now.time)) /
           springs.stiffness[i];
-  auto stepper = boost::numeric::odeint::make_dense_output(
+  const auto system = [&](const Vec &y, Vec &dydt, double t) {
+    ++result.work;
+    right_hand_side(springs.chain, {false, false}, y, dydt, t);
+    for (std::size_t i = 0; i < 2; ++i)
+      if (springs.contact[i])
+        dydt[2 * i + 1] -= springs.stiffness[i] * y[2 * i] + springs.damping[i] * y[2 * i + 1];
+  };
+  const auto stepper = boost::numeric::odeint::make_dense_output(
       1e-3 / kappa, 1e-9, boost::numeric::odeint::runge_kutta_dopri5<Vec>());
-  double step = 0.1 / std::sqrt(kappa);
-  stepper.initialize(now.y, now.time, step);
-  while (now.time < problem.until) {
-    const auto [from, to] = stepper.do_step(springs);
-    double end = std::min({to, problem.until, from + longest_step}), b = end;
-    Vec y;
-    stepper.calc_state(end, y);
-    std::size_t who = 2;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if ((y[2 * i] < 0.0) == springs.contact[i]) continue;
-      double a = from;
-      Vec between;
-      b = end;
-      while (true) {  // the side of the stop changes in (a, b]
-        const double middle = 0.5 * (a + b);
-        if (middle <= a || middle >= b) break;
-        stepper.calc_state(middle, between);
-        ((between[2 * i] < 0.0) == springs.contact[i] ? a : b) = middle;
-      }
-      end = b;
-      who = i;
+  DenseOutput<Vec, std::decay_t<decltype(stepper)>, decltype(system)> steps{stepper, system};
+  const double first_step = 0.1 / std::sqrt(kappa);
+
+  // A contact that has lasted counts as a stick from its beginning, unless it was there at first.
+  const auto note_a_stick = [&](std::size_t i) {
+    if (now.time - since[i] > lasting[i] && since[i] >= problem.start.time)
+      result.events.push_back({since[i], static_cast<int>(i) + 1, stick});
+  };
+  const auto side_changes = [&](std::size_t i, const Vec &y, double) {
+    return springs.contact[i] ? -y[2 * i] : y[2 * i];
+  };
+  const auto toggle = [&](std::size_t i) {
+    const int mass = static_cast<int>(i) + 1;
+    now.y[2 * i] = 0.0;
+    if (!springs.contact[i]) {
+      result.events.push_back({now.time, mass, impact});
+      since[i] = now.time;
+      if (++result.impacts > impacts_at_most)
+        result.failure = lost_in_impacts(now.time, mass, now.y[2 * i + 1]);
+    } else if (now.time - since[i] > lasting[i]) {
+      note_a_stick(i);
+      result.events.push_back({now.time, mass, release});
     }
-    now.time = end;
-    if (who == 2 && end == to) continue;
-    stepper.calc_state(end, now.y);
-    if (who != 2) {
-      const int mass = static_cast<int>(who) + 1;
-      now.y[2 * who] = 0.0;
-      if (springs.contact[who] && end - since[who] > lasting[who]) {
-        if (since[who] >= problem.start.time) result.events.push_back(stick_at(since[who], mass));
-        result.events.push_back(release_at(end, mass));
-      } else if (!springs.contact[who]) {
-        result.events.push_back(impact_at(end, mass));
-        since[who] = end;
-        ++result.impacts;
-      }
-      springs.contact[who] = !springs.contact[who];
-      step = 0.1 / std::sqrt(kappa);
-    } else {
-      step = std::min(longest_step, stepper.current_time_step());
-    }
-    if (result.impacts > impacts_at_most) {
-      result.failure = fmt::format("more than {} contacts up to t = {:.6f}", impacts_at_most, end);
-      break;
-    }
-    stepper.initialize(now.y, now.time, step);
-  }
+    springs.contact[i] = !springs.contact[i];
+    return first_step;
+  };
+  follow(steps, now, problem.until, first_step, side_changes, toggle, result.failure);
   for (std::size_t i = 0; i < 2; ++i)
-    if (springs.contact[i] && now.time - since[i] > lasting[i] && since[i] >= problem.start.time)
-      result.events.push_back(stick_at(since[i], static_cast<int>(i) + 1));
+    if (springs.contact[i]) note_a_stick(i);
   result.end = physical_state(springs.chain, now);
   return result;
 }

@@ -5,21 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "vibro_impact/record.hpp"
-
 namespace vibro_impact::comparison {
-
-Happened impact_at(double time, int mass, double velocity_before) {
-  return {time, mass, EventKind::impact, velocity_before};
-}
-
-Happened stick_at(double time, int mass) {
-  return {time, mass, EventKind::stick};
-}
-
-Happened release_at(double time, int mass) {
-  return {time, mass, EventKind::release};
-}
 
 TwoMasses two_masses(const Scene &scene) {
   if (scene.masses() != 2 || scene.stops.size() != 2 || scene.stops[0].mass != 1 ||
@@ -65,6 +51,11 @@ TwoMassState physical_state(const TwoMasses &chain, const GapState &state) {
   return physical;
 }
 
+std::string lost_in_impacts(double time, int mass, double speed) {
+  return fmt::format("more than {} impacts up to t = {:.6f} (mass {}, speed {:.2g})",
+                     impacts_at_most, time, mass, speed);
+}
+
 void happen(const TwoMasses &chain, GapState &state, std::size_t i, double slowest,
             Result &result) {
   const double cosine = std::cos(chain.omega * state.time);
@@ -74,27 +65,25 @@ void happen(const TwoMasses &chain, GapState &state, std::size_t i, double slowe
   if (state.held[i]) {
     state.held[i] = false;
     speed = 0.0;
-    result.events.push_back(release_at(state.time, mass));
+    result.events.push_back({state.time, mass, release});
     return;
   }
   ++result.impacts;
-  result.events.push_back(impact_at(state.time, mass, -chain.side[i] * speed));
+  result.events.push_back({state.time, mass, impact, -chain.side[i] * speed});
   speed = std::abs(chain.restitution * speed);
   const double pressing = -chain.acceleration(i, state.y, cosine);
   if (speed < slowest && pressing > 0.0) {
     const double rest = 2.0 * speed / (pressing * (1.0 - chain.restitution));
     speed = 0.0;
     state.held[i] = true;
-    result.events.push_back(stick_at(state.time + rest, mass));
+    result.events.push_back({state.time + rest, mass, stick});
   }
   const std::size_t j = 1 - i;
   if (state.held[j] && chain.acceleration(j, state.y, cosine) > 0.0) {
     state.held[j] = false;
-    result.events.push_back(release_at(state.time, static_cast<int>(j) + 1));
+    result.events.push_back({state.time, static_cast<int>(j) + 1, release});
   }
-  if (result.impacts > impacts_at_most)
-    result.failure = fmt::format("more than {} impacts up to t = {:.6f} (mass {}, speed {:.2g})",
-                                 impacts_at_most, state.time, mass, speed);
+  if (result.impacts > impacts_at_most) result.failure = lost_in_impacts(state.time, mass, speed);
 }
 
 double flight_ahead(const TwoMasses &chain, const GapState &state) {

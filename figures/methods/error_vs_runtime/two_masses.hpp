@@ -15,11 +15,6 @@ namespace vibro_impact::comparison {
 
 using Vec = std::array<double, 4>;  // g1, u1, g2, u2
 
-// The events, for the methods that cannot name their kinds (see method.hpp).
-Happened impact_at(double time, int mass, double velocity_before = 0.0);
-Happened stick_at(double time, int mass);
-Happened release_at(double time, int mass);
-
 // u_i' = gap[0] g_1 + speed[0] u_1 + gap[1] g_2 + speed[1] u_2 + rest + drive cos(Omega t) (Eqs. 1
 // and 2 in gap coordinates). The same expression for a held mass is minus the force that presses it
 // into its stop, per mass (Eqs. 12 and 13).
@@ -63,12 +58,30 @@ void right_hand_side(const TwoMasses &chain, const std::array<bool, 2> &held, co
   }
 }
 
+// The derivatives of the right-hand side by the state that are not always zero:
+// set(row, column, value).
+template <class Set>
+void set_jacobian(const TwoMasses &chain, const std::array<bool, 2> &held, const Set &set) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double free = held[i] ? 0.0 : 1.0;
+    set(2 * i, 2 * i + 1, free);
+    for (std::size_t j = 0; j < 2; ++j) {
+      set(2 * i + 1, 2 * j, free * chain.equation[i].gap[j]);
+      set(2 * i + 1, 2 * j + 1, free * chain.equation[i].speed[j]);
+    }
+  }
+}
+
 // What must stay positive until the next event of mass i + 1: its gap, or the force holding it.
 template <class State>
 double guard(const TwoMasses &chain, const std::array<bool, 2> &held, std::size_t i, const State &y,
              double t) {
   return held[i] ? -chain.acceleration(i, y, std::cos(chain.omega * t)) : y[2 * i];
 }
+
+// Two zeros of a guard closer than this, a sixteenth of a cycle of the fastest mode (w = 1.618),
+// may be jumped over.
+constexpr double longest_unseen = 0.25;
 
 // Speed below which a chattering mass is held, for a run of the given tolerance. With it the error
 // in the time of a stick, up to 1e4 times the square of this speed where the mass is pressed
@@ -86,6 +99,7 @@ void happen(const TwoMasses &chain, GapState &state, std::size_t i, double slowe
 
 // A method that resolves a chatter impact by impact and ends here is lost in it.
 constexpr long long impacts_at_most = 20'000;
+std::string lost_in_impacts(double time, int mass, double speed);
 
 // Duration of the flight that begins at the present state, as far as speed and acceleration tell:
 // a first step that reaches just beyond its end. Infinite when no mass has just hit.

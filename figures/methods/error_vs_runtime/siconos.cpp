@@ -1,0 +1,218 @@
+// The chain of two masses in Siconos: a LagrangianLinearTIDS with the forcing as external force,
+// and one NewtonImpactNSL on the gap of each mass; by its time stepping and by its event-driven
+// scheme.
+#include <fmt/format.h>
+
+#include <SiconosKernel.hpp>
+#include <array>
+#include <boost/exception/diagnostic_information.hpp>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+#include "two_masses.hpp"
+
+namespace vibro_impact::comparison {
+
+namespace {
+
+struct SiconosModel {
+  SP::LagrangianLinearTIDS chain;
+  std::array<SP::Interaction, 2> contact;
+  SP::NonSmoothDynamicalSystem system;
+};
+
+// The external force as Siconos calls it; z holds A_1, A_2, Omega.
+void forcing(double time, unsigned int size, double *force, unsigned int, double *z) {
+  for (unsigned int i = 0; i < size; ++i) force[i] = z[i] * std::cos(z[2] * time);
+}
+
+SiconosModel siconos_model(const Problem &problem) {
+  const Scene &scene = problem.scene;
+  auto position = std::make_shared<SiconosVector>(2), velocity = std::make_shared<SiconosVector>(2);
+  auto mass = std::make_shared<SimpleMatrix>(2, 2),
+       stiffness = std::make_shared<SimpleMatrix>(2, 2),
+       damping = std::make_shared<SimpleMatrix>(2, 2);
+  mass->zero();
+  const double k[2][2] = {{scene.stiffness[0] + scene.stiffness[1], -scene.stiffness[1]},
+                          {-scene.stiffness[1], scene.stiffness[1]}};
+  for (unsigned int i = 0; i < 2; ++i) {
+    position->setValue(i, problem.start.displacement[i]);
+    velocity->setValue(i, problem.start.velocity[i]);
+    mass->setValue(i, i, scene.mass[i]);
+    for (unsigned int j = 0; j < 2; ++j) {
+      stiffness->setValue(i, j, k[i][j]);
+      damping->setValue(i, j, scene.beta * k[i][j]);
+    }
+  }
+  SiconosModel model;
+  model.chain =
+      std::make_shared<LagrangianLinearTIDS>(position, velocity, mass, stiffness, damping);
+  auto amplitudes = std::make_shared<SiconosVector>(3);
+  for (unsigned int i = 0; i < 2; ++i) amplitudes->setValue(i, scene.amplitude[i]);
+  amplitudes->setValue(2, scene.omega);
+  model.chain->setzPtr(amplitudes);
+  model.chain->setComputeFExtFunction(&forcing);
+
+  model.system = std::make_shared<NonSmoothDynamicalSystem>(problem.start.time, problem.until);
+  model.system->insertDynamicalSystem(model.chain);
+  for (unsigned int i = 0; i < 2; ++i) {
+    // gap = side (s - x) = H x + b
+    const double side = sign(scene.stops[i].side);
+    auto direction = std::make_shared<SimpleMatrix>(1, 2);
+    direction->zero();
+    direction->setValue(0, i, -side);
+    auto offset = std::make_shared<SiconosVector>(1);
+    offset->setValue(0, side * scene.stops[i].position);
+    model.contact[i] =
+        std::make_shared<Interaction>(std::make_shared<NewtonImpactNSL>(scene.restitution),
+                                      std::make_shared<LagrangianLinearTIR>(direction, offset));
+    model.system->link(model.contact[i], model.chain);
+  }
+  return model;
+}
+
+TwoMassState state_of(const SiconosModel &model, double time) {
+  TwoMassState state{time, {}, {}, {}};
+  for (unsigned int i = 0; i < 2; ++i) {
+    state.displacement[i] = (*model.chain->q())(i);
+    state.velocity[i] = (*model.chain->velocity())(i);
+  }
+  return state;
+}
+
+// Runs what calls Siconos, which tells of its failures at length on std::cout, quietly: a failure
+// of the result is the essence of the last thing it said, behind the time of the last event.
+template <class Call>
+void quietly(Result &result, const double &time, const Call &call) {
+  std::ostringstream said;
+  std::streambuf *const before = std::cout.rdbuf(said.rdbuf());
+  try {
+    call();
+  } catch (...) {
+    // The diagnostic lists source line, exception type and error number; the sentence comes last.
+    std::string why = boost::current_exception_diagnostic_information();
+    const std::string label = "[Siconos::message*] = ";
+    if (const auto at = why.find(label); at != std::string::npos)
+      why = why.substr(at + label.size());
+    result.failure = fmt::format("behind t = {:.6f}: {}", time, why.substr(0, why.find('\n')));
+  }
+  std::cout.rdbuf(before);
+}
+
+// Shorter runs of steps with an impulse are impacts that took more than one step.
+constexpr int steps_of_a_stick = 8;
+
+// Moreau-Jean time stepping: theta = 1/2 (no numerical damping), one LCP a step for the impulses of
+// the active contacts, Lemke's algorithm. The scheme has no events; they are read off the impulses.
+// An impact is a step with an impulse behind one without; a run of steps with an impulse in each is
+// contact, its first step the stick and the step behind its last one the release.
+Result time_stepping(const Problem &problem, double step) {
+  const SiconosModel model = siconos_model(problem);
+  const auto steps = static_cast<long long>(std::ceil((problem.until - problem.start.time) / step));
+  const double h = (problem.until - problem.start.time) / static_cast<double>(steps);
+  auto discretisation = std::make_shared<TimeDiscretisation>(problem.start.time, h);
+  auto integrator = std::make_shared<MoreauJeanOSI>(0.5);
+  auto impulses = std::make_shared<LCP>();
+  const auto simulation =
+      std::make_shared<TimeStepping>(model.system, discretisation, integrator, impulses);
+  // A contact at rest stays one when its gap speed comes out as a rounding above zero.
+  integrator->setConstraintActivationThreshold(1e-10);
+
+  Result result;
+  std::array<int, 2> in_contact{};  // steps in a row with an impulse
+  for (std::size_t i = 0; i < 2; ++i)
+    if (problem.start.held[i]) in_contact[i] = steps_of_a_stick;
+  double time = problem.start.time;
+  quietly(result, time, [&] {
+    for (long long n = 1; n <= steps; ++n) {
+      simulation->computeOneStep();
+      time = problem.start.time + h * static_cast<double>(n);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const int mass = static_cast<int>(i) + 1;
+        if ((*model.contact[i]->lambda(1))(0) > 0.0) {
+          if (++in_contact[i] == 1) {
+            // The impulse of the step from time - h to time stands for one at its middle.
+            result.events.push_back({time - 0.5 * h, mass, impact});
+            ++result.impacts;
+          } else if (in_contact[i] == steps_of_a_stick) {
+            result.events.push_back({time - (steps_of_a_stick - 0.5) * h, mass, stick});
+          }
+        } else {
+          if (in_contact[i] >= steps_of_a_stick)
+            result.events.push_back({time - 0.5 * h, mass, release});
+          in_contact[i] = 0;
+        }
+      }
+      simulation->nextStep();
+    }
+  });
+  result.work = steps;
+  result.end = state_of(model, problem.until);
+  return result;
+}
+
+// The event-driven scheme: LsodarOSI between events, one LCP at impacts and one for the
+// accelerations of masses in contact, set up as in Siconos' bouncing-ball examples. The tolerance
+// is that of LSODAR; the tolerance of the index sets (EventDriven::setToleranceED), below which a
+// gap or a gap speed counts as zero, is set in step with it.
+//
+// In those examples, one mass under a constant force, it goes through a chatter to rest; in the
+// scenes here it ends in the first one (reference/README.md, published results).
+Result event_driven(const Problem &problem, double tolerance) {
+  const SiconosModel model = siconos_model(problem);
+  // The user's grid of time points: none needed but the end.
+  constexpr int points = 64;
+  auto discretisation = std::make_shared<TimeDiscretisation>(
+      problem.start.time, (problem.until - problem.start.time) / points);
+  auto simulation = std::make_shared<EventDriven>(model.system, discretisation);
+  auto integrator = std::make_shared<LsodarOSI>();
+  simulation->insertIntegrator(integrator);
+  simulation->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_IMPACT);
+  simulation->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_SMOOTH_ACC);
+  simulation->setToleranceED(tolerance);
+  simulation->initialize();
+  integrator->setTol(1, tolerance, tolerance);
+
+  Result result;
+  std::array<bool, 2> held = problem.start.held;
+  double time = problem.start.time;
+  quietly(result, time, [&] {
+    while (simulation->hasNextEvent()) {
+      simulation->advanceToEvent();
+      ++result.work;
+      const bool nonsmooth = simulation->eventsManager()->nextEvent()->getType() == NS_EVENT;
+      const TwoMassState before = state_of(model, time);
+      simulation->processEvents();
+      time = simulation->startingTime();
+      const TwoMassState after = state_of(model, time);
+      if (!nonsmooth) continue;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const int mass = static_cast<int>(i) + 1;
+        const bool now_held = simulation->indexSet(2)->is_vertex(model.contact[i]);
+        if (!held[i] && after.velocity[i] != before.velocity[i]) {
+          result.events.push_back({time, mass, impact, before.velocity[i]});
+          if (++result.impacts > impacts_at_most) {
+            result.failure = lost_in_impacts(time, mass, before.velocity[i]);
+            return;
+          }
+        }
+        if (now_held != held[i]) result.events.push_back({time, mass, now_held ? stick : release});
+        held[i] = now_held;
+      }
+    }
+  });
+  result.end = state_of(model, time);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Method> siconos() {
+  return {
+      {"Siconos Moreau-Jean", "time step", "time steps", {2e-2, 1e-2, 5e-3, 2e-3}, time_stepping},
+      {"Siconos LsodarOSI", "tolerance", "events", {1e-6, 1e-8, 1e-10, 1e-12}, event_driven}};
+}
+
+}  // namespace vibro_impact::comparison
