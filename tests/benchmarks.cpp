@@ -119,8 +119,11 @@ void diagram(benchmark::State &state) {
   double all = 0.0;
   for (auto _ : state) {
     all = 0.0;
-    for (const OrbitRecord &record : sweep(grid, {}, sweeping))
-      all += static_cast<double>(record.work.settling);
+    for (const double periods : sweep(
+             grid,
+             [](const Scene &scene) { return static_cast<double>(record_of(scene).work.settling); },
+             sweeping))
+      all += periods;
   }
   state.counters["time"] = benchmark::Counter(
       181, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

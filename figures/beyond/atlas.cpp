@@ -41,12 +41,15 @@ std::array<Plane, 5> planes(int width, int height) {
            {"5c", stops(paper::figure5c(), 2)}}};
 }
 
-// A motion that has not settled after 200 periods is one of the few per cent that do not within
-// 400 either, or near a bifurcation.
+// Within 200 forcing periods some 85 per cent settle in the planes of the frequency. Of the others
+// a seventh in the plane of r and two fifths in that of A1 do so later: where the exponent is
+// negative the motion goes on for up to 2,000 periods more. With the averages until the sign of the
+// exponent is certain the atlas takes 1.8 times as long as without.
 RecordOptions what_is_shown() {
   RecordOptions options;
   options.settle.longest = 200;
   options.lyapunov = true;
+  options.longest_if_stable = 2000;
   options.pairs = true;
   return options;
 }
@@ -82,9 +85,11 @@ void draw(const std::filesystem::path &output, int width, int height) {
     Table table = sweep_table(plane.grid, options);
     sweep(
         plane.grid.points(),
-        [&](std::size_t point) { return record_of(plane.grid.scene_at(point), options); },
-        [&](std::size_t point, const OrbitRecord &record) {
-          add_row(table, plane.grid, options, point, record);
+        [&](std::size_t point) {
+          return row_of(record_of(plane.grid.scene_at(point), options), options);
+        },
+        [&](std::size_t point, const std::vector<double> &row) {
+          add_row(table, plane.grid, options, point, row);
           progress.advance();
         });
     write(table, output / ("atlas_" + plane.name + ".csv"));

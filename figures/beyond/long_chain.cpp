@@ -44,9 +44,10 @@ void draw(const std::filesystem::path &output, int width) {
   options.lyapunov = true;
   Table map = sweep_table(plane, options);
   sweep(
-      plane.points(), [&](std::size_t point) { return record_of(plane.scene_at(point), options); },
-      [&](std::size_t point, const OrbitRecord &record) {
-        add_row(map, plane, options, point, record);
+      plane.points(),
+      [&](std::size_t point) { return row_of(record_of(plane.scene_at(point), options), options); },
+      [&](std::size_t point, const std::vector<double> &row) {
+        add_row(map, plane, options, point, row);
         progress.advance();
       });
   write(map, output / "long_chain_map.csv");

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "options.hpp"
+#include "output.hpp"
 #include "run_command.hpp"
-#include "streamed_file.hpp"
 #include "sweep_command.hpp"
 
 namespace {
@@ -41,13 +41,14 @@ int main(int argc, char **argv) {
     }
     if (!speaks) return 0;
     if (answer) {
-      StreamedFile out(Destination{"-"});
+      Output out({"standard output", "-"});
       out.write(answer->text);
       out.complete();
       return 0;
     }
-    remember_signals();
     return run_scene(request);
+  } catch (const ReaderLeft &) {
+    return 128 + SIGPIPE;
   } catch (const std::invalid_argument &bad) {
     return speaks ? fail(bad.what(), 2) : 2;
   } catch (const std::exception &failure) {

@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <vector>
-
 #include "bad_input.hpp"
-#include "misspelt.hpp"
 #include "scene_options.hpp"
 #include "values.hpp"
 
@@ -42,84 +38,78 @@ constexpr const char *example =
     "ended\n"
     "by Ctrl-C (128 + the number of the signal).";
 
-// The words of the command line as they were given.
-struct Words {
-  SceneWords scene;
-  std::string until = "750", from = "0", every = "0.01", resolve, most = "1000000";
-};
-
-// The options whose absence, too, means something.
-struct Given {
-  SceneOptions scene;
-  std::vector<const CLI::Option *> files;
-  const CLI::Option *resolve = nullptr;
-};
-
-void add_run_options(CLI::App &run, Words &words, Request &request, Given &given) {
-  option(run, "--until", words.until, "TIME", "End of the run, > 0");
-  option(run, "--from", words.from, "TIME", "Start of both tables; the run itself starts at t = 0");
-  option(run, "--every", words.every, "TIME", "Interval between samples, > 0, counted from --from");
-  given.files = {
-      option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output"),
-      option(run, "--samples", request.samples, "FILE",
-             "Displacements time,x1,x2,... (CSV); - for standard output"),
-      option(run, "--plot", request.plot, "FILE",
-             "Picture of the displacements, stops, impacts and sticking from --from on, by\n"
-             "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first"),
-      option(run, "--save-state", request.save_state, "FILE",
-             "The scene and the state at the end of the run, for --resume"),
-      option(run, "--resume", request.resume, "FILE",
-             "Go on from a saved state, with its scene: options of the scene cannot be\n"
-             "given. The tables hold what comes after it; for those of one whole run,\n"
-             "give the other options as before")};
-  given.resolve = option(run, "--resolve-chatter", words.resolve, "SPEED",
-                         "Resolve and record every chatter impact faster than this; below it a\n"
-                         "complete chatter may be carried to its limit. Default: as soon as the\n"
-                         "limit is certain; 0: resolve until below rounding");
-  option(run, "--max-impacts", words.most, "N",
-         "Give up beyond this many impacts in one forcing period");
+void add_run_options(CLI::App &run, Request &request) {
+  option(run, "--until", request.until, "TIME", "End of the run, > 0")->check(positive_number());
+  option(run, "--from", request.from, "TIME",
+         "Start of both tables; the run itself starts at t = 0")
+      ->check(number_from(0.0));
+  option(run, "--every", request.every, "TIME",
+         "Interval between samples, > 0, counted from --from")
+      ->check(positive_number());
+  option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output");
+  option(run, "--samples", request.samples, "FILE",
+         "Displacements time,x1,x2,... (CSV); - for standard output");
+  option(run, "--plot", request.plot, "FILE",
+         "Picture of the displacements, stops, impacts and sticking from --from on, by\n"
+         "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first");
+  option(run, "--save-state", request.save_state, "FILE",
+         "The scene and the state at the end of the run, for --resume");
+  option(run, "--resume", request.resume, "FILE",
+         "Go on from a saved state, with its scene: options of the scene cannot be\n"
+         "given. The tables hold what comes after it; for those of one whole run,\n"
+         "give the other options as before");
+  run.add_option("--resolve-chatter", request.options.resolve_chatter,
+                 "Resolve and record every chatter impact faster than this; below it a\n"
+                 "complete chatter may be carried to its limit. Default: as soon as the\n"
+                 "limit is certain; 0: resolve until below rounding")
+      ->type_name("SPEED")
+      ->check(number_from(0.0));
+  option(run, "--max-impacts", request.options.max_impacts_per_period, "N",
+         "Give up beyond this many impacts in one forcing period")
+      ->check(whole_number(1'000'000'000'000'000));
   run.add_flag("--progress", request.progress,
                "Say how far the run is and how long it still takes, on standard error, also where\n"
                "that is no terminal");
 }
 
-void read_run_options(const Words &words, const Given &given, Request &request) {
-  request.until = positive("--until", words.until);
-  request.from = number("--from", words.from);
-  if (!(request.from >= 0.0 && request.from <= request.until))
+void check_run(const CLI::App &run, const Request &request) {
+  for (const char *name : {"--events", "--samples", "--plot", "--save-state", "--resume"})
+    if (run.count(name) > 0 && run.get_option(name)->as<std::string>().empty())
+      throw BadInput(fmt::format("{} '': must name a file", name));
+  if (!(request.from <= request.until))
     throw BadInput(
-        fmt::format("--from {}: must lie between 0 and --until {}", words.from, words.until));
-  request.every = positive("--every", words.every);
+        fmt::format("--from {}: must lie between 0 and --until {}", request.from, request.until));
   // Sample times that rounding makes equal would never come to an end.
   if (!request.samples.empty() && !(request.until + request.every > request.until))
     throw BadInput(fmt::format(
         "--every {}: too short for double precision to tell samples at --until {} apart",
-        words.every, words.until));
-  if (given.resolve->count() > 0) {
-    request.options.resolve_chatter = number("--resolve-chatter", words.resolve);
-    if (!(request.options.resolve_chatter >= 0.0))
-      throw BadInput(fmt::format("--resolve-chatter {}: must be non-negative", words.resolve));
-  }
-  request.options.max_impacts_per_period =
-      count_of("--max-impacts", words.most, 1'000'000'000'000'000);
+        request.every, request.until));
+}
+
+// What CLI11 says, but for what it puts in words of its own.
+std::string explain(const CLI::App &app, const CLI::ParseError &error) {
+  for (const CLI::App *command : app.get_subcommands())
+    for (const CLI::Option *option : command->get_options())
+      if (option->count() > 1 && option->get_items_expected_max() == 1)
+        return fmt::format("{}: given {} times", option->get_name(), option->count());
+  return error.what();
 }
 
 }  // namespace
 
 std::optional<Answer> parse(int argc, char **argv, Request &request) {
-  Words words;
-  Given given;
+  SceneOptions scene;
   CLI::App app(purpose, "vibro-impact");
   app.footer(example);
   app.set_version_flag("--version", "vibro-impact " VIBRO_IMPACT_VERSION);
   app.require_subcommand(1);
   CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
   run.footer(example);
-  given.scene = add_scene_options(run, words.scene);
-  add_run_options(run, words, request, given);
-  SweepWords sweep_words;
+  add_scene_options(run, scene);
+  add_run_options(run, request);
+  SweepOptionsOf of_sweep;
   CLI::App &sweep = *app.add_subcommand("sweep", sweep_purpose);
-  const SweepGiven sweep_given = add_sweep_options(sweep, sweep_words);
+  add_sweep_options(sweep, of_sweep);
 
   try {
     app.parse(argc, argv);
@@ -135,20 +125,19 @@ std::optional<Answer> parse(int argc, char **argv, Request &request) {
   }
 
   if (sweep.parsed()) {
-    request.sweep = sweep_of(sweep, sweep_words, sweep_given);
+    request.sweep = sweep_of(sweep, of_sweep);
     return std::nullopt;
   }
-  for (const CLI::Option *file : given.files)
-    if (file->count() > 0 && file->as<std::string>().empty())
-      throw BadInput(fmt::format("{} '': must name a file", file->get_name()));
-  if (request.resume.empty())
-    request.scene = scene_of(words.scene, given.scene);
-  else
-    for (const CLI::Option *of_scene : given.scene.all)
-      if (of_scene->count() > 0)
-        throw BadInput(fmt::format("{}: the scene comes from --resume {} and cannot be changed",
-                                   of_scene->get_name(), request.resume));
-  read_run_options(words, given, request);
+  check_run(run, request);
+  if (request.resume.empty()) {
+    request.scene = scene_of(scene);
+    request.scene_text = text_of(scene);
+    return std::nullopt;
+  }
+  for (const CLI::Option *of_scene : scene.all)
+    if (of_scene->count() > 0)
+      throw BadInput(fmt::format("{}: the scene comes from --resume {} and cannot be changed",
+                                 of_scene->get_name(), request.resume));
   return std::nullopt;
 }
 

@@ -11,7 +11,8 @@ namespace vibro_impact::runner {
 
 // One run, or a sweep, as the user asked for it; an empty path means that the file is not wanted.
 struct Request {
-  Scene scene;  // empty with `resume`: the scene stands in that file
+  Scene scene;             // empty with `resume`: the scene stands in that file
+  std::string scene_text;  // the options that gave it
   RunOptions options;
   double until = 750.0, from = 0.0, every = 0.01;
   std::string events, samples, save_state, resume, plot;

@@ -1,13 +1,12 @@
 // A picture of a run, drawn by gnuplot: the displacement of each mass over time, its stops, impacts
-// and the phases in which it sticks.
+// and the phases in which it sticks. How it looks stands in plot.gp, which is installed.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "destination.hpp"
 #include "vibro_impact/record.hpp"
 
 namespace vibro_impact::runner {
@@ -21,9 +20,11 @@ class Plot {
  public:
   // From `from` to `to`; `held`: the contact mode at the start. Throws BadInput when there are more
   // periods than can be drawn, and when gnuplot is not there or does not draw this kind of file.
-  Plot(const Destination &file, const Scene &scene, const Held &held, double from, double to);
+  Plot(const std::string &path, const Scene &scene, const Held &held, double from, double to);
 
-  double next_time() const;
+  double next_time() const {
+    return sample_time(from_, to_, every_, taken_);
+  }
   void sample(const Moment &moment);
   void event(const Event &event, const Moment &moment);
 
@@ -31,25 +32,22 @@ class Plot {
   void draw(double time);
 
  private:
+  // What a panel consists of, as rows of gnuplot.
+  enum Layer { stop, sticking, displacement, impact, layers };
   struct Panel {
     int mass;
-    std::string stops;              // their positions, one per line
-    std::string line = {};          // time and displacement
-    std::string impacts = {};       // time and position
-    std::string sticking = {};      // both ends of each phase
+    std::array<std::string, layers> data = {};
     double held_since = 0.0;        // where it sticks now
     const Stop *held_at = nullptr;  // none: it is free
   };
 
-  struct Layer;
-
-  const Destination &file_;
+  std::string path_, temporary_;
   const Scene &scene_;
-  double from_, to_, every_;
+  double from_, to_, every_ = 0.0;
   std::size_t taken_ = 0;
   std::vector<Panel> panels_ = {};
-  std::map<std::size_t, double> last_impact_ = {};  // drawn, by stop
-  double last_event_ = -1.0;                        // at which the lines have a point
+  std::vector<double> last_impact_;  // drawn, per stop
+  double last_corner_ = -1.0;        // event at which the lines have a point
 
   void add_point(const Moment &moment);
   void end_sticking(Panel &panel, double time);

@@ -2,9 +2,14 @@
 // project was built; else, and when mpirun did not start the program, one.
 #pragma once
 
-#include "vibro_impact/analysis/sweep.hpp"
+#include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace vibro_impact {
+
+// The row of numbers of a point; several threads may ask at once.
+using ComputeRow = std::function<std::vector<double>(std::size_t point)>;
 
 class Processes {
  public:
@@ -16,10 +21,12 @@ class Processes {
   int rank() const {
     return rank_;
   }
-  // For a sweep.
-  Ranks ranks() const;
-  // What rank 0 says, on every rank.
-  long long said_by_rank_0(long long value) const;
+  // To be called by all at once, each with its number of threads. On rank 0: use(all, row) is
+  // called with the threads of all processes and a `compute` that leaves a point to a thread of
+  // another process when one is free. On the others: computes what rank 0 asks for until `use` is
+  // over.
+  void share_out(int threads, const ComputeRow &compute,
+                 const std::function<void(int all, const ComputeRow &row)> &use) const;
 
  private:
   int rank_ = 0, size_ = 1;

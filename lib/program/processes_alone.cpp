@@ -7,12 +7,9 @@ Processes::Processes(int &, char **&) {
 
 Processes::~Processes() = default;
 
-Ranks Processes::ranks() const {
-  return {rank_, size_, {}, {}};
-}
-
-long long Processes::said_by_rank_0(long long value) const {
-  return value;
+void Processes::share_out(int threads, const ComputeRow &compute,
+                          const std::function<void(int, const ComputeRow &)> &use) const {
+  use(threads, compute);
 }
 
 }  // namespace vibro_impact

@@ -1,11 +1,12 @@
 #include <mpi.h>
 
-#include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
-#include <string>
+#include <thread>
 
 #include "processes.hpp"
 
@@ -13,10 +14,14 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr int request_tag = 1, answer_tag = 2;
+// A thread of another process: what is sent to it and what it answers bear its number.
+struct Seat {
+  int rank, thread;
+};
 
-// A request: its note and its block, then the text.
-using Head = std::array<std::uint64_t, 2>;
+constexpr std::uint64_t no_more = UINT64_MAX;
+
+std::mutex talking;  // the threads take turns
 
 // Set by mpirun of Open MPI, by other starters. A program started without is one process, and does
 // not wait for MPI to begin.
@@ -26,40 +31,79 @@ bool started_by_mpirun() {
   return false;
 }
 
-std::size_t ask(Ranks::Note note, std::size_t block, std::string_view text) {
-  const Head head{static_cast<std::uint64_t>(note), block};
-  std::string request(reinterpret_cast<const char *>(head.data()), sizeof head);
-  request += text;
-  MPI_Send(request.data(), static_cast<int>(request.size()), MPI_BYTE, 0, request_tag,
-           MPI_COMM_WORLD);
-  std::uint64_t answer = 0;
-  MPI_Recv(&answer, 1, MPI_UINT64_T, 0, answer_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return answer;
+template <class Number>
+void send(const std::vector<Number> &values, MPI_Datatype type, int to, int tag) {
+  const std::lock_guard lock(talking);
+  MPI_Send(values.data(), static_cast<int>(values.size()), type, to, tag, MPI_COMM_WORLD);
 }
 
-bool serve(const Ranks::Answer &answer) {
-  int waiting = 0, size = 0;
-  MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, request_tag, MPI_COMM_WORLD, &waiting, &status);
-  if (waiting == 0) return false;
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  std::string request(static_cast<std::size_t>(size), '\0');
-  MPI_Recv(request.data(), size, MPI_BYTE, status.MPI_SOURCE, request_tag, MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
-  Head head;
-  std::memcpy(head.data(), request.data(), sizeof head);
-  const std::uint64_t next = answer(static_cast<Ranks::Note>(head[0]), head[1],
-                                    std::string_view(request).substr(sizeof head));
-  MPI_Send(&next, 1, MPI_UINT64_T, status.MPI_SOURCE, answer_tag, MPI_COMM_WORLD);
-  return true;
+template <class Number>
+std::vector<Number> receive(MPI_Datatype type, int from, int tag) {
+  for (;;) {
+    {
+      const std::lock_guard lock(talking);
+      int there = 0, size = 0;
+      MPI_Status status;
+      MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, &status);
+      if (there != 0) {
+        MPI_Get_count(&status, type, &size);
+        std::vector<Number> values(static_cast<std::size_t>(size));
+        MPI_Recv(values.data(), size, type, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        return values;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(50));
+  }
 }
+
+void send_point(std::uint64_t point, const Seat &to) {
+  send(std::vector{point}, MPI_UINT64_T, to.rank, to.thread);
+}
+
+// A row without numbers says that there was an error: rank 0 computes the point itself, and meets
+// it.
+void serve(const ComputeRow &compute, int thread) {
+  for (;;) {
+    const std::uint64_t point = receive<std::uint64_t>(MPI_UINT64_T, 0, thread).at(0);
+    if (point == no_more) return;
+    std::vector<double> row;
+    try {
+      row = compute(point);
+    } catch (...) {
+    }
+    send(row, MPI_DOUBLE, 0, thread);
+  }
+}
+
+// The threads of the others that have nothing to do.
+class FreeSeats {
+ public:
+  std::vector<Seat> seats = {};
+
+  std::optional<Seat> take() {
+    const std::lock_guard lock(mutex_);
+    if (seats.empty()) return std::nullopt;
+    const Seat seat = seats.back();
+    seats.pop_back();
+    return seat;
+  }
+  void give_back(const Seat &seat) {
+    const std::lock_guard lock(mutex_);
+    seats.push_back(seat);
+  }
+  ~FreeSeats() {
+    for (const Seat &seat : seats) send_point(no_more, seat);
+  }
+
+ private:
+  std::mutex mutex_;
+};
 
 }  // namespace
 
 Processes::Processes(int &argc, char **&argv) {
   if (!started_by_mpirun()) return;
   int level = 0;
-  // The threads take turns at talking.
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &level);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
@@ -73,13 +117,28 @@ Processes::~Processes() {
   if (begun != 0) MPI_Finalize();
 }
 
-Ranks Processes::ranks() const {
-  return {rank_, size_, ask, serve};
-}
-
-long long Processes::said_by_rank_0(long long value) const {
-  if (size_ > 1) MPI_Bcast(&value, 1, MPI_LONG_LONG, 0, MPI_COMM_WORLD);
-  return value;
+void Processes::share_out(int threads, const ComputeRow &compute,
+                          const std::function<void(int, const ComputeRow &)> &use) const {
+  if (size_ == 1) return use(threads, compute);
+  std::vector<int> threads_of(static_cast<std::size_t>(size_));
+  MPI_Allgather(&threads, 1, MPI_INT, threads_of.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  if (rank_ > 0) {
+    std::vector<std::jthread> others;
+    for (int thread = 1; thread < threads; ++thread) others.emplace_back(serve, compute, thread);
+    return serve(compute, 0);
+  }
+  FreeSeats free;
+  for (int rank = 1; rank < size_; ++rank)
+    for (int thread = 0; thread < threads_of[static_cast<std::size_t>(rank)]; ++thread)
+      free.seats.push_back({rank, thread});
+  use(threads + static_cast<int>(free.seats.size()), [&](std::size_t point) {
+    const std::optional<Seat> seat = free.take();
+    if (!seat) return compute(point);
+    send_point(point, *seat);
+    std::vector<double> row = receive<double>(MPI_DOUBLE, seat->rank, seat->thread);
+    free.give_back(*seat);
+    return row.empty() ? compute(point) : row;
+  });
 }
 
 }  // namespace vibro_impact

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace vibro_impact {
@@ -13,11 +13,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr const char *wipe = "\r\033[K";
+
 std::string duration(double seconds) {
-  constexpr double day = 86400.0, year = 365.25 * day;
-  if (!(seconds < 1e6 * year)) return "more than a million years";
-  if (seconds >= year) return fmt::format("{:.3g} years", seconds / year);
-  if (seconds >= 3.0 * day) return fmt::format("{:.0f} days", seconds / day);
+  if (!(seconds < 3e13)) return "more than a million years";
+  if (seconds >= 3.0 * 86400.0) return fmt::format("{:.0f} days", seconds / 86400.0);
   const auto whole = static_cast<long long>(std::ceil(seconds));
   if (whole >= 3600) return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
   if (whole >= 60) return fmt::format("{} min {} s", whole / 60, whole % 60);
@@ -36,18 +36,12 @@ std::string progress_line(const std::string &of_what, double before, double done
 }
 
 Progress::Progress(std::string of_what, double total, bool asked_for, double before)
-    : Progress(std::move(of_what), total, asked_for, before,
-               Screen{stderr, isatty(STDERR_FILENO) != 0}) {
-}
-
-Progress::Progress(std::string of_what, double total, bool asked_for, double before, Screen screen)
     : of_what_(std::move(of_what)),
       total_(total),
       before_(before),
       done_(before),
-      screen_(screen),
-      is_read_(asked_for || screen.terminal),
-      start_(screen.now()),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      is_read_(asked_for || terminal_),
       next_(start_ + 2s) {
 }
 
@@ -65,24 +59,18 @@ void Progress::advance(double by) {
 
 void Progress::show() {
   if (!is_read_) return;
-  const auto now = screen_.now();
+  const auto now = Clock::now();
   if (now < next_) return;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const std::string line = progress_line(of_what_, before_, done_, total_, seconds);
   // Not fmt::print, which throws where the terminal is gone.
-  if (screen_.terminal)
-    std::fprintf(screen_.file, "\r%-*s", static_cast<int>(width_), line.c_str());
-  else
-    std::fprintf(screen_.file, "%s\n", line.c_str());
-  std::fflush(screen_.file);
-  width_ = line.size();
-  next_ = screen_.terminal ? now + 200ms : start_ + 2 * (now - start_);
+  std::fprintf(stderr, "%s%s%s", terminal_ ? wipe : "", line.c_str(), terminal_ ? "" : "\n");
+  shown_ = true;
+  next_ = terminal_ ? now + 200ms : start_ + 2 * (now - start_);
 }
 
 Progress::~Progress() {
-  if (!screen_.terminal || width_ == 0) return;
-  std::fprintf(screen_.file, "\r%*s\r", static_cast<int>(width_), "");
-  std::fflush(screen_.file);
+  if (terminal_ && shown_) std::fputs(wipe, stderr);
 }
 
 }  // namespace vibro_impact

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdio>
 #include <mutex>
 #include <string>
 
@@ -18,15 +17,8 @@ std::string progress_line(const std::string &of_what, double before, double done
 // follows after 2, 4, 8, ... seconds. May be called from several threads.
 class Progress {
  public:
-  struct Screen {
-    std::FILE *file = nullptr;
-    bool terminal = false;
-    std::chrono::steady_clock::time_point (*now)() = std::chrono::steady_clock::now;
-  };
-
   // `before`: what of `total` was done before the computation began.
   Progress(std::string of_what, double total, bool asked_for = true, double before = 0.0);
-  Progress(std::string of_what, double total, bool asked_for, double before, Screen screen);
   ~Progress();
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
@@ -39,12 +31,12 @@ class Progress {
   void advance(double by = 1.0);
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::string of_what_;
   double total_, before_, done_;
-  Screen screen_;
-  bool is_read_;
-  std::chrono::steady_clock::time_point start_, next_;  // next_: before it nothing is written
-  std::size_t width_ = 0;                               // of the line that stands on the terminal
+  bool terminal_, is_read_, shown_ = false;
+  Clock::time_point start_ = Clock::now(), next_;  // next_: before it nothing is written
   std::mutex mutex_ = {};
 
   void show();

@@ -6,19 +6,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bad_input.hpp"
-#include "destination.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
 #include "state_file.hpp"
-#include "streamed_file.hpp"
 #include "tables.hpp"
-#include "watch.hpp"
 
 namespace vibro_impact::runner {
 
@@ -51,74 +49,105 @@ std::optional<SavedRun> saved_run(const Request &request) {
   return saved;
 }
 
-// The files of one run. A table that is not asked for takes no part in it.
-struct Files {
-  std::optional<StreamedTable> events, samples;
-  std::optional<StreamedFile> state;
+// A recorder that ends the run at the next flight after a signal: it then asks for a time that is
+// over, and is served at once.
+struct Interruption {
+  int (*signal)();
+  double begin;
+
+  double next_time() const {
+    return signal() != 0 ? begin : std::numeric_limits<double>::infinity();
+  }
+  void sample(const Moment &) {
+  }
+  bool done() const {
+    return signal() != 0;
+  }
 };
 
-// The recorders that write the tables.
-struct Recorders {
+// A recorder that shows, at the events, how far the run is.
+struct ShownProgress {
+  Progress &progress;
+
+  void event(const Event &event, const Moment &) {
+    progress.reach(event.time);
+  }
+};
+
+// What a run writes. A table that is not asked for takes no part in it.
+struct Files {
   std::optional<EventRows> events;
   std::optional<SampleRows> samples;
-  std::vector<RecorderRef> all = {};
+  std::optional<Output> state;
+  std::optional<Plot> plot;
 
-  Recorders(const Request &request, const std::optional<SavedRun> &saved, Files &files) {
-    if (files.events)
-      all.push_back(recorder_ref(events.emplace(EventRows{*files.events, request.from})));
-    if (!files.samples) return;
+  Files(const Request &request, const std::optional<SavedRun> &saved, const Scene &scene) {
+    const double begin = saved ? std::max(request.from, saved->time) : request.from;
+    if (!request.plot.empty())
+      plot.emplace(request.plot, scene, saved ? saved->state.held() : start_of(scene).held, begin,
+                   request.until);
+    if (!request.save_state.empty()) state.emplace(Named{"--save-state", request.save_state});
+    if (!request.events.empty()) events.emplace(Named{"--events", request.events}, request.from);
     // The samples of one whole run, but for those that the first part of it has written.
     const std::size_t taken =
         saved ? samples_taken(request.from, request.every, saved->time) : std::size_t{0};
-    all.push_back(recorder_ref(samples.emplace(
-        SampleRows{*files.samples, request.from, request.until, request.every, taken})));
+    if (!request.samples.empty())
+      samples.emplace(Named{"--samples", request.samples}, scene.masses(),
+                      SampleRows::Times{request.from, request.until, request.every, taken});
+  }
+
+  std::vector<RecorderRef> recorders() {
+    std::vector<RecorderRef> all;
+    if (events) all.push_back(recorder_ref(*events));
+    if (samples) all.push_back(recorder_ref(*samples));
+    if (plot) all.push_back(recorder_ref(*plot));
+    return all;
+  }
+
+  // A run that was given up may be gone on with, too, under another limit of impacts: unless its
+  // numbers have left the range of double precision.
+  void save(const SavedRun &run) {
+    if (!state) return;
+    if (const auto text = text_of(run))
+      state->write(*text);
+    else
+      state.reset();
+  }
+
+  // First all are closed, then all put in place: one that cannot be written leaves none behind.
+  void finish() {
+    if (events) events->table.complete();
+    if (samples) samples->table.complete();
+    if (state) state->complete();
+    if (events) events->table.file.put_in_place();
+    if (samples) samples->table.file.put_in_place();
+    if (state) state->put_in_place();
   }
 };
 
 // Where the tables go to the terminal on which it would stand, no progress line mixes with them.
-Progress progress_of(const Request &request, double begin) {
-  const bool table_on_screen = (request.events == "-" || request.samples == "-") &&
-                               isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
-  return {"time", request.until, request.progress, begin,
-          Progress::Screen{stderr, isatty(STDERR_FILENO) != 0 && !table_on_screen}};
+bool shows_progress(const Request &request) {
+  const bool table_on_screen =
+      (request.events == "-" || request.samples == "-") && isatty(STDOUT_FILENO) != 0;
+  return request.progress || (isatty(STDERR_FILENO) != 0 && !table_on_screen);
 }
 
 // The outcome, in which `time` is the one up to which the tables reach.
 Outcome simulate_or_resume(const Request &request, const std::optional<SavedRun> &saved,
-                           const Scene &scene, int (*signal)(), Files &files,
-                           std::optional<Plot> &plot) {
-  Recorders tables(request, saved, files);
-  if (plot) tables.all.push_back(recorder_ref(*plot));
+                           const Scene &scene, int (*signal)(), Files &files) {
   const double begin = saved ? saved->time : 0.0;
-  Progress progress = progress_of(request, begin);
-  Watch watch(begin, request.until, signal, progress, tables.all);
-  std::vector<RecorderRef> recorders{recorder_ref(watch)};
-  recorders.insert(recorders.end(), tables.all.begin(), tables.all.end());
+  Interruption interruption{signal, begin};
+  std::vector<RecorderRef> recorders{recorder_ref(interruption)};
+  for (const RecorderRef &recorder : files.recorders()) recorders.push_back(recorder);
+  Progress progress("time", request.until, request.progress, begin);
+  ShownProgress shown{progress};
+  if (shows_progress(request)) recorders.push_back(recorder_ref(shown));
   Outcome outcome =
       saved ? resume_seen(scene, saved->state, request.until, request.options, recorders)
             : simulate_seen(scene, start_of(scene), request.until, request.options, recorders);
-  outcome.counters.modal_evaluations -= watch.looks();
-  if (tables.samples && outcome.ending != Ending::reached)
-    outcome.time = tables.samples->reach(outcome.time);
+  if (files.samples && outcome.ending != Ending::reached)
+    outcome.time = reach(files.samples->at, outcome.time);
   return outcome;
-}
-
-// First all are closed, then all put in place: one that cannot be written leaves none behind.
-void finish(Files &files) {
-  if (files.events) files.events->complete();
-  if (files.samples) files.samples->complete();
-  if (files.state) files.state->complete();
-  if (files.events) files.events->file.put_in_place();
-  if (files.samples) files.samples->file.put_in_place();
-  if (files.state) files.state->put_in_place();
-}
-
-// A run that was given up may be gone on with, too, under another limit of impacts: unless its
-// numbers have left the range of double precision.
-void save_state(const Destination &to, const SavedRun &run, Files &files) {
-  if (to.path.empty()) return;
-  const auto text = text_of(run);
-  if (text) files.state.emplace(to).write(*text);
 }
 
 // Where the motion stood when the run was given up.
@@ -142,33 +171,30 @@ std::string remark_on(const Files &files, bool state_wanted) {
 }  // namespace
 
 int run_scene(const Request &request, int (*signal)()) {
-  require_apart(request);
-  const Destination events = destination("--events", request.events),
-                    samples = destination("--samples", request.samples),
-                    state = destination("--save-state", request.save_state),
-                    picture = destination("--plot", request.plot);
+  require_apart({{"--events", request.events},
+                 {"--samples", request.samples},
+                 {"--save-state", request.save_state},
+                 {"--plot", request.plot}},
+                {"--resume", request.resume});
   const std::optional<SavedRun> saved = saved_run(request);
   const Scene &scene = saved ? saved->scene : request.scene;
-  std::optional<Plot> plot;
-  if (!picture.path.empty())
-    plot.emplace(picture, scene, saved ? saved->state.held() : start_of(scene).held,
-                 saved ? std::max(request.from, saved->time) : request.from, request.until);
-  Files files;
-  if (!events.path.empty()) files.events.emplace(events, event_header);
-  if (!samples.path.empty()) files.samples.emplace(samples, sample_header(scene.masses()));
-  const Outcome outcome = simulate_or_resume(request, saved, scene, signal, files, plot);
-  save_state(state, {scene, outcome.resume, outcome.time}, files);
-  finish(files);
-  if (plot) plot->draw(outcome.time);
-  const std::string remark = remark_on(files, !state.path.empty());
+  Files files(request, saved, scene);
+  remember_signals();
+  const Outcome outcome = simulate_or_resume(request, saved, scene, signal, files);
+  files.save({saved ? saved->scene_text : request.scene_text, scene, outcome.resume, outcome.time});
+  files.finish();
+  if (files.plot) files.plot->draw(outcome.time);
+  const bool state_wanted = !request.save_state.empty();
+  const std::string remark = remark_on(files, state_wanted);
   if (outcome.ending == Ending::given_up)
     throw std::runtime_error(outcome.reason + place_of(outcome.state) + remark);
   if (outcome.ending == Ending::stopped) {  // a table that cannot be written has thrown in `finish`
     say(fmt::format("vibro-impact: interrupted at t = {}{}\n", outcome.time, remark));
     return 128 + signal();
   }
-  if (!state.path.empty() && !files.state)
-    throw std::runtime_error(fmt::format("--save-state {}: the state is out of range", state.path));
+  if (state_wanted && !files.state)
+    throw std::runtime_error(
+        fmt::format("--save-state {}: the state is out of range", request.save_state));
   summarise(outcome);
   return 0;
 }

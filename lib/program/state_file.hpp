@@ -1,8 +1,8 @@
 // The file of a run that can be gone on with: the scene and where the run stood.
 //
-// Plain text, one `key value ...` per line in a fixed order, numbers in 17 significant digits (so
-// that every double comes back exactly). The first line holds the version of the format, the last
-// one a checksum of those before it: a file cut short or changed is refused.
+// Plain text: the version of the format; the options that gave the scene, one a line; the time; the
+// lines in which the library keeps its state; and a checksum of all of them: a file cut short or
+// changed is refused.
 #pragma once
 
 #include <istream>
@@ -15,6 +15,7 @@
 namespace vibro_impact::runner {
 
 struct SavedRun {
+  std::string scene_text;  // as in Request
   Scene scene;
   RunState state;
   double time = 0.0;  // the end of the run so far, up to which its tables reach
@@ -27,8 +28,7 @@ std::optional<std::string> text_of(const SavedRun &run);
 std::string checksum_line(std::string_view text);
 
 // Reads what `text_of` wrote. Throws BadInput with one line that begins with `name` and says what
-// is wrong where; std::invalid_argument from `check` and `load` for a scene that makes no sense and
-// a state that does not fit it.
+// is wrong.
 SavedRun read_saved_run(std::istream &file, const std::string &name);
 
 // The same from the file at `path`, given as --resume.

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
-#include "destination.hpp"
+#include "interrupt.hpp"
 #include "partial_table.hpp"
 #include "progress.hpp"
 #include "vibro_impact/table.hpp"
@@ -15,6 +16,8 @@
 namespace vibro_impact::runner {
 
 namespace {
+
+using Row = std::vector<double>;
 
 // Everything that the table depends on, in one line.
 std::string definition_of(const SweepRequest &request) {
@@ -39,114 +42,111 @@ std::string definition_of(const SweepRequest &request) {
                             settle.run.max_impacts_per_period);
 }
 
-// A point at which the run is given up leaves the others alone.
-OrbitRecord record_or_nothing(const SweepRequest &request, std::size_t point) {
+// Behind what stands in the table of a point: the forcing periods integrated for it.
+constexpr std::size_t counts_of_work = 3;
+
+// A point at which the run is given up leaves the others alone: its row has no numbers but the
+// work.
+Row row_at(const SweepRequest &request, std::size_t point) {
+  Row row;
+  RecordWork work;
   try {
-    return record_of(request.grid.scene_at(point), request.records);
+    const OrbitRecord record = record_of(request.grid.scene_at(point), request.records);
+    row = row_of(record, request.records);
+    work = record.work;
   } catch (const std::runtime_error &) {
-    return {};
   }
+  for (const long long periods : {work.settling, work.recorded, work.with_tangents})
+    row.push_back(static_cast<double>(periods));
+  return row;
 }
 
 struct Sums {
   std::size_t points = 0, settled = 0, given_up = 0;
-  RecordWork work = {};
+  double work[counts_of_work] = {};
 
-  void add(const OrbitRecord &record) {
+  void add(std::span<const double> row) {
     ++points;
-    settled += record.period > 0 ? 1 : 0;
-    given_up += record.counts.periods == 0 ? 1 : 0;
-    work.settling += record.work.settling;
-    work.recorded += record.work.recorded;
-    work.with_tangents += record.work.with_tangents;
+    if (row.size() == counts_of_work) ++given_up;
+    if (row.size() > counts_of_work && row[0] > 0.0) ++settled;
+    for (std::size_t k = 0; k < counts_of_work; ++k)
+      work[k] += row[row.size() - counts_of_work + k];
   }
 };
 
 // The files of rank 0.
-struct Output {
-  const SweepRequest &request;
-  Table rows;  // not yet handed on
-  StreamedFile table;
-  std::optional<PartialTable> partial;  // none where the rows go straight to their place
-
-  explicit Output(const SweepRequest &of)
-      : request(of),
-        rows(sweep_table(of.grid, of.records)),
-        table(destination("--table", of.table)) {
-    const Destination to = destination("--table", request.table);
-    if (to.path != "-" && !to.direct)
-      partial.emplace(to.path + ".partial", definition_of(request), rows.text, request.resume);
-    else
-      table.write(rows.text);
-    rows.text.clear();
+class SweepOutput {
+ public:
+  explicit SweepOutput(const SweepRequest &request)
+      : request_(request), rows_(sweep_table(request.grid, request.records)) {
+    const Destination to(table_);
+    if (to.standard || to.direct) {
+      direct_.emplace(table_).write(rows_.text);
+    } else {
+      table_.path = to.path;
+      const std::string partial = to.path + ".partial";
+      say_when_interrupted(fmt::format(
+          "vibro-impact: interrupted; the rows so far stand in {}: --resume goes on with them\n",
+          partial));
+      partial_.emplace(partial, definition_of(request), rows_.text, request.resume);
+    }
+    rows_.text.clear();
   }
   std::size_t first() const {
-    return partial ? partial->points() : 0;
+    return partial_ ? partial_->points() : 0;
   }
-  void add(std::size_t point, const OrbitRecord &record) {
-    add_row(rows, request.grid, request.records, point, record);
-    if (partial)
-      partial->add(rows.text);
+  void add(std::size_t point, std::span<const double> row) {
+    add_row(rows_, request_.grid, request_.records, point, row.first(row.size() - counts_of_work));
+    if (partial_)
+      partial_->add(rows_.text);
     else
-      table.write(rows.text);
-    rows.text.clear();
-    if (table.failed()) table.complete();  // which throws
+      direct_->write(rows_.text);
+    rows_.text.clear();
+    if (direct_ && direct_->failed()) direct_->complete();  // which throws
   }
   void finish() {
-    if (partial) return partial->finish(table);
-    table.complete();
-    table.put_in_place();
+    if (partial_)
+      partial_->finish(table_);
+    else
+      direct_->complete();
   }
-};
 
-void run_as_rank_0(const SweepRequest &request, const Processes &processes) {
-  std::optional<Output> output;
-  try {
-    output.emplace(request);
-  } catch (...) {
-    processes.said_by_rank_0(-1);
-    throw;
-  }
-  SweepOptions options;
-  options.threads = request.threads;
-  options.ranks = processes.ranks();
-  options.first = output->first();
-  const std::size_t points = request.grid.points();
-  processes.said_by_rank_0(static_cast<long long>(options.first));
-  Progress progress("sweep", static_cast<double>(points), request.progress,
-                    static_cast<double>(options.first));
-  options.progress = [&](std::size_t done) { progress.reach(static_cast<double>(done)); };
-  Sums sums;
-  sweep(
-      points, [&](std::size_t point) { return record_or_nothing(request, point); },
-      [&](std::size_t point, const OrbitRecord &record) {
-        sums.add(record);
-        output->add(point, record);
-      },
-      options);
-  output->finish();
-  fmt::print(
-      stderr,
-      "{} points: {} computed, of which {} settled and {} were given up\n"
-      "work: {} forcing periods until settled or to the end, {} recorded after that, {} with "
-      "tangents\n",
-      points, sums.points, sums.settled, sums.given_up, sums.work.settling, sums.work.recorded,
-      sums.work.with_tangents);
-}
+ private:
+  const SweepRequest &request_;
+  Named table_{"--table", request_.table};
+  Table rows_;                    // not yet handed on
+  std::optional<Output> direct_;  // where the rows go straight to their place
+  std::optional<PartialTable> partial_;
+};
 
 }  // namespace
 
 void run_sweep(const SweepRequest &request, const Processes &processes) {
-  if (processes.rank() == 0) return run_as_rank_0(request, processes);
-  const long long first = processes.said_by_rank_0(0);
-  if (first < 0) return;
-  SweepOptions options;
-  options.threads = request.threads;
-  options.ranks = processes.ranks();
-  options.first = static_cast<std::size_t>(first);
-  sweep(
-      request.grid.points(), [&](std::size_t point) { return record_or_nothing(request, point); },
-      [](std::size_t, const OrbitRecord &) {}, options);
+  const int threads = request.threads > 0 ? request.threads : available_threads();
+  const auto compute = [&request](std::size_t point) { return row_at(request, point); };
+  processes.share_out(
+      threads, compute, [&request](int all_threads, const ComputeRow &row_of_point) {
+        SweepOutput output(request);
+        const std::size_t points = request.grid.points();
+        Progress progress("sweep", static_cast<double>(points), request.progress,
+                          static_cast<double>(output.first()));
+        Sums sums;
+        sweep(points, row_of_point,
+              [&](std::size_t point, const Row &row) {
+                sums.add(row);
+                output.add(point, row);
+                progress.reach(static_cast<double>(point + 1));
+              },
+              {.threads = all_threads, .first = output.first()});
+        output.finish();
+        fmt::print(stderr,
+                   "{} points: {} computed, of which {} settled and {} were given up\n"
+                   "work: {:.0f} forcing periods until settled or to the end, {:.0f} recorded "
+                   "after that, {:.0f} "
+                   "with tangents\n",
+                   points, sums.points, sums.settled, sums.given_up, sums.work[0], sums.work[1],
+                   sums.work[2]);
+      });
 }
 
 }  // namespace vibro_impact::runner

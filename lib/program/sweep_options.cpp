@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <stdexcept>
 
 #include "bad_input.hpp"
+#include "output.hpp"
 #include "values.hpp"
 
 namespace vibro_impact::runner {
@@ -21,7 +21,8 @@ constexpr const char *footer =
     "per\n"
     "forcing period (a mean over the period, or over --counted; impacts of a complete chatter,\n"
     "infinitely many, are not counted); dual_sticking (1: two masses are held at some time);\n"
-    "lyapunov (greatest Lyapunov exponent, per unit of time); pairs (DG, DS, DI, GS, GI, SI or "
+    "lyapunov (greatest Lyapunov exponent, per unit of time; empty: its sign is not certain); "
+    "pairs (DG, DS, DI, GS, GI, SI or "
     "-).\n"
     "A point at which the run is given up has empty cells. The table does not depend on the\n"
     "number of threads or processes. Until it is complete its rows stand in FILE.partial, from\n"
@@ -39,8 +40,9 @@ Axis axis_given_as_vary(const std::string &text) {
     throw BadInput(fmt::format("--vary {}: must read parameter=from:to:count", text));
   try {
     const Parameter parameter = parameter_named(text.substr(0, equals));
-    Axis axis = axis_of("--vary", parameter, text.substr(equals + 1));
-    return axis;
+    return axis_of("--vary", parameter, text.substr(equals + 1));
+  } catch (const BadInput &) {
+    throw;
   } catch (const std::invalid_argument &error) {
     throw BadInput(fmt::format("--vary {}: {}", text, error.what()));
   }
@@ -55,19 +57,19 @@ std::optional<Axis> axis_in(const CLI::Option &option, std::string &word, const 
 }
 
 // The axes in the order in which they were given.
-std::vector<Axis> take_axes(const CLI::App &app, const SweepWords &words, SceneWords &scene,
-                            const SweepGiven &given) {
+std::vector<Axis> take_axes(const CLI::App &app, SweepOptionsOf &options) {
+  SceneOptions &scene = options.scene;
   std::vector<Axis> axes;
   std::size_t varied = 0;
   for (const CLI::Option *option : app.parse_order()) {
     std::optional<Axis> axis;
-    if (option == given.vary)
-      axis = axis_given_as_vary(words.vary.at(varied++));
+    if (option == options.vary_option)
+      axis = axis_given_as_vary(options.vary.at(varied++));
     else if (option->get_name() == "--omega")
       axis = axis_in(*option, scene.omega, "omega");
     else if (option->get_name() == "--restitution")
       axis = axis_in(*option, scene.restitution, "restitution");
-    else if (option == given.scene.beta)
+    else if (option == scene.beta_option)
       axis = axis_in(*option, scene.beta, "beta");
     if (axis) axes.push_back(*axis);
   }
@@ -78,61 +80,55 @@ std::vector<Axis> take_axes(const CLI::App &app, const SweepWords &words, SceneW
 
 }  // namespace
 
-SweepGiven add_sweep_options(CLI::App &app, SweepWords &words) {
-  SweepGiven given{add_scene_options(app, words.scene)};
-  for (const char *name : {"--omega", "--restitution", "--beta"}) {
-    CLI::Option *scalar = app.get_option(name);
-    scalar->type_name("NUMBER or FROM:TO:COUNT");
-  }
-  given.vary = app.add_option("--vary", words.vary,
-                              "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
-                              "restitution, or restitution2 (of a stop), stop1 (its position),\n"
-                              "amplitude2, mass1, stiffness1, displacement1, velocity1")
-                   ->type_name("RANGE");
-  option(app, "--table", words.table, "FILE", "The table (CSV); - for standard output");
-  app.add_flag("--resume", words.resume, "Go on with what a sweep that was ended left of --table");
-  given.threads = option(app, "--threads", words.threads, "N",
-                         "Threads of every process. Default: one per processor");
-  option(app, "--longest", words.longest, "N",
-         "Forcing periods after which a motion counts as not settling");
-  option(app, "--counted", words.counted, "N",
-         "Forcing periods over which such a motion is recorded after that");
-  option(app, "--max-period", words.most_periods, "N", "Largest period looked for");
-  option(app, "--tolerance", words.tolerance, "NUMBER",
-         "Of what is still to come when a motion counts as settled");
-  option(app, "--max-impacts", words.most_impacts, "N",
-         "Give up a point beyond this many impacts in one forcing period");
-  app.add_flag("--no-lyapunov", words.no_lyapunov, "Leave out the Lyapunov exponent");
-  app.add_flag("--pairs", words.pairs, "Add the pairs of events of Table I that occur");
-  app.add_flag("--progress", words.progress,
+void add_sweep_options(CLI::App &app, SweepOptionsOf &options) {
+  SweepRequest &request = options.request;
+  SettleOptions &settle = request.records.settle;
+  add_scene_options(app, options.scene);
+  for (const char *name : {"--omega", "--restitution", "--beta"})
+    app.get_option(name)->type_name("NUMBER or FROM:TO:COUNT");
+  options.vary_option =
+      app.add_option("--vary", options.vary,
+                     "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
+                     "restitution, or restitution2 (of a stop), stop1 (its position),\n"
+                     "amplitude2, mass1, stiffness1, displacement1, velocity1")
+          ->type_name("RANGE");
+  option(app, "--table", request.table, "FILE", "The table (CSV); - for standard output");
+  app.add_flag("--resume", request.resume,
+               "Go on with what a sweep that was ended left of --table");
+  app.add_option("--threads", request.threads,
+                 "Threads of every process. Default: one per processor")
+      ->type_name("N")
+      ->check(whole_number(1024));
+  option(app, "--longest", settle.longest, "N",
+         "Forcing periods after which a motion counts as not settling")
+      ->check(whole_number(1'000'000));
+  option(app, "--counted", request.records.counted, "N",
+         "Forcing periods over which such a motion is recorded after that")
+      ->check(whole_number(1'000'000));
+  option(app, "--max-period", settle.most, "N", "Largest period looked for")
+      ->check(whole_number(1000));
+  option(app, "--tolerance", settle.tolerance, "NUMBER",
+         "Of what is still to come when a motion counts as settled")
+      ->check(positive_number());
+  option(app, "--max-impacts", settle.run.max_impacts_per_period, "N",
+         "Give up a point beyond this many impacts in one forcing period")
+      ->check(whole_number(1'000'000'000'000'000));
+  app.add_flag("--no-lyapunov", options.no_lyapunov, "Leave out the Lyapunov exponent");
+  app.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
+  app.add_flag("--progress", request.progress,
                "Show progress and time left also where standard error is no terminal");
   app.footer(footer);
-  return given;
 }
 
-SweepRequest sweep_of(const CLI::App &app, const SweepWords &words, const SweepGiven &given) {
-  SweepRequest request;
-  SceneWords scene = words.scene;
-  request.grid.axes = take_axes(app, words, scene, given);
-  request.grid.scene = scene_of(scene, given.scene);
+SweepRequest sweep_of(const CLI::App &app, SweepOptionsOf options) {
+  SweepRequest &request = options.request;
+  request.grid.axes = take_axes(app, options);
+  request.grid.scene = scene_of(options.scene);
   check(request.grid);
-  request.records.settle.longest = static_cast<int>(count_of("--longest", words.longest, 1000000));
-  request.records.settle.most =
-      static_cast<int>(count_of("--max-period", words.most_periods, 1000));
-  request.records.settle.tolerance = positive("--tolerance", words.tolerance);
-  request.records.settle.run.max_impacts_per_period =
-      count_of("--max-impacts", words.most_impacts, 1'000'000'000'000'000);
-  request.records.counted = static_cast<int>(count_of("--counted", words.counted, 1000000));
-  request.records.lyapunov = !words.no_lyapunov;
-  request.records.pairs = words.pairs;
-  if (given.threads->count() > 0)
-    request.threads = static_cast<int>(count_of("--threads", words.threads, 1024));
-  if (words.table.empty()) throw BadInput("--table '': must name a file");
-  if (words.resume && words.table == "-")
+  request.records.lyapunov = !options.no_lyapunov;
+  if (request.table.empty()) throw BadInput("--table '': must name a file");
+  if (request.resume && Destination({"--table", request.table}).standard)
     throw BadInput("--resume: needs --table FILE, beside which the rows so far stand");
-  request.table = words.table;
-  request.resume = words.resume;
-  request.progress = words.progress;
   return request;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace vibro_impact::runner {
 
@@ -20,11 +19,8 @@ std::string sample_header(int masses) {
   return header;
 }
 
-StreamedTable::StreamedTable(Destination to, const std::string &header)
-    : file(std::move(to)), rows(header) {
-}
-
-void StreamedTable::write_full_block() {
+void StreamedTable::end_row() {
+  rows.end_row();
   if (rows.text.size() < block) return;
   file.write(rows.text);
   rows.text.clear();
@@ -32,29 +28,33 @@ void StreamedTable::write_full_block() {
 
 void StreamedTable::complete() {
   file.write(rows.text);
-  rows.text.clear();
   file.complete();
 }
 
 void EventRows::event(const Event &event, const Moment &) {
   if (event.time < from) return;
-  table.rows.row(event.time, event.mass, std::string_view(name(event.kind)), event.velocity_before,
-                 event.velocity_after, contact_mode_name(event.held));
-  table.write_full_block();
+  Table &row = table.rows;
+  row.cell(event.time);
+  row.cell(event.mass);
+  row.cell(std::string_view(name(event.kind)));
+  row.cell(event.velocity_before);
+  row.cell(event.velocity_after);
+  row.cell(contact_mode_name(event.held));
+  table.end_row();
 }
 
 void SampleRows::sample(const Moment &moment) {
-  ++taken;
+  ++at.taken;
   table.rows.cell(moment.time);
   for (int mass = 1; mass <= moment.masses(); ++mass) table.rows.cell(moment.displacement(mass));
-  table.rows.end_row();
-  table.write_full_block();
+  table.end_row();
 }
 
-double SampleRows::reach(double time) const {
+double reach(const SampleRows::Times &samples, double time) {
+  const auto &[from, to, every, taken] = samples;
   if (taken > 0) time = std::max(time, sample_time(from, to, every, taken - 1));
   // `sample_time` takes one that lies beyond by rounding for one that is due.
-  return std::min(time, next_time() * (1.0 - 1e-15));
+  return std::min(time, sample_time(from, to, every, taken) * (1.0 - 1e-15));
 }
 
 std::size_t samples_taken(double from, double every, double time) {

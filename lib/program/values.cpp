@@ -24,15 +24,22 @@ double number_in(const std::string &option, const std::string &token, const std:
   return value;
 }
 
+// The parts of a text between commas or colons, also empty ones.
 std::vector<std::string> split(const std::string &text, char separator) {
-  std::vector<std::string> parts(1);
-  for (char c : text) {
-    if (c == separator)
-      parts.emplace_back();
-    else
-      parts.back().push_back(c);
-  }
-  return parts;
+  return CLI::detail::split(text + separator, separator);
+}
+
+// CLI11 puts the name of the option before what such a function returns.
+CLI::Validator that(const std::function<bool(double)> &holds, const std::string &rule) {
+  return {[=](std::string &text) -> std::string {
+            try {
+              return holds(number_in("", text, text)) ? "" : text + " must be " + rule;
+            } catch (const BadInput &error) {
+              const std::string said = error.what();
+              return said.substr(said.find(": ") + 2);  // without the option and its value
+            }
+          },
+          ""};
 }
 
 }  // namespace
@@ -41,18 +48,21 @@ double number(const std::string &option, const std::string &token) {
   return number_in(option, token, token);
 }
 
-double positive(const std::string &option, const std::string &token) {
-  const double value = number(option, token);
-  if (!(std::isfinite(value) && value > 0.0))
-    throw BadInput(fmt::format("{} {}: must be positive and finite", option, token));
-  return value;
+CLI::Validator number_from(double least) {
+  return that([least](double value) { return value >= least; }, fmt::format("{} or more", least));
 }
 
-long long count_of(const std::string &option, const std::string &token, long long most) {
-  const double value = number(option, token);
-  if (!(value >= 1.0 && value <= static_cast<double>(most)) || value != std::floor(value))
-    throw BadInput(fmt::format("{} {}: must be a whole number from 1 to {}", option, token, most));
-  return static_cast<long long>(value);
+CLI::Validator positive_number() {
+  return that([](double value) { return std::isfinite(value) && value > 0.0; },
+              "positive and finite");
+}
+
+CLI::Validator whole_number(long long most) {
+  return that(
+      [most](double value) {
+        return value >= 1.0 && value <= static_cast<double>(most) && value == std::floor(value);
+      },
+      fmt::format("a whole number from 1 to {}", most));
 }
 
 std::vector<double> per_mass(const std::string &option, const std::string &text,

@@ -3,6 +3,7 @@
 // Every function throws BadInput with one line that names the option and what was given.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,13 @@ namespace vibro_impact::runner {
 // Longer chains are taken for a slip of the pen: the modes of a chain take cubic work.
 constexpr int most_masses = 10000;
 
+// A number as the user writes it, in full and in range.
 double number(const std::string &option, const std::string &token);
-double positive(const std::string &option, const std::string &token);
 
-// A whole number from 1 to `most`.
-long long count_of(const std::string &option, const std::string &token, long long most);
+// For an option that takes one: CLI11 by itself takes no word for 0, and does not know these rules.
+CLI::Validator number_from(double least);
+CLI::Validator positive_number();
+CLI::Validator whole_number(long long most);  // from 1
 
 // A list with one value per mass, or one value for all, separated by commas.
 std::vector<double> per_mass(const std::string &option, const std::string &text,

@@ -265,24 +265,4 @@ TEST(Settle, ATenMassChainWithThreeStops) {
   EXPECT_TRUE(at_once);
 }
 
-TEST(Settle, RefusesWhatMakesNoSense) {
-  const Scene good = paper::figure2();
-  const auto with_option = [&](auto change) {
-    RecordOptions options;
-    change(options);
-    return record_of(good, options);
-  };
-  EXPECT_THROW(with_option([](auto &o) { o.settle.longest = 0; }), std::invalid_argument);
-  EXPECT_THROW(with_option([](auto &o) { o.settle.most = 0; }), std::invalid_argument);
-  EXPECT_THROW(with_option([](auto &o) { o.settle.tolerance = 0.0; }), std::invalid_argument);
-  EXPECT_THROW(
-      with_option([](auto &o) { o.settle.tolerance = std::numeric_limits<double>::quiet_NaN(); }),
-      std::invalid_argument);
-  EXPECT_THROW(with_option([](auto &o) { o.counted = 0; }), std::invalid_argument);
-  EXPECT_THROW(with_option([](auto &o) { o.slowest = -1.0; }), std::invalid_argument);
-  Scene unforced = good;
-  unforced.omega = 0.0;
-  EXPECT_THROW(record_of(unforced), std::invalid_argument);
-}
-
 }  // namespace

@@ -1,18 +1,13 @@
-// Sweeps: the same records for any number of threads and processes, in the order of the points, and
-// errors that end them.
+// Sweeps: whatever the callable makes of the points, in their order, for any number of threads, and
+// errors that end them; the points of grids and the rows of their tables.
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "analysis/sweep/packed_record.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -28,223 +23,89 @@ Grid grid_of_figure3() {
       {{{Parameter::Kind::restitution}, 0.5, 0.9, 5}, {{Parameter::Kind::omega}, 0.25, 0.7, 19}}};
 }
 
-RecordOptions everything() {
-  RecordOptions options;
-  options.settle.longest = 60;
-  options.counted = 10;
-  options.lyapunov = options.impact_velocities = options.pairs = true;
-  return options;
+// An observable of one's own: where the motion stands after thirty periods, and its impacts there.
+std::vector<double> observed(const Scene &scene) {
+  const double T = Clock(scene.omega).period;
+  ImpactSpeedRecorder speeds{1, 29 * T};
+  const Outcome end = simulate(scene, 30 * T, {}, speeds);
+  std::vector<double> row = end.state.displacement;
+  row.insert(row.end(), speeds.velocities.begin(), speeds.velocities.end());
+  return row;
 }
 
-// Every number of the records, bit by bit.
-std::string bytes_of(const std::vector<OrbitRecord> &records) {
-  std::string bytes;
-  for (const OrbitRecord &record : records) pack(record, bytes);
-  return bytes;
-}
-
-// One after another, by nothing but `record_of`.
-const std::vector<OrbitRecord> &alone() {
-  static const std::vector<OrbitRecord> records = [] {
-    std::vector<OrbitRecord> found;
-    for (const double r : {0.5, 0.6, 0.7, 0.8, 0.9})
-      for (int k = 0; k < 19; ++k) {
-        Scene scene = paper::figure2();
-        scene.restitution = r;
-        scene.omega = std::lerp(0.25, 0.7, k / 18.0);
-        found.push_back(record_of(scene, everything()));
-      }
-    return found;
-  }();
-  return records;
-}
-
-TEST(Sweep, ThreadsDoNotChangeABit) {
-  int settled = 0;
-  for (const OrbitRecord &record : alone()) settled += record.period > 0 ? 1 : 0;
-  EXPECT_GT(settled, 50);
-  EXPECT_LT(settled, 95);
+TEST(Sweep, NeitherThreadsNorWhereItBeginsChangeABit) {
+  const Grid grid = grid_of_figure3();
+  std::vector<std::vector<double>> alone;
+  for (std::size_t point = 0; point < 95; ++point) alone.push_back(observed(grid.scene_at(point)));
   for (const int threads : {1, 2, 4})
-    for (const std::size_t block : {1u, 7u, 1000u}) {
-      SweepOptions options;
-      options.threads = threads;
-      options.block = block;
-      const std::vector<OrbitRecord> found = sweep(grid_of_figure3(), everything(), options);
-      ASSERT_EQ(found.size(), 95u);
-      EXPECT_TRUE(bytes_of(found) == bytes_of(alone())) << threads << " threads by " << block;
-    }
-}
-
-// Processes as threads of this one: a letter box carries what they say.
-class LetterBox {
- public:
-  std::size_t ask(Ranks::Note note, std::size_t block, std::string_view text) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !waiting_; });  // one at a time
-    waiting_ = true;
-    answered_ = false;
-    note_ = note;
-    block_ = block;
-    text_ = text;
-    changed_.wait(lock, [&] { return answered_; });
-    const std::size_t answer = answer_;
-    waiting_ = answered_ = false;
-    changed_.notify_all();
-    return answer;
-  }
-  bool serve(const Ranks::Answer &answer) {
-    const std::lock_guard lock(mutex_);
-    if (!waiting_ || answered_) return false;
-    answer_ = answer(note_, block_, text_);
-    answered_ = true;
-    changed_.notify_all();
-    return true;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool waiting_ = false, answered_ = false;
-  Ranks::Note note_ = Ranks::Note::ready;
-  std::size_t block_ = 0, answer_ = 0;
-  std::string text_;
-};
-
-using Compute = std::function<OrbitRecord(std::size_t)>;
-
-// The records that rank 0 of `size` processes of two threads each gets, others computing by
-// `compute` of their rank.
-std::vector<OrbitRecord> among_processes(int size, std::size_t points,
-                                         const std::function<Compute(int)> &compute) {
-  LetterBox box;
-  SweepOptions options;
-  options.threads = 2;
-  options.block = 4;
-  options.ranks.size = size;
-  options.ranks.ask = [&](auto... told) { return box.ask(told...); };
-  options.ranks.serve = [&](const Ranks::Answer &answer) { return box.serve(answer); };
-  std::vector<std::thread> others;
-  for (int rank = 1; rank < size; ++rank)
-    others.emplace_back([=, &compute] {
-      SweepOptions there = options;
-      there.ranks.rank = rank;
-      sweep(
-          points, compute(rank), [](std::size_t, const OrbitRecord &) { FAIL(); }, there);
-    });
-  std::vector<OrbitRecord> found;
-  std::exception_ptr failure;
-  try {
-    sweep(
-        points, compute(0),
-        [&](std::size_t point, const OrbitRecord &record) {
-          EXPECT_EQ(point, found.size());
-          found.push_back(record);
-        },
-        options);
-  } catch (...) {
-    failure = std::current_exception();
-  }
-  for (std::thread &other : others) other.join();
-  if (failure) std::rethrow_exception(failure);
-  return found;
-}
-
-TEST(Sweep, ProcessesDoNotChangeABit) {
-  const Grid grid = grid_of_figure3();
-  for (const int size : {1, 2, 4}) {
-    std::vector<std::atomic<int>> computed(static_cast<std::size_t>(size));
-    const auto found = among_processes(size, grid.points(), [&](int rank) -> Compute {
-      return [&, rank](std::size_t point) {
-        // Rank 0 leaves the first point to the others, so that every process gets its turn.
-        while (rank == 0 && size > 1 && computed[1] == 0) std::this_thread::yield();
-        ++computed[static_cast<std::size_t>(rank)];
-        return record_of(grid.scene_at(point), everything());
-      };
-    });
-    EXPECT_TRUE(bytes_of(found) == bytes_of(alone())) << size;
-    int sum = 0;
-    for (const auto &by_one : computed) sum += by_one;
-    EXPECT_EQ(sum, 95) << "no point is computed twice";
-  }
-}
-
-TEST(Sweep, AnErrorOfAnotherProcessEndsAll) {
-  const Compute good =
-                    [](std::size_t) {  // slow, so that every process gets its turn
-                      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                      return OrbitRecord{};
-                    },
-                bad = [](std::size_t point) -> OrbitRecord {
-                  throw std::runtime_error("given up at point " + std::to_string(point));
-                };
-  for (const int failing : {0, 1, 2}) {
-    try {
-      among_processes(3, 100000, [&](int rank) { return rank == failing ? bad : good; });
-      FAIL() << failing;
-    } catch (const std::runtime_error &error) {
-      EXPECT_EQ(std::string(error.what()).rfind("given up at point ", 0), 0u) << error.what();
-    }
-  }
-}
-
-TEST(Sweep, GoesOnFromAnyPoint) {
-  const Grid grid = grid_of_figure3();
-  for (const std::size_t first : {0u, 1u, 50u, 94u, 95u}) {
-    SweepOptions options;
-    options.threads = 2;
-    options.first = first;
-    std::vector<OrbitRecord> found(alone().begin(),
-                                   alone().begin() + static_cast<std::ptrdiff_t>(first));
+    EXPECT_EQ(sweep(grid, observed, {.threads = threads}), alone) << threads;
+  for (const std::size_t first : {1u, 50u, 94u, 95u}) {
+    std::vector<std::vector<double>> found(alone.begin(),
+                                           alone.begin() + static_cast<std::ptrdiff_t>(first));
     std::size_t told = first;
-    options.progress = [&](std::size_t done) { told = done; };
     sweep(
         grid.points(),
         [&](std::size_t point) {
           EXPECT_GE(point, first);
-          return record_of(grid.scene_at(point), everything());
+          return observed(grid.scene_at(point));
         },
-        [&](std::size_t point, const OrbitRecord &record) {
+        [&](std::size_t point, const std::vector<double> &row) {
           EXPECT_EQ(point, found.size());
-          found.push_back(record);
+          found.push_back(row);
         },
-        options);
-    EXPECT_TRUE(bytes_of(found) == bytes_of(alone())) << first;
+        {.threads = 2, .first = first, .progress = [&](std::size_t done) { told = done; }});
+    EXPECT_EQ(found, alone) << first;
     EXPECT_EQ(told, 95u);
   }
 }
 
-TEST(Sweep, ErrorsLeaveTheParallelLoop) {
-  SweepOptions options;
-  options.threads = 2;
-  const auto good = [](std::size_t) { return OrbitRecord{}; };
-  const auto ignore = [](std::size_t, const OrbitRecord &) {};
-  EXPECT_THROW(sweep(
-                   100, [](std::size_t) -> OrbitRecord { throw std::invalid_argument("bad"); },
-                   ignore, options),
-               std::invalid_argument);
-  EXPECT_THROW(
-      sweep(
-          100, good, [](std::size_t, const OrbitRecord &) { throw std::runtime_error("full"); },
-          options),
-      std::runtime_error);
-  options.block = 0;
-  EXPECT_THROW(sweep(100, good, ignore, options), std::invalid_argument);
-  options.block = 1;
-  options.threads = -1;
-  EXPECT_THROW(sweep(100, good, ignore, options), std::invalid_argument);
+// The first error is thrown when all points before it have been taken; none far behind it is begun.
+TEST(Sweep, AnErrorEndsItInTheOrderOfThePoints) {
+  for (const int threads : {1, 2, 4}) {
+    std::atomic<std::size_t> last = 0;
+    std::size_t taken = 0;
+    const auto bad_from_100 = [&](std::size_t point) {
+      last = std::max(last.load(), point);
+      if (point >= 100) throw std::runtime_error("given up at " + std::to_string(point));
+      return point;
+    };
+    try {
+      sweep(100000, bad_from_100, [&](std::size_t point, std::size_t) { taken = point + 1; },
+            {.threads = threads});
+      FAIL();
+    } catch (const std::runtime_error &error) {
+      EXPECT_EQ(std::string(error.what()), "given up at 100");
+    }
+    EXPECT_EQ(taken, 100u);
+    EXPECT_LT(last, 200u);
+  }
+  const auto good = [](std::size_t point) { return point; };
+  const auto full = [](std::size_t point, std::size_t) {
+    if (point == 7) throw std::runtime_error("full");
+  };
+  EXPECT_THROW(sweep(100, good, full, {.threads = 2}), std::runtime_error);
 }
 
-TEST(Sweep, ARecordCutShortIsRefused) {
-  std::string bytes;
-  pack(alone().front(), bytes);
-  std::string_view whole = bytes;
-  const OrbitRecord again = unpack(whole);
-  EXPECT_TRUE(whole.empty());
-  EXPECT_TRUE(bytes_of({again}) == bytes);
-  for (std::size_t length = 0; length < bytes.size(); ++length) {
-    std::string_view part(bytes.data(), length);
-    EXPECT_THROW(unpack(part), std::runtime_error) << length;
-  }
+TEST(Sweep, RowsOfRecordsStandInATable) {
+  Grid grid = grid_of_figure3();
+  grid.axes = {{parameter_named("omega"), 0.28, 0.69, 2}};
+  RecordOptions options;
+  options.pairs = options.lyapunov = true;
+  OrbitRecord record;
+  record.period = 2;
+  record.counts = {4, {1, 2}, {3, 4}, {5, 6}, true};
+  record.pairs = {EventPair::dual_sticking, EventPair::sticking_impact};
+  const std::vector<double> row = row_of(record, options);
+  EXPECT_EQ(std::vector(row.begin(), row.begin() + 6),
+            (std::vector{2.0, 0.75, 1.0, 0.25, 0.5, 1.0}));
+  EXPECT_TRUE(std::isnan(row[6])) << "the exponent is not decided";
+  Table table = sweep_table(grid, options);
+  add_row(table, grid, options, 0, row);
+  add_row(table, grid, options, 1, {});  // given up
+  EXPECT_EQ(table.text,
+            "omega,period,sticks1,sticks2,impacts1,impacts2,dual_sticking,lyapunov,pairs\n"
+            "0.28000000000000003,2,0.75,1,0.25,0.5,1,,DS SI\n"
+            "0.68999999999999995,,,,,,,,\n");
 }
 
 TEST(Grid, TheLastAxisIsInnermost) {
@@ -262,28 +123,103 @@ TEST(Grid, TheLastAxisIsInnermost) {
   EXPECT_EQ((Axis{{}, 2.5, 7.0, 1}.value(0)), 2.5);
 }
 
-TEST(Grid, WhatMakesNoSenseIsRefused) {
-  const auto refused = [](const std::vector<Axis> &axes, const std::string &names) {
-    try {
-      check(Grid{paper::figure2(), axes});
-      ADD_FAILURE() << names;
-    } catch (const std::invalid_argument &error) {
-      EXPECT_NE(std::string(error.what()).find(names), std::string::npos) << error.what();
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-    }
-  };
+// Calls that make no sense, of all functions of these four headers.
+TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
+  const Scene good = paper::figure2();
   const Parameter omega = parameter_named("omega"), stop3{Parameter::Kind::stop, 3};
-  refused({{omega, 0.0, 1.0, 3}}, "omega = 0");
-  refused({{omega, -1.0, 1.0, 3}}, "omega = -1");
-  refused({{omega, 0.2, 1.0, 0}}, "omega: 0 values");
-  refused({{omega, 0.2, INFINITY, 2}}, "inf");
-  refused({{omega, NAN, 1.0, 2}}, "nan");
-  refused({{omega, 0.2, 1.0, 2}, {omega, 0.2, 1.0, 2}}, "omega: given twice");
-  refused({{stop3, 0.2, 1.0, 2}}, "stop");
-  refused({{parameter_named("restitution"), 0.0, 1.1, 2}}, "1.1");
-  refused({{parameter_named("stop1"), -0.3, 0.1, 2}}, "beyond");
-  refused({{omega, 0.2, 1.0, std::size_t{1} << 52}, {parameter_named("beta"), 0.1, 0.2, 3}},
-          "more points");
+  const Axis axis{omega, 0.2, 1.0, 3};
+  const Grid grid{good, {axis}};
+  const auto axes = [&](const std::vector<Axis> &of) { return [&, of] { check(Grid{good, of}); }; };
+  const auto number = [](std::size_t point) { return point; };
+  const auto ignore = [](std::size_t, std::size_t) {};
+  const auto record = [&](auto change) {
+    return [&, change] {
+      RecordOptions options;
+      change(options);
+      record_of(good, options);
+    };
+  };
+  const auto counts = [&](const EventMark &mark, int periods) {
+    return [&, mark, periods] { counts_of(good, {mark}, periods, false); };
+  };
+  const MotionState start = start_of(good);
+  const auto far_out = [&](long long cycle) {
+    return [&, cycle] {
+      MotionState state = start;
+      state.instant.cycle = cycle;
+      settle(good, state);
+    };
+  };
+  Scene unforced = good;
+  unforced.omega = 0.0;
+  constexpr long long most = std::numeric_limits<long long>::max();
+  struct Call {
+    std::function<void()> call;
+    const char *names;
+  };
+  const Call calls[] = {
+      {axes({{omega, 0.0, 1.0, 3}}), "omega = 0"},
+      {axes({{omega, -1.0, 1.0, 3}}), "omega = -1"},
+      {axes({{omega, 0.2, 1.0, 0}}), "omega: 0 values"},
+      {axes({{omega, 0.2, INFINITY, 2}}), "inf"},
+      {axes({{omega, NAN, 1.0, 2}}), "nan"},
+      {axes({axis, axis}), "omega: given twice"},
+      {axes({{stop3, 0.2, 1.0, 2}}), "stop"},
+      {axes({{parameter_named("restitution"), 0.0, 1.1, 2}}), "1.1"},
+      {axes({{parameter_named("stop1"), -0.3, 0.1, 2}}), "beyond"},
+      {axes({{omega, 0.2, 1.0, std::size_t{1} << 52}, {parameter_named("beta"), 0.1, 0.2, 3}}),
+       "more points"},
+      {[&] { axis.value(3); }, "value 3 of omega: there are 3"},
+      {[&] { grid.values(3); }, "point 3: the grid has 3"},
+      {[&] { grid.scene_at(99); }, "point 99"},
+      {[&] {
+         Grid{good, {{omega, 0.2, 1.0, 0}}}.points();
+       },
+       "omega: 0 values"},
+      {[&] {
+         Grid{good, {{omega, 0.2, 1.0, 0}}}.values(0);
+       },
+       "omega: 0 values"},
+      {[&] { sweep(3, number, ignore, {.threads = -1}); }, "threads = -1"},
+      {[&] { sweep_in_order(3, nullptr); }, "a function is missing"},
+      {[&] { sweep(3, std::function<int(std::size_t)>{}, [](std::size_t, int) {}); }, "a function"},
+      {[&] { sweep(3, number, std::function<void(std::size_t, std::size_t)>{}); }, "a function"},
+      {[&] { sweep(grid, std::function<int(const Scene &)>{}); }, "a function is missing"},
+      {[&] {
+         Table table("");
+         add_row(table, grid, {}, 0, std::vector{1.0});
+       },
+       "a row of 1 numbers"},
+      {record([](auto &o) { o.settle.longest = 0; }), "longest = 0"},
+      {record([](auto &o) { o.settle.longest = 2'000'000'000; }), "longest = 2000000000"},
+      {record([](auto &o) { o.settle.most = 0; }), "most = 0"},
+      {record([](auto &o) { o.settle.most = 2'000'000'000; }), "most = 2000000000"},
+      {record([](auto &o) { o.settle.tolerance = 0.0; }), "tolerance = 0"},
+      {record([](auto &o) { o.settle.tolerance = NAN; }), "tolerance = nan"},
+      {record([](auto &o) { o.counted = 0; }), "counted = 0"},
+      {record([](auto &o) { o.counted = 2'000'000'000; }), "counted = 2000000000"},
+      {record([](auto &o) { o.slowest = -1.0; }), "slowest = -1"},
+      {record([](auto &o) { o.averaged = 0; }), "averaged = 0"},
+      {record([](auto &o) { o.longest_if_stable = 1; }), "longest_if_stable = 1"},
+      {[&] { record_of(unforced); }, "omega = 0"},
+      {[&] { settle(unforced, start); }, "omega = 0"},
+      {far_out(most), "period 9223372036854775807"},
+      {far_out(-most), "period -9223372036854775807"},
+      {counts({EventKind::impact, 99, 0, false}, 1), "stop 99: the scene has 2 stops"},
+      {counts({EventKind::stick, 2, 0, false}, 1), "stop 2"},
+      {counts({EventKind::impact, 0, 0, false}, 0), "periods = 0"},
+      {[&] { greatest_exponent({}, 0.0); }, "duration = 0"},
+      {[&] { greatest_exponent({}, NAN); }, "duration = nan"},
+      {[&] { GrowthRecorder(unforced, start); }, "omega = 0"},
+      {[&] { GrowthRecorder(good, MotionState{}); }, ""},
+  };
+  for (const Call &bad : calls) try {
+      bad.call();
+      ADD_FAILURE() << bad.names;
+    } catch (const std::invalid_argument &error) {
+      EXPECT_NE(std::string(error.what()).find(bad.names), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
 }
 
 }  // namespace

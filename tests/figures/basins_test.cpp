@@ -40,18 +40,4 @@ TEST(Basins, AreAsManyAsThereAreAttractors) {
   }
 }
 
-TEST(Basins, DoNotDependOnThreads) {
-  const Grid grid = basin_planes(8)[1].grid;
-  SweepOptions one, three;
-  one.threads = 1;
-  three.threads = 3;
-  three.block = 5;
-  const Basins a = basins_of(grid, recorded_in_basins(), one),
-               b = basins_of(grid, recorded_in_basins(), three);
-  EXPECT_EQ(a.of, b.of);
-  ASSERT_EQ(a.attractors.size(), b.attractors.size());
-  for (std::size_t k = 0; k < a.attractors.size(); ++k)
-    EXPECT_EQ(a.attractors[k].sections, b.attractors[k].sections);
-}
-
 }  // namespace

@@ -96,7 +96,7 @@ void take_state(const std::string &text) {
     fail("a state changes on its way through a file");
   const double brief = short_time(saved.scene);
   if (!(brief > 0.0 && brief < 1e300)) return;
-  const double until = time_of(saved.state.instant, Clock(saved.scene.omega)) + brief;
+  const double until = saved.time + brief;
   EventRecorder events;
   require_order(resume(saved.scene, saved.state, until, with_few_impacts({}), events), events);
 }

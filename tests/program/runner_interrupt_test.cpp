@@ -1,8 +1,9 @@
-// Runs of the scene runner that a signal ends: their files are whole, and gone on with they are
-// those of a run that nobody disturbed, byte for byte.
+// Runs that a signal ends: their files are whole, and gone on with they are those of a run that
+// nobody disturbed, byte for byte.
 #include <fcntl.h>
-#include <poll.h>
+#include <sys/stat.h>
 
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <limits>
@@ -13,7 +14,6 @@
 
 #include "program/run_command.hpp"
 #include "program/tables.hpp"
-#include "program/watch.hpp"
 #include "runner_program.hpp"
 
 namespace {
@@ -35,16 +35,11 @@ struct InProcess : Runner {
 
   void SetUp() override {
     Runner::SetUp();
-    Scene &scene = request.scene;
-    scene.mass = {1.0, 1.0};
-    scene.stiffness = {1.0, 1.0};
-    scene.beta = 0.1;
-    scene.amplitude = {0.5, 0.0};
-    scene.omega = 0.28;
-    scene.restitution = 0.7;
-    scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
-    request.until = 40.0;
-    request.every = 0.25;
+    std::string words[] = {"vibro-impact", "run", "--omega", "0.28",
+                           "--until",      "40",  "--every", "0.25"};
+    std::vector<char *> arguments;
+    for (std::string &word : words) arguments.push_back(word.data());
+    ASSERT_FALSE(runner::parse(static_cast<int>(arguments.size()), arguments.data(), request));
     name_files("");
   }
   void name_files(const std::string &part) {
@@ -99,70 +94,13 @@ TEST_F(InProcess, WhereverASignalComesTheTablesGoOnByteForByte) {
 
 // Beside a sample the time at which a run ended may be off by its rounding.
 TEST(SampleRows, ReachAsFarAsTheirLastSampleAndShortOfTheNext) {
-  runner::StreamedTable table(runner::Destination{}, "time,x1");
-  const runner::SampleRows rows{table, 1.0, 10.0, 0.1, 3};  // at 1.0, 1.1 and 1.2
+  const runner::SampleRows::Times rows{1.0, 10.0, 0.1, 3};  // at 1.0, 1.1 and 1.2
   const double last = sample_time(1.0, 10.0, 0.1, 2), next = sample_time(1.0, 10.0, 0.1, 3);
   for (const double time : {1.15, std::nextafter(last, 0.0), last, 1.25, std::nextafter(next, 0.0),
                             next, std::nextafter(next, 2.0)}) {
-    const double reached = rows.reach(time);
+    const double reached = runner::reach(rows, time);
     EXPECT_EQ(runner::samples_taken(1.0, 0.1, reached), 3u) << time;
     EXPECT_NEAR(reached, time, time < last ? 0.06 : 4e-15) << time;
-  }
-}
-
-// The summary with the counts of work, too, is that of a run whose progress nobody follows.
-TEST_F(InProcess, AProgressLineChangesNeitherTheTablesNorTheCounts) {
-  const std::string said = run_now(no_signal).second;
-  const std::string events = contents(request.events), samples = contents(request.samples);
-  EXPECT_NE(said.find(" 161 modal evaluations"), std::string::npos) << said;
-  for (const double every : {0.25, 1e9}) {
-    request.every = every;
-    request.progress = false;
-    const std::string untold = run_now(no_signal).second;
-    const std::string state = contents(request.save_state);
-    request.progress = true;
-    EXPECT_EQ(run_now(no_signal).second, untold);
-    EXPECT_EQ(contents(request.events), events);
-    EXPECT_EQ(contents(request.save_state), state);
-    EXPECT_EQ(contents(request.samples) == samples, every == 0.25);
-  }
-}
-
-// Asks for samples at the times at which the watch does.
-struct Companion {
-  const runner::Watch *watch = nullptr;
-  double next = 0.0;
-  long long sampled = 0;
-
-  double next_time() const {
-    return next;
-  }
-  void sample(const Moment &) {
-    ++sampled;
-    next = watch->next_time();
-  }
-};
-
-// A moment that others have asked for, too, is no work of the watch.
-TEST(Watch, CountsTheLooksThatNobodyElseAskedFor) {
-  Scene scene;
-  scene.mass = scene.stiffness = {1.0};
-  scene.displacement = {1.0};
-  Progress progress("time", 10.0, true);
-  for (const bool in_company : {false, true}) {
-    Companion companion;
-    const RecorderRef beside[] = {recorder_ref(companion)};
-    runner::Watch watch(0.0, 10.0, no_signal, progress, {beside, in_company ? 1u : 0u});
-    companion.watch = &watch;
-    companion.next = watch.next_time();
-    std::vector<RecorderRef> all{recorder_ref(watch)};
-    if (in_company) all.push_back(beside[0]);
-    const Outcome outcome = simulate_seen(scene, start_of(scene), 10.0, {}, all);
-    const long long looks = outcome.counters.modal_evaluations - 1;  // and one for the end
-    EXPECT_GT(looks, 10) << "they begin close together";
-    EXPECT_LT(looks, 1000) << "and are soon far apart";
-    EXPECT_EQ(watch.looks(), in_company ? 0 : looks);
-    EXPECT_EQ(companion.sampled, in_company ? looks : 0);
   }
 }
 
@@ -170,55 +108,49 @@ TEST(Watch, CountsTheLooksThatNobodyElseAskedFor) {
 struct Started : Runner {
   pid_t program = 0;
 
-  void start(std::vector<std::string> arguments, int error_to) {
+  void start(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), VIBRO_IMPACT_PROGRAM);
     std::vector<char *> words;
     for (std::string &argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);
     program = fork();
     if (program != 0) return;
-    if (chdir(folder.c_str()) != 0 || dup2(error_to, STDERR_FILENO) < 0) _exit(127);
+    const int err =
+        chdir(folder.c_str()) == 0 ? open("err.txt", O_CREAT | O_TRUNC | O_WRONLY, 0600) : -1;
+    if (err < 0 || dup2(err, STDERR_FILENO) < 0) _exit(127);
     execv(VIBRO_IMPACT_PROGRAM, words.data());
     _exit(127);
   }
-  int exit_status() {
+  // As a shell tells it; what was said comes from the file that is removed.
+  std::pair<int, std::string> ending() {
     int status = 0;
     EXPECT_EQ(waitpid(program, &status, 0), program);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const std::string said = contents(folder / "err.txt");
+    fs::remove(folder / "err.txt");
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), said};
   }
-  static void wait_a_little() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  void wait_for(const char *file) const {
+    std::error_code none_yet;
+    while (fs::file_size(folder / file, none_yet) == 0 || none_yet)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 };
 
 TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const fs::path err = folder / "err.txt";
-    const int error_to = open(err.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0600);
     start({"run", "--until", "1e15", "--events", "e1.csv", "--samples", "s1.csv", "--every", "1",
-           "--save-state", "x"},
-          error_to);
-    close(error_to);
-    // In the midst of it.
-    const auto written = [this](const char *file) {
-      std::error_code none_yet;
-      const auto size = fs::file_size(folder / file, none_yet);
-      return none_yet ? 0 : size;
-    };
-    while (written("e1.csv.part") == 0 || written("s1.csv.part") == 0) wait_a_little();
+           "--save-state", "x"});
+    wait_for("e1.csv.part");
+    wait_for("s1.csv.part");
     kill(program, signal);
-    ASSERT_EQ(exit_status(), 128 + signal);
-    const std::string said = contents(err);
+    const auto [status, said] = ending();
+    ASSERT_EQ(status, 128 + signal);
     EXPECT_TRUE(is_one_message(said)) << said;
-    EXPECT_NE(said.find("the tables hold what came before; the state reached is saved"),
+    EXPECT_NE(said.find("; the tables hold what came before; the state reached is saved\n"),
               std::string::npos)
         << said;
-    fs::remove(err);
     ASSERT_EQ(files(), (std::vector<std::string>{"e1.csv", "s1.csv", "x"}));
-
     const std::string events = contents(folder / "e1.csv"), samples = contents(folder / "s1.csv");
-    EXPECT_EQ(events.back(), '\n');
-    EXPECT_EQ(samples.back(), '\n');
     const double last = std::stod(cells(lines(samples).back()).front());
     const std::string until = " --every 1 --until " + std::to_string(last + 100.0);
     ASSERT_EQ(run("run --resume x --events e2.csv --samples s2.csv" + until).status, 0);
@@ -233,34 +165,34 @@ TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
   }
 }
 
-// A run without tables, too, hears the signal, and one in which nothing ever happens.
-TEST_F(Started, TheProgressIsShownOnATerminalAndWiped) {
-  for (const char *stop : {"1:lower:-0.3", "none"}) {
-    const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-    ASSERT_GE(terminal, 0);
-    ASSERT_EQ(grantpt(terminal), 0);
-    ASSERT_EQ(unlockpt(terminal), 0);
-    const int screen = open(ptsname(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    // A sample now and then keeps the run without stops busy.
-    start({"run", "--until", "1e15", "--stop", stop, "--samples", "/dev/null", "--every", "100"},
-          screen);
-    close(screen);
-    std::string shown;
-    bool signalled = false;
-    for (char block[256];;) {
-      const ssize_t size = read(terminal, block, sizeof block);
-      if (size <= 0) break;  // the program has gone
-      shown.append(block, static_cast<std::size_t>(size));
-      if (signalled || shown.find(" left") == std::string::npos) continue;
-      kill(program, SIGTERM);
-      signalled = true;
+// Where nobody looks at the flag: the modes of 6,000 masses take minutes, a pipe has no other end.
+TEST_F(Started, ASignalEndsWhateverTakesLong) {
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const std::vector<std::string> &arguments :
+       {std::vector<std::string>{"run", "--masses", "6000", "--stop", "1:lower:-0.3"},
+        {"run", "--resume", "pipe"},
+        {"run", "--events", "pipe"}})
+    for (const int signal : {SIGINT, SIGTERM}) {
+      start(arguments);
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      const auto begin = std::chrono::steady_clock::now();
+      kill(program, signal);
+      EXPECT_EQ(ending().first, 128 + signal) << arguments[1];
+      EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << arguments[1];
     }
-    close(terminal);
-    EXPECT_EQ(exit_status(), 128 + SIGTERM);
-    EXPECT_EQ(shown.rfind("\rtime: ", 0), 0u) << shown;
-    EXPECT_NE(shown.find(" of 1e+15 (0 %), "), std::string::npos) << shown;
-    EXPECT_NE(shown.find("  \rvibro-impact: interrupted at t = "), std::string::npos) << shown;
-  }
+  EXPECT_EQ(files(), std::vector<std::string>{"pipe"});
+}
+
+TEST_F(Started, AnInterruptedSweepSaysWhereItsRowsStand) {
+  start({"sweep", "--omega", "0.25:0.7:2000", "--threads", "1", "--table", "t.csv"});
+  wait_for("t.csv.partial");
+  kill(program, SIGINT);
+  const auto [status, said] = ending();
+  EXPECT_EQ(status, 128 + SIGINT);
+  EXPECT_EQ(said,
+            "vibro-impact: interrupted; the rows so far stand in t.csv.partial: --resume goes on "
+            "with them\n");
+  EXPECT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
 }
 
 TEST_F(Started, ASignalThatWasIgnoredIsIgnoredStill) {

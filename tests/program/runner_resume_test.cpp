@@ -115,7 +115,7 @@ TEST_F(Runner, TheSceneOfASavedStateIsNotToBeChanged) {
     EXPECT_NE(result.err.find(wrong), std::string::npos) << result.err;
   }
   EXPECT_EQ(files(), std::vector<std::string>{"x.state"});
-  EXPECT_EQ(contents(folder / "x.state").substr(0, 21), "vibro-impact state 2\n");
+  EXPECT_EQ(contents(folder / "x.state").substr(0, 21), "vibro-impact state 3\n");
 }
 
 // The text with the line that begins with `key` replaced, under a checksum that fits.
@@ -127,7 +127,7 @@ std::string with_line(const std::string &text, const std::string &key, const std
 }
 
 TEST_F(Runner, ADamagedStateIsRefused) {
-  ASSERT_EQ(run("run --until 30 --save-state x.state").status, 0);
+  ASSERT_EQ(run("run --until 30 --omega 0.28 --stop 1:lower:-0.3 --save-state x.state").status, 0);
   const std::string good = contents(folder / "x.state");
   const auto read = [](const std::string &text) {
     std::istringstream file(text);
@@ -139,29 +139,21 @@ TEST_F(Runner, ADamagedStateIsRefused) {
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string changed = good;
     changed[i] = changed[i] == '1' ? '2' : '1';
-    EXPECT_THROW(read(changed), std::invalid_argument) << "byte " << i << " changed";
+    EXPECT_THROW(read(changed), runner::BadInput) << "byte " << i << " changed";
   }
-
   const std::pair<std::string, const char *> cases[] = {
       {"", "is not a state file"},
       {"time,mass\n", "is not a state file"},
       {good.substr(0, good.size() / 2), "cut short"},
-      {good + "more\n", "nothing may follow the checksum"},
-      {with_line(good, "vibro", "vibro-impact state 3\n"), "version 2 are read, not of '3'"},
-      {with_line(good, "mass", ""), "line 2: 'mass' expected, not 'stiffness'"},
-      {with_line(good, "mass", "mass 1\n"), "mass"},
-      {with_line(good, "mass", "mass 1 -1\n"), "mass = -1"},
-      {with_line(good, "omega", "omega x\n"), "'x' is not a number"},
-      {with_line(good, "omega", "omega nan\n"), "'nan' is not finite"},
-      {with_line(good, "omega", "omega 1e999\n"), "'1e999' is out of range"},
-      {with_line(good, "omega", "omega\n"), "'omega' lacks a value"},
-      {with_line(good, "omega", "omega 1 2\n"), "'2' is one value too many"},
-      {with_line(good, "stops", "stops 1\n"), "'time' expected, not 'stop'"},
-      {with_line(good, "stops", "stops 1000000000000\n"), "too many"},
-      {with_line(good, "stop 2", "stop 3 upper 0.1\n"), "stop on mass 3"},
-      {with_line(good, "stop 2", "stop 2 left 0.1\n"), "'left' is neither lower nor upper"},
-      {with_line(good, "instant", "instant -1 0\n"), "period -1"},
-      {with_line(good, "held", "held 0\n"), "the contact mode of 1 masses"},
+      {good + "more\n", "the checksum does not fit"},
+      {with_line(good, "vibro-impact state", "vibro-impact state 2\n"), "version 2"},
+      {with_line(good, "--omega", "--omega=x\n"), "--omega x: 'x' is not a number"},
+      {with_line(good, "--omega", "--omega=nan\n"), "omega = nan"},
+      {with_line(good, "--omega", "--colour=1\n"), "--colour"},
+      {with_line(good, "--stop", "--stop=3:upper:0.1\n"), "stop on mass 3"},
+      {with_line(good, "time", ""), "'time' expected"},
+      {with_line(good, "time", "time x\n"), "'x' is not a number"},
+      {with_line(good, "held", "held 0\n"), "contact mode"},
       {good.substr(0, good.size() - 3) + "zz\n", "the checksum does not fit"},
   };
   for (const auto &[text, names] : cases) {

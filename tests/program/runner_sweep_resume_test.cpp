@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -150,8 +151,7 @@ TEST_F(Runner, RowsCutShortAnywhereAreGoneOnWith) {
     const std::size_t kept = partial.points();
     EXPECT_EQ(kept, expected) << length;
     for (std::size_t k = kept; k < points; ++k) partial.add(row(k));
-    runner::StreamedFile table(runner::Destination{whole});
-    partial.finish(table);
+    partial.finish({"--table", whole});
     ASSERT_EQ(contents(whole), table_of(points)) << length;
     ASSERT_FALSE(fs::exists(path));
   }
@@ -179,6 +179,63 @@ TEST_F(Runner, ChangedRowsAreRefused) {
       EXPECT_EQ(contents(path), changed) << "left as it was";
     }
   }
+}
+
+// Two at once on one table: one holds the rows, the other is refused.
+TEST_F(Runner, OneSweepAtATimeHoldsTheTable) {
+  const fs::path table = folder / "t.csv", partial = folder / "t.csv.partial";
+  const std::string both = long_sweep + "--resume --table " + table.string();
+  const pid_t first = start(VIBRO_IMPACT_PROGRAM " " + both);
+  wait_for_more(partial, 0, first);
+  const Result second = run(both);
+  EXPECT_FALSE(ended(first)) << "too fast";
+  EXPECT_EQ(second.status, 2);
+  EXPECT_EQ(second.err, "vibro-impact: " + partial.string() + ": another sweep is writing it\n");
+  wait_for(first);
+  EXPECT_EQ(lines(contents(table)).size(), 1268u);
+  EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
+}
+
+// A file of rows that is removed or changed while the sweep runs gives no table, and spares the one
+// that was there.
+TEST_F(Runner, ASweepWithoutItsRowsEndsWithoutATable) {
+  const std::string path = (folder / "t.partial").string();
+  const runner::Named table{"--table", (folder / "t").string()};
+  std::ofstream(table.path) << "old";
+  const auto remove = [&] { fs::remove(path); };
+  const auto replace = [&] {
+    fs::copy_file(path, path + "2");
+    fs::rename(path + "2", path);
+  };
+  const auto cut = [&] { fs::resize_file(path, 500); };
+  const auto empty = [&] { fs::resize_file(path, 0); };
+  const auto change = [&] {
+    std::fstream file(path, std::ios::in | std::ios::out);
+    file.seekp(300);
+    file << "7";
+  };
+  for (const auto &[name, damage] :
+       {std::pair<const char *, std::function<void()>>{"remove", remove},
+        {"replace", replace},
+        {"cut", cut},
+        {"empty", empty},
+        {"change", change}})
+    for (const std::size_t after : {100u, 192u}) {  // then rows are written, or none are
+      std::ofstream(path).close();
+      fs::remove(path);
+      runner::PartialTable partial(path, "squares", "point,square\n", false);
+      for (std::size_t k = 0; k < after; ++k) partial.add(row(k));
+      damage();
+      EXPECT_THROW(
+          {
+            for (std::size_t k = after; k < 192; ++k) partial.add(row(k));
+            partial.finish(table);
+          },
+          std::runtime_error)
+          << name << after;
+      EXPECT_EQ(contents(table.path), "old") << name << after;
+      fs::remove(path);
+    }
 }
 
 }  // namespace

@@ -6,18 +6,32 @@
 
 namespace vibro_impact {
 
+namespace {
+
+constexpr std::size_t most_points = std::size_t{1} << 53;  // exact as a double, too
+
+}  // namespace
+
 double Axis::value(std::size_t k) const {
+  require(k < count, "value ", k, " of ", name(parameter), ": there are ", count);
   if (count < 2) return from;
   return std::lerp(from, to, static_cast<double>(k) / static_cast<double>(count - 1));
 }
 
 std::size_t Grid::points() const {
   std::size_t product = 1;
-  for (const Axis &axis : axes) product *= axis.count;
+  for (const Axis &axis : axes) {
+    require(axis.count >= 1, name(axis.parameter), ": ", axis.count,
+            " values; there must be at least 1");
+    require(product <= most_points / axis.count, name(axis.parameter), ": ", axis.count,
+            " values: more points than can be counted");
+    product *= axis.count;
+  }
   return product;
 }
 
 std::vector<double> Grid::values(std::size_t point) const {
+  require(point < points(), "point ", point, ": the grid has ", points());
   std::vector<double> found(axes.size());
   for (std::size_t k = axes.size(); k-- > 0; point /= axes[k].count)
     found[k] = axes[k].value(point % axes[k].count);
@@ -32,17 +46,13 @@ Scene Grid::scene_at(std::size_t point) const {
 }
 
 void check(const Grid &grid) {
-  std::size_t points = 1;
+  grid.points();
   for (std::size_t k = 0; k < grid.axes.size(); ++k) {
     const Axis &axis = grid.axes[k];
     const std::string what = name(axis.parameter);
     get(grid.scene, axis.parameter);
-    require(axis.count >= 1, what, ": ", axis.count, " values; there must be at least 1");
     require(std::isfinite(axis.from) && std::isfinite(axis.to), what, " from ", axis.from, " to ",
             axis.to, ": must be finite");
-    require(points <= (std::size_t{1} << 53) / axis.count, what, ": ", axis.count,
-            " values: more points than can be counted");
-    points *= axis.count;
     for (std::size_t j = 0; j < k; ++j)
       require(!(grid.axes[j].parameter == axis.parameter), what, ": given twice");
   }
@@ -62,18 +72,35 @@ void check(const Grid &grid) {
 
 namespace {
 
-// "DS SI", "-" for none.
-std::string listed(const std::vector<EventPair> &pairs) {
-  if (pairs.empty()) return "-";
+// "DS SI", "-" for none, of the sum of row_of.
+std::string listed(double sum) {
   std::string text;
-  for (const EventPair pair : pairs) {
-    if (!text.empty()) text += ' ';
-    text += abbreviation(pair);
-  }
-  return text;
+  for (std::size_t k = 0; k < all_event_pairs.size(); ++k)
+    if (static_cast<unsigned>(sum) >> k & 1) {
+      if (!text.empty()) text += ' ';
+      text += abbreviation(all_event_pairs[k]);
+    }
+  return text.empty() ? "-" : text;
+}
+
+std::size_t columns(const Scene &scene, const RecordOptions &records) {
+  return 2 * scene.mass.size() + 2 + records.lyapunov + records.pairs;
 }
 
 }  // namespace
+
+std::vector<double> row_of(const OrbitRecord &record, const RecordOptions &records) {
+  const EventCounts &counts = record.counts;
+  std::vector<double> row{static_cast<double>(record.period)};
+  for (const auto *what : {&counts.sticks, &counts.impacts})
+    for (const int count : *what) row.push_back(count / static_cast<double>(counts.periods));
+  row.push_back(counts.dual_sticking ? 1.0 : 0.0);
+  if (records.lyapunov) row.push_back(record.lyapunov.value_or(NAN));
+  double pairs = 0.0;
+  for (const EventPair pair : record.pairs) pairs += std::exp2(static_cast<int>(pair));
+  if (records.pairs) row.push_back(pairs);
+  return row;
+}
 
 Table sweep_table(const Grid &grid, const RecordOptions &records) {
   std::string header;
@@ -87,20 +114,18 @@ Table sweep_table(const Grid &grid, const RecordOptions &records) {
 }
 
 void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::size_t point,
-             const OrbitRecord &record) {
+             std::span<const double> row) {
+  const std::size_t wanted = columns(grid.scene, records);
+  require(row.empty() || row.size() == wanted, "a row of ", row.size(), " numbers: the table has ",
+          wanted, " columns beside the parameters");
   for (const double value : grid.values(point)) table.cell(value);
-  const EventCounts &counts = record.counts;
-  if (counts.periods == 0) {
-    const int empty = 2 * grid.scene.masses() + 2 + records.lyapunov + records.pairs;
-    for (int k = 0; k < empty; ++k) table.cell(std::string_view());
-    return table.end_row();
-  }
-  table.cell(record.period);
-  for (const auto *what : {&counts.sticks, &counts.impacts})
-    for (const int count : *what) table.cell(count / static_cast<double>(counts.periods));
-  table.cell(counts.dual_sticking ? 1 : 0);
-  if (records.lyapunov) table.cell(record.lyapunov.value_or(NAN));
-  if (records.pairs) table.cell(listed(record.pairs));
+  for (std::size_t k = 0; k < wanted; ++k)
+    if (row.empty() || std::isnan(row[k]))
+      table.cell(std::string_view());
+    else if (records.pairs && k + 1 == wanted)
+      table.cell(listed(row[k]));
+    else
+      table.cell(row[k]);
   table.end_row();
 }
 

@@ -1,6 +1,7 @@
 #include "vibro_impact/analysis/orbit_record.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/lyapunov.hpp"
@@ -10,9 +11,11 @@ namespace vibro_impact {
 
 namespace {
 
+constexpr int most_periods = 1'000'000'000;  // of them no sum overflows
+
 // The motion goes on from where it settled for as many periods as are recorded.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
-               const RecordOptions &options, OrbitRecord &record) {
+               const RecordOptions &options, OrbitRecord &record, RecordWork &work) {
   const Instant from = motion.state.instant;
   const double begin = time_of(from, Clock(scene.omega)),
                until = time_after(scene, motion.state, periods);
@@ -26,26 +29,31 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
     for (ImpactSpeedRecorder &speed : speeds) recorders.push_back(recorder_ref(speed));
   }
   require_complete(resume_seen(scene, motion.resume, until, run, recorders));
-  record.work.recorded += periods;
+  work.recorded += periods;
   record.counts = counts_of(scene, marks.marks, periods, dual_sticking(motion.state.held));
   for (ImpactSpeedRecorder &speed : speeds)
     record.impact_velocities.push_back(std::move(speed.velocities));
 }
 
-double exponent_of(const Scene &scene, const OrbitRecord &record, const RecordOptions &options,
-                   RecordWork &work) {
+// Nothing where the sign is not certain.
+std::optional<double> exponent_of(const Scene &scene, const OrbitRecord &record,
+                                  const RecordOptions &options, RecordWork &work) {
   const RunOptions &run = options.settle.run;
   const MotionState start = at_quiet_phase(scene, record.state, run);
-  work.with_tangents += record.period > 0 ? record.period : options.counted;
   if (record.period > 0) {
+    work.with_tangents += record.period;
     const StroboscopicImage image =
         stroboscopic_map_and_derivative(scene, start, record.period, run);
     return greatest_exponent(floquet_multipliers(image.derivative, start.held),
                              record.period * Clock(scene.omega).period);
   }
   GrowthRecorder growth(scene, start);
-  const double until = time_after(scene, start, options.counted);
-  growth.finish(require_complete(simulate_from(scene, start, until, run, growth)).state.instant);
+  const double until = time_after(scene, start, options.averaged);
+  const Instant end =
+      require_complete(simulate_from(scene, start, until, run, growth)).state.instant;
+  growth.finish(end);
+  work.with_tangents += end.cycle - start.instant.cycle;
+  if (!growth.sign_is_certain()) return std::nullopt;
   return growth.exponent();
 }
 
@@ -63,25 +71,47 @@ std::vector<EventPair> pairs_of(const Scene &scene, const OrbitRecord &record,
   return found;
 }
 
-}  // namespace
-
-OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
-  require(options.counted >= 1, "counted = ", options.counted, ": must be at least 1");
-  require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
-  SettledMotion motion = settle(scene, start, options.settle);
+// The record of the motion followed from `start`, as far as `longest` says.
+OrbitRecord record_within(const Scene &scene, const MotionState &start, int longest,
+                          const RecordOptions &options, RecordWork &work) {
+  SettleOptions settling = options.settle;
+  settling.longest = longest;
+  SettledMotion motion = settle(scene, start, settling);
   OrbitRecord record;
   record.period = motion.period;
   record.to_come = motion.to_come;
   record.counters = motion.counters;
-  record.work.settling = motion.periods_run;
+  work.settling += motion.periods_run;
   if (motion.period == 0 || options.impact_velocities)
-    record_on(scene, motion, motion.period > 0 ? motion.period : options.counted, options, record);
+    record_on(scene, motion, motion.period > 0 ? motion.period : options.counted, options, record,
+              work);
   else
     record.counts = std::move(motion.counts);
   record.state = std::move(motion.state);
   record.state.instant.cycle = 0;
-  if (options.lyapunov) record.lyapunov = exponent_of(scene, record, options, record.work);
-  if (options.pairs) record.pairs = pairs_of(scene, record, options, record.work);
+  if (options.lyapunov) record.lyapunov = exponent_of(scene, record, options, work);
+  return record;
+}
+
+}  // namespace
+
+OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
+  for (const auto &[what, periods] :
+       {std::pair{"counted = ", options.counted}, {"averaged = ", options.averaged}})
+    require(periods >= 1 && periods <= most_periods, what, periods, ": must lie from 1 to ",
+            most_periods);
+  require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
+  require(options.longest_if_stable >= 0 && (options.lyapunov || options.longest_if_stable == 0),
+          "longest_if_stable = ", options.longest_if_stable,
+          ": must be non-negative, and zero unless the exponent is asked for");
+  RecordWork work;
+  OrbitRecord record = record_within(scene, start, options.settle.longest, options, work);
+  if (options.longest_if_stable > 0 && record.period == 0 && record.lyapunov.value_or(0.0) < 0.0) {
+    const MotionState stood = record.state;
+    record = record_within(scene, stood, options.longest_if_stable, options, work);
+  }
+  if (options.pairs) record.pairs = pairs_of(scene, record, options, work);
+  record.work = work;
   return record;
 }
 

@@ -14,6 +14,9 @@ namespace vibro_impact {
 
 namespace {
 
+constexpr int most_periods = 1'000'000'000;  // of them no sum overflows
+constexpr int largest_period = 10'000;       // that can be looked for: all states are kept
+
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 // Distances below this, relative to the state, are what rounding and the limits of chatter make of
@@ -251,6 +254,11 @@ void EventMarks::event(const Event &event, const Moment &) {
 
 EventCounts counts_of(const Scene &scene, const std::vector<EventMark> &marks, int periods,
                       bool dual_at_start) {
+  check(scene);
+  require(periods >= 1, "periods = ", periods, ": must be at least 1");
+  for (const EventMark &mark : marks)
+    require(mark.stop < scene.stops.size(), "an event at stop ", mark.stop, ": the scene has ",
+            scene.stops.size(), " stops");
   const std::vector<int> none(scene.mass.size(), 0);
   EventCounts counts{periods, none, none, none, dual_at_start};
   for (const EventMark &mark : marks) counts.dual_sticking = counts.dual_sticking || mark.dual;
@@ -264,9 +272,13 @@ EventCounts counts_of(const Scene &scene, const std::vector<EventMark> &marks, i
 }
 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
-  require(options.longest >= 1, "longest = ", options.longest, ": must be at least 1");
-  require(options.most >= 1, "most = ", options.most, ": must be at least 1");
+  require(options.longest >= 1 && options.longest <= most_periods, "longest = ", options.longest,
+          ": must lie from 1 to ", most_periods);
+  require(options.most >= 1 && options.most <= largest_period, "most = ", options.most,
+          ": must lie from 1 to ", largest_period);
   require(options.tolerance > 0.0, "tolerance = ", options.tolerance, ": must be positive");
+  require(std::abs(static_cast<double>(start.instant.cycle)) <= 0x1p53, "a start in period ",
+          start.instant.cycle, ": beyond what can be counted");
   check(scene);
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);

@@ -5,146 +5,75 @@
 #endif
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <map>
 #include <mutex>
-#include <stdexcept>
-#include <thread>
-#include <utility>
+#include <optional>
 
-#include "packed_record.hpp"
 #include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
-using Note = Ranks::Note;
+using Take = std::function<void()>;
 
-// Where the blocks are handed out and their records handed in: on rank 0.
-class Desk {
+// Hands out the points and takes what has been computed, in their order.
+class InOrder {
  public:
-  Desk(std::size_t points, const std::function<void(std::size_t, const OrbitRecord &)> &take,
-       const SweepOptions &options)
-      : points_(points), take_(take), options_(options), taken_(options.first) {
-    next_ = std::min(points, options.first);
+  InOrder(std::size_t points, const SweepOptions &options)
+      : end_(points), next_(options.first), taken_(options.first), progress_(options.progress) {
   }
 
-  // Enters what is told, and gives the next block.
-  std::size_t answer(Note note, std::size_t block, std::string_view text) {
+  std::optional<std::size_t> next_point() {
     const std::lock_guard lock(mutex_);
-    if (note == Note::leaving) ++left_;
-    if (note == Note::failed) fail(std::make_exception_ptr(std::runtime_error(std::string(text))));
-    if (note == Note::done && !failure_) hand_in(block, text);
-    return next_block();
+    if (next_ >= end_) return std::nullopt;
+    return next_++;
   }
-  void end_with(std::exception_ptr failure) {
+
+  // An error is taken in its turn, too; no point after it is handed out any more.
+  void hand_in(std::size_t point, Take take, bool is_error) {
     const std::lock_guard lock(mutex_);
-    fail(std::move(failure));
+    if (is_error) end_ = std::min(end_, point + 1);
+    waiting_.emplace(point, std::move(take));
+    while (!failure_ && !waiting_.empty() && waiting_.begin()->first == taken_) take_next();
   }
-  // Processes that need no more.
-  int left() {
-    const std::lock_guard lock(mutex_);
-    return left_;
-  }
+
   void rethrow() const {
     if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
   std::mutex mutex_;
-  std::size_t points_;
-  const std::function<void(std::size_t, const OrbitRecord &)> &take_;
-  const SweepOptions &options_;
-  std::size_t next_, taken_;
-  std::map<std::size_t, std::string> waiting_ = {};  // for blocks before them, by the first point
-  int left_ = 0;
+  std::size_t end_, next_, taken_;
+  std::map<std::size_t, Take> waiting_ = {};  // for points before them
   std::exception_ptr failure_ = nullptr;
+  const std::function<void(std::size_t)> &progress_;
 
-  void fail(std::exception_ptr failure) {
-    if (!failure_) failure_ = std::move(failure);
-  }
-  std::size_t next_block() {
-    if (failure_ || next_ >= points_) return Ranks::none;
-    return std::exchange(next_, next_ + std::min(options_.block, points_ - next_));
-  }
-  void hand_in(std::size_t block, std::string_view text) {
-    waiting_.emplace(block, text);
+  void take_next() {
     try {
-      while (!waiting_.empty() && waiting_.begin()->first == taken_) {
-        std::string_view records = waiting_.begin()->second;
-        for (; !records.empty(); ++taken_) take_(taken_, unpack(records));
-        waiting_.erase(waiting_.begin());
-        if (options_.progress) options_.progress(taken_);
-      }
+      waiting_.extract(waiting_.begin()).mapped()();
+      ++taken_;
+      if (progress_) progress_(taken_);
     } catch (...) {
-      fail(std::current_exception());
+      failure_ = std::current_exception();
+      end_ = 0;
     }
   }
 };
 
-// One thread of any process: block after block, until there is none.
-void work(std::size_t points, std::size_t block_size,
-          const std::function<OrbitRecord(std::size_t)> &compute, const Ranks::Answer &ask) {
-  std::string records;
-  for (std::size_t block = ask(Note::ready, 0, {}); block != Ranks::none;
-       block = ask(Note::done, block, records)) {
-    records.clear();
-    const std::size_t end = block + std::min(block_size, points - block);
-    for (std::size_t point = block; point < end; ++point) pack(compute(point), records);
-  }
-}
-
-// Rank 0 answers the others until all have left.
-void serve(Desk &desk, const Ranks &ranks) {
-  const Ranks::Answer answer = [&desk](Note note, std::size_t block, std::string_view text) {
-    return desk.answer(note, block, text);
-  };
-  while (desk.left() < ranks.size - 1)
-    if (!ranks.serve(answer)) std::this_thread::sleep_for(std::chrono::microseconds(100));
-}
-
-void sweep_as_rank_0(std::size_t points, const std::function<OrbitRecord(std::size_t)> &compute,
-                     const std::function<void(std::size_t, const OrbitRecord &)> &take,
-                     const SweepOptions &options, [[maybe_unused]] int threads) {
-  Desk desk(points, take, options);
-  const Ranks::Answer answer = [&desk](Note note, std::size_t block, std::string_view text) {
-    return desk.answer(note, block, text);
-  };
-  bool serving = options.ranks.size > 1;  // by one thread more, which sleeps most of the time
-  [[maybe_unused]] const int team = threads + (serving ? 1 : 0);
-#pragma omp parallel num_threads(team)
-  {
-    bool serves = false;
-#pragma omp critical(vibro_impact_sweep)
-    serves = std::exchange(serving, false);
+void work(InOrder &in_order, const std::function<Take(std::size_t)> &compute) {
+  while (const auto point = in_order.next_point()) {
+    Take take;
+    bool is_error = false;
     try {
-      if (serves)
-        serve(desk, options.ranks);
-      else
-        work(points, options.block, compute, answer);
+      take = compute(*point);
     } catch (...) {
-      desk.end_with(std::current_exception());
+      is_error = true;
+      take = [failure = std::current_exception()] { std::rethrow_exception(failure); };
     }
+    in_order.hand_in(*point, std::move(take), is_error);
   }
-  desk.rethrow();
-}
-
-void sweep_as_another(std::size_t points, const std::function<OrbitRecord(std::size_t)> &compute,
-                      const SweepOptions &options, [[maybe_unused]] int threads) {
-  std::mutex mutex;
-  const Ranks::Answer ask = [&](Note note, std::size_t block, std::string_view text) {
-    const std::lock_guard lock(mutex);
-    return options.ranks.ask(note, block, text);
-  };
-#pragma omp parallel num_threads(threads)
-  try {
-    work(points, options.block, compute, ask);
-  } catch (const std::exception &error) {
-    ask(Note::failed, 0, error.what());
-  }
-  ask(Note::leaving, 0, {});
 }
 
 }  // namespace
@@ -157,27 +86,15 @@ int available_threads() {
 #endif
 }
 
-void sweep(std::size_t points, const std::function<OrbitRecord(std::size_t)> &compute,
-           const std::function<void(std::size_t, const OrbitRecord &)> &take,
-           const SweepOptions &options) {
+void sweep_in_order(std::size_t points, const std::function<Take(std::size_t)> &compute,
+                    const SweepOptions &options) {
   require(options.threads >= 0, "threads = ", options.threads, ": must be non-negative");
-  require(options.block >= 1, "block = ", options.block, ": must be at least 1");
-  const int threads = options.threads > 0 ? options.threads : available_threads();
-  if (options.ranks.rank == 0)
-    sweep_as_rank_0(points, compute, take, options, threads);
-  else
-    sweep_as_another(points, compute, options, threads);
-}
-
-std::vector<OrbitRecord> sweep(const Grid &grid, const RecordOptions &records,
-                               const SweepOptions &options) {
-  check(grid);
-  require(options.first == 0, "first = ", options.first, ": all points are asked for");
-  std::vector<OrbitRecord> found;
-  sweep(
-      grid.points(), [&](std::size_t point) { return record_of(grid.scene_at(point), records); },
-      [&](std::size_t, const OrbitRecord &record) { found.push_back(record); }, options);
-  return found;
+  require(compute != nullptr, "sweep: a function is missing");
+  [[maybe_unused]] const int threads = options.threads > 0 ? options.threads : available_threads();
+  InOrder in_order(points, options);
+#pragma omp parallel num_threads(threads)
+  work(in_order, compute);
+  in_order.rethrow();
 }
 
 }  // namespace vibro_impact

@@ -17,6 +17,12 @@ double greatest_exponent(const std::vector<std::complex<double>> &multipliers, d
 
 // Of any motion: a recorder that follows one change of the state by tangents, and brings it back to
 // length 1 every few forcing periods (there is one column, so that orthonormalising is scaling).
+//
+// In chaos the growth varies from period to period, so that the sign of a short mean may be chance.
+// It counts as certain when the mean over at least 4 blocks of 40 forcing periods is larger than 4
+// times its standard error (the deviation of the blocks over the root of their number); then the
+// recorder ends the run. A motion whose transient is chaotic for much longer cannot be told from
+// chaos.
 class GrowthRecorder {
  public:
   // `start` is the state the run starts from, which should lie away from events (`at_quiet_phase`).
@@ -26,11 +32,20 @@ class GrowthRecorder {
   void event(const Event &event, const Moment &moment);
   double next_time() const;
   void sample(const Moment &moment);
+  bool done() const {
+    return sign_is_certain_;
+  }
 
   // Brings the change to the end of the run. To be called once, after the run.
   void finish(const Instant &end);
   // From the start to the end; 0 before `finish`.
-  double exponent() const;
+  double exponent() const {
+    return exponent_;
+  }
+  // The sign of the exponent is no chance.
+  bool sign_is_certain() const {
+    return sign_is_certain_;
+  }
 
  private:
   Scene scene_;
@@ -40,8 +55,13 @@ class GrowthRecorder {
   bool in_chatter_ = false;  // tangents of a chatter are extrapolated from all of its impacts
   double logarithm_ = 0.0, exponent_ = 0.0;
   std::optional<TangentRecorder> tangents_;
+  Instant block_begin_;
+  double before_block_ = 0.0;        // the logarithm there
+  std::vector<double> blocks_ = {};  // growth per forcing period of each
+  bool sign_is_certain_ = false;
 
   void follow(const MotionState &from, Matrix column);
+  void end_block(const Instant &now);
 };
 
 }  // namespace vibro_impact

@@ -12,10 +12,15 @@ namespace vibro_impact {
 
 struct RecordOptions {
   SettleOptions settle;
-  int counted = 40;                // forcing periods over which a motion that does not settle is
-                                   // recorded, after SettleOptions::longest, >= 1
-  bool lyapunov = false;           // greatest Lyapunov exponent
-  bool pairs = false;              // the pairs of Table I that occur
+  int counted = 40;           // forcing periods over which a motion that does not settle is
+                              // recorded, after SettleOptions::longest, >= 1
+  bool lyapunov = false;      // greatest Lyapunov exponent
+  int averaged = 1000;        // forcing periods at most over which the growth of tangents is
+                              // averaged until the sign of the exponent is certain, >= 1
+  int longest_if_stable = 0;  // a motion that has not settled after SettleOptions::longest, but
+                              // whose exponent is negative, gets as many forcing periods more;
+                              // 0: none, else the exponent must be asked for
+  bool pairs = false;         // the pairs of Table I that occur
   bool impact_velocities = false;  // every impact faster than `slowest`
   double slowest = 1e-4;           // >= 0
 };
@@ -31,7 +36,7 @@ struct OrbitRecord {
   int period = 0;                  // forcing periods; 0: none
   double to_come = 0.0;            // as in SettledMotion
   EventCounts counts;              // over one period, or RecordOptions::counted forcing periods
-  std::optional<double> lyapunov;  // if asked for
+  std::optional<double> lyapunov;  // if asked for, and decided
   std::vector<EventPair> pairs;    // each once, in the order of Table I; if asked for
   // Velocities just before the impacts over these periods, per mass, in the order of time; if asked
   // for.
@@ -44,9 +49,10 @@ struct OrbitRecord {
 
 // The record of the motion from `start`, or from the initial state of the scene. The Lyapunov
 // exponent of a motion that has settled is ln|mu| / (p T), mu its largest Floquet multiplier over
-// its period of p forcing periods T; that of any other the growth of tangents over
-// RecordOptions::counted forcing periods. Pairs of events are looked for over two periods, so that
-// every sticking phase is whole in one of them. Throws as `settle` does.
+// its period of p forcing periods T; that of any other the mean growth of tangents, if its sign is
+// certain (lyapunov.hpp) after RecordOptions::averaged forcing periods. Pairs of events are looked
+// for over two periods, so that every sticking phase is whole in one of them. Throws as `settle`
+// does, and std::invalid_argument for options out of range.
 OrbitRecord record_of(const Scene &scene, const MotionState &start,
                       const RecordOptions &options = {});
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});

@@ -1,15 +1,14 @@
-// Sweeps: records of many parameter points, shared out among the threads of one machine (OpenMP)
-// and among the processes of many (MPI, or whatever carries texts between them).
+// Sweeps: what the user wants to know of many parameter points, on all threads of the machine.
 //
-// Both levels take the next few points whenever they are ready for more. Every point is computed on
-// its own and the records are handed over in the order of the points, so that nothing depends on
-// the number of threads or processes.
+// Every point is computed on its own by whichever thread is free, and the results are handed over
+// in the order of the points: nothing depends on the number of threads.
 #pragma once
 
 #include <cstddef>
 #include <functional>
-#include <string>
-#include <string_view>
+#include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "orbit_record.hpp"
@@ -18,32 +17,38 @@
 
 namespace vibro_impact {
 
-// The processes of a sweep. Rank 0 hands out the work and gets the records.
-struct Ranks {
-  // What a process tells rank 0 when it asks for more: the work handed in (nothing yet, the text of
-  // a block of points, an error that ends the sweep), or that it needs no more.
-  enum class Note { ready, done, failed, leaving };
-  // The answer: a block of points to work on, or none.
-  using Answer = std::function<std::size_t(Note, std::size_t block, std::string_view text)>;
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  int rank = 0, size = 1;
-  // On ranks above 0: what rank 0 answers. Called by one thread at a time.
-  Answer ask = {};
-  // On rank 0: lets `answer` answer one process that asks; false when none is waiting.
-  std::function<bool(const Answer &answer)> serve = {};
-};
-
 struct SweepOptions {
-  int threads = 0;         // of this process, >= 0; 0: as many as OpenMP offers
-  std::size_t first = 0;   // point to begin with: those before it have been taken already
-  std::size_t block = 16;  // points handed out at once, >= 1
-  Ranks ranks = {};
-  std::function<void(std::size_t done)> progress = {};  // points taken so far, on rank 0
+  int threads = 0;        // >= 0; 0: available_threads()
+  std::size_t first = 0;  // point to begin with: those before it have been taken already
+  std::function<void(std::size_t done)> progress = {};  // told the number of points taken so far
 };
 
-// The threads that a sweep uses if it is not told: 1 without OpenMP.
+// The threads that a sweep uses if it is not told: those of OpenMP, or 1 without it.
 int available_threads();
+
+// Calls `compute` for the points from SweepOptions::first to `points`, on several threads at once,
+// and what it returns in the order of the points, one at a time. The sweep ends with what either
+// throws: of several errors that of the first point, when all before it have been taken. Throws
+// std::invalid_argument for a number of threads that is negative and for no function.
+void sweep_in_order(std::size_t points,
+                    const std::function<std::function<void()>(std::size_t point)> &compute,
+                    const SweepOptions &options = {});
+
+// The same with a result of any type: take(point, compute(point)).
+template <class Compute, class Take>
+void sweep(std::size_t points, const Compute &compute, const Take &take,
+           const SweepOptions &options = {}) {
+  using Result = std::invoke_result_t<const Compute &, std::size_t>;
+  const std::function<Result(std::size_t)> computed(compute);
+  const std::function<void(std::size_t, const Result &)> taken(take);
+  if (!computed || !taken) return sweep_in_order(points, nullptr, options);
+  sweep_in_order(
+      points,
+      [&](std::size_t point) -> std::function<void()> {
+        return [&taken, point, result = computed(point)] { taken(point, result); };
+      },
+      options);
+}
 
 // The values of one parameter at equal distances, both ends included.
 struct Axis {
@@ -51,10 +56,11 @@ struct Axis {
   double from = 0.0, to = 0.0;
   std::size_t count = 1;  // >= 1; 1: `from` alone
 
-  double value(std::size_t k) const;
+  double value(std::size_t k) const;  // throws std::invalid_argument unless k < count
 };
 
-// The points of a grid in the order of nested loops, the last axis innermost.
+// The points of a grid in the order of nested loops, the last axis innermost. Its functions throw
+// std::invalid_argument for an axis without values and for a point that it does not have.
 struct Grid {
   Scene scene;  // but for the parameters of the axes
   std::vector<Axis> axes = {};
@@ -69,25 +75,33 @@ struct Grid {
 // `check` rejects or that has no forcing period anywhere on the grid.
 void check(const Grid &grid);
 
-// Computes the records of the points from SweepOptions::first on, each by `compute`, and hands them
-// to `take` in the order of the points: on rank 0, one at a time. Throws what either throws
-// (of several errors, one; from another process a std::runtime_error with its message).
-void sweep(std::size_t points, const std::function<OrbitRecord(std::size_t)> &compute,
-           const std::function<void(std::size_t, const OrbitRecord &)> &take,
-           const SweepOptions &options = {});
+// What `observable` makes of the scene of every point, be it a row of numbers or anything else:
+//   sweep(grid, [](const Scene &scene) { return std::vector{energy_of(scene), ...}; })
+// in the order of the points.
+template <class Observable>
+auto sweep(const Grid &grid, const Observable &observable, const SweepOptions &options = {}) {
+  using Result = std::invoke_result_t<const Observable &, const Scene &>;
+  check(grid);
+  const std::function<Result(const Scene &)> observed(observable);
+  std::function<Result(std::size_t)> compute;
+  if (observed) compute = [&](std::size_t point) { return observed(grid.scene_at(point)); };
+  std::vector<Result> found;
+  sweep(
+      grid.points(), compute,
+      [&found](std::size_t, const Result &result) { found.push_back(result); }, options);
+  return found;
+}
 
-// The records of all points of a grid, of the motions from the scene's own initial state; empty on
-// ranks above 0.
-std::vector<OrbitRecord> sweep(const Grid &grid, const RecordOptions &records = {},
-                               const SweepOptions &options = {});
+// The row of numbers of a record: period, sticks of every mass, impacts of every mass (both per
+// forcing period), dual_sticking (0 or 1) and, where RecordOptions asks for them, the Lyapunov
+// exponent (NaN: not decided) and the pairs (2^k for the k-th of Table I, added up).
+std::vector<double> row_of(const OrbitRecord &record, const RecordOptions &records);
 
-// The table of a sweep: the parameters of the axes, then period, sticks1 .., impacts1 .. (per
-// forcing period), dual_sticking (0 or 1) and, where RecordOptions asks for them, lyapunov and
-// pairs
-// ("DS SI", "-" for none). The cells of a record of no periods, of a point that was given up, are
-// empty.
+// The table of such rows behind the parameters of the axes: period, sticks1 .., impacts1 ..,
+// dual_sticking, lyapunov, pairs ("DS SI", "-" for none). A cell that is NaN is empty; an empty row
+// stands for a point that was given up, and leaves all its cells empty.
 Table sweep_table(const Grid &grid, const RecordOptions &records);
 void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::size_t point,
-             const OrbitRecord &record);
+             std::span<const double> row);
 
 }  // namespace vibro_impact

@@ -1,0 +1,42 @@
+// A recorder of one's own that is asked for samples: the state of mass 1 at one phase of the
+// forcing, period by period. From the frequency of chaos in Figure 3 the points fill a curve; of a
+// periodic motion there would be one for each of its periods.
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "paper_scene.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+using namespace vibro_impact;
+
+// The section at `phase` (a part of the period, in [0, 1)) from period `first` on.
+struct StroboscopicSection {
+  struct Point {
+    double displacement, velocity;
+  };
+  double period, phase = 0.0;
+  int first = 0;
+  std::vector<Point> points = {};
+
+  // The next time at which this recorder wants to be told of the motion.
+  double next_time() const {
+    return (first + static_cast<double>(points.size()) + phase) * period;
+  }
+  void sample(const Moment &moment) {
+    points.push_back({moment.displacement(1), moment.velocity(1)});
+  }
+};
+
+int main() {
+  const Scene scene = paper_scene(0.69);
+  StroboscopicSection section{.period = Clock(scene.omega).period, .phase = 0.25, .first = 200};
+  simulate(scene, 1200 * section.period, {}, section);
+  std::printf("x1,v1\n");
+  for (const auto &point : section.points)
+    std::printf("%.12f,%.12f\n", point.displacement, point.velocity);
+  const auto [least, greatest] = std::minmax_element(
+      section.points.begin(), section.points.end(),
+      [](const auto &a, const auto &b) { return a.displacement < b.displacement; });
+  return section.points.size() != 1000 || greatest->displacement - least->displacement < 0.1;
+}
