@@ -221,6 +221,7 @@ TEST(Settle, AnyPhaseMayBeTheSection) {
   const Scene scene = paper::figure2();
   const MotionState begin = at_quiet_phase(scene, vibro_impact::settled(scene, 3));
   ASSERT_GT(begin.instant.phase, 0.0);
+  EXPECT_EQ(begin.instant.cycle, 0);
   const SettledMotion motion = settle(scene, begin);
   EXPECT_EQ(motion.period, 1);
   EXPECT_EQ(motion.state.instant.phase, begin.instant.phase);

@@ -204,6 +204,8 @@ class Sections {
     return marks;
   }
 
+  // Of the last p periods and the p before: after the same sticks and releases the contact modes
+  // are the same, too.
   bool same_events(int p) const {
     std::array<std::vector<std::pair<EventKind, std::size_t>>, 2> events;
     for (const int part : {0, 1})
@@ -218,19 +220,14 @@ class Sections {
     to_come_ = contractions_[index(shown_by - 1)].to_come;
   }
 
-  bool repeats_after(int p) const {
-    return latest(0).held == latest(p).held && same_events(p);
-  }
-
   void judge() {
     for (int p = 1; p <= options_.most && 2 * p < taken_; ++p) {
-      if (!(contractions_[index(p - 1)].to_come <= options_.tolerance) || !repeats_after(p))
-        continue;
+      if (!(contractions_[index(p - 1)].to_come <= options_.tolerance) || !same_events(p)) continue;
       // A motion of period q has settled in p periods, too: it may be the one that shows it.
       for (int q = 1; q < p; ++q) {
         if (p % q != 0) continue;
         const double apart = distance(q);
-        if (apart <= 10.0 * options_.tolerance && repeats_after(q)) {
+        if (apart <= 10.0 * options_.tolerance && same_events(q)) {
           return settle_on(q, p);
         }
         // Sections of one orbit are not so near each other, but at a period doubling.

@@ -10,12 +10,12 @@
 // component by itself is small once in every turn of the state, however far the orbit, and the more
 // so the stiffer the chain.
 //
-// A motion counts as settled, of period p, when the estimate lies below a tolerance, the contact
-// mode is that of p periods before, and the events of the last p periods are those of the p before
-// them, but for the impacts of a complete chatter: of its infinitely many, as many are told as it
-// takes to find the limit. Where states q periods apart, q a divisor of p, are within ten
-// tolerances the period is q; where they are within 10,000 it is not decided yet: a motion that
-// turns around its orbit comes near to itself after some number of periods long before it is there.
+// A motion counts as settled, of period p, when the estimate lies below a tolerance and the events
+// of the last p periods are those of the p before them (and so the contact modes at the sections),
+// but for the impacts of a complete chatter: of its infinitely many, as many are told as it takes
+// to find the limit. Where states q periods apart, q a divisor of p, are within ten tolerances the
+// period is q; where they are within 10,000 it is not decided yet: a motion that turns around its
+// orbit comes near to itself after some number of periods long before it is there.
 #pragma once
 
 #include <vector>
