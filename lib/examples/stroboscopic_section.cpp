@@ -38,5 +38,5 @@ int main() {
   const auto [least, greatest] = std::minmax_element(
       section.points.begin(), section.points.end(),
       [](const auto &a, const auto &b) { return a.displacement < b.displacement; });
-  return section.points.size() != 1000 || greatest->displacement - least->displacement < 0.1;
+  return section.points.size() != 1000 || greatest->displacement - least->displacement < 0.01;
 }
