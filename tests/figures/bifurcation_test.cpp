@@ -106,6 +106,30 @@ TEST(CurvePoints, AreFoundToRounding) {
   }
 }
 
+// A chatter ends with a stick or a release of its mass, an impact at another stop, or one that is
+// not slower than that before; other masses do not interrupt it.
+TEST(Chatters, AreTheFallingImpactsOfAMassAtOneStop) {
+  const auto event = [](EventKind kind, std::size_t stop, int mass, int falling) {
+    Event told;
+    told.kind = kind;
+    told.stop = stop;
+    told.mass = mass;
+    told.falling = falling;
+    return told;
+  };
+  using enum EventKind;
+  const auto chatters =
+      chatters_of({event(impact, 0, 1, 0), event(impact, 1, 2, 0), event(impact, 0, 1, 1),
+                   event(impact, 0, 1, 0), event(stick, 0, 1, 1), event(impact, 2, 2, 0)});
+  ASSERT_EQ(chatters.size(), 4u);
+  EXPECT_EQ(chatters[0].impacts, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(chatters[1].impacts, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(chatters[2].impacts, (std::vector<std::size_t>{3}));
+  EXPECT_EQ(chatters[3].stop, 2u);
+  for (const Chatter &chatter : chatters)
+    EXPECT_EQ(chatter.complete, chatter.impacts.front() == 3u);
+}
+
 // The fixed point of the flights, and how it repels.
 TEST(BorderOrbit, HasTheSelfSimilarChatter) {
   const BorderChatter chatter = border_chatter(0.7);
