@@ -3,7 +3,6 @@
 #pragma once
 
 #include "chain/contact_mode.hpp"  // the modes of a contact mode, for changes of a motion
-#include "chain/forces.hpp"        // the rows of Eq. 4
+#include "chain/forces.hpp"        // the forces of Eq. 4, and a bound of every rate
 #include "chain/motion.hpp"        // the closed form of the lanes
 #include "chain/require.hpp"       // the refusal of bad input
-#include "stops/rest.hpp"          // a bound of the rate of every contact mode

@@ -23,7 +23,7 @@ TEST(RunState, ARunSavedAndLoadedAnywhereGoesOnBitForBit) {
   const Scene scene = paper::figure2();
   EventRecorder whole, parts;
   const Outcome outcome = simulate(scene, 60.0, {}, whole);
-  ASSERT_GT(whole.events.size(), 100u);
+  ASSERT_GT(whole.events.size(), 80u);
   RunState state = simulate(scene, 0.0, {}, parts).resume;
   int inside = 0;  // a chatter
   for (std::size_t k = 1; k < whole.events.size(); ++k) {

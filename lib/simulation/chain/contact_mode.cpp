@@ -158,8 +158,12 @@ Eigen::Index add_mode(const Scene &scene, const Decomposition &basis, Eigen::Ind
     const double omega2 = scene.omega * scene.omega;
     const double detuning = lambda - omega2, loss = kappa * scene.omega;
     const double squared = detuning * detuning + loss * loss;
-    if (lambda == 0.0 || std::sqrt(squared) < near_resonance * (lambda + omega2)) {
-      mode.resonant(lane) = force;  // splitting off the steady response would cancel digits
+    // Splitting off the steady response would cancel digits. That of the rigid-body mode, force /
+    // Omega^2, is large beside the others where the forcing is slow.
+    const bool cancels = lambda == 0.0 ? omega2 <= wide * basis.lambda.maxCoeff()
+                                       : std::sqrt(squared) < near_resonance * (lambda + omega2);
+    if (cancels) {
+      mode.resonant(lane) = force;
       mode.any_resonant = mode.any_resonant || force != 0.0;
     } else {
       mode.shape.col(mode.lanes() - 2) += basis.shape.col(j) * (force * (detuning / squared));

@@ -25,15 +25,28 @@ inline double amplitude_on(const Scene &scene, std::size_t i) {
   return scene.amplitude.empty() ? 0.0 : scene.amplitude[i];
 }
 
-// Force on mass i (from 0) towards +x where it stands at `at` without moving, by the displacements
-// x(j) and velocities v(j) of its neighbours and the forcing at a time `phase` within its period:
-// Eqs. 12-13 for at = s_p.
+// The force on mass i (from 0) towards +x (Eq. 4): links, dampers and forcing, by the coordinates
+// x(j) and v(j) of the mass itself and its neighbours and the cosine of the forcing. A derivative
+// of the force is the force of the same derivative of all three; with the mass at rest at its stop
+// it is the hold force (Eqs. 12-13).
+template <class Displacements, class Velocities>
+double force_on(const Scene &scene, std::size_t i, const Displacements &x, const Velocities &v,
+                double cosine) {
+  return link_force(scene, i, x(i), x) + scene.beta * link_force(scene, i, v(i), v) +
+         amplitude_on(scene, i) * cosine;
+}
+
+// The same where the mass stands at `at` without moving, at a time `phase` within its period.
 template <class Displacements, class Velocities>
 double force_at_rest(const Scene &scene, std::size_t i, double at, double phase,
                      const Displacements &x, const Velocities &v) {
-  return link_force(scene, i, at, x) + scene.beta * link_force(scene, i, 0.0, v) +
-         amplitude_on(scene, i) * std::cos(scene.omega * phase);
+  return force_on(
+      scene, i, [&](std::size_t j) { return j == i ? at : x(j); },
+      [&](std::size_t j) { return j == i ? 0.0 : v(j); }, std::cos(scene.omega * phase));
 }
+
+// A bound of the rate of every contact mode, in units of which derivatives of forces are carried.
+double rate_of(const Scene &scene);
 
 // A mode of which the two decays are well apart: damping ratio beta sqrt(lambda) / 2 (Eq. 7).
 inline bool strongly_damped(double beta, double lambda) {

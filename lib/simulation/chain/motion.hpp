@@ -2,34 +2,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <vector>
 
+#include "at_stop.hpp"
 #include "contact_mode.hpp"
 #include "oscillator.hpp"
 #include "tolerances.hpp"
 #include "vibro_impact/record.hpp"
 
 namespace vibro_impact {
-
-// What is known of a stop beside the lanes. For the stop of a free mass: its gap and gap speed,
-// carried on their own because reading a small gap off the lanes loses it to cancellation. How many
-// leading derivatives of what is watched (gap or hold force) are zero by definition, with the next
-// one, `leading`, in units of the rate of the scene: one after an impact (the next is the speed),
-// two or more where a mass leaves its stop from rest.
-struct AtStop {
-  double gap = 0.0, speed = 0.0;
-  int zeros = 0;
-  double leading = 0.0;
-  bool below_rounding = false;  // the gap, of what the lanes tell
-  double last_speed = 0.0;      // of the latest impact
-  int falling = 0;              // as in Event
-};
-
-// More zeros than any expansion has terms: no force acts on a mass at rest, to all orders.
-constexpr int all_zeros = 1000;
 
 template <int D>
 struct State {
@@ -164,20 +149,22 @@ Masses<D> masses_of(const State<D> &state, const Scene &scene) {
   return masses;
 }
 
-// How far these displacements, and velocities in units of `rate`, may be off by rounding: that of
-// the largest of them, which all lanes have had a share in.
+// Sets how far these displacements, and velocities in units of `rate`, may be off by rounding: that
+// of the largest of them, which all lanes have had a share in.
 template <int D>
-Eigen::VectorXd rounding_of(const State<D> &state, const Scene &scene, double rate) {
+void set_rounding(const State<D> &state, const Scene &scene, double rate,
+                  std::vector<double> &error) {
   const ContactMode<D> &mode = *state.mode;
-  Eigen::VectorXd error =
-      mode.equilibrium.cwiseAbs() +
-      mode.shape.cwiseAbs() * (state.value.abs() + state.slope.abs() / rate).matrix();
-  error.setConstant(rounding * error.maxCoeff());
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < mode.equilibrium.size(); ++i) {
+    const auto moving = mode.shape.row(i).transpose().array().abs() *
+                        (state.value.abs() + state.slope.abs() / rate);
+    largest = std::max(largest, std::abs(mode.equilibrium(i)) + moving.sum());
+  }
+  error.assign(scene.mass.size(), rounding * largest);
   for (const Contact<D> &contact : mode.contacts)
     if (!contact.held && !is_wide(state, contact))
-      error(static_cast<Eigen::Index>(contact.mass)) =
-          rounding * std::abs(scene.stops[contact.stop].position);
-  return error;
+      error[contact.mass] = rounding * std::abs(scene.stops[contact.stop].position);
 }
 
 // Expresses displacements and velocities in the lanes of `mode`; the stops are left to the caller.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forces.hpp"
 #include "require.hpp"
 
 namespace vibro_impact {
@@ -62,6 +63,12 @@ double largest_eigenvalue_bound(const Scene &scene) {
 double root_modulus(double kappa, double lambda) {
   const double alpha = kappa / 2, discriminant = alpha * alpha - lambda;
   return discriminant > 0 ? alpha + std::sqrt(discriminant) : std::sqrt(lambda);
+}
+
+double rate_of(const Scene &scene) {
+  const double lambda = largest_eigenvalue_bound(scene);
+  const double rate = std::max(root_modulus(scene.beta * lambda, lambda), scene.omega);
+  return rate > 0.0 ? rate : 1.0;
 }
 
 void check(const Scene &scene) {

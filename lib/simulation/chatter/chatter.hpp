@@ -1,7 +1,7 @@
 // A chatter: impact after impact at the same stops, in one contact mode, each flight shorter than
 // the one before. The one place where that is recognised, and the time of its limit extrapolated:
 // what an impact predicts, t + x / (1 - r), is a smooth function of the flight x that follows to
-// leading order, and tends to that time as x -> 0 (Neville's table).
+// leading order, and tends to that time as x -> 0 with an error of order x^2 (Neville's table).
 #pragma once
 
 #include <algorithm>
@@ -19,28 +19,41 @@ struct ChatterTable {
     double x, predicted;  // the limit predicted, since the first impact
     std::size_t impact;
   };
+  // An entry of Neville's tables of predicted / x and of 1 / x, at x = 0.
+  struct Entry {
+    double predicted_over_x, one_over_x;
+
+    double limit() const {
+      return predicted_over_x / one_over_x;
+    }
+  };
   std::vector<Node> nodes;  // oldest first
-  // The last row of Neville's table: the limit extrapolated from the last 1, 2, ... nodes.
-  std::array<double, max_chatter_nodes> limit{};
+  // The last row: extrapolated from the last 1, 2, ... nodes.
+  std::array<Entry, max_chatter_nodes> row{};
   // How many are best to take, less one, and the estimated error of the limit then.
   std::size_t best = 0;
   double error = std::numeric_limits<double>::infinity();
 };
 
-// Enters a node and the next row of the table: O(nodes).
+// Enters a node and the next row of the table: O(nodes). The predicted limit is T + c x^2 + d x^3 +
+// ... without a linear term: divided by x, all but T / x is a polynomial that is zero at x = 0. So
+// the value there of the polynomial through predicted / x is T times that of the one through 1 / x.
 inline void extend(ChatterTable &table, const ChatterTable::Node &node) {
   table.error = std::numeric_limits<double>::infinity();
   table.best = 0;
   if (table.nodes.size() == max_chatter_nodes) table.nodes.erase(table.nodes.begin());
   table.nodes.push_back(node);
   const std::size_t last = table.nodes.size() - 1;
-  double here = node.predicted, error_before = 0.0;
+  ChatterTable::Entry here{node.predicted / node.x, 1.0 / node.x};
+  double error_before = 0.0;
   for (std::size_t column = 1; column <= last; ++column) {
-    const double without_newest = table.limit[column - 1], without_oldest = here;
-    table.limit[column - 1] = here;
-    here += (here - without_newest) * (node.x / (table.nodes[last - column].x - node.x));
+    const ChatterTable::Entry without_newest = table.row[column - 1], without_oldest = here;
+    table.row[column - 1] = here;
+    const double share = node.x / (table.nodes[last - column].x - node.x);
+    here.predicted_over_x += (here.predicted_over_x - without_newest.predicted_over_x) * share;
+    here.one_over_x += (here.one_over_x - without_newest.one_over_x) * share;
     // Not much less than that of one impact less, which it may agree with by chance.
-    const double error = std::abs(here - without_oldest);
+    const double error = std::abs(here.limit() - without_oldest.limit());
     const double believed = std::max(error, luck * error_before);
     if (believed <= table.error) {
       table.error = believed;
@@ -48,7 +61,23 @@ inline void extend(ChatterTable &table, const ChatterTable::Node &node) {
     }
     error_before = error;
   }
-  table.limit[last] = here;
+  table.row[last] = here;
+}
+
+// The weights of the nodes from `first` on, by which their predictions are extrapolated so: those
+// of Lagrange at x = 0, divided by x and by their sum.
+inline std::array<double, max_chatter_nodes> node_weights(const ChatterTable &table,
+                                                          std::size_t first) {
+  std::array<double, max_chatter_nodes> weights{};
+  double sum = 0.0;
+  for (std::size_t i = first; i < table.nodes.size(); ++i) {
+    weights[i] = 1.0 / table.nodes[i].x;
+    for (std::size_t j = first; j < table.nodes.size(); ++j)
+      if (j != i) weights[i] *= table.nodes[j].x / (table.nodes[j].x - table.nodes[i].x);
+    sum += weights[i];
+  }
+  for (double &weight : weights) weight /= sum;
+  return weights;
 }
 
 // Every k-th impact is a node: closer ones amplify rounding.
@@ -78,6 +107,7 @@ struct Chatter {
   std::vector<Hit> hits;  // by contact hit
   std::size_t stride = 1;
   ChatterTable table;
+  typename State<D>::Lanes pushes, speeds;  // of `others_stay_clear`
 
   bool under_way() const {
     return !impacts.times.empty();

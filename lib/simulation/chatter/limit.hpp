@@ -12,12 +12,11 @@
 
 namespace vibro_impact {
 
-// The time left to the limit, extrapolated from the last `nodes` nodes with these weights.
+// The time left to the limit, and the nodes of the table it is extrapolated from.
 struct ChatterLimit {
   double left = 0.0;
   double error = 0.0;  // estimated
-  std::size_t nodes = 0;
-  std::array<double, max_chatter_nodes> weight{};  // by node of the table
+  std::size_t oldest = 0;
 };
 
 // The limit, when its estimated error is at most `tolerance` and it does not agree by chance: near
@@ -27,26 +26,21 @@ template <int D>
 std::optional<ChatterLimit> extrapolate(const Chatter<D> &chatter, double tolerance) {
   const ChatterTable &table = chatter.table;
   if (table.nodes.size() < 2 || !(table.error <= tolerance)) return std::nullopt;
-  const std::size_t last = table.nodes.size() - 1, first = last - table.best;
+  const std::size_t last = table.nodes.size() - 1;
   const double now = chatter.impacts.times.back(), predicted = table.nodes[last].predicted - now;
-  ChatterLimit limit{table.limit[table.best] - now, table.error, table.best + 1, {}};
-  if (!(std::abs(limit.left - predicted) < near_limit * predicted)) return std::nullopt;
-  for (std::size_t i = first; i <= last; ++i) {
-    double weight = 1.0;
-    for (std::size_t j = first; j <= last; ++j)
-      if (j != i) weight *= table.nodes[j].x / (table.nodes[j].x - table.nodes[i].x);
-    limit.weight[i] = weight;
-  }
-  return limit;
+  const double left = table.row[table.best].limit() - now;
+  if (!(std::abs(left - predicted) < near_limit * predicted)) return std::nullopt;
+  return ChatterLimit{left, table.error, last - table.best};
 }
 
 // True when no other stop comes into play up to the limit, whatever the impacts to come: none of
 // them is faster than the latest was, and their jumps add up to less than 1.5 times the first-order
 // sum.
 template <int D>
-bool others_stay_clear(const Chatter<D> &chatter, const State<D> &state, double left) {
+bool others_stay_clear(Chatter<D> &chatter, const State<D> &state, double left) {
   const ContactMode<D> &mode = *state.mode;
-  typename State<D>::Lanes pushes = State<D>::Lanes::Zero(mode.lanes());
+  auto &pushes = chatter.pushes, &speeds = chatter.speeds;
+  pushes.setZero(mode.lanes());
   for (std::size_t j = 0; j < chatter.hits.size(); ++j) {
     const auto &hit = chatter.hits[j];
     const double latest =
@@ -54,7 +48,8 @@ bool others_stay_clear(const Chatter<D> &chatter, const State<D> &state, double 
     pushes +=
         (jumps_to_come * latest * hit.restitution / (1.0 - hit.restitution)) * hit.jump_slope.abs();
   }
-  const typename State<D>::Lanes speeds = speed_bounds(state, left) + pushes;
+  bound_speeds(state, left, speeds);
+  speeds += pushes;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     if (chatter.hits_contact(k)) continue;
     const Contact<D> &contact = mode.contacts[k];
@@ -86,28 +81,48 @@ void add_responses(State<D> &state, const typename Chatter<D>::Hit &hit, const E
   }
 }
 
-// Sets `moments` to those of the impacts to come at the stop of hit j, in units of powers of the
-// span of the path: what each node predicts, less the impacts after it that are past. Those have
-// the sum of the weights of the nodes before them, which is tiny for the oldest.
+// The moments of the impacts to come at one stop, in units of powers of the span of the path, and
+// what the oldest node changes in them.
+struct Moments {
+  detail::Powers of{}, change{};
+};
+
+// What each node predicts of the impacts at the stop of hit j, less the impacts after it that are
+// past. Those have the sum of the weights of the nodes before them, which is tiny for the oldest.
 template <int D>
-void extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit, std::size_t j,
-                         const Expansion &path, detail::Powers &moments) {
+Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit, std::size_t j,
+                            const Expansion &path) {
+  using detail::Packet;
+  const ChatterTable &table = chatter.table;
+  const ChatterImpacts &impacts = chatter.impacts;
   const double r = chatter.hits[j].restitution, left = path.span;
-  const auto top = static_cast<std::size_t>(path.order);
   detail::Powers ratio{};
   double power = r;
-  for (std::size_t n = 0; n <= top; ++n, power *= r) ratio[n] = power / (1.0 - power);
-  moments.fill(0.0);
-  double before = 0.0;
-  std::size_t node = chatter.table.nodes.size() - limit.nodes;
-  for (std::size_t k = chatter.table.nodes[node].impact; k < chatter.impacts.times.size(); ++k) {
-    const double weight = chatter.table.nodes[node].impact == k ? limit.weight[node++] : 0.0;
-    const double x = (chatter.impacts.times.back() - chatter.impacts.times[k] + left) / left;
-    double moment = chatter.impacts.jumps[k * chatter.hits.size() + j];
-    for (std::size_t n = 0; n <= top; ++n, moment *= x)
-      moments[n] += moment * (weight * ratio[n] - before);
+  for (int n = 0; n <= path.order; ++n, power *= r)
+    ratio[static_cast<std::size_t>(n)] = power / (1.0 - power);
+  const auto weights = node_weights(table, limit.oldest),
+             fewer = node_weights(table, limit.oldest + 1);
+  Moments moments;
+  double before = 0.0, change_before = 0.0;
+  std::size_t node = limit.oldest;
+  for (std::size_t k = table.nodes[node].impact; k < impacts.times.size(); ++k) {
+    double weight = 0.0, change = 0.0;
+    if (node < table.nodes.size() && table.nodes[node].impact == k) {
+      weight = weights[node];
+      change = weight - fewer[node++];
+    }
+    const double x = (impacts.times.back() - impacts.times[k] + left) / left;
+    const double quartic = x * x * x * x;
+    Packet moment = impacts.jumps[k * chatter.hits.size() + j] * detail::powers_of(x);
+    for (int n = 0; n <= path.order; n += 4, moment *= quartic) {
+      const Packet ratios = detail::packet(ratio.data() + n);
+      Eigen::Map<Packet>(moments.of.data() + n) += moment * (weight * ratios - before);
+      Eigen::Map<Packet>(moments.change.data() + n) += moment * (change * ratios - change_before);
+    }
     before += weight;
+    change_before += change;
   }
+  return moments;
 }
 
 // Moves the state, just after the latest impact, to the limit, with the masses hit at rest on their
@@ -119,36 +134,30 @@ double move_to_limit(const Chatter<D> &chatter, const ChatterLimit &limit, const
                      const Clock &clock, Weights<D> &weights, const Expansion &path,
                      State<D> &state) {
   const ContactMode<D> &mode = *state.mode;
-  const std::size_t hits = chatter.hits.size();
+  const std::size_t hits = chatter.hits.size(), oldest = chatter.table.nodes[limit.oldest].impact;
   if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);
   move_lanes(state, scene, clock, weights, path, path.span);
-  const auto &nodes = chatter.table.nodes;
-  const std::size_t oldest = nodes.size() - limit.nodes;
-  ChatterLimit change = limit;  // by the weights of one node less
-  for (std::size_t i = oldest; i < nodes.size(); ++i)
-    change.weight[i] *= nodes[i].x / nodes[oldest].x;
-  detail::Powers moments, changes;
   double error = 0.0;
   for (std::size_t j = 0; j < hits; ++j) {
-    extrapolate_moments(chatter, limit, j, path, moments);
-    add_responses(state, chatter.hits[j], path, weights, moments.data(), 2, path.order);
-    extrapolate_moments(chatter, change, j, path, changes);
+    const Moments moments = extrapolate_moments(chatter, limit, j, path);
+    add_responses(state, chatter.hits[j], path, weights, moments.of.data(), 2, path.order);
     double sum = 0.0, power = path.power[1];
-    for (std::size_t n = 2; n < changes.size(); ++n)
-      sum += std::abs(changes[n]) * (power *= path.power[1] / static_cast<double>(n));
-    error = std::max(error, luck * sum / chatter.impacts.jumps[nodes[oldest].impact * hits + j]);
+    for (int n = 2; n <= path.order; ++n)
+      sum += std::abs(moments.change[static_cast<std::size_t>(n)]) * (power *= path.power[1] / n);
+    error = std::max(error, responses_share * sum / chatter.impacts.jumps[oldest * hits + j]);
   }
   // The second moments bring the masses to their stops, the first ones to rest there.
   for (std::size_t j = 0; j < hits; ++j) {
-    moments[1] = -watched_now(state, mode.contacts[chatter.impacts.contacts[j]]) / path.span;
-    add_responses(state, chatter.hits[j], path, weights, moments.data(), 1, 1);
+    const double gap = watched_now(state, mode.contacts[chatter.impacts.contacts[j]]);
+    const double moments[2] = {0.0, -gap / path.span};
+    add_responses(state, chatter.hits[j], path, weights, moments, 1, 1);
   }
   tie_decays(state);
   for (const std::size_t k : chatter.impacts.contacts) place_at_stop(state, mode.contacts[k], 0.0);
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact<D> &contact = mode.contacts[k];
     if (contact.held || chatter.hits_contact(k))
-      set_gap(state.stops[contact.stop], 0.0, 0.0);
+      set_in_flight(state.stops[contact.stop]);
     else
       read_gap(state, contact);  // it is clear
   }

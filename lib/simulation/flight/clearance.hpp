@@ -7,36 +7,26 @@
 
 namespace vibro_impact {
 
-// Bounds of the speeds of the lanes for `time`.
+// Sets bounds of the speeds of the lanes for `time`.
 template <int D>
-Eigen::Array<double, D, 1> speed_bounds(const State<D> &state, double time) {
+void bound_speeds(const State<D> &state, double time, Eigen::Array<double, D, 1> &speeds) {
   const ContactMode<D> &mode = *state.mode;
-  Eigen::Array<double, D, 1> speeds = state.slope.abs() + mode.rate * state.value.abs();
+  speeds = state.slope.abs() + mode.rate * state.value.abs();
   if (mode.any_resonant) speeds += time * mode.resonant.abs();
-  return speeds;
-}
-
-// Sets what is carried of a stop to a gap and its speed.
-inline void set_gap(AtStop &stop, double gap, double speed) {
-  stop.gap = gap;
-  stop.speed = speed;
-  stop.zeros = 0;
-  stop.leading = 0.0;
-  stop.below_rounding = false;
 }
 
 // Reads the gap of a contact off the lanes.
 template <int D>
 void read_gap(State<D> &state, const Contact<D> &contact) {
-  set_gap(state.stops[contact.stop], std::max(0.0, watched_now(state, contact)),
-          (contact.watched.on_value * state.slope).sum());
+  set_in_flight(state.stops[contact.stop], std::max(0.0, watched_now(state, contact)),
+                (contact.watched.on_value * state.slope).sum());
 }
 
 // Reads all gaps off the lanes, of a motion that is only shown.
 template <int D>
 void read_gaps(State<D> &state) {
   for (const Contact<D> &contact : state.mode->contacts)
-    if (!contact.held && state.stops[contact.stop].zeros != all_zeros) read_gap(state, contact);
+    if (!contact.held && !stays_at_rest(state.stops[contact.stop])) read_gap(state, contact);
 }
 
 // True when what a contact watches, `now`, is certain to stay positive for `time`, by this share of
@@ -73,7 +63,7 @@ bool stays_clear_for_ever(const State<D> &state, const Scene &scene) {
   for (const Contact<D> &contact : mode.contacts) {
     const Reading<D> &watched = contact.watched;
     double swing = 0.0, rest = watched.offset;
-    if (!contact.held && state.stops[contact.stop].zeros == all_zeros) continue;  // no force acts
+    if (!contact.held && stays_at_rest(state.stops[contact.stop])) continue;  // no force acts
     for (Eigen::Index j = 0; j < modal; ++j) {
       if (mode.rate(j) == 0.0) {  // the rigid-body mode: where it is, or moving away
         if (watched.on_value(j) * state.slope(j) < 0.0) return false;

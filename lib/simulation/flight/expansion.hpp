@@ -123,10 +123,10 @@ void drop_rounding(const State<D> &state, const ReadingWeights &of, const Expans
 
 // Sets `p` to what contact k of the mode watches, along the path, with what is known exactly in
 // place of what rounding left: a gap and its speed, leading zeros and the coefficient behind them.
-// `unit` is the rate of the scene, in which that is carried.
+// `scene_rate` is the unit in which that is carried.
 template <int D>
 void read_along(const State<D> &state, std::size_t k, Weights<D> &weights, const Expansion &path,
-                double unit, Polynomial &p, Counters &counters) {
+                double scene_rate, Polynomial &p, Counters &counters) {
   using detail::Packet;
   const ContactMode<D> &mode = *state.mode;
   const Contact<D> &contact = mode.contacts[k];
@@ -142,21 +142,21 @@ void read_along(const State<D> &state, std::size_t k, Weights<D> &weights, const
   counters.products += (path.order + 1) * columns;
 
   const AtStop &stop = state.stops[contact.stop];
-  if (!contact.held && stop.zeros <= 1) {
-    if (stop.below_rounding) drop_rounding(state, of, path, p);
-    p.coefficient[0] = stop.zeros == 0 ? stop.gap : 0.0;
-    p.coefficient[1] = stop.speed * path.span;
-    return;
-  }
-  p.coefficient[0] += contact.watched.offset;
-  if (stop.zeros == 0 && stop.leading == 0.0) return;     // a force of which nothing is known
-  if (stop.zeros > 3) drop_rounding(state, of, path, p);  // more than at the root of a force
+  const bool in_flight = !contact.held && !leaves_from_rest(stop);
+  if (in_flight ? stop.below_rounding : is_still(stop)) drop_rounding(state, of, path, p);
+  if (!in_flight) p.coefficient[0] += contact.watched.offset;
+  const int zeros = std::min(stop.zeros, path.order + 1);
   double term = stop.leading;
-  for (int n = 0; n < std::min(stop.zeros, path.order + 1); ++n) {
+  for (int n = 0; n < zeros; ++n) {
     p.coefficient[static_cast<std::size_t>(n)] = 0.0;
-    term *= path.span * unit / (n + 1);
+    term *= path.span * scene_rate / (n + 1);
   }
-  if (stop.zeros <= path.order) p.coefficient[static_cast<std::size_t>(stop.zeros)] = term;
+  if (in_flight) {
+    if (zeros == 0) p.coefficient[0] = stop.gap;
+    p.coefficient[1] = stop.speed * path.span;
+  } else if (is_known(stop) && zeros <= path.order) {
+    p.coefficient[static_cast<std::size_t>(zeros)] = term;
+  }
 }
 
 // Lane j where S and S' have these values. One solution, S with S(0) = 0 and S'(0) = 1, gives all

@@ -22,21 +22,23 @@ struct Flight {
     double slope = 0.0;     // there, per unit of the path
   };
   Expansion path;
-  std::vector<Weights<D>> weights;
-  std::vector<Watch> watched;  // by contact of the mode
-  double u = 1.0;              // of the first event, or the end of the path
+  std::vector<Weights<D>> all_weights;  // by mode, in the order of their entry
+  Weights<D> *weights = nullptr;        // of the mode the state is in
+  std::vector<Watch> watched;           // by contact of the mode
+  Eigen::Array<double, D, 1> speeds;    // bounds of those of the lanes
+  double u = 1.0;                       // of the first event, or the end of the path
   bool eventful = false;
   bool all_clear = false;  // no contact was near
 };
 
 // Finds the first event in (0, 1] of the flight's path, along which `state` moves.
 template <int D>
-void find_first_event(const State<D> &state, double unit, Flight<D> &flight, Counters &counters) {
+void find_first_event(const State<D> &state, double scene_rate, Flight<D> &flight,
+                      Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
-  Weights<D> &weights = weights_of(flight.weights, mode);
   const Expansion &path = flight.path;
   const double span = path.span;
-  const Eigen::Array<double, D, 1> speeds = speed_bounds(state, span);
+  bound_speeds(state, span, flight.speeds);
   const double together = same_instant / (path.rate * span);
   if (flight.watched.size() < mode.contacts.size()) flight.watched.resize(mode.contacts.size());
   flight.all_clear = true;
@@ -46,15 +48,15 @@ void find_first_event(const State<D> &state, double unit, Flight<D> &flight, Cou
     const AtStop &stop = state.stops[contact.stop];
     auto &watch = flight.watched[k];
     watch.at = 2.0;
-    const bool known = stop.zeros > 0 || stop.leading > 0.0;
+    const bool known = is_known(stop);
     const double now = contact.held && !known ? watched_now(state, contact) : stop.gap;
-    watch.clear = !known && stays_clear(state, contact, now, speeds, span, 2.0 * wide);
+    watch.clear = !known && stays_clear(state, contact, now, flight.speeds, span, 2.0 * wide);
     if (watch.clear) {
       ++counters.stops_clear;
       continue;
     }
     flight.all_clear = false;
-    read_along(state, k, weights, path, unit, watch.polynomial, counters);
+    read_along(state, k, *flight.weights, path, scene_rate, watch.polynomial, counters);
     if (const auto root = first_root(watch.polynomial, limit, counters)) {
       watch.at = root->at;
       watch.slope = root->slope;
@@ -82,7 +84,7 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
   const Expansion &path = flight.path;
   const bool ends_here = flight.eventful && u == flight.u;
   if (u > 0.0) {
-    move_lanes(state, scene, clock, weights_of(flight.weights, mode), path, u * path.span);
+    move_lanes(state, scene, clock, *flight.weights, path, u * path.span);
     drop_dead_lanes(state);
   }
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
@@ -90,17 +92,14 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
     const auto &watch = flight.watched[k];
     AtStop &stop = state.stops[contact.stop];
     if (contact.held) {
-      if (u > 0.0) set_gap(stop, 0.0, 0.0);  // what is known of its force is known at one instant
+      if (u > 0.0) set_in_flight(stop);  // what is known of its force is known at one instant
       continue;
     }
     if (ends_here && happens(flight, k)) {
-      set_gap(stop, 0.0, watch.slope / path.span);
+      set_in_flight(stop, 0.0, watch.slope / path.span);
       continue;
     }
     if (u == 0.0) continue;
-    // At the same instant a mass leaving from rest is still leaving from rest; the
-    // acceleration read off the lanes is rounding, and would bring it back.
-    if (stop.zeros >= 2 && u * path.power[1] < same_instant) continue;
     // A wide gap is read off the lanes, so that the carried one cannot drift away from them.
     const double size = watch.clear ? 0.0 : size_of(state, contact);
     if (watch.clear || watched_now(state, contact) > wide * size) {
@@ -108,8 +107,9 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
       continue;
     }
     const Jet carried = jet_at(watch.polynomial, 0, u);
-    if (stop.zeros >= 2 && carried.value == 0.0 && carried.slope == 0.0) continue;  // as above
-    set_gap(stop, std::max(0.0, carried.value), carried.slope / path.span);
+    if (leaves_from_rest(stop) && carried.value == 0.0 && carried.slope == 0.0)
+      continue;  // at rest still, as far as can be told
+    set_in_flight(stop, std::max(0.0, carried.value), carried.slope / path.span);
     stop.below_rounding = stop.gap < rounding * size;
   }
 }

@@ -82,19 +82,19 @@ bool is_pushed(const Run<D> &run, std::size_t mass) {
 template <int D>
 void gather_resting(Run<D> &run, bool at_start) {
   const State<D> &state = run.state;
-  run.resting.clear();
+  run.question.resting.clear();
   for (std::size_t k = 0; k < state.mode->contacts.size(); ++k) {
     const Contact<D> &contact = state.mode->contacts[k];
     const AtStop &stop = state.stops[contact.stop];
     if (!contact.held && !(stop.gap == 0.0 && stop.speed == 0.0)) continue;
     const bool root = std::find(run.roots.begin(), run.roots.end(), k) != run.roots.end(),
                pushed = is_pushed(run, contact.mass);
-    if (contact.held && !root && !at_start && stop.zeros == 0 && stop.leading == 0.0 &&
+    if (contact.held && !root && !at_start && !is_known(stop) &&
         !(pushed && !is_wide(state, contact)))
       continue;
     // The force is zero now, or at this very instant before, unless it has jumped since.
-    const bool zero = root || stop.zeros > (contact.held ? 0 : 2);
-    run.resting.push_back(
+    const bool zero = root || force_is_zero(stop, contact.held);
+    run.question.resting.push_back(
         {contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
 }
@@ -102,24 +102,23 @@ void gather_resting(Run<D> &run, bool at_start) {
 // Decides who is held after the instant, for all masses in question at once, and enters the contact
 // mode that follows. `start` is where a run starts from, which is known exactly.
 template <int D>
-void settle(Run<D> &run, const Masses<D> *start = nullptr) {
+void hold_or_release(Run<D> &run, const Masses<D> *start = nullptr) {
   gather_resting(run, start != nullptr);
-  if (run.resting.empty()) return;
+  if (run.question.resting.empty()) return;
   State<D> &state = run.state;
-  Held held = state.mode->held;
   const Masses<D> masses = start == nullptr ? masses_of(state, run.scene) : *start;
-  Eigen::VectorXd error = rounding_of(state, run.scene, run.unit);
-  if (start != nullptr) error.setZero();
-  const auto list = [](const auto &values) {
-    return std::vector<double>(values.data(), values.data() + values.size());
-  };
-  decide(run.scene, state.now.phase, run.unit, list(masses.displacement), list(masses.velocity),
-         list(error), held, run.resting);
-  for (const Resting &mass : run.resting) {
+  Derivatives &at = run.question.at;
+  at.x.assign(masses.displacement.begin(), masses.displacement.end());
+  at.v.assign(masses.velocity.begin(), masses.velocity.end());
+  for (double &velocity : at.v) velocity /= run.scene_rate;
+  at.x_error.assign(at.x.size(), 0.0);
+  if (start == nullptr) set_rounding(state, run.scene, run.scene_rate, at.x_error);
+  Held &held = run.question.held;
+  held = state.mode->held;
+  decide(run.scene, state.now.phase, run.scene_rate, run.question);
+  for (const Resting &mass : run.question.resting) {
     AtStop &stop = state.stops[mass.stop];
-    set_gap(stop, 0.0, 0.0);
-    stop.zeros = mass.zeros;
-    stop.leading = mass.leading;
+    set_at_rest(stop, mass.zeros, mass.leading);
     held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
     if (mass.held == mass.was_held) continue;
     stop.falling = 0;
@@ -128,12 +127,13 @@ void settle(Run<D> &run, const Masses<D> *start = nullptr) {
     for (std::size_t k = 0; k < run.scene.stops.size(); ++k) {  // a stop across is there again
       const Stop &other = run.scene.stops[k];
       if (k == mass.stop || other.mass != run.scene.stops[mass.stop].mass) continue;
-      state.stops[k] = {std::abs(other.position - run.scene.stops[mass.stop].position)};
+      state.stops[k] = {};
+      state.stops[k].gap = std::abs(other.position - run.scene.stops[mass.stop].position);
     }
   }
   if (held == state.mode->held) return;
   set_lanes(state, run.scene, run.modes.enter(run.scene, held, run.counters), masses);
-  for (const Resting &mass : run.resting) {
+  for (const Resting &mass : run.question.resting) {
     if (mass.held == mass.was_held) continue;
     ++(mass.held ? run.counters.sticks : run.counters.releases);
     tell(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, 0.0, 0.0,
@@ -165,8 +165,8 @@ void take_limit(Run<D> &run) {
   expand(fastest, limit->left, run.options.flight_tolerance, path, run.counters);
   State<D> &there = run.at_limit;
   there = state;
-  const double error = move_to_limit(chatter, *limit, run.scene, run.clock,
-                                     weights_of(run.flight.weights, *state.mode), path, there);
+  const double error =
+      move_to_limit(chatter, *limit, run.scene, run.clock, *run.flight.weights, path, there);
   if (limit->error * fastest + error > run.options.chatter_tolerance) return;
   for (const std::size_t k : chatter.impacts.contacts)  // a border orbit or beyond
     if (!(state.mode->contacts[k].press(there.value, there.slope) > 0.0)) return;
@@ -180,7 +180,7 @@ void take_limit(Run<D> &run) {
   ++run.counters.chatter_limits;
   run.hits.clear();
   run.roots.clear();
-  settle(run);
+  hold_or_release(run);
 }
 
 // After impacts at `run.hits`: the flight expected next, and the chatter they may belong to. Not
@@ -209,7 +209,7 @@ void handle_instant(Run<D> &run) {
   for (std::size_t k = 0; k < mode->contacts.size(); ++k)
     if (happens(run.flight, k)) (mode->contacts[k].held ? run.roots : run.hits).push_back(k);
   apply_impacts(run);
-  settle(run);
+  hold_or_release(run);
   follow_chatter(run, mode);
 }
 

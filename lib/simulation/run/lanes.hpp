@@ -16,8 +16,7 @@ void end_undisturbed(Run<D> &run, double remaining) {
   sample_flight(run, remaining);
   if (run.over) return;
   run.at_end = run.state;
-  move_lanes(run.at_end, run.scene, run.clock, weights_of(run.flight.weights, *run.state.mode),
-             path, remaining);
+  move_lanes(run.at_end, run.scene, run.clock, *run.flight.weights, path, remaining);
   read_gaps(run.at_end);
   run.at_end.now = run.end;
   ++run.counters.modal_evaluations;
@@ -29,13 +28,12 @@ template <int D>
 double choose_span(Run<D> &run, double rate) {
   const double longest = max_reach / rate;
   const State<D> &state = run.state;
-  const double t = time_of(state.now, run.clock);
   if (!std::isfinite(state.value.sum() + state.slope.sum()))
-    give_up(run,
-            line("the motion leaves the range of double precision before t = ", t, ", given up"));
+    give_up(run, line("the motion leaves the range of double precision before t = ",
+                      time_of(state.now, run.clock), ", given up"));
   else if (state.now.phase + longest == state.now.phase)
-    give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ", t,
-                      ", given up"));
+    give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ",
+                      time_of(state.now, run.clock), ", given up"));
   // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
   return std::min(longest, std::max(state.next_flight, lost * longest));
 }
@@ -48,6 +46,7 @@ void run_on(Run<D> &run) {
   State<D> &state = run.state;
   while (!run.over) {
     run.at_end.now = run.end;
+    run.flight.weights = &weights_of(run.flight.all_weights, *state.mode);
     const double remaining = elapsed(state.now, run.end, run.clock);
     if (state.clear && (state.mode->contacts.empty() || stays_clear_for_ever(state, run.scene)))
       return end_undisturbed(run, remaining);
@@ -55,7 +54,7 @@ void run_on(Run<D> &run) {
     if (run.over) break;
     Flight<D> &flight = run.flight;
     expand(rate, span, run.options.flight_tolerance, flight.path, run.counters);
-    find_first_event(state, run.unit, flight, run.counters);
+    find_first_event(state, run.scene_rate, flight, run.counters);
     const double tau = flight.u * span;
     if (tau > remaining || remaining == 0.0) {
       sample_flight(run, remaining);
@@ -79,8 +78,8 @@ void run_on(Run<D> &run) {
 
 template <int D>
 void look_inside(Run<D> &run, const Instant &then) {
-  const State<D> state = run.state;
-  const Chatter<D> chatter = run.chatter;
+  run.before = run.state;
+  run.chatter_before = run.chatter;
   const Instant end = run.end;
   const Counters counters = run.counters;
   const bool ends_inside = end < then;
@@ -90,8 +89,8 @@ void look_inside(Run<D> &run, const Instant &then) {
   run.silent = false;
   run.over = ends_inside || run.ending != Ending::reached;
   run.end = end;
-  run.state = state;
-  run.chatter = chatter;
+  std::swap(run.state, run.before);
+  std::swap(run.chatter, run.chatter_before);
   const long long evaluations = run.counters.modal_evaluations;
   run.counters = counters;
   run.counters.modal_evaluations = evaluations;
@@ -112,9 +111,9 @@ void start_from(Run<D> &run, const MotionState &motion) {
     const Stop &stop = run.scene.stops[k];
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     AtStop &at = state.stops[k];
-    at.gap = sign(stop.side) * (stop.position - motion.displacement[i]);
-    at.speed = -sign(stop.side) * motion.velocity[i];
-    at.zeros = at.gap == 0.0 && at.speed != 0.0 ? 1 : 0;
+    set_in_flight(at, sign(stop.side) * (stop.position - motion.displacement[i]),
+                  -sign(stop.side) * motion.velocity[i]);
+    if (at.gap == 0.0 && at.speed != 0.0) set_leaving(at, at.speed);
   }
   const ContactMode<D> *mode = state.mode;
   for (std::size_t k = 0; k < mode->contacts.size(); ++k) {
@@ -125,7 +124,7 @@ void start_from(Run<D> &run, const MotionState &motion) {
   for (const std::size_t k : run.hits)
     masses.velocity(static_cast<Eigen::Index>(mode->contacts[k].mass)) =
         -mode->contacts[k].sigma * state.stops[mode->contacts[k].stop].speed;
-  settle(run, &masses);
+  hold_or_release(run, &masses);
   follow_chatter(run, mode);
 }
 
@@ -146,6 +145,7 @@ void start_from(Run<D> &run, const RunState::Numbers &from) {
   state.window_start = from.window_start;
   state.impacts_in_window = from.impacts_in_window;
   if (from.chatter.times.empty()) return;
+  run.flight.weights = &weights_of(run.flight.all_weights, mode);
   begin(run.chatter, mode, run.scene, from.chatter.contacts);
   run.chatter.impacts = from.chatter;
   for (const ChatterTable::Node &node : from.nodes) extend(run.chatter.table, node);

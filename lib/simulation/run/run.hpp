@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/chain/forces.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chatter/chatter.hpp"
 #include "simulation/flight/first_event.hpp"
@@ -22,24 +23,27 @@ struct Run {
   const RunOptions &options;
   std::span<const RecorderRef> recorders;
   Clock clock{scene.omega};
-  double unit = rate_of(scene);  // the rate in units of which derivatives are carried
+  double scene_rate = rate_of(scene);
   Instant end = {};
   Modes<D> modes = {};
   State<D> state = {};
   State<D> at_limit = {};  // of a chatter
   State<D> at_end = {};    // the state at `end`, which lies on the flight from `state`
+  State<D> between = {};   // at a sample
+  State<D> before = {};    // while a chatter is looked into, with `chatter_before`
   Flight<D> flight = {};
-  Chatter<D> chatter = {};
+  Chatter<D> chatter = {}, chatter_before = {};
   Counters counters = {};
   // In which impacts are counted: the forcing period.
-  double window = scene.omega > 0.0 ? clock.period : 6.3 / unit;
+  double window = scene.omega > 0.0 ? clock.period : 6.3 / scene_rate;
   bool silent = false;  // a motion is looked at in between: nothing is told but samples
   bool takes_events = false, takes_samples = false;  // some recorder
   bool over = false;  // the end is reached, a recorder is done, or the run is given up
   Ending ending = Ending::reached;
   std::string reason = {};
   std::vector<std::size_t> hits = {}, roots = {};  // contacts of the event at hand
-  std::vector<Resting> resting = {};
+  Question question = {};
+  Event event = {};  // told, its storage reused
 };
 
 // A recorder may ask the run to end.
@@ -91,17 +95,18 @@ void tell(Run<D> &run, EventKind kind, std::size_t stop, double before, double a
           bool by_a_jump) {
   if (run.silent || !run.takes_events) return;
   const State<D> &state = run.state;
-  const Event event{kind,
-                    stop,
-                    run.scene.stops[stop].mass,
-                    run.scene.stops[stop].side,
-                    state.now,
-                    time_of(state.now, run.clock),
-                    before,
-                    after,
-                    state.stops[stop].falling,
-                    by_a_jump,
-                    state.mode->held};
+  Event &event = run.event;
+  event.kind = kind;
+  event.stop = stop;
+  event.mass = run.scene.stops[stop].mass;
+  event.side = run.scene.stops[stop].side;
+  event.instant = state.now;
+  event.time = time_of(state.now, run.clock);
+  event.velocity_before = before;
+  event.velocity_after = after;
+  event.falling = state.stops[stop].falling;
+  event.by_a_jump = by_a_jump;
+  event.held = state.mode->held;
   const StateSource<D> source(state);
   const Moment moment(event.instant, event.time, source.state, source.functions);
   for (const RecorderRef &ref : run.recorders) {
@@ -129,9 +134,9 @@ void sample_flight(Run<D> &run, double tau) {
     if (after > tau) return;
     require(since >= -16.0 * std::numeric_limits<double>::epsilon() * next, "next_time = ", next,
             ": lies before the motion, which is at t = ", time_of(run.state.now, run.clock));
-    State<D> between = run.state;
-    move_lanes(between, run.scene, run.clock, weights_of(run.flight.weights, *between.mode),
-               run.flight.path, after);
+    State<D> &between = run.between;
+    between = run.state;
+    move_lanes(between, run.scene, run.clock, *run.flight.weights, run.flight.path, after);
     ++run.counters.modal_evaluations;
     const StateSource<D> source(between);
     const Moment moment(instant, time_of(instant, run.clock), source.state, source.functions);

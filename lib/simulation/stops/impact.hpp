@@ -25,11 +25,7 @@ void place_at_stop(State<D> &state, const Contact<D> &contact, double speed) {
 template <int D>
 void leave_stop(State<D> &state, const Contact<D> &contact, double leaving) {
   place_at_stop(state, contact, leaving);
-  AtStop &stop = state.stops[contact.stop];
-  stop.gap = stop.leading = 0.0;
-  stop.speed = leaving;
-  stop.zeros = 1;
-  stop.below_rounding = false;
+  set_leaving(state.stops[contact.stop], leaving);
   for (const Contact<D> &other : state.mode->contacts)
     if (other.mass == contact.mass && other.stop != contact.stop)
       state.stops[other.stop].speed = -leaving;

@@ -21,16 +21,27 @@ struct Resting {
   double leading = 0.0;
 };
 
-// The rate in units of which derivatives are carried: a bound of that of every contact mode.
-double rate_of(const Scene &scene);
+// x, x', x'' of all masses, in units of rate^order, with bounds of their errors.
+struct Derivatives {
+  std::vector<double> x, v, a, x_error, v_error, a_error;
+};
 
-// Decides the masses in `resting`, of a chain with these displacements and velocities (N each) at
-// this phase of the forcing; `error` bounds how far they may be off by rounding (of velocities in
-// units of the rate), not at all at the start of a run; `held` says which of the others are held. A
-// mass on which no force acts to all orders (2 N + 4 of them: motion has passed along the chain by
-// then) stays where it is, and counts as free: nothing presses it.
-void decide(const Scene &scene, double phase, double rate, std::vector<double> x,
-            std::vector<double> v, std::vector<double> error, const Held &held,
-            std::vector<Resting> &resting);
+// A question to `decide`, its storage reused from instant to instant.
+struct Question {
+  std::vector<Resting> resting;  // the masses in question
+  Derivatives at;                // x, v and their errors, as they are asked for
+  Held held;                     // which of the others are held
+  // Of the decision.
+  enum class Kind : char { moving, at_rest, undecided };
+  Derivatives looked_at;
+  std::vector<Kind> kind;
+};
+
+// Decides the masses in `question.resting`, of a chain with these displacements and velocities at
+// this phase of the forcing; the errors bound how far they may be off by rounding, not at all at
+// the start of a run. Velocities are in units of `rate`. A mass on which no force acts to all
+// orders (2 N + 4 of them: motion has passed along the chain by then) stays where it is, and counts
+// as free: nothing presses it.
+void decide(const Scene &scene, double phase, double rate, Question &question);
 
 }  // namespace vibro_impact
