@@ -11,8 +11,6 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr int most_periods = 1'000'000'000;  // of them no sum overflows
-
 // The motion goes on from where it settled for as many periods as are recorded.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                const RecordOptions &options, OrbitRecord &record, RecordWork &work) {
@@ -98,8 +96,8 @@ OrbitRecord record_within(const Scene &scene, const MotionState &start, int long
 OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
   for (const auto &[what, periods] :
        {std::pair{"counted = ", options.counted}, {"averaged = ", options.averaged}})
-    require(periods >= 1 && periods <= most_periods, what, periods, ": must lie from 1 to ",
-            most_periods);
+    require(periods >= 1 && periods <= most_periods_run, what, periods, ": must lie from 1 to ",
+            most_periods_run);
   require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
   require(options.longest_if_stable >= 0 && (options.lyapunov || options.longest_if_stable == 0),
           "longest_if_stable = ", options.longest_if_stable,

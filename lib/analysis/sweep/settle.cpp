@@ -14,8 +14,7 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr int most_periods = 1'000'000'000;  // of them no sum overflows
-constexpr int largest_period = 10'000;       // that can be looked for: all states are kept
+constexpr int largest_period = 10'000;  // that can be looked for: all states are kept
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
@@ -269,8 +268,8 @@ EventCounts counts_of(const Scene &scene, const std::vector<EventMark> &marks, i
 }
 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
-  require(options.longest >= 1 && options.longest <= most_periods, "longest = ", options.longest,
-          ": must lie from 1 to ", most_periods);
+  require(options.longest >= 1 && options.longest <= most_periods_run,
+          "longest = ", options.longest, ": must lie from 1 to ", most_periods_run);
   require(options.most >= 1 && options.most <= largest_period, "most = ", options.most,
           ": must lie from 1 to ", largest_period);
   require(options.tolerance > 0.0, "tolerance = ", options.tolerance, ": must be positive");

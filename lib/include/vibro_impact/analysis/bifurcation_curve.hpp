@@ -16,8 +16,8 @@ enum class Bifurcation { multi_sliding, border_orbit, grazing };
 const char *name(Bifurcation bifurcation);
 
 // Its orbits keep their sticks and releases (CurvePoint::events), but for those after the chatter
-// that is on the border; of a grazing, also the impacts at its stop outside complete chatters. Where
-// another impact comes or goes by a grazing the curve has a corner, and is the same.
+// that is on the border; of a grazing, also the impacts at its stop outside complete chatters.
+// Where another impact comes or goes by a grazing the curve has a corner, and is the same.
 struct BifurcationCurve {
   Bifurcation what = Bifurcation::multi_sliding;
   Scene scene;           // but for the parameters x and y

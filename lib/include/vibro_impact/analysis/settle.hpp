@@ -24,6 +24,8 @@
 
 namespace vibro_impact {
 
+constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
+
 struct SettleOptions {
   RunOptions run;
   int longest = 400;         // forcing periods after which the motion counts as not settling, >= 1
