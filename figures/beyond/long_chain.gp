@@ -19,16 +19,18 @@ of_mass(k) = column('mass') == k ? column('v') : NaN
 
 do for [kind in 'png pdf'] {
   eval canvas(kind, 'long_chain', 3)
-  size = kind eq 'png' ? 0.25 : 0.08
+  size = kind eq 'png' ? 0.3 : 0.1
   set multiplot layout 3,1
   set xlabel 'Ω'
   set xrange [0.05:0.8]; set xtics 0.05
   eval panel('a')
   set ylabel 'impact velocity'
   set key at graph 0.46, graph 0.12 opaque maxrows 1 samplen 1
-  plot diagram using 'omega':(of_mass(1)) with points lt 1 pt 7 ps size title 'mass 1', \
-    '' using 'omega':(of_mass(5)) with points lt 2 pt 7 ps size title 'mass 5', \
-    '' using 'omega':(of_mass(10)) with points pt 7 ps size * 2.2 lc rgb '#c9952c' title 'mass 10'
+  plot diagram using 'omega':(of_mass(1)) with points lt 1 pt 7 ps size notitle, \
+    '' using 'omega':(of_mass(5)) with points lt 2 pt 7 ps size notitle, \
+    '' using 'omega':(of_mass(10)) with points pt 7 ps 2 * size lc rgb '#e69f00' notitle, \
+    NaN with points lt 1 pt 7 ps 1 title 'mass 1', NaN with points lt 2 pt 7 ps 1 title 'mass 5', \
+    NaN with points pt 7 ps 1 lc rgb '#e69f00' title 'mass 10'
   set ylabel '{/:Italic r}'
   set autoscale xfix; set autoscale yfix
   set tmargin 3.2

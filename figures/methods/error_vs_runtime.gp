@@ -11,7 +11,7 @@ missing = system("sed -n 's/^missing,\"\\(.*\\)\"$/\\1/p' '".data."/error_vs_run
 
 # Name in the table, point type, colour.
 methods = '"this library" "this library (every impact)" "plain event-driven" "odeint runge_kutta_dopri5" "odeint runge_kutta_fehlberg78" "odeint bulirsch_stoer_dense_out" "odeint rosenbrock4" "CVODE Adams" "CVODE BDF" "Siconos Moreau-Jean" "Siconos LsodarOSI" "stiff spring (dopri5)"'
-colours = '#12355b #3f8fd2 #404040 #c8442c #e08a3c #b0305c #d9a0a0 #2a7f4f #7fb069 #6a4c93 #b39ddb #8d6e63'
+colours = '#12355b #56b4e9 #404040 #c8442c #e08a3c #b0305c #d9a0a0 #2a7f4f #7fb069 #6a4c93 #b39ddb #8d6e63'
 points = '7 6 2 5 9 11 13 4 8 10 12 1'
 
 floor = 1e-15

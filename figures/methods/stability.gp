@@ -6,7 +6,7 @@ epsilon = 2.220446049250313e-16
 stats table using (column('events')) nooutput
 cases = int(STATS_records)
 
-# Rows from the top; what is below a tenth of a rounding stands at the left edge; opens() is true at the first case of
+# Rows from the top; what is below 0.1 is drawn at 0.1, and the axes say so; opens() is true at the first case of
 # a group.
 row(n) = -n
 shown(x) = x < 0.1 ? 0.1 : x
@@ -21,18 +21,17 @@ do for [kind in 'png pdf'] {
   set key autotitle columnhead samplen 1 maxrows 2 right top
   set yrange [-cases + 0.3 : 0.7]
   set tmargin at screen 0.945
-  set bmargin at screen 0.06
+  set bmargin at screen 0.045
   set ytics scale 0
   set logscale x
-  set format x '10^{%L}'
 
   # Errors. The open circle is what a rounding of the start may become.
   set lmargin at screen 0.31
   set rmargin at screen 0.66
   set xrange [0.05:4e9]
-  set xtics 100
+  set xtics ('≤ 0.1' 0.1, '10^2' 1e2, '10^4' 1e4, '10^6' 1e6, '10^8' 1e8)
   set grid x linetype 3
-  set xlabel "error of event times / rounding\n(at the edge: below 0.1)"
+  set xlabel 'error of event times / rounding'
   set key at screen 0.66, screen 0.985
   plot table using (shown(column('conditioning'))):(row($0)):ytic(strcol('case')) \
       with points pointtype 6 pointsize 1 linecolor rgb '#9a9a9a' title 'sensitivity to the start', \
@@ -48,8 +47,8 @@ do for [kind in 'png pdf'] {
   set lmargin at screen 0.675
   set rmargin at screen 0.845
   set xrange [0.07:2e3]
-  set xtics 10
-  set xlabel "per impact\n(at the edge: below 0.1)"
+  set xtics ('≤ 0.1' 0.1, '10' 10, '10^3' 1e3)
+  set xlabel 'per impact'
   set key at screen 0.93, screen 0.985
   plot table using (shown(per_impact('expansions'))):(row($0)) \
       with points pointtype 5 pointsize 0.9 linetype 1 title 'expansions', \
