@@ -73,7 +73,7 @@ do for [kind in 'png pdf'] {
   if (strlen(missing) > 0) { set label 2 "not installed (make peers):\n".missing at screen 0.005, 0.052 left font 'Liberation Serif,'.(kind eq 'png' ? 17 : 8) textcolor rgb '#c8442c' noenhanced }
   plot for [k = 1:words(methods)] NaN with linespoints pointtype int(word(points, k)) \
       pointsize 0.9 linewidth 1.2 dashtype solid linecolor rgb word(colours, k) \
-      title word(methods, k) noenhanced, \
+      title (strstrt(missing, word(word(methods, k), 1)) > 0 ? '' : word(methods, k)) noenhanced, \
     NaN with points pointtype 2 pointsize 1.2 linecolor rgb '#202020' title 'failed (at the upper edge)'
   unset multiplot
   unset output
