@@ -1,22 +1,32 @@
 // The paper's key numbers in one table, each with its kind: printed (in the paper), derived (from a
 // formula), reconstructed (missing in the paper's text, inferred from it and from its figures),
-// computed (by this generator).
+// computed (by this generator). The printed and the reconstructed ones are the table stated.csv.
 #pragma once
 
 #include "completion.hpp"
 #include "event_driven.hpp"
 #include "extremes_of_motion.hpp"
 #include "scenes.hpp"
-#include "stated_numbers.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace vibro_impact_reference {
+
+struct KeyNumber {
+  std::string symbol, value, kind, source, meaning;
+};
+
+/// A field of a table.
+inline std::string quoted(const std::string &field) {
+  return field.find(',') == std::string::npos ? field : '"' + field + '"';
+}
 
 inline std::size_t count(const std::vector<Event> &events, Event::Kind kind,
                          std::optional<std::size_t> mass = {}, const Real &from = Real(0),
@@ -211,12 +221,17 @@ inline std::vector<KeyNumber> computed_numbers() {
   return rows;
 }
 
-/// The table key_numbers.csv.
+/// The table key_numbers.csv: first the rows of stated.csv as they are.
 inline std::string key_numbers_table() {
-  std::vector<KeyNumber> all;
-  for (const auto &rows : {stated_numbers(), derived_numbers(), computed_numbers()})
-    all.insert(all.end(), rows.begin(), rows.end());
-  return table_of(all);
+  const std::string path = REFERENCE_DIR "/stated.csv";
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("table '" + path + "': cannot be read");
+  std::string table(std::istreambuf_iterator<char>(file), {});
+  for (const auto &rows : {derived_numbers(), computed_numbers()})
+    for (const KeyNumber &row : rows)
+      table += row.symbol + ',' + row.value + ',' + row.kind + ',' + quoted(row.source) + ',' +
+               quoted(row.meaning) + '\n';
+  return table;
 }
 
 }  // namespace vibro_impact_reference

@@ -14,18 +14,21 @@
 
 namespace vibro_impact_reference {
 
-inline KeyNumber located_row(const std::string &symbol, const Located &located,
-                             const std::string &source, const std::string &meaning) {
+/// A row of the table: `error` is an estimate.
+struct LocatedNumber {
+  std::string symbol, value, error, source, meaning;
+};
+
+inline LocatedNumber located_row(const std::string &symbol, const Located &located,
+                                 const std::string &source, const std::string &meaning) {
   const Real rounding = Real("1e-30") * abs(located.value);  // of the digits that are written
-  return {symbol,     located.value.str(30),
-          "computed", source,
-          meaning,    std::max(located.error, rounding).str(2)};
+  return {symbol, located.value.str(30), std::max(located.error, rounding).str(2), source, meaning};
 }
 
 /// Where the motion of Figure 2's scene and, for the grazing, of Figure 5(b)'s touches something.
 /// The starts are read off the bifurcation diagrams; those of the touching orbits lie on the side
 /// where nothing is touched yet.
-inline std::vector<KeyNumber> touching_numbers() {
+inline std::vector<LocatedNumber> touching_numbers() {
   const auto at = [](const char *name, const char *frequency) {
     Scene scene = scene_named(name);
     scene.chain.frequency = Real(frequency);
@@ -56,7 +59,7 @@ inline std::vector<KeyNumber> touching_numbers() {
 }
 
 /// The border orbits of Figure 2's scene.
-inline std::vector<KeyNumber> border_numbers() {
+inline std::vector<LocatedNumber> border_numbers() {
   struct Border {
     const char *symbol;
     std::size_t stop;
@@ -81,7 +84,7 @@ inline std::vector<KeyNumber> border_numbers() {
   for (const char *floor : {"1e-5", "1e-8", "1e-12", "1e-17", "1e-22"})
     floors.push_back(Real(floor));
   if (std::numeric_limits<Real>::digits10 > 50) floors.push_back(Real("1e-26"));
-  std::vector<KeyNumber> rows;
+  std::vector<LocatedNumber> rows;
   for (const Border &border : borders) {
     Scene scene = scene_named("figure2");
     scene.chain.frequency = Real(border.frequency);
@@ -97,10 +100,10 @@ inline std::vector<KeyNumber> border_numbers() {
 /// Table I, computed twice: with chatter down to 1e-17 and zeros to 1e-33, and down to 1e-19, where
 /// rounding leaves the duration of a flight 1e-31, and to 1e-36. The difference is the estimate of
 /// the error.
-inline std::vector<KeyNumber> pair_numbers() {
+inline std::vector<LocatedNumber> pair_numbers() {
   const auto coarse = table1_numbers(resolution_down_to(Real("1e-17"), Real("1e-33")));
   const auto fine = table1_numbers(resolution_down_to(Real("1e-19"), Real("1e-36")));
-  std::vector<KeyNumber> rows;
+  std::vector<LocatedNumber> rows;
   for (std::size_t i = 0; i < fine.size(); ++i)
     rows.push_back(located_row(fine[i].symbol,
                                {fine[i].value, abs(fine[i].value - coarse[i].value)}, "Table I",
@@ -110,14 +113,11 @@ inline std::vector<KeyNumber> pair_numbers() {
 
 /// The table located.csv.
 inline std::string located_table() {
-  const auto quoted = [](const std::string &field) {
-    return field.find(',') == std::string::npos ? field : '"' + field + '"';
-  };
   std::string table = "symbol,value,kind,error,source,meaning\n";
   for (const auto &rows : {touching_numbers(), border_numbers(), pair_numbers()})
-    for (const KeyNumber &row : rows)
-      table += row.symbol + ',' + row.value + ',' + row.kind + ',' + row.error + ',' +
-               quoted(row.source) + ',' + quoted(row.meaning) + '\n';
+    for (const LocatedNumber &row : rows)
+      table += row.symbol + ',' + row.value + ",computed," + row.error + ',' + quoted(row.source) +
+               ',' + quoted(row.meaning) + '\n';
   return table;
 }
 
