@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <tuple>
-
 #include "axis_checks.hpp"
 #include "figures/driver.hpp"
 
@@ -19,21 +17,21 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::figures;
 
-// The range scanned, row by row: the columns of a figure and what the rule says of them. Returns
-// the frequency chosen.
-template <class Trial, class Row>
+// The range scanned, row by row. Returns the frequency chosen.
 double scan_to(const std::filesystem::path &file, Trial (*attempt)(double omega),
-               const Range &range, const std::string &columns, const Row &row) {
+               const Range &range) {
   const std::vector<Trial> trials = scan(scanned, attempt);
   const double choice = chosen(trials, range);
-  Table table("omega,lowest,highest," + columns + ",boxes,text,left,chosen");
-  for (const Trial &t : trials)
-    std::apply(
-        [&](auto... cells) {
-          table.row(t.omega, t.shown.lowest, t.shown.highest, cells..., int{t.verdict.boxes},
-                    int{t.verdict.text}, int{is_left(t, range)}, int{t.omega == choice});
-        },
-        row(t));
+  std::string header = "omega,lowest,highest";
+  for (const auto &[column, value] : trials.front().columns) header += "," + column;
+  Table table(header + ",boxes,text,left,chosen");
+  for (const Trial &trial : trials) {
+    const Range &shown = trial.axes.front().data;
+    for (const double cell : {trial.omega, shown.lowest, shown.highest}) table.cell(cell);
+    for (const auto &[column, value] : trial.columns) table.cell(value);
+    table.row(int{trial.boxes()}, int{trial.text}, int{is_left(trial, range)},
+              int{trial.omega == choice});
+  }
   write(table, file);
   return choice;
 }
@@ -50,20 +48,11 @@ void add(Table &table, const std::string &kind, const std::vector<AxisCheck> &ch
 
 void draw(const std::filesystem::path &output) {
   Progress progress("reconstruction", 4);
-  const double figure2 =
-      scan_to(output / "reconstruction_2.csv", try_figure2, scanned_of_figure2,
-              "lowest_x2_in_b,begins,complete,unevenness", [](const Figure2Trial &t) {
-                return std::tuple(t.close_up.lowest, t.begins, t.complete, t.verdict.apart);
-              });
+  const double figure2 = scan_to(output / "reconstruction_2.csv", try_figure2, scanned_of_figure2);
   progress.advance();
-  const double figure5a = scan_to(output / "reconstruction_5a.csv", try_figure5a, scanned,
-                                  "begins,complete,released,impacts", [](const Figure5aTrial &t) {
-                                    return std::tuple(t.begins, t.complete, t.released, t.impacts);
-                                  });
+  const double figure5a = scan_to(output / "reconstruction_5a.csv", try_figure5a, scanned);
   progress.advance();
-  const double figure5b =
-      scan_to(output / "reconstruction_5b.csv", try_figure5b, scanned, "nearest_time,gap",
-              [](const Figure5bTrial &t) { return std::tuple(t.nearest_time, t.gap); });
+  const double figure5b = scan_to(output / "reconstruction_5b.csv", try_figure5b, scanned);
   progress.advance();
   Table axes(
       "panel,quantity,kind,axis_from,axis_to,tick,lowest,highest,ticks_at_lowest,ticks_at_highest,"
@@ -72,9 +61,10 @@ void draw(const std::filesystem::path &output) {
   add(axes, "printed", checks_of_figure4("4(a)", paper::figure4a()));
   add(axes, "printed", checks_of_figure4("4(b)", paper::figure4b()));
   add(axes, "printed", {check_of_figure5c()});
-  add(axes, "chosen", checks_of_figure2(figure2));
-  add(axes, "chosen", {check_of_figure5a(figure5a), check_of_figure5b(figure5b)});
-  add(axes, "refused", {checks_of_figure2(0.28).at(1), check_of_figure5b(0.2996)});
+  add(axes, "chosen", try_figure2(figure2).axes);
+  add(axes, "chosen", try_figure5a(figure5a).axes);
+  add(axes, "chosen", try_figure5b(figure5b).axes);
+  add(axes, "refused", {try_figure2(0.28).axes.at(1), try_figure5b(0.2996).axes.at(0)});
   write(axes, output / "reconstruction_axes.csv");
   progress.advance();
   fmt::print("Omega of Figure 2: {}, 5(a): {}, 5(b): {}\n", figure2, figure5a, figure5b);

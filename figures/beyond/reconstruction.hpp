@@ -10,6 +10,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "axis_rule.hpp"
@@ -28,17 +31,51 @@ constexpr Range scanned{0.1, 0.5};
 // incomplete at about 0.3 (printed, Section 3.2).
 constexpr Range scanned_of_figure2{0.1, 0.3};
 
-struct Passed {
-  bool boxes = false, text = false;
-  // Of those left the one with the least is chosen.
-  double apart = std::numeric_limits<double>::infinity();
+constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
+// One axis of a panel: as printed, and the data it should fill.
+struct AxisCheck {
+  std::string panel, quantity;
+  Range axis;
+  double tick;
+  Range data;
 
   bool passes() const {
-    return boxes && text;
+    return fills(data, axis, tick);
   }
 };
 
-constexpr double never = std::numeric_limits<double>::quiet_NaN();
+inline AxisCheck across(const std::string &panel, const paper::AxisBox &box, const Range &times) {
+  return {panel, "t", abscissa(box), box.tick_across, times};
+}
+inline AxisCheck upwards(const std::string &panel, const std::string &quantity,
+                         const paper::AxisBox &box, const Range &data) {
+  return {panel, quantity, ordinate(box), box.tick, data};
+}
+
+// What a frequency makes of a figure.
+struct Trial {
+  double omega;
+  std::vector<AxisCheck> axes;                               // that of the table's columns first
+  std::vector<std::pair<std::string, double>> columns = {};  // what else the text is about
+  bool text = false;  // the motion does what the text says, with what that says of the time axis
+  // Of those left the one with the least is chosen.
+  double apart = std::numeric_limits<double>::infinity();
+
+  bool boxes() const {
+    return std::all_of(axes.begin(), axes.end(), [](const AxisCheck &check) {
+      return check.quantity == "t" || check.passes();
+    });
+  }
+  bool passes() const {
+    return boxes() && text;
+  }
+  double at(const std::string &column) const {
+    for (const auto &[name, value] : columns)
+      if (name == column) return value;
+    throw std::out_of_range(column);
+  }
+};
 
 // A window has 2000 samples: an extreme is missed by (50 / 2000)^2 x'' / 8 at most, a thousandth of
 // a tick.
@@ -115,49 +152,36 @@ inline double unevenness(const Scene &scene, const StickingChatter &chatter,
 // period; (b) is a close-up of the chatter of mass 2, its peaks diminishing approximately
 // exponentially. So the window of (b) ends at the first ticks beyond that chatter, and of those
 // left the one whose peaks are nearest to exponential is chosen.
-struct Figure2Trial {
-  double omega;
-  Range shown, close_up;    // displacement: of both masses in (a), of mass 2 in (b)
-  double begins, complete;  // the chatter of mass 2 in (b)
-  int sticks[2];            // of each mass in the last ten forcing periods
-  Passed verdict;
-};
-
-inline Figure2Trial try_figure2(double omega) {
+inline Trial try_figure2(double omega) {
   const Scene scene = paper::stops_of_different_sign(omega);
   const paper::AxisBox &a = paper::figure2a_box, &b = paper::figure2b_box;
   SampleRecorder samples = scan_samples(a), close_up = scan_samples(b);
   EventRecorder events{a.to - 10.0 * Clock(omega).period};
   require_complete(simulate(scene, a.to, scan_options(), samples, close_up, events));
 
-  Figure2Trial trial{omega, range_of(samples), range_of(close_up, 2), never, never, {0, 0}, {}};
+  int sticks[] = {0, 0};
   for (const Event &event : events.events)
-    if (event.kind == EventKind::stick) ++trial.sticks[event.mass - 1];
+    if (event.kind == EventKind::stick) ++sticks[event.mass - 1];
   const StickingChatter chatter = chatter_in(events.events, 2, b.from, b.to);
-  trial.begins = chatter.begins();
-  trial.complete = chatter.complete;
-  trial.verdict.boxes =
-      fills(trial.shown, ordinate(a), a.tick) && fills(trial.close_up, ordinate(b), b.tick);
-  trial.verdict.text = trial.sticks[0] == 10 && trial.sticks[1] == 10 &&
-                       fills({trial.begins, trial.complete}, abscissa(b), b.tick_across);
-  if (trial.verdict.text)
-    trial.verdict.apart = unevenness(scene, chatter, close_up, (b.highest - b.lowest) / 500.0);
+  const AxisCheck whole_chatter = across("2(b)", b, {chatter.begins(), chatter.complete});
+  const Range close = range_of(close_up, 2);
+  Trial trial{
+      omega,
+      {upwards("2(a)", "x", a, range_of(samples)), upwards("2(b)", "x2", b, close), whole_chatter}};
+  trial.text = sticks[0] == 10 && sticks[1] == 10 && whole_chatter.passes();
+  if (trial.text)
+    trial.apart = unevenness(scene, chatter, close_up, (b.highest - b.lowest) / 500.0);
+  trial.columns = {{"lowest_x2_in_b", close.lowest},
+                   {"begins", chatter.begins()},
+                   {"complete", chatter.complete},
+                   {"unevenness", trial.apart}};
   return trial;
 }
 
 // Figure 5(a). The text: mass 1 has a complete chatter and sticking sequence, mass 2 has two
 // impacts during its sticking phase. All of that is shown; of those left the one whose sticking
 // phase ends nearest to the end of the window is chosen.
-struct Figure5aTrial {
-  double omega;
-  Range shown;
-  double begins, complete, released;  // chatter and sticking phase of mass 1
-  int impacts;                        // of mass 2 in that phase
-  double last_impact;                 // of these
-  Passed verdict;
-};
-
-inline Figure5aTrial try_figure5a(double omega) {
+inline Trial try_figure5a(double omega) {
   Scene scene = paper::figure5a();
   scene.omega = omega;
   const paper::AxisBox &box = paper::figure5a_box;
@@ -166,24 +190,26 @@ inline Figure5aTrial try_figure5a(double omega) {
   EventRecorder events{box.from - period};
   require_complete(simulate(scene, box.to + period, scan_options(), samples, events));
 
-  Figure5aTrial trial{omega, range_of(samples), never, never, never, 0, never, {}};
-  trial.verdict.boxes = fills(trial.shown, ordinate(box), box.tick);
   const StickingChatter chatter = chatter_in(events.events, 1, box.from, box.to);
-  if (std::isnan(chatter.complete)) return trial;
-  trial.begins = chatter.begins();
-  trial.complete = chatter.complete;
-  for (std::size_t i = chatter.stick + 1; i < events.events.size(); ++i) {
+  double released = never, last_impact = never;  // of mass 2 while mass 1 sticks
+  int impacts = 0;
+  for (std::size_t i = chatter.stick + 1; chatter.stick > 0 && i < events.events.size(); ++i) {
     const Event &event = events.events[i];
     if (event.mass == 1) {
-      trial.released = event.time;
+      released = event.time;
       break;
     }
-    ++trial.impacts;
-    trial.last_impact = event.time;
+    ++impacts;
+    last_impact = event.time;
   }
-  trial.verdict.text =
-      trial.begins >= box.from && trial.impacts == 2 && trial.last_impact <= box.to;
-  if (trial.verdict.text) trial.verdict.apart = std::abs(trial.released - box.to);
+  Trial trial{omega,
+              {upwards("5(a)", "x", box, range_of(samples))},
+              {{"begins", chatter.begins()},
+               {"complete", chatter.complete},
+               {"released", released},
+               {"impacts", impacts}}};
+  trial.text = chatter.begins() >= box.from && impacts == 2 && last_impact <= box.to;
+  if (trial.text) trial.apart = std::abs(released - box.to);
   return trial;
 }
 
@@ -207,14 +233,7 @@ struct HighestWhileHeld {
 // Figure 5(b). The text: at t of about 920 mass 2 grazes its stop while mass 1 is stuck. Grazing is
 // to come within what a plot can show, a thousandth of the box; about 920 is nearer to 920 than to
 // 919 or 921.
-struct Figure5bTrial {
-  double omega;
-  Range shown;
-  double nearest_time, gap;  // mass 2 nearest its stop while mass 1 is stuck
-  Passed verdict;
-};
-
-inline Figure5bTrial try_figure5b(double omega) {
+inline Trial try_figure5b(double omega) {
   Scene scene = paper::figure5b();
   scene.omega = omega;
   const paper::AxisBox &box = paper::figure5b_box;
@@ -222,18 +241,17 @@ inline Figure5bTrial try_figure5b(double omega) {
   HighestWhileHeld highest{box.from, box.to, scan_step(box)};
   require_complete(simulate(scene, box.to, scan_options(), samples, highest));
 
-  Figure5bTrial trial{
-      omega, range_of(samples), highest.time, scene.stops[1].position - highest.place, {}};
-  trial.verdict.boxes = fills(trial.shown, ordinate(box), box.tick);
-  trial.verdict.apart = std::abs(trial.nearest_time - 920.0);
-  trial.verdict.text =
-      trial.gap <= (box.highest - box.lowest) / 1000.0 && trial.verdict.apart <= 0.5;
+  const double gap = scene.stops[1].position - highest.place;  // mass 2 nearest its stop
+  Trial trial{omega,
+              {upwards("5(b)", "x", box, range_of(samples))},
+              {{"nearest_time", highest.time}, {"gap", gap}}};
+  trial.apart = std::abs(highest.time - 920.0);
+  trial.text = gap <= (box.highest - box.lowest) / 1000.0 && trial.apart <= 0.5;
   return trial;
 }
 
 // Tries every multiple of 1e-4 in the range; in order.
-template <class Trial>
-std::vector<Trial> scan(const Range &range, Trial (*attempt)(double omega)) {
+inline std::vector<Trial> scan(const Range &range, Trial (*attempt)(double omega)) {
   const long first = std::lround(range.lowest * 1e4), last = std::lround(range.highest * 1e4);
   std::vector<Trial> trials(static_cast<std::size_t>(last - first + 1));
   in_parallel(trials.size(), [&](std::size_t i) {
@@ -243,18 +261,15 @@ std::vector<Trial> scan(const Range &range, Trial (*attempt)(double omega)) {
 }
 
 // Whether a frequency is left by boxes and text, within the range in question.
-template <class Trial>
-bool is_left(const Trial &trial, const Range &range) {
-  return trial.verdict.passes() && trial.omega >= range.lowest && trial.omega < range.highest;
+inline bool is_left(const Trial &trial, const Range &range) {
+  return trial.passes() && trial.omega >= range.lowest && trial.omega < range.highest;
 }
 
 // The frequency chosen among those left (`never` where there is none).
-template <class Trial>
-double chosen(const std::vector<Trial> &trials, const Range &range) {
+inline double chosen(const std::vector<Trial> &trials, const Range &range) {
   const Trial *best = nullptr;
   for (const Trial &trial : trials)
-    if (is_left(trial, range) && (best == nullptr || trial.verdict.apart < best->verdict.apart))
-      best = &trial;
+    if (is_left(trial, range) && (best == nullptr || trial.apart < best->apart)) best = &trial;
   return best == nullptr ? never : best->omega;
 }
 
