@@ -16,7 +16,7 @@
 #include "driver.hpp"
 #include "key_bifurcations.hpp"
 #include "key_numbers.hpp"
-#include "published_results.hpp"
+#include "published.hpp"
 #include "table_reader.hpp"
 
 namespace {
@@ -167,11 +167,11 @@ Table table_of(const std::vector<Row> &rows) {
 
 // The published results that are farther from what was printed than their tolerance. All rows go to
 // `table`.
-std::vector<std::string> missed_published_results(
-    const std::vector<figures::PublishedResult> &results, Table &table) {
+std::vector<std::string> missed_published_results(const std::vector<published::Result> &results,
+                                                  Table &table) {
   std::vector<std::string> missed;
-  std::vector<std::vector<std::string>> lines{{"published elsewhere", "quantity", "printed",
-                                               "computed", "difference", "allowed", "limited by"}};
+  std::vector<std::vector<std::string>> lines{{"published elsewhere", "printed", "computed",
+                                               "difference", "allowed", "limited by", "quantity"}};
   for (const auto &result : results) {
     const double computed = result.compute(), difference = computed - result.value;
     const bool pass = std::abs(difference) <= result.tolerance;  // false for NaN
@@ -179,8 +179,8 @@ std::vector<std::string> missed_published_results(
     const std::string value = fmt::format("{:.15g}", computed),
                       by = fmt::format("{:.1e}", difference),
                       allowed = fmt::format("{:.0e}", result.tolerance);
-    lines.push_back({result.id, result.quantity, result.printed, value, by, allowed,
-                     pass ? result.limited_by : "FAILS"});
+    lines.push_back({result.id, result.printed, value, by, allowed,
+                     pass ? result.limited_by : "FAILS", result.quantity + " " + result.given});
     table.row(result.id, result.source, result.printed, value, by, allowed,
               figures::in_quotes(result.limited_by), pass ? "pass" : "FAIL");
   }
@@ -225,7 +225,7 @@ int main(int argc, char **argv) {
         print_text(rows);
         fmt::print("\nPublished by others (sources: reference/README.md)\n");
         Table published("id,source,printed,computed,difference,tolerance,limited_by,verdict");
-        const auto results = figures::published_results(folder);
+        const auto results = published::results(folder);
         const auto missed = missed_published_results(results, published);
         if (!tables.empty()) {
           write(table_of(rows), tables + "/key_numbers_checked.csv");
