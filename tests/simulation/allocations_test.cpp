@@ -14,19 +14,18 @@ long long allocations = 0;
 
 }  // namespace
 
-void *operator new(std::size_t size) {
+// Not inlined, so that the compiler does not see that the one calls malloc and the other free.
+[[gnu::noinline]] void *operator new(std::size_t size) {
   ++allocations;
   if (void *memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void *memory) noexcept {
+[[gnu::noinline]] void operator delete(void *memory) noexcept {
   std::free(memory);
 }
-void operator delete(void *memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept {
   std::free(memory);
 }
-// Eigen aligns what it asks for itself.
-extern "C" void *__libc_malloc(std::size_t size);
 
 namespace {
 
