@@ -4,13 +4,15 @@
 // atlas_omega_A1.csv   forcing frequency and amplitude, likewise
 // atlas_5a.csv ..      positions of the two stops, at the frequencies of Figures 5(a) to (c)
 // atlas_scenes.csv     where the paper's scenes stand in these planes
+#include "atlas.hpp"
+
 #include <array>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "figures/driver.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "vibro_impact/analysis/analysis.hpp"
-#include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
@@ -56,21 +58,15 @@ RecordOptions what_is_shown() {
 
 Table scenes() {
   Table table("plane,x,y,figure");
-  const auto both = [&](const Scene &scene, const char *figure) {
-    table.row(std::string_view("omega_r"), scene.omega, scene.restitution,
-              std::string_view(figure));
-    table.row(std::string_view("omega_A1"), scene.omega, scene.amplitude[0],
-              std::string_view(figure));
-  };
-  both(paper::figure2(), "2");
-  both(paper::figure4a(), "4");
-  const auto stops = [&](const char *plane, const Scene &scene, const char *figure) {
-    table.row(std::string_view(plane), scene.stops[0].position, scene.stops[1].position,
-              std::string_view(figure));
-  };
-  stops("5a", paper::figure5a(), "5(a)");
-  stops("5b", paper::figure5b(), "5(b)");
-  stops("5c", paper::figure5c(), "5(c)");
+  for (const auto &[scene, figure] :
+       {std::pair{paper::figure2(), "2"}, std::pair{paper::figure4a(), "4"}}) {
+    table.row("omega_r", scene.omega, scene.restitution, figure);
+    table.row("omega_A1", scene.omega, scene.amplitude[0], figure);
+  }
+  for (const auto &[plane, scene, figure] :
+       {std::tuple{"5a", paper::figure5a(), "5(a)"}, std::tuple{"5b", paper::figure5b(), "5(b)"},
+        std::tuple{"5c", paper::figure5c(), "5(c)"}})
+    table.row(plane, scene.stops[0].position, scene.stops[1].position, figure);
   return table;
 }
 
@@ -80,20 +76,10 @@ void draw(const std::filesystem::path &output, int width, int height) {
   double points = 0.0;
   for (const Plane &plane : all) points += static_cast<double>(plane.grid.points());
   Progress progress("atlas", points);
-  for (const Plane &plane : all) {
-    check(plane.grid);
-    Table table = sweep_table(plane.grid, options);
-    sweep(
-        plane.grid.points(),
-        [&](std::size_t point) {
-          return row_of(record_of(plane.grid.scene_at(point), options), options);
-        },
-        [&](std::size_t point, const std::vector<double> &row) {
-          add_row(table, plane.grid, options, point, row);
-          progress.advance();
-        });
-    write(table, output / ("atlas_" + plane.name + ".csv"));
-  }
+  for (const Plane &plane : all) check(plane.grid);
+  for (const Plane &plane : all)
+    write(figures::map_of(plane.grid, options, progress),
+          output / ("atlas_" + plane.name + ".csv"));
   write(scenes(), output / "atlas_scenes.csv");
 }
 

@@ -31,15 +31,14 @@ void draw(const std::filesystem::path &output, int count) {
     }
     write(table, output / ("basins_" + name + ".csv"));
     for (std::size_t k = 0; k < basins.attractors.size(); ++k) {
-      const figures::Attractor &attractor = basins.attractors[k];
-      const auto per_period = [&](const std::vector<int> &counts, std::size_t mass) {
-        return counts[mass] / static_cast<double>(attractor.period);
-      };
-      attractors.row(std::string_view(name), k + 1, grid.scene.omega, grid.scene.restitution,
-                     attractor.period, per_period(attractor.counts.impacts, 0),
-                     per_period(attractor.counts.impacts, 1),
-                     per_period(attractor.counts.sticks, 0), per_period(attractor.counts.sticks, 1),
-                     static_cast<double>(attractor.points) / static_cast<double>(grid.points()));
+      const auto &[record, sections, settled_on_it, met] = basins.attractors[k];
+      for (const auto &cell : {name, std::to_string(k + 1)}) attractors.cell(cell);
+      attractors.cell(grid.scene.omega);
+      attractors.cell(grid.scene.restitution);
+      attractors.cell(record.period);
+      for (const auto *counts : {&record.counts.impacts, &record.counts.sticks})
+        for (const int n : *counts) attractors.cell(n / static_cast<double>(record.period));
+      attractors.row(static_cast<double>(settled_on_it) / static_cast<double>(grid.points()));
     }
   }
   write(attractors, output / "basins_attractors.csv");

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,10 @@ namespace vibro_impact::figures {
 
 // A motion that others settle on.
 struct Attractor {
-  int period = 1;
-  EventCounts counts;
+  OrbitRecord record;
   std::vector<std::vector<double>> sections;  // its states at the phase of the start, one a period
   std::size_t points = 0;                     // of the grid that settle on it
+  int met = 0;                                // as which of them, from 1
 };
 
 struct Basins {
@@ -30,7 +29,7 @@ struct Basins {
 // A section that is the attractor's, to 1e-8: settled states agree to 1e-10; the two
 // attractors beside the border orbit are 1e-7 apart.
 inline bool is_on(const Attractor &attractor, int period, const std::vector<double> &state) {
-  if (period != attractor.period) return false;
+  if (period != attractor.record.period) return false;
   return std::any_of(attractor.sections.begin(), attractor.sections.end(), [&](const auto &at) {
     double apart = 0.0;
     for (std::size_t i = 0; i < at.size(); ++i) apart = std::max(apart, std::abs(at[i] - state[i]));
@@ -39,7 +38,7 @@ inline bool is_on(const Attractor &attractor, int period, const std::vector<doub
 }
 
 inline Attractor attractor_of(const Scene &scene, const OrbitRecord &record) {
-  Attractor attractor{record.period, record.counts, {coordinates(record.state)}};
+  Attractor attractor{record, {coordinates(record.state)}};
   for (int k = 1; k < record.period; ++k)
     attractor.sections.push_back(coordinates(stroboscopic_map(scene, record.state, k).state));
   return attractor;
@@ -60,24 +59,21 @@ inline Basins basins_of(const Grid &grid, const RecordOptions &options,
         auto found = std::find_if(all.begin(), all.end(), [&](const Attractor &attractor) {
           return is_on(attractor, record.period, state);
         });
-        if (found == all.end()) found = all.insert(all.end(), attractor_of(grid.scene, record));
+        if (found == all.end()) {
+          found = all.insert(all.end(), attractor_of(grid.scene, record));
+          found->met = static_cast<int>(all.size());
+        }
         ++found->points;
-        basins.of.back() = 1 + static_cast<int>(found - all.begin());
+        basins.of.back() = found->met;
       },
       sweeping);
   // By size.
-  std::vector<std::size_t> order(basins.attractors.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return basins.attractors[a].points > basins.attractors[b].points;
-  });
-  std::vector<Attractor> sorted;
-  std::vector<int> number(order.size() + 1, 0);
-  for (const std::size_t k : order) {
-    sorted.push_back(basins.attractors[k]);
-    number[k + 1] = static_cast<int>(sorted.size());
-  }
-  basins.attractors = std::move(sorted);
+  auto &all = basins.attractors;
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Attractor &a, const Attractor &b) { return a.points > b.points; });
+  std::vector<int> number(all.size() + 1, 0);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    number[static_cast<std::size_t>(all[k].met)] = static_cast<int>(k) + 1;
   for (int &of : basins.of) of = number[static_cast<std::size_t>(of)];
   return basins;
 }

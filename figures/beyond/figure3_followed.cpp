@@ -2,36 +2,13 @@
 //
 // figure3_orbits.csv           from rest: period, impacts, complete chatters, Lyapunov exponent
 // figure3_up.csv, .._down.csv  of mass 1, the motion followed upwards and downwards
-#include <exception>
-#include <thread>
-
 #include "figures/driver.hpp"
 #include "figures/figure3.hpp"
+#include "figures/parallel.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-
-// Both ways at once: each goes from frequency to frequency. An error of either is thrown.
-std::array<figures::Diagram, 2> both_ways(const std::vector<double> &omegas,
-                                          const RecordOptions &options,
-                                          const std::function<void()> &advance) {
-  std::array<figures::Diagram, 2> diagrams;
-  std::array<std::exception_ptr, 2> failures;
-  const auto follow = [&](std::size_t way, const std::vector<double> &along) {
-    try {
-      diagrams[way] = figures::diagram_followed(along, options, advance);
-    } catch (...) {
-      failures[way] = std::current_exception();
-    }
-  };
-  std::thread downwards(follow, 1, std::vector<double>(omegas.rbegin(), omegas.rend()));
-  follow(0, omegas);
-  downwards.join();
-  for (const std::exception_ptr &failure : failures)
-    if (failure) std::rethrow_exception(failure);
-  return diagrams;
-}
 
 void draw(const std::filesystem::path &output) {
   const std::vector<double> omegas = figures::frequencies_of_figure3(1801);
@@ -43,10 +20,14 @@ void draw(const std::filesystem::path &output) {
   write(figures::diagram_from_rest(omegas, options, sweeping).orbits,
         output / "figure3_orbits.csv");
   options.lyapunov = false;
-  options.settle.longest = 150;  // from nearby
-  const auto [up, down] = both_ways(omegas, options, [&] { progress.advance(); });
-  write(up.velocities[0], output / "figure3_up.csv");
-  write(down.velocities[0], output / "figure3_down.csv");
+  options.settle.longest = 150;          // from nearby
+  std::array<figures::Diagram, 2> ways;  // both at once: each goes from frequency to frequency
+  figures::in_parallel(ways.size(), [&](std::size_t way) {
+    const auto along = way == 0 ? omegas : std::vector<double>(omegas.rbegin(), omegas.rend());
+    ways[way] = figures::diagram_followed(along, options, [&] { progress.advance(); });
+  });
+  write(ways[0].velocities[0], output / "figure3_up.csv");
+  write(ways[1].velocities[0], output / "figure3_down.csv");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // long_chain_map.csv   the plane of frequency and restitution: period, who sticks, exponent
 #include "reference/scenes/long_chain.hpp"
 
+#include "atlas.hpp"
 #include "figures/driver.hpp"
 #include "figures/figure3.hpp"
 
@@ -42,15 +43,7 @@ void draw(const std::filesystem::path &output, int width) {
 
   options.impact_velocities = false;
   options.lyapunov = true;
-  Table map = sweep_table(plane, options);
-  sweep(
-      plane.points(),
-      [&](std::size_t point) { return row_of(record_of(plane.scene_at(point), options), options); },
-      [&](std::size_t point, const std::vector<double> &row) {
-        add_row(map, plane, options, point, row);
-        progress.advance();
-      });
-  write(map, output / "long_chain_map.csv");
+  write(figures::map_of(plane, options, progress), output / "long_chain_map.csv");
 }
 
 }  // namespace

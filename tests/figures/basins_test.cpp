@@ -35,7 +35,7 @@ TEST(Basins, AreAsManyAsThereAreAttractors) {
       const int number = basins.of[point];
       ASSERT_GT(number, 0);
       const Attractor &attractor = basins.attractors[static_cast<std::size_t>(number - 1)];
-      EXPECT_TRUE(is_on(attractor, attractor.period, coordinates(far_out))) << point;
+      EXPECT_TRUE(is_on(attractor, attractor.record.period, coordinates(far_out))) << point;
     }
   }
 }
