@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "curve_starts.hpp"
+#include "curves.hpp"
 #include "figures/bifurcation_point.hpp"
 #include "figures/parallel.hpp"
 
@@ -61,22 +61,22 @@ inline std::optional<Located> multi_sliding(const Change &change, int mass) {
 // phases does not on the other.
 inline StartedCurve border_orbit(const Change &change, int mass) {
   const double side = change.count_below > change.count_above ? -1.0 : 1.0;
-  return started(CurveStart{fmt::format("border_mass_{}", mass), Bifurcation::border_orbit, mass,
-                            change.below, side});
+  return started({"omega_r",
+                  fmt::format("border_mass_{}", mass),
+                  Bifurcation::border_orbit,
+                  mass,
+                  {change.below, paper::figure2().restitution},
+                  {side, 0.0}});
 }
 
 // The same border by bisection on the sticking phases of the orbit itself. Needed where another
 // attractor lives beside the orbit and the motion from rest goes there.
-inline double border_by_following(const StartedCurve &found, int mass) {
+inline double border_by_following(const StartedCurve &found) {
+  const PlanePoint at = found.point.at;
   const auto count = [&](double omega) {
-    const Scene scene = paper::stops_of_different_sign(omega);
-    const int periods = found.curve.periods;
-    const auto events = events_after(scene, orbit_near(scene, found.point.state, periods), periods);
-    return static_cast<int>(std::count_if(events.begin(), events.end(), [mass](const Event &event) {
-      return event.kind == EventKind::stick && event.mass == mass;
-    }));
+    return count_at(found.curve, found.point, {omega, at.y});
   };
-  const Change change = bisect(count, found.point.at.x - 3e-7, found.point.at.x + 3e-7);
+  const Change change = bisect(count, at.x - 3e-7, at.x + 3e-7);
   return 0.5 * (change.below + change.above);
 }
 
@@ -90,13 +90,13 @@ inline std::vector<BifurcationPoint> locate(const Change &change, int mass) {
     return {{fmt::format("multi_sliding_mass_{}", mass), *tangent,
              "hold force on the periodic orbit touches zero", check, counting}};
   const StartedCurve found = border_orbit(change, mass);
-  BifurcationPoint point{found.name,
+  BifurcationPoint point{found.start.name,
                          {found.point.at.x, found.point.error},
                          "impact speeds on the periodic orbit keep the ratio of the border orbit",
                          check,
                          counting};
   if (std::abs(point.omega.value - check) < 1e-11) return {point};
-  point.check = border_by_following(found, mass);
+  point.check = border_by_following(found);
   point.checked_by = "bisection on sticking phases of the orbit followed";
   const int m = mass;
   const Change again = bisect(

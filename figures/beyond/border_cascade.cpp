@@ -14,7 +14,7 @@ using namespace vibro_impact;
 
 void draw(const std::filesystem::path &output) {
   constexpr double farthest = 1e-2;  // from the border, in omega
-  std::vector<figures::CurveStart> borders = figures::curve_starts();
+  std::vector<figures::CurveStart> borders = figures::starts_in_frequency();
   std::erase_if(borders, [](const auto &start) { return start.what != Bifurcation::border_orbit; });
   std::vector<std::vector<figures::UnfoldedChatter>> chatters(borders.size());
   figures::in_parallel(borders.size(), [&](std::size_t k) {
@@ -23,7 +23,7 @@ void draw(const std::filesystem::path &output) {
   Table counts("orbit,omega,distance,impacts"), factor("restitution,factor");
   for (std::size_t k = 0; k < borders.size(); ++k)
     for (const auto &[distance, impacts] : chatters[k])
-      counts.row(borders[k].name, borders[k].x, distance, impacts);
+      counts.row(borders[k].name, borders[k].at.x, distance, impacts);
   const double r = paper::figure2().restitution;
   factor.row(r, figures::cascade_factor(r));
   write(counts, output / "border_cascade.csv");

@@ -61,7 +61,7 @@ inline std::vector<UnfoldedChatter> unfolded(const CurveStart &start, double far
   std::vector<UnfoldedChatter> counts;
   for (double distance = 1e-10; distance < 1.01 * farthest; distance *= std::pow(10.0, 0.1)) {
     const Scene beyond =
-        border.curve.at({border.point.at.x - start.side * distance, border.point.at.y});
+        border.curve.at({border.point.at.x - start.whole.x * distance, border.point.at.y});
     const PeriodicOrbit orbit = find_periodic_orbit(beyond, state, periods, to_rounding);
     if (!orbit.converged) continue;
     state = orbit.state;

@@ -10,7 +10,7 @@
 // atlas_curve_ends.csv        where they end and why; `meets`: another curve that is there
 #include "curves.hpp"
 
-#include <functional>
+#include <array>
 #include <random>
 
 #include "figures/driver.hpp"
@@ -21,100 +21,78 @@ namespace {
 using namespace vibro_impact;
 using figures::CurvePlane;
 
-struct WholeCurve {
-  const CurvePlane *plane = nullptr;
-  std::string name;
-  BifurcationCurve curve;
-  std::vector<CurvePoint> points;  // from one end to the other
-  std::size_t start = 0;           // which of them it was followed from
-  std::string ends[2];             // why the first is the first, the last the last
-  std::string meets[2];            // a curve that is there, too
+// A curve to one side of its start.
+struct Half {
+  std::vector<CurvePoint> points;  // the start first
+  std::string end;                 // why it ends
+  std::string meets = {};          // a curve that is there, too
 };
 
-WholeCurve whole(const CurvePlane &plane, const figures::StartedCurve &started) {
-  const FollowOptions options{.step = plane.step, .least_step = 1e-6, .turn = 0.3, .most = 1000};
-  const Corrector corrector = corrector_of(started.curve);
-  const FollowedCurve back = follow_curve(corrector, started.point, plane.box, -1, options),
-                      forth = follow_curve(corrector, started.point, plane.box, 1, options);
-  WholeCurve found{&plane, started.name, started.curve, {}, back.points.size() - 1, {}, {}};
-  found.points.assign(back.points.rbegin(), back.points.rend() - 1);
-  found.points.insert(found.points.end(), forth.points.begin(), forth.points.end());
-  found.ends[0] = name(back.end);
-  found.ends[1] = name(forth.end);
-  return found;
+struct WholeCurve {
+  figures::StartedCurve started;
+  std::array<Half, 2> halves;
+  std::vector<CurvePoint> points = {};  // of both, from one end to the other
+};
+
+WholeCurve whole(const figures::CurveStart &start) {
+  const figures::StartedCurve started = figures::started(start);
+  const FollowOptions options{
+      .step = started.plane.step, .least_step = 1e-6, .turn = 0.3, .most = 1000};
+  const auto half = [&](int direction) {
+    const FollowedCurve followed = follow_curve(corrector_of(started.curve), started.point,
+                                                started.plane.box, direction, options);
+    return Half{followed.points, name(followed.end)};
+  };
+  return {started, {half(-1), half(1)}};
 }
 
-// Ends a curve, on both sides of its start, where it comes to lie on one before it.
+void join(WholeCurve &curve) {
+  const auto &[back, forth] = curve.halves;
+  curve.points.assign(back.points.rbegin(), back.points.rend());
+  if (!forth.points.empty())
+    curve.points.insert(curve.points.end(), forth.points.begin() + 1, forth.points.end());
+}
+
+// How far a place is from another curve of the plane.
+std::optional<double> distance_to(const WholeCurve &other, const PlanePoint &at) {
+  const auto &[start, plane, curve, point] = other.started;
+  return figures::distance_to(curve, other.points, at, plane.box, plane.step);
+}
+
+// Ends a curve, on both sides of its start, where it comes to lie on one before it; nothing is left
+// of one that is the other.
 void cut(WholeCurve &curve, const WholeCurve &before) {
   constexpr double on_it = 1e-8;
-  if (curve.plane != before.plane || curve.curve.what != before.curve.what ||
-      curve.curve.stop != before.curve.stop)
-    return;
-  const auto lies_on_it = [&](const CurvePoint &point) {
-    const auto away = figures::distance_to(before.curve, before.points, point.at, curve.plane->box,
-                                           curve.plane->step);
-    return away && *away < on_it;
-  };
-  const auto ends_there = [&](int side) {
-    curve.ends[side] = "goes on as another";
-    curve.meets[side] = before.name;
-  };
-  std::vector<CurvePoint> &points = curve.points;
-  const auto start = points.begin() + static_cast<std::ptrdiff_t>(curve.start);
-  const auto last = std::find_if(start, points.end(), lies_on_it);
-  if (last != points.end()) ends_there(1);
-  points.erase(last, points.end());
-  if (points.size() <= curve.start) return points.clear();  // it is the other
-  const auto reversed = std::find_if(points.rend() - static_cast<std::ptrdiff_t>(curve.start),
-                                     points.rend(), lies_on_it);
-  if (reversed == points.rend()) return;
-  ends_there(0);
-  curve.start -= static_cast<std::size_t>(reversed.base() - points.begin());
-  points.erase(points.begin(), reversed.base());
+  const figures::CurveStart &start = curve.started.start, &other = before.started.start;
+  if (start.plane != other.plane || start.what != other.what || start.mass != other.mass) return;
+  for (Half &half : curve.halves) {
+    const auto last =
+        std::find_if(half.points.begin(), half.points.end(), [&](const CurvePoint &point) {
+          const auto away = distance_to(before, point.at);
+          return away && *away < on_it;
+        });
+    if (last == half.points.end()) continue;
+    half.end = "goes on as another";
+    half.meets = other.name;
+    half.points.erase(last, half.points.end());
+  }
+  join(curve);
 }
 
 // The curves that an end leads to: there to 1e-4.
 void meet(WholeCurve &curve, const WholeCurve &other) {
   constexpr double there = 1e-4;
-  if (&curve == &other || curve.plane != other.plane) return;
-  for (const int side : {0, 1}) {
-    const CurvePoint &end = side == 0 ? curve.points.front() : curve.points.back();
-    if (!curve.meets[side].empty() || curve.ends[side] == name(CurveEnd::box)) continue;
-    const PlaneBox &box = curve.plane->box;
-    const bool ends_too = box.distance(end.at, other.points.front().at) < there ||
-                          box.distance(end.at, other.points.back().at) < there;
-    const auto away =
-        ends_too ? std::optional(0.0)
-                 : figures::distance_to(other.curve, other.points, end.at, box, curve.plane->step);
-    if (away && *away < there) curve.meets[side] = other.name;
-  }
-}
-
-struct Work {
-  const CurvePlane *plane;
-  std::function<figures::StartedCurve()> start;
-};
-
-// All curves of the planes, which outlive them.
-std::vector<Work> work_on(const std::vector<CurvePlane> &planes) {
-  std::vector<Work> work;
-  for (const CurvePlane &plane : planes) {
-    const auto add = [&](const auto &starts) {
-      for (const auto &start : starts)
-        work.push_back({&plane, [start, &plane] { return figures::started(start, plane); }});
+  if (&curve == &other || curve.started.start.plane != other.started.start.plane) return;
+  for (Half &half : curve.halves) {
+    if (!half.meets.empty() || half.end == name(CurveEnd::box)) continue;
+    const PlanePoint &end = half.points.back().at;
+    const auto is_there = [&](const Half &half_of_other) {
+      return curve.started.plane.box.distance(end, half_of_other.points.back().at) < there;
     };
-    const auto graze = [&](const PlanePoint &clear) {
-      work.push_back({&plane, [clear, &plane] { return figures::started_grazing(plane, clear); }});
-    };
-    if (plane.name == "omega_r") add(figures::curve_starts());
-    if (plane.name == "omega_r") add(figures::omega_r_edges());
-    if (plane.name == "omega_A1") add(figures::amplitude_starts());
-    if (plane.name == "5a") add(figures::stops_starts());
-    if (plane.name == "5b") graze({0.0, 1.0});
-    if (plane.name == "5c") add(figures::dual_sticking_starts());
-    if (plane.name == "5b_omega_r") graze({-1.0, 0.0});
+    const bool ends_too = std::any_of(other.halves.begin(), other.halves.end(), is_there);
+    if (ends_too || distance_to(other, end).value_or(1.0) < there)
+      half.meets = other.started.start.name;
   }
-  return work;
 }
 
 // At ten of the points, or all: by counting.
@@ -127,24 +105,18 @@ std::vector<double> checked(const WholeCurve &curve, unsigned seed) {
   std::vector<double> distances(curve.points.size(), std::nan(""));
   for (const std::size_t k : order)
     distances[k] =
-        figures::distance_by_counting(curve.curve, curve.points[k], curve.plane->box).value_or(1.0);
+        figures::distance_by_counting(curve.started.curve, curve.points[k], curve.started.plane.box)
+            .value_or(1.0);
   return distances;
 }
 
 void draw(const std::filesystem::path &output) {
-  const std::vector<CurvePlane> planes{figures::omega_r_plane(),
-                                       figures::omega_A1_plane(),
-                                       figures::stops_plane("5a", paper::figure5a()),
-                                       figures::stops_plane("5b", paper::figure5b()),
-                                       figures::stops_plane("5c", paper::figure5c()),
-                                       figures::omega_r_plane_5b()};
-  const std::vector<Work> work = work_on(planes);
-  std::vector<WholeCurve> curves(work.size());
-  std::vector<std::vector<double>> distances(work.size());
-  Progress progress("curves", static_cast<double>(work.size()) + 1.0);
-  figures::in_parallel(work.size(), [&](std::size_t k) {
-    curves[k] = whole(*work[k].plane, work[k].start());
-#pragma omp critical
+  const std::vector<figures::CurveStart> starts = figures::curve_starts();
+  std::vector<WholeCurve> curves(starts.size());
+  Progress progress("curves", static_cast<double>(starts.size()) + 1.0);
+  figures::in_parallel(starts.size(), [&](std::size_t k) {
+    curves[k] = whole(starts[k]);
+    join(curves[k]);
     progress.advance();
   });
   for (std::size_t k = 0; k < curves.size(); ++k)
@@ -153,28 +125,28 @@ void draw(const std::filesystem::path &output) {
   std::erase_if(curves, [](const WholeCurve &curve) { return curve.points.empty(); });
   for (WholeCurve &curve : curves)
     for (const WholeCurve &other : curves) meet(curve, other);
+  std::vector<std::vector<double>> distances(curves.size());
   figures::in_parallel(curves.size(), [&](std::size_t k) {
     distances[k] = checked(curves[k], static_cast<unsigned>(k));
   });
   Table ends("plane,curve,x,y,end,meets");
-  for (const CurvePlane &plane : planes) {
+  for (const CurvePlane &plane : figures::curve_planes()) {
     Table points("curve,bifurcation,mass,period," + name(plane.x) + "," + name(plane.y) +
                  ",error,checked");
     for (std::size_t c = 0; c < curves.size(); ++c) {
       const WholeCurve &curve = curves[c];
-      if (curve.plane != &plane) continue;
-      for (std::size_t k = 0; k < curve.points.size(); ++k)
-        points.row(curve.name, std::string(name(curve.curve.what)),
-                   static_cast<int>(curve.curve.stop) + 1, curve.points[k].period,
-                   curve.points[k].at.x, curve.points[k].at.y, curve.points[k].error,
-                   distances[c][k]);
-      for (const int side : {0, 1}) {
-        const PlanePoint &at = side == 0 ? curve.points.front().at : curve.points.back().at;
-        ends.row(plane.name, curve.name, at.x, at.y, curve.ends[side], curve.meets[side]);
+      const figures::CurveStart &start = curve.started.start;
+      if (start.plane != plane.name) continue;
+      for (std::size_t k = 0; k < curve.points.size(); ++k) {
+        const CurvePoint &point = curve.points[k];
+        points.row(start.name, name(start.what), start.mass, point.period, point.at.x, point.at.y,
+                   point.error, distances[c][k]);
       }
+      for (const auto &[followed, end, meets] : curve.halves)
+        ends.row(plane.name, start.name, followed.back().at.x, followed.back().at.y, end, meets);
     }
-    const bool main = &plane == &planes.front();
-    write(points, output / (main ? "atlas_curves.csv" : "atlas_curves_" + plane.name + ".csv"));
+    const std::string of_plane = plane.name == "omega_r" ? "" : "_" + plane.name;
+    write(points, output / ("atlas_curves" + of_plane + ".csv"));
   }
   write(ends, output / "atlas_curve_ends.csv");
 }

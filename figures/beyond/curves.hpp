@@ -9,11 +9,10 @@
 
 namespace vibro_impact::figures {
 
-// How often the mass sticks, or whether it hits (grazing), on the orbit at a distance across the
-// curve in units of the box, by runs that neither look at the force nor resolve the chatter.
-inline int count_beside(const BifurcationCurve &curve, const CurvePoint &point, const PlaneBox &box,
-                        double distance) {
-  const Scene scene = curve.at(moved(point.at, box.across(point.gradient), distance));
+// How often the mass sticks, or whether it hits (grazing), on the orbit at another place beside a
+// point of the curve, by runs that neither look at the force nor resolve the chatter.
+inline int count_at(const BifurcationCurve &curve, const CurvePoint &point, const PlanePoint &at) {
+  const Scene scene = curve.at(at);
   MotionState seed = point.state;
   seed.instant.phase *= curve.at(point.at).omega / scene.omega;
   const bool hits = curve.what == Bifurcation::grazing;
@@ -33,7 +32,8 @@ inline int count_beside(const BifurcationCurve &curve, const CurvePoint &point, 
 // beside an unstable orbit the count is soon another's.) Nothing where they agree there, too.
 inline std::optional<double> distance_by_counting(const BifurcationCurve &curve,
                                                   const CurvePoint &point, const PlaneBox &box) {
-  const auto count = [&](double s) { return count_beside(curve, point, box, s); };
+  const PlanePoint across = box.across(point.gradient);
+  const auto count = [&](double s) { return count_at(curve, point, moved(point.at, across, s)); };
   for (const double reach : {1e-11, 1e-10, 1e-9, 1e-7}) {
     if (count(-reach) == count(reach)) continue;
     const Change change = bisect(count, -reach, reach, std::min(1e-12, 0.01 * reach));

@@ -95,7 +95,7 @@ TEST(BorderOrbit, IsWhereTheCountsChange) {
 // are any, and of what two other ways found (the table).
 TEST(CurvePoints, AreFoundToRounding) {
   const References digits = read_references(REFERENCE_DIR "/located.csv");
-  for (const CurveStart &start : curve_starts()) {
+  for (const CurveStart &start : starts_in_frequency()) {
     const CurvePoint point = started(start).point;
     const auto known = digits.find(start.name);
     if (known != digits.end()) {
