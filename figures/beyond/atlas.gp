@@ -2,35 +2,19 @@
 # Table I occur (right). atlas.png: the planes of frequency and restitution, and of frequency and
 # amplitude, in which no pair occurs. atlas_stops.png: the planes of the positions of both stops.
 load 'figures/style.gp'
+load 'figures/beyond/classes.gp'
 
 scenes = data.'/atlas_scenes.csv'
 curves = data.'/atlas_curves.csv'  # of `make curves`
 curves_drawn = system("test -e '".curves."' && echo 1") eq '1'
 marked_in(plane, value) = strcol('plane') eq plane ? value : NaN
 
-# The period, and what motions without one are: chaotic where the Lyapunov exponent is positive.
-of_period(p, lambda) = p > 4 ? 5 : p > 0 ? p : lambda > 0 ? 7 : 6
 of_sticks(one, two, dual) = dual > 0 ? 5 : one > 0 && two > 0 ? 4 : two > 0 ? 3 : one > 0 ? 2 : 1
 
-# The colours of Okabe and Ito, which the colour-blind tell apart, and greys.
 of_pairs(pairs) = strstrt(pairs, 'DI') > 0 ? 4 : strstrt(pairs, 'DS') > 0 ? 3 : strstrt(pairs, 'SI') > 0 ? 2 : 1
 
-array colour[16]
-colour[1] = '#e6e6e6'; colour[2] = '#56b4e9'; colour[3] = '#009e73'; colour[4] = '#f0e442'
-colour[5] = '#e69f00'; colour[6] = '#8c8c8c'; colour[7] = '#000000'
-colour[8] = '#e6e6e6'; colour[9] = '#e69f00'; colour[10] = '#56b4e9'; colour[11] = '#009e73'
-colour[12] = '#0072b2'; colour[13] = '#e6e6e6'; colour[14] = '#56b4e9'; colour[15] = '#0072b2'
-colour[16] = '#d55e00'
-array meaning[16]
-meaning[1] = 'period 1'; meaning[2] = '2'; meaning[3] = '3'; meaning[4] = '4'; meaning[5] = '5 to 8'
-meaning[6] = 'none, λ < 0'; meaning[7] = 'none, λ > 0'
-meaning[8] = 'no mass sticks'; meaning[9] = 'mass 1'; meaning[10] = 'mass 2'
-meaning[11] = 'both in turn'; meaning[12] = 'both at once'
-meaning[13] = 'no pair'; meaning[14] = 'SI'; meaning[15] = 'DS and SI'; meaning[16] = 'DI too'
-set palette defined (1 colour[1], 2 colour[2], 3 colour[3], 4 colour[4], 5 colour[5], 6 colour[6], \
-  7 colour[7], 8 colour[8], 9 colour[9], 10 colour[10], 11 colour[11], 12 colour[12], 13 colour[13], 14 colour[14], 15 colour[15], 16 colour[16]) maxcolors 16
-set cbrange [0.5:16.5]
-unset colorbox
+array meaning[16] = ['period 1', '2', '3', '4', '5 to 8', 'none, λ < 0', 'none, λ > 0', \
+  'no mass sticks', 'mass 1', 'mass 2', 'both in turn', 'both at once', 'no pair', 'SI', 'DS and SI', 'DI too']
 
 array plane[5] = ['omega_r', 'omega_A1', '5a', '5b', '5c']
 array abscissa[5] = ['omega', 'omega', 'stop1', 'stop1', 'stop1']

@@ -1,19 +1,12 @@
 # Ten masses, stops on three of them, from rest: impact velocities against the forcing frequency
 # (a); in the plane of frequency and restitution the period (b) and how many masses stick (c).
 load 'figures/style.gp'
+load 'figures/beyond/classes.gp'
 
 map = data.'/long_chain_map.csv'
 diagram = data.'/long_chain.csv'
-# The colours of Okabe and Ito, which the colour-blind tell apart, and greys, as in the atlas.
-array colour[12] = ['#e6e6e6', '#56b4e9', '#009e73', '#f0e442', '#e69f00', '#8c8c8c', '#000000', \
-  '#e6e6e6', '#e69f00', '#56b4e9', '#009e73', '#0072b2']
 array meaning[12] = ['period 1', '2', '3', '4', '5 to 8', 'none, λ < 0', 'none, λ > 0', \
   'no mass sticks', 'one', 'two in turn', 'three in turn', 'some at once']
-set palette defined (1 colour[1], 2 colour[2], 3 colour[3], 4 colour[4], 5 colour[5], 6 colour[6], \
-  7 colour[7], 8 colour[8], 9 colour[9], 10 colour[10], 11 colour[11], 12 colour[12]) maxcolors 12
-set cbrange [0.5:12.5]
-unset colorbox
-of_period(p, lambda) = p > 4 ? 5 : p > 0 ? p : lambda > 0 ? 7 : 6
 of_sticks(a, b, c, dual) = dual > 0 ? 5 : 1 + (a > 0) + (b > 0) + (c > 0)
 of_mass(k) = column('mass') == k ? column('v') : NaN
 
