@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -144,36 +145,27 @@ inline std::array<int, 2> sticks_in(const Scene &scene, MotionState &state) {
 // kind and mass are numbered from 1.
 inline std::vector<BifurcationPoint> locate_all(const std::vector<double> &omegas,
                                                 const Counts &counts) {
-  struct Interval {
-    int mass;
-    std::size_t left;
-    std::vector<BifurcationPoint> points = {};
-  };
-  std::vector<Interval> intervals;
+  std::vector<std::pair<int, std::size_t>> intervals;  // the mass, and the frequency before
   for (std::size_t i = 0; i + 1 < omegas.size(); ++i)
-    for (int mass : {1, 2}) {
-      const auto m = static_cast<std::size_t>(mass - 1);
-      if (counts[i][m] != counts[i + 1][m]) intervals.push_back({mass, i});
-    }
+    for (const int mass : {1, 2})
+      if (counts[i][static_cast<std::size_t>(mass - 1)] !=
+          counts[i + 1][static_cast<std::size_t>(mass - 1)])
+        intervals.emplace_back(mass, i);
+  std::vector<std::vector<BifurcationPoint>> found(intervals.size());
   in_parallel(intervals.size(), [&](std::size_t k) {
-    const auto [mass, left] = std::pair(intervals[k].mass, intervals[k].left);
+    const auto [mass, left] = intervals[k];
     for (const Change &change : changes_between(mass, omegas[left], omegas[left + 1]))
-      for (BifurcationPoint &point : locate(change, mass))
-        intervals[k].points.push_back(std::move(point));
+      for (const BifurcationPoint &point : locate(change, mass)) found[k].push_back(point);
   });
   std::vector<BifurcationPoint> points;
-  for (const Interval &interval : intervals)
-    points.insert(points.end(), interval.points.begin(), interval.points.end());
+  for (const auto &of_interval : found)
+    points.insert(points.end(), of_interval.begin(), of_interval.end());
   std::sort(points.begin(), points.end(),
             [](const auto &a, const auto &b) { return a.omega.value < b.omega.value; });
-  for (std::size_t i = points.size(); i-- > 0;) {
-    const auto same = [&](const BifurcationPoint &other) {
-      return other.symbol == points[i].symbol;
-    };
-    const auto index =
-        std::count_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i), same);
-    if (points[i].symbol.starts_with("border")) points[i].symbol += fmt::format("_{}", index + 1);
-  }
+  std::map<std::string, int> numbers;
+  for (BifurcationPoint &point : points)
+    if (point.symbol.starts_with("border"))
+      point.symbol += fmt::format("_{}", ++numbers[std::string(point.symbol)]);
   return points;
 }
 

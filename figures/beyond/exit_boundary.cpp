@@ -43,31 +43,31 @@ struct StickingOrbitRecorder {
 // Frequencies at which mass 2 sticks in another part of the plane (ours).
 constexpr double other_omega[] = {0.31, 0.34, 0.43};
 
+void draw(const std::filesystem::path &output) {
+  const Scene scene = paper::figure2();
+  const double until = 12 * Clock(scene.omega).period;
+  StickingOrbitRecorder second{2, 1, 0.0, until, 0.005}, first{1, 2, 0.0, until, 0.005};
+  require_complete(simulate(scene, until, {}, first, second));
+  write(second.table, output / "exit_boundary2.csv");
+  write(first.table, output / "exit_boundary1.csv");
+  Table omegas("orbit,omega");
+  omegas.row(0, scene.omega);
+  // Mass 2's boundary does not depend on the forcing: at other frequencies, too, it is released
+  // there.
+  for (int n = 1; n <= 3; ++n) {
+    const Scene other = paper::figure3(other_omega[n - 1]);
+    omegas.row(n, other.omega);
+    const double period = Clock(other.omega).period;
+    StickingOrbitRecorder orbit{2, 1, 40 * period, 41.5 * period, 0.005};
+    require_complete(simulate(other, orbit.to, {}, orbit));
+    write(orbit.table, output / fmt::format("exit_boundary2_{}.csv", n));
+  }
+  write(omegas, output / "exit_boundary_omegas.csv");
+}
+
 }  // namespace
 
 int main(int argc, char **argv) {
-  using namespace vibro_impact;
   return figures::drive(argc, argv, "Exit boundaries of the sticking regions of the Figure 2 scene",
-                        [](const std::filesystem::path &output) {
-                          const Scene scene = paper::figure2();
-                          const double until = 12 * Clock(scene.omega).period;
-                          StickingOrbitRecorder second{2, 1, 0.0, until, 0.005};
-                          StickingOrbitRecorder first{1, 2, 0.0, until, 0.005};
-                          require_complete(simulate(scene, until, {}, first, second));
-                          write(second.table, output / "exit_boundary2.csv");
-                          write(first.table, output / "exit_boundary1.csv");
-                          Table omegas("orbit,omega");
-                          omegas.row(0, scene.omega);
-                          // Mass 2's boundary does not depend on the forcing: at other frequencies,
-                          // too, it is released there.
-                          for (int n = 1; n <= 3; ++n) {
-                            const Scene other = paper::figure3(other_omega[n - 1]);
-                            omegas.row(n, other.omega);
-                            const double period = Clock(other.omega).period;
-                            StickingOrbitRecorder orbit{2, 1, 40 * period, 41.5 * period, 0.005};
-                            require_complete(simulate(other, orbit.to, {}, orbit));
-                            write(orbit.table, output / fmt::format("exit_boundary2_{}.csv", n));
-                          }
-                          write(omegas, output / "exit_boundary_omegas.csv");
-                        });
+                        draw);
 }

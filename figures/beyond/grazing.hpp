@@ -30,15 +30,23 @@ inline MotionState motion_without_second_stop(double omega) {
   return orbit_near(scene, seed, 1, {});
 }
 
-// Impacts of mass 2 in the `counted` periods that come `after` periods after `start`.
-inline int impacts_of_mass_2(double omega, const MotionState &start, int after, MotionState *end) {
-  const Scene scene = figure5b_at(omega);
-  const MotionState settled_state =
-      after > 0 ? stroboscopic_map(scene, start, after, {}).state : start;
+// Velocities of the impacts of mass 2 in some periods from `state` on, which is brought to their
+// end.
+inline std::vector<double> impacts_of_mass_2(const Scene &scene, MotionState &state, int periods) {
   ImpactSpeedRecorder impacts{2, -1.0};
-  const MotionState last = stroboscopic_map(scene, settled_state, counted, {}, impacts).state;
-  if (end != nullptr) *end = last;
-  return static_cast<int>(impacts.velocities.size());
+  state = stroboscopic_map(scene, state, periods, {}, impacts).state;
+  return impacts.velocities;
+}
+
+inline bool mass_2_hits(double omega, MotionState &state) {
+  return !impacts_of_mass_2(figure5b_at(omega), state, counted).empty();
+}
+
+// Speed of the last impact of mass 2 in the two periods from `state` on (0: it does not reach its
+// stop); the state is brought to their end. The motion may have period two.
+inline double last_speed(const Scene &scene, MotionState &state) {
+  const std::vector<double> impacts = impacts_of_mass_2(scene, state, 2);
+  return impacts.empty() ? 0.0 : impacts.back();
 }
 
 inline BifurcationPoint grazing() {
@@ -50,7 +58,8 @@ inline BifurcationPoint grazing() {
   };
   const Change change = bisect(
       [](double omega) {
-        return impacts_of_mass_2(omega, motion_without_second_stop(omega), 0, nullptr) > 0 ? 1 : 0;
+        MotionState state = motion_without_second_stop(omega);
+        return int{mass_2_hits(omega, state)};
       },
       0.2995, 0.2996);
   return {"grazing_mass_2_figure5b", zero(gap, 0.2995, 0.2996),
@@ -63,8 +72,9 @@ inline BifurcationPoint grazing() {
 inline BifurcationPoint impacts_from_rest() {
   const auto located = [](int periods) {
     const Change change = bisect(
-        [periods](double at) {
-          return impacts_of_mass_2(at, start_of(figure5b_at(at)), periods, nullptr) > 0 ? 1 : 0;
+        [periods](double omega) {
+          MotionState state = settled(figure5b_at(omega), periods);
+          return int{mass_2_hits(omega, state)};
         },
         0.2995, 0.2996);
     return 0.5 * (change.below + change.above);
@@ -76,29 +86,22 @@ inline BifurcationPoint impacts_from_rest() {
           "the same after four times as many periods"};
 }
 
-// Followed downwards by ever smaller steps of `periods` periods each, the motion with impacts is
-// lost here. It ends in a fold, where the approach to it slows down: the error falls as the square
-// of the periods only. `state` is the last motion found.
-inline double end_of_impacting_motion(int periods, MotionState &state) {
-  double omega = 0.2996, step = 1e-5;
-  state = settled(figure5b_at(omega), settling);
-  MotionState next = state;
-  while (step > 1e-12) {
-    if (impacts_of_mass_2(omega - step, state, periods, &next) > 0) {
-      omega -= step;
-      state = next;
+// Followed downwards by ever smaller steps of 300 periods each, the motion with impacts is lost in
+// a fold, where the approach to it slows down: the error falls as the square of the periods only.
+// At the fold a Floquet multiplier mu reaches 1, as the square root of the distance to it:
+// (1 - mu)^2 is smooth and falls to zero there.
+inline BifurcationPoint end_of_impacts() {
+  double followed = 0.2996;
+  MotionState last = settled(figure5b_at(followed), settling);
+  for (double step = 1e-5; step > 1e-12;) {
+    MotionState next = stroboscopic_map(figure5b_at(followed - step), last, 300).state;
+    if (mass_2_hits(followed - step, next)) {
+      followed -= step;
+      last = next;
     } else {
       step /= 2;
     }
   }
-  return omega;
-}
-
-// At the fold a Floquet multiplier mu reaches 1, as the square root of the distance to it:
-// (1 - mu)^2 is smooth and falls to zero there.
-inline BifurcationPoint end_of_impacts() {
-  MotionState last;
-  const double followed = end_of_impacting_motion(300, last);
   const MotionState seed = at_quiet_phase(figure5b_at(followed), last);
   const auto distance = [&](double omega) {
     const PeriodicOrbit orbit = find_periodic_orbit(figure5b_at(omega), seed, 2);
@@ -111,14 +114,6 @@ inline BifurcationPoint end_of_impacts() {
           zero_from_one_side(distance, followed + 4e-8, followed + 2e-8),
           "multiplier of the orbit with impacts reaches 1", followed,
           "motion with impacts followed downwards by 300 periods a step"};
-}
-
-// Speed of the last impact of mass 2 in the two periods from `state` on (0: it does not reach its
-// stop); the state is brought to their end. The motion may have period two.
-inline double last_speed(const Scene &scene, MotionState &state) {
-  ImpactSpeedRecorder impacts{2, -1.0};
-  state = stroboscopic_map(scene, state, 2, {}, impacts).state;
-  return impacts.velocities.empty() ? 0.0 : impacts.velocities.back();
 }
 
 }  // namespace vibro_impact::figures
