@@ -13,48 +13,46 @@ namespace {
 
 using namespace vibro_impact;
 
-// `scan` on the frequencies in falling order, given back in rising order.
-template <class Scan>
-auto downwards(const std::vector<double> &omegas, Scan &&scan) {
-  auto values = scan(std::vector<double>(omegas.rbegin(), omegas.rend()));
-  std::reverse(values.begin(), values.end());
-  return values;
+std::vector<double> frequencies(double from, double width, int intervals) {
+  std::vector<double> omegas;
+  for (int i = 0; i <= intervals; ++i) omegas.push_back(from + width * i / intervals);
+  return omegas;
+}
+
+// What `read` makes of the motion at every frequency: from rest, and following it upwards and
+// downwards.
+template <class SceneAt, class Read>
+auto three_ways(const std::vector<double> &omegas, const SceneAt &scene_at, const Read &read) {
+  constexpr int periods = 60;  // at every frequency of a branch
+  const auto up = figures::along_branch(omegas, scene_at, periods, read);
+  auto down = figures::along_branch({omegas.rbegin(), omegas.rend()}, scene_at, periods, read);
+  std::reverse(down.begin(), down.end());
+  auto rest = up;  // all of it written anew
+  figures::in_parallel(omegas.size(), [&](std::size_t i) {
+    const Scene scene = scene_at(omegas[i]);
+    MotionState state = settled(scene, figures::settling);
+    rest[i] = read(scene, state);
+  });
+  return std::array{rest, up, down};
 }
 
 void draw(const std::filesystem::path &output) {
-  constexpr int settling = 60;  // periods at every frequency of a branch
-  Progress progress("bifurcations", 6);
-  const std::vector<double> omegas = figures::sticking_grid(2000);
-  const auto followed = [](const auto &grid) {
-    return figures::along_branch(grid, paper::stops_of_different_sign, settling,
-                                 figures::sticks_in);
-  };
-  const figures::Counts rest = figures::scan_from_rest(omegas);
-  progress.advance();
-  const figures::Counts up = followed(omegas);
-  progress.advance();
-  const figures::Counts down = downwards(omegas, followed);
-  progress.advance();
+  Progress progress("bifurcations", 4);
+  const std::vector<double> omegas = frequencies(0.25, 0.25, 2000);
+  const auto sticks = three_ways(omegas, paper::stops_of_different_sign, figures::sticks_in);
   Table scan("omega,rest_1,rest_2,up_1,up_2,down_1,down_2");
-  for (std::size_t i = 0; i < omegas.size(); ++i)
+  for (std::size_t i = 0; i < omegas.size(); ++i) {
+    const auto &[rest, up, down] = sticks;
     scan.row(omegas[i], rest[i][0], rest[i][1], up[i][0], up[i][1], down[i][0], down[i][1]);
-
-  std::vector<double> near_grazing;
-  for (int i = 0; i <= 160; ++i) near_grazing.push_back(0.299514 + 5e-8 * i);
-  const auto speeds = [](const auto &grid) {
-    return figures::along_branch(grid, figures::figure5b_at, settling, figures::last_speed);
-  };
-  const auto speed_up = speeds(near_grazing), speed_down = downwards(near_grazing, speeds);
-  Table branches("omega,rest,up,down");
-  for (std::size_t i = 0; i < near_grazing.size(); ++i) {
-    const Scene scene = figures::figure5b_at(near_grazing[i]);
-    MotionState from_rest = settled(scene, figures::settling);
-    branches.row(near_grazing[i], figures::last_speed(scene, from_rest), speed_up[i],
-                 speed_down[i]);
   }
   progress.advance();
-
-  auto points = figures::locate_all(omegas, rest);
+  const std::vector<double> near_grazing = frequencies(0.299514, 8e-6, 160);
+  const auto speeds = three_ways(near_grazing, figures::figure5b_at, figures::last_speed);
+  Table branches("omega,rest,up,down");
+  for (std::size_t i = 0; i < near_grazing.size(); ++i)
+    branches.row(near_grazing[i], speeds[0][i], speeds[1][i], speeds[2][i]);
+  progress.advance();
+  auto points = figures::locate_all(omegas, sticks[0]);
   progress.advance();
   // Both masses stick for the last time below 0.5 at the last border orbit.
   points.push_back(points.back());

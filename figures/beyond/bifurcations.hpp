@@ -116,20 +116,6 @@ inline std::vector<BifurcationPoint> locate(const Change &change, int mass) {
 // Sticking phases of both masses in `counted` periods at every frequency of a grid.
 using Counts = std::vector<std::array<int, 2>>;
 
-inline std::vector<double> sticking_grid(int intervals) {
-  std::vector<double> omegas;
-  for (int i = 0; i <= intervals; ++i) omegas.push_back(0.25 + 0.25 * i / intervals);
-  return omegas;
-}
-
-inline Counts scan_from_rest(const std::vector<double> &omegas) {
-  Counts counts(omegas.size());
-  in_parallel(omegas.size(), [&](std::size_t i) {
-    counts[i] = {sticks_from_rest(omegas[i], 1), sticks_from_rest(omegas[i], 2)};
-  });
-  return counts;
-}
-
 // Sticking phases of both masses in the `counted` periods from `state` on, which is brought to
 // their end.
 inline std::array<int, 2> sticks_in(const Scene &scene, MotionState &state) {
