@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <limits>
 
 #include "figures/printed.hpp"
 #include "reference/scenes/paper_scenes.hpp"
@@ -185,20 +186,47 @@ TEST(Corrections, Mass1SticksAgainAboveTheFrequencyOneHalf) {
 }
 
 // The verdicts of `make check` follow from the print: half a unit of its last digit, the ticks that
-// a value lies between, a twentieth of a tick where it is read off Figure 3.
-TEST(Verdicts, FollowFromWhatThePrintCanTell) {
+// a value lies between, a twentieth of a tick where it is read off Figure 3. No words, no bounds.
+TEST(Verdicts, TheTableSaysWhatThePrintCanTell) {
+  const auto numbers = figures::read_key_numbers(REFERENCE_DIR "/key_number_checks.csv");
+  EXPECT_EQ(numbers.size(), 49u);
+  for (const auto &[symbol, meaning, printed, digits, tolerance] : numbers) {
+    const std::string &words = printed.words;
+    const auto to = words.find(" to ");
+    double from = printed.from, until = printed.from;  // a count, or something that touches
+    if (const auto value = figures::as_number(words)) {
+      const auto point = words.find('.');
+      const std::size_t decimals = point == std::string::npos ? 0 : words.size() - point - 1;
+      const double half = 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+      from = *value - half;
+      until = *value + half;
+    } else if (words.starts_with("about ")) {
+      from = std::stod(words.substr(6)) - 0.05 / 20.0;
+      until = from + 0.1 / 20.0;
+    } else if (words.ends_with("dual sticking") || words.empty()) {  // it happens
+      until = std::numeric_limits<double>::infinity();
+    } else if (to != std::string::npos) {
+      from = std::stod(words);
+      until = std::stod(words.substr(to + 4));
+    }
+    EXPECT_DOUBLE_EQ(printed.from, from) << symbol;
+    EXPECT_DOUBLE_EQ(printed.to, until) << symbol;
+  }
+}
+
+TEST(Verdicts, FollowFromThat) {
   using namespace figures;
-  EXPECT_EQ(verdict_on(digits("0.382"), 0.38197), Verdict::agrees);
-  EXPECT_EQ(verdict_on(digits("0.382"), 0.38251), Verdict::differs);
-  EXPECT_EQ(verdict_on(digits("920"), 919.51), Verdict::agrees);
-  EXPECT_EQ(verdict_on(digits("920"), 919.49), Verdict::differs);
-  EXPECT_EQ(verdict_on(between("-0.06", "-0.04"), -0.0464), Verdict::agrees);
-  EXPECT_EQ(verdict_on(read_off_figure3("0.37"), 0.3678), Verdict::agrees);
-  EXPECT_EQ(verdict_on(read_off_figure3("0.35"), 0.33098), Verdict::differs);
-  EXPECT_EQ(verdict_on(exactly("it grazes", 0.0), 7.5e-5), Verdict::differs);
-  EXPECT_EQ(verdict_on(at_least_once("dual sticking"), 0.0), Verdict::differs);
+  const Printed value{"0.382", 0.3815, 0.3825}, count{"dual sticking", 1.0, HUGE_VAL},
+      read{"about 0.35", 0.3475, 0.3525};
+  EXPECT_EQ(verdict_on(value, 0.38197), Verdict::agrees);
+  EXPECT_EQ(verdict_on(value, 0.38251), Verdict::differs);
+  EXPECT_EQ(verdict_on(value, 0.38149), Verdict::differs);
+  EXPECT_EQ(verdict_on({"it grazes", 0.0, 0.0}, 7.5e-5), Verdict::differs);
+  EXPECT_EQ(verdict_on(count, 0.0), Verdict::differs);
+  EXPECT_EQ(verdict_on(count, 3.0), Verdict::agrees);
   EXPECT_EQ(verdict_on({}, 1.0), Verdict::not_in_the_paper);
-  EXPECT_EQ(in_words(read_off_figure3("0.35"), 0.33098), "differs from the paper by -0.019");
+  EXPECT_EQ(in_words(read, 0.33098), "differs from the paper by -0.019");
+  EXPECT_EQ(in_words(count, 0.0), "differs from the paper by -1");
 }
 
 }  // namespace
