@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -49,10 +48,8 @@ using EventTables = std::map<std::string, std::vector<TrueEvent>>;
 
 // Throws std::runtime_error as above.
 inline EventTables read_event_tables(const std::string &path) {
-  std::ifstream file = opened(path);
   EventTables tables;
-  for (const auto &cells : read_rows(file, path, 7))
-    tables[cells[0]].push_back(event_in(path, cells, 1));
+  for (const auto &cells : read_rows(path, 7)) tables[cells[0]].push_back(event_in(path, cells, 1));
   return tables;
 }
 

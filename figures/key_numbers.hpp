@@ -2,6 +2,7 @@
 // have, as the library computes them, by their symbols in the tables of reference/.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "driver.hpp"
 #include "figures/beyond/bifurcations.hpp"
 #include "figures/beyond/grazing.hpp"
 #include "figures/beyond/table1_scenes.hpp"
@@ -25,11 +27,10 @@ struct Line {
 };
 
 struct ReleasePoints {
-  int mass = 2;
   std::vector<double> x = {}, v = {};
 
   void event(const Event &event, const Moment &moment) {
-    if (event.kind != EventKind::release || event.mass != mass || event.by_a_jump) return;
+    if (event.kind != EventKind::release || event.mass != 2 || event.by_a_jump) return;
     x.push_back(moment.displacement(1));
     v.push_back(moment.velocity(1));
   }
@@ -61,19 +62,13 @@ inline std::vector<Event> events_of(const Scene &scene, double until, double fro
   return recorder.events;
 }
 
-inline double count(const std::vector<Event> &events, EventKind kind, int mass = 0) {
-  double n = 0.0;
-  for (const Event &event : events)
-    if (event.kind == kind && (mass == 0 || event.mass == mass)) n += 1.0;
-  return n;
-}
-
-// How often a mass comes to rest while the other one is held.
-inline double dual_sticks(const Scene &scene, double until) {
-  double n = 0.0;
-  for (const Event &event : events_of(scene, until))
-    if (event.kind == EventKind::stick && contact_mode_name(event.held) == "1+2") n += 1.0;
-  return n;
+// How many there are of a kind, of this mass (0: any), in this contact mode ("": any).
+inline double count(const std::vector<Event> &events, EventKind kind, int mass = 0,
+                    const std::string &mode = "") {
+  return static_cast<double>(std::count_if(events.begin(), events.end(), [&](const Event &event) {
+    return event.kind == kind && (mass == 0 || event.mass == mass) &&
+           (mode.empty() || contact_mode_name(event.held) == mode);
+  }));
 }
 
 // Time of the first event of this kind and mass at or after `from`.
@@ -83,26 +78,22 @@ inline double first_time(const std::vector<Event> &events, EventKind kind, int m
   return std::nan("");
 }
 
-// Greatest displacement of a mass among samples every `every` in [from, to].
-inline double extreme(const Scene &scene, int mass, double sense, double from, double to,
-                      double every) {
-  SampleRecorder samples;
-  samples.from = from;
-  samples.to = to;
-  samples.every = every;
-  require_complete(simulate(scene, to, {}, samples));
+// The highest (`sense` 1) or the lowest (-1) displacement of a mass in the window of a panel, among
+// samples every 1e-4.
+inline double extreme(const Scene &scene, std::size_t mass, double sense,
+                      const paper::AxisBox &box) {
+  SampleRecorder samples = samples_across(box, 1e-4);
+  require_complete(simulate(scene, samples.to, {}, samples));
   double most = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < samples.times.size(); ++i)
-    most =
-        std::max(most, sense * samples.displacements[2 * i + static_cast<std::size_t>(mass - 1)]);
+  for (std::size_t i = mass - 1; i < samples.displacements.size(); i += 2)
+    most = std::max(most, sense * samples.displacements[i]);
   return sense * most;
 }
 
 // The greatest hold force on mass 1 in the last ten periods to `until` (negative: it is pressed).
 inline double hold_force_peak(const Scene &scene, double until) {
-  const double period = 2.0 * std::acos(-1.0) / scene.omega;
   HoldForceRecorder hold;
-  hold.from = until - 10.0 * period;
+  hold.from = until - 10.0 * Clock(scene.omega).period;
   hold.to = until;
   hold.every = 1e-4;
   require_complete(simulate(scene, until, {}, hold));
@@ -151,9 +142,12 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
   const auto first = [](const Scene &scene, EventKind kind, int mass, const AxisBox &box) {
     return [=] { return first_time(events_of(scene, box.to), kind, mass, box.from); };
   };
-  // Across the window of a panel, sampled every 1e-4.
-  const auto lowest = [](const Scene &scene, int mass, const AxisBox &box) {
-    return [=] { return extreme(scene, mass, -1.0, box.from, box.to, 1e-4); };
+  const auto lowest = [](const Scene &scene, std::size_t mass, const AxisBox &box) {
+    return [=] { return extreme(scene, mass, -1.0, box); };
+  };
+  // How often a mass comes to rest while the other one is held.
+  const auto dual_sticks = [](const Scene &scene, const AxisBox &box) {
+    return [=] { return count(events_of(scene, box.to), EventKind::stick, 0, "1+2"); };
   };
   // The position of the stop of a mass in a scene of Table I.
   const auto stop = [](auto scene_of, std::size_t mass) {
@@ -171,7 +165,7 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
       {"figure2_sticks", number_of(EventKind::stick)},
       {"figure2_releases", number_of(EventKind::release)},
       {"figure2_x2_min", lowest(figure2(), 2, figure2a_box)},
-      {"figure2_x1_max", [] { return extreme(figure2(), 1, 1.0, 700.0, 750.0, 1e-4); }},
+      {"figure2_x1_max", [] { return extreme(figure2(), 1, 1.0, figure2a_box); }},
       {"figure2b_x2_min", lowest(figure2(), 2, figure2b_box)},
       {"figure2b_chatter_start", first(figure2(), EventKind::impact, 2, figure2b_box)},
       {"figure2b_chatter_end", first(figure2(), EventKind::stick, 2, figure2b_box)},
@@ -193,7 +187,7 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
          return figure5b().stops[1].position - place_at(figure5b(), 2, time);
        }},
       {"figure5b_x2_min", lowest(figure5b(), 2, figure5b_box)},
-      {"figure5b_dual_sticks", [] { return dual_sticks(figure5b(), figure5b_box.to); }},
+      {"figure5b_dual_sticks", dual_sticks(figure5b(), figure5b_box)},
       {"figure5c_release_time", first(figure5c(), EventKind::release, 1, figure5c_box)},
       {"figure5c_bounce_interval",
        [] {
@@ -201,7 +195,7 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
          const Event &one = events.front(), &last = events.back();
          return (last.time - one.time) / static_cast<double>(events.size() - 1);
        }},
-      {"figure5c_dual_sticks", [] { return dual_sticks(figure5c_reduced(), figure5c_box.to); }},
+      {"figure5c_dual_sticks", dual_sticks(figure5c_reduced(), figure5c_box)},
       {"grazing_mass_2_figure5b", [] { return grazing().omega.value; }},
       {"DG_Omega", [] { return dual_grazing().scene.omega; }},
       {"DG_s1", stop(dual_grazing, 1)},

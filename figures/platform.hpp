@@ -6,9 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <boost/version.hpp>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <string>
 
@@ -25,22 +23,16 @@ inline std::string output_of(const std::string &command) {
 }
 
 inline std::string first_line_of(const std::string &command) {
-  const std::string text = output_of(command + " 2>/dev/null");
+  const std::string text = output_of("{ " + command + "; } 2>/dev/null");
   return text.substr(0, text.find('\n'));
 }
 
 // Its name, and those of its instruction sets that the C library chooses its functions by.
 inline std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  std::string model, sets;
-  for (std::string line; std::getline(file, line) && sets.empty();) {
-    if (line.starts_with("model name")) model = line.substr(line.find(':') + 2);
-    if (!line.starts_with("flags")) continue;
-    for (const char *set : {"fma", "avx2", "avx512f"})
-      if ((line + " ").find(fmt::format(" {} ", set)) != std::string::npos)
-        sets += fmt::format(" {}", set);
-  }
-  return model.empty() ? first_line_of("uname -m") : model + sets;
+  const std::string name = first_line_of(
+      "{ sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1;"
+      " grep -m 1 ^flags /proc/cpuinfo | grep -ow -e fma -e avx2 -e avx512f; } | paste -sd ' '");
+  return name.empty() ? first_line_of("uname -m") : name;
 }
 
 // With the instruction sets it was told to use beyond those of every such processor.
@@ -62,12 +54,6 @@ inline std::string compiler() {
 inline std::string platform() {
   return fmt::format("{}, C library {}, Eigen {}.{}.{}, {}", compiler(), gnu_get_libc_version(),
                      EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, processor());
-}
-
-// What else has a part in it.
-inline std::string made_with() {
-  return fmt::format("Boost {}, fmt {}, {}, {}", BOOST_LIB_VERSION, FMT_VERSION,
-                     first_line_of("gnuplot --version"), first_line_of("uname -sr"));
 }
 
 }  // namespace vibro_impact::figures

@@ -58,9 +58,8 @@ struct KeyNumber {
 
 // Throws std::runtime_error naming the table and what is wrong with it.
 inline std::vector<KeyNumber> read_key_numbers(const std::string &path) {
-  std::ifstream file = opened(path);
   std::vector<KeyNumber> numbers;
-  for (const auto &cells : read_rows(file, path, 8)) {
+  for (const auto &cells : read_rows(path, 8)) {
     const auto bound = [&](const std::string &cell) {
       return cell.empty() ? std::numeric_limits<double>::infinity() : number_in(path, cell);
     };

@@ -4,6 +4,7 @@
 // else number by number.
 #include <fmt/chrono.h>
 
+#include <boost/version.hpp>
 #include <ctime>
 #include <sstream>
 
@@ -17,22 +18,18 @@ using namespace vibro_impact::figures;
 using std::filesystem::path;
 
 // The commit, with "+" when files differ from it; that of the archive where there is no repository.
-std::string commit() {
-  const std::string git = "git -C '" SOURCE_DIR "' ";
-  const std::string head = first_line_of(git + "rev-parse HEAD");
-  if (!head.empty())
-    return head + (first_line_of(git + "status --porcelain -uno").empty() ? "" : "+");
-  const std::string archived = first_line_of("cat '" SOURCE_DIR "/.commit'");
-  return archived.starts_with('$') ? "" : archived;
-}
-
 std::string manifest_of(const path &folder) {
-  std::string text = fmt::format("# platform: {}\n# software: vibro-impact {}\n# commit: {}\n",
-                                 platform(), VIBRO_IMPACT_VERSION, commit());
-  text += fmt::format("# written: {:%FT%TZ}\n# with: {}\n", fmt::gmtime(std::time(nullptr)),
-                      made_with());
-  return text + output_of(fmt::format("cd '{}' && sha256sum $(ls | grep -E '[.](csv|png)$')",
-                                      folder.string()));
+  const std::string commit = first_line_of(
+      "git -C '" SOURCE_DIR
+      "' describe --always --abbrev=40 --exclude '*' --dirty=+ || grep -v '^\\$' '" SOURCE_DIR
+      "/.commit'");
+  return fmt::format(
+      "# platform: {}\n# software: vibro-impact {}\n# commit: {}\n# written: {:%FT%TZ}\n"
+      "# with: Boost {}, fmt {}, {}, {}\n{}",
+      platform(), VIBRO_IMPACT_VERSION, commit, fmt::gmtime(std::time(nullptr)), BOOST_LIB_VERSION,
+      FMT_VERSION, first_line_of("gnuplot --version"), first_line_of("uname -sr"),
+      output_of(
+          fmt::format("cd '{}' && sha256sum $(ls | grep -E '[.](csv|png)$')", folder.string())));
 }
 
 void save(const path &file, const std::string &text) {
@@ -80,14 +77,11 @@ bool compare(const path &folder, const path &stored, const std::vector<std::stri
     } else {
       why =
           difference(extract(folder / name, rule.until), extract_of(stored, name), rule.tolerance);
-      if (why.empty()) {
-        fmt::print("{}: the same within {:.0e}\n", name, rule.tolerance);
-        ++near;
-      }
+      if (why.empty()) fmt::print("{}: the same within {:.0e}\n", name, rule.tolerance);
+      near += why.empty() ? 1 : 0;
     }
-    if (why.empty()) continue;
-    fmt::print("{}: {}\n", name, why);
-    ++beyond;
+    if (!why.empty()) fmt::print("{}: {}\n", name, why);
+    beyond += why.empty() ? 0 : 1;
   }
   fmt::print(
       "{} tables the same byte for byte, {} within their tolerance, {} not to be compared, {} "

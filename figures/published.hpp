@@ -268,9 +268,8 @@ inline Parameters read_parameters(const std::string &table, const std::string &c
 // Columns: id,source,quantity,parameters,printed,tolerance,kind,limited_by.
 inline std::vector<Result> results(const std::string &folder) {
   const std::string name = folder + "/published.csv";
-  std::ifstream file = figures::opened(name);
   std::vector<Result> rows;
-  for (const auto &cells : figures::read_rows(file, name, 8))
+  for (const auto &cells : figures::read_rows(name, 8))
     rows.push_back({cells[0], cells[1], cells[2], cells[3], cells[4], cells[6],
                     figures::number_in(name, cells[4]), figures::number_in(name, cells[5]),
                     cells[7], read_parameters(name, cells[3])});

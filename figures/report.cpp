@@ -15,7 +15,6 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::figures;
 using std::filesystem::path;
-using Rows = std::vector<std::vector<std::string>>;
 
 // The columns of key_numbers_checked.csv.
 enum Column : std::size_t {
@@ -27,7 +26,8 @@ enum Column : std::size_t {
   digits,
   error,
   allowed,
-  verdict
+  verdict,
+  met
 };
 
 constexpr const char *head = R"(<!DOCTYPE html>
@@ -148,37 +148,19 @@ std::string table(const std::vector<std::pair<std::string, std::size_t>> &column
   return text + "</tr></table></div>\n";
 }
 
-std::string key_numbers(const Rows &rows) {
-  return table({{"number", meaning},
-                {"the paper says", printed},
-                {"computed", computed},
-                {"error", error},
-                {"allowed", allowed},
-                {"verdict", verdict}},
-               rows);
-}
+const std::vector<std::pair<std::string, std::size_t>> columns_of_keys{
+    {"number", meaning}, {"the paper says", printed}, {"computed", computed},
+    {"error", error},    {"allowed", allowed},        {"verdict", verdict}};
 
-Rows rows_of(const path &file) {
-  std::ifstream stream = opened(file.string());
-  return read_rows(stream, file.string(), 8);
-}
-
-template <class Condition>
-Rows those_with(const Rows &rows, const Condition &condition) {
-  Rows some;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(some), condition);
-  return some;
+// The rows of which a cell begins with this.
+std::size_t count(const Rows &rows, const char *beginning, std::size_t cell) {
+  return static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [&](const auto &row) { return row[cell].starts_with(beginning); }));
 }
 
 std::string page(const path &folder) {
-  const Rows keys = rows_of(folder / "key_numbers_checked.csv"),
-             others = rows_of(folder / "published_checked.csv");
-  const auto count = [&](const char *word) {
-    return those_with(keys, [&](const auto &row) { return row[verdict].starts_with(word); }).size();
-  };
-  const auto met = those_with(keys, [](const auto &row) { return row.back() == "pass"; }).size(),
-             passed =
-                 those_with(others, [](const auto &row) { return row.back() == "pass"; }).size();
+  const Rows keys = read_rows(folder / "key_numbers_checked.csv", 10),
+             others = read_rows(folder / "published_checked.csv", 8);
   std::string text = head;
   text += fmt::format(
       "<p>Of {} key numbers <strong class=agrees>{} agree with the paper</strong>, within what its "
@@ -187,17 +169,18 @@ std::string page(const path &folder) {
       "not in it</strong>. {} of {} are within what is allowed of their references, from 50 digits "
       "or "
       "formulas; of {} results that others have published, {}.</p>\n",
-      keys.size(), count("agrees"), count("differs"), count("not"), met, keys.size(), others.size(),
-      passed);
+      keys.size(), count(keys, "agrees", verdict), count(keys, "differs", verdict),
+      count(keys, "not", verdict), count(keys, "pass", met), keys.size(), others.size(),
+      count(others, "pass", 7));
   for (const Section &section : sections) {
     text += fmt::format("<h2>{}</h2>\n<p>{}</p>\n", section.title, section.text);
-    const Rows rows = those_with(keys, [&](const auto &row) {
-      return std::any_of(section.symbols.begin(), section.symbols.end(),
-                         [&](const char *beginning) { return row[symbol].starts_with(beginning); });
-    });
+    Rows rows;
+    for (const auto &row : keys)
+      for (const char *beginning : section.symbols)
+        if (row[symbol].starts_with(beginning)) rows.push_back(row);
     if (*section.picture != '\0')
       text += picture(folder / (section.picture + std::string(".png")), section.title);
-    if (!rows.empty()) text += key_numbers(rows);
+    if (!rows.empty()) text += table(columns_of_keys, rows);
   }
   text += "<h2>Published by others</h2>\n<p>Sources: reference/README.md.</p>\n";
   text += table({{"result", 0},

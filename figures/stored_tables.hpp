@@ -27,9 +27,8 @@ struct Rule {
 using Rules = std::map<std::string, Rule>;
 
 inline Rules read_rules(const std::filesystem::path &path) {
-  std::ifstream file = opened(path.string());
   Rules rules;
-  for (const auto &cells : read_rows(file, path.string(), 4)) {
+  for (const auto &cells : read_rows(path.string(), 4)) {
     Rule &rule = rules[cells[0]];
     rule.compared = cells[1] != "not compared";
     if (rule.compared) rule.tolerance = number_in(path.string(), cells[1]);

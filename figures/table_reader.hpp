@@ -37,6 +37,8 @@ inline std::vector<std::string> cells_of(const std::string &line) {
   return cells;
 }
 
+using Rows = std::vector<std::vector<std::string>>;  // of cells
+
 // A cell of text that may hold commas.
 inline std::string in_quotes(const std::string &text) {
   return '"' + text + '"';
@@ -44,9 +46,8 @@ inline std::string in_quotes(const std::string &text) {
 
 // The rows below the header line. Throws std::runtime_error naming `name` and the line of a row
 // with fewer than `columns` cells.
-inline std::vector<std::vector<std::string>> read_rows(std::istream &file, const std::string &name,
-                                                       std::size_t columns) {
-  std::vector<std::vector<std::string>> rows;
+inline Rows read_rows(std::istream &file, const std::string &name, std::size_t columns) {
+  Rows rows;
   std::string line;
   std::getline(file, line);
   for (int number = 2; std::getline(file, line); ++number) {
@@ -57,6 +58,11 @@ inline std::vector<std::vector<std::string>> read_rows(std::istream &file, const
     rows.push_back(std::move(cells));
   }
   return rows;
+}
+
+inline Rows read_rows(const std::string &path, std::size_t columns) {
+  std::ifstream file = opened(path);
+  return read_rows(file, path, columns);
 }
 
 // A whole cell as a number; nothing for other text.
