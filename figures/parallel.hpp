@@ -1,26 +1,17 @@
-// Independent pieces of work on as many threads as OpenMP gives.
+// Independent pieces of work on as many threads as a sweep takes.
 #pragma once
 
-#include <cstddef>
-#include <exception>
+#include "vibro_impact/analysis/sweep.hpp"
 
 namespace vibro_impact::figures {
 
-// work(0) to work(count - 1), in any order. None may leave a parallel loop with an exception: it is
-// thrown when all are done.
+// work(0) to work(count - 1), in any order. Throws what the first of them throws.
 template <class Work>
 void in_parallel(std::size_t count, const Work &work) {
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < count; ++i) {
-    try {
-      work(i);
-    } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  sweep_in_order(count, [&](std::size_t i) -> std::function<void()> {
+    work(i);
+    return [] {};
+  });
 }
 
 }  // namespace vibro_impact::figures
