@@ -142,20 +142,22 @@ void read_along(const State<D> &state, std::size_t k, Weights<D> &weights, const
   counters.products += (path.order + 1) * columns;
 
   const AtStop &stop = state.stops[contact.stop];
-  const bool in_flight = !contact.held && !leaves_from_rest(stop);
-  if (in_flight ? stop.below_rounding : is_still(stop)) drop_rounding(state, of, path, p);
-  if (!in_flight) p.coefficient[0] += contact.watched.offset;
-  const int zeros = std::min(stop.zeros, path.order + 1);
-  double term = stop.leading;
-  for (int n = 0; n < zeros; ++n) {
-    p.coefficient[static_cast<std::size_t>(n)] = 0.0;
-    term *= path.span * scene_rate / (n + 1);
-  }
-  if (in_flight) {
-    if (zeros == 0) p.coefficient[0] = stop.gap;
+  // More is zero than at a root of a force where motion has yet to come along the chain.
+  if (stop.below_rounding || stop.zeros > 1) drop_rounding(state, of, path, p);
+  p.coefficient[0] += contact.watched.offset;
+  if (stop.decided) {
+    // The force on a free mass is the second derivative of its gap.
+    const int known = contact.held ? stop.zeros : stop.zeros + 2;
+    const int zeros = stays_at_rest(stop) ? path.order + 1 : std::min(known, path.order + 1);
+    double term = stop.leading;
+    for (int n = 0; n < zeros; ++n) {
+      p.coefficient[static_cast<std::size_t>(n)] = 0.0;
+      term *= path.span * scene_rate / (n + 1);
+    }
+    if (zeros <= path.order) p.coefficient[static_cast<std::size_t>(zeros)] = term;
+  } else if (!contact.held) {
+    p.coefficient[0] = stop.gap;
     p.coefficient[1] = stop.speed * path.span;
-  } else if (is_known(stop) && zeros <= path.order) {
-    p.coefficient[static_cast<std::size_t>(zeros)] = term;
   }
 }
 

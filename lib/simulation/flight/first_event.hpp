@@ -48,9 +48,9 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
     const AtStop &stop = state.stops[contact.stop];
     auto &watch = flight.watched[k];
     watch.at = 2.0;
-    const bool known = is_known(stop);
-    const double now = contact.held && !known ? watched_now(state, contact) : stop.gap;
-    watch.clear = !known && stays_clear(state, contact, now, flight.speeds, span, 2.0 * wide);
+    const double now = contact.held ? watched_now(state, contact) : stop.gap;
+    watch.clear =
+        !stop.decided && stays_clear(state, contact, now, flight.speeds, span, 2.0 * wide);
     if (watch.clear) {
       ++counters.stops_clear;
       continue;
@@ -107,7 +107,7 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
       continue;
     }
     const Jet carried = jet_at(watch.polynomial, 0, u);
-    if (leaves_from_rest(stop) && carried.value == 0.0 && carried.slope == 0.0)
+    if (stop.decided && carried.value == 0.0 && carried.slope == 0.0)
       continue;  // at rest still, as far as can be told
     set_in_flight(stop, std::max(0.0, carried.value), carried.slope / path.span);
     stop.below_rounding = stop.gap < rounding * size;

@@ -89,11 +89,11 @@ void gather_resting(Run<D> &run, bool at_start) {
     if (!contact.held && !(stop.gap == 0.0 && stop.speed == 0.0)) continue;
     const bool root = std::find(run.roots.begin(), run.roots.end(), k) != run.roots.end(),
                pushed = is_pushed(run, contact.mass);
-    if (contact.held && !root && !at_start && !is_known(stop) &&
+    if (contact.held && !root && !at_start && !stop.decided &&
         !(pushed && !is_wide(state, contact)))
       continue;
     // The force is zero now, or at this very instant before, unless it has jumped since.
-    const bool zero = root || force_is_zero(stop, contact.held);
+    const bool zero = root || stop.zeros > 0 || stays_at_rest(stop);
     run.question.resting.push_back(
         {contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }

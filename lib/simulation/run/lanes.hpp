@@ -110,10 +110,8 @@ void start_from(Run<D> &run, const MotionState &motion) {
   for (std::size_t k = 0; k < state.stops.size(); ++k) {
     const Stop &stop = run.scene.stops[k];
     const auto i = static_cast<std::size_t>(stop.mass - 1);
-    AtStop &at = state.stops[k];
-    set_in_flight(at, sign(stop.side) * (stop.position - motion.displacement[i]),
+    set_in_flight(state.stops[k], sign(stop.side) * (stop.position - motion.displacement[i]),
                   -sign(stop.side) * motion.velocity[i]);
-    if (at.gap == 0.0 && at.speed != 0.0) set_leaving(at, at.speed);
   }
   const ContactMode<D> *mode = state.mode;
   for (std::size_t k = 0; k < mode->contacts.size(); ++k) {

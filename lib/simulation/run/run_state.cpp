@@ -6,74 +6,12 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr std::string_view kind = "vibro-impact run state 1";
-
-// The lines of the text in their order, once for both directions: `lines` writes or reads them.
-template <class Lines, class Numbers>
-void pass(Lines &lines, Numbers &state) {
-  lines.line(kind);
-  lines.line("instant", state.instant.cycle, state.instant.phase);
-  lines.line("held", state.held);
-  lines.line("values", state.value);
-  lines.line("slopes", state.slope);
-  lines.line("stops", state.stops);
-  lines.line("next_flight", state.next_flight);
-  lines.line("clear", state.clear);
-  lines.line("window", state.window_start.cycle, state.window_start.phase, state.impacts_in_window);
-  lines.line("chatter_contacts", state.chatter.contacts);
-  lines.line("chatter_times", state.chatter.times);
-  lines.line("chatter_jumps", state.chatter.jumps);
-  lines.line("chatter_flight", state.chatter.flight, state.chatter.since);
-  lines.line("chatter_nodes", state.nodes);
-}
-
-// The numbers of what a line holds several of.
-template <class Lines, class Stop>
-void pass_stop(Lines &lines, Stop &at) {
-  lines.all(at.gap, at.speed, at.zeros, at.leading, at.below_rounding, at.last_speed, at.falling);
-}
-template <class Lines, class Node>
-void pass_node(Lines &lines, Node &node) {
-  lines.all(node.x, node.predicted, node.impact);
-}
-
-struct Writer {
+// The text of a state, line by line: written, or read where there is a text to read.
+struct Lines {
+  bool reads = false;
   std::string text = {};
-
-  template <class... Values>
-  void line(std::string_view key, const Values &...values) {
-    text += key;
-    all(values...);
-    text.push_back('\n');
-  }
-  template <class... Values>
-  void all(const Values &...values) {
-    (put(values), ...);
-  }
-  template <class Number>
-  void put(Number number) {
-    text.push_back(' ');
-    append(text, number);
-  }
-  void put(bool value) {
-    put(value ? 1 : 0);
-  }
-  void put(const AtStop &stop) {
-    pass_stop(*this, stop);
-  }
-  void put(const ChatterTable::Node &node) {
-    pass_node(*this, node);
-  }
-  template <class Value>
-  void put(const std::vector<Value> &values) {
-    for (const Value &value : values) put(value);
-  }
-};
-
-struct Reader {
-  std::string_view text;
   int number = 0;              // of the current line
-  std::string_view rest = {};  // of the current line, with the space before it
+  std::string_view rest = {};  // of the text; of the current line while it is read
 
   template <class... Pieces>
   void require_line(bool holds, const Pieces &...pieces) const {
@@ -82,23 +20,30 @@ struct Reader {
   template <class... Values>
   void line(std::string_view key, Values &...values) {
     ++number;
-    const std::size_t end = text.find('\n');
-    require_line(end != text.npos, "cut short");
-    rest = text.substr(0, end);
-    text.remove_prefix(end + 1);
+    if (!reads) {
+      text += key;
+      (pass(values), ...);
+      text.push_back('\n');
+      return;
+    }
+    const std::size_t end = rest.find('\n');
+    require_line(end != rest.npos, "cut short");
+    const std::string_view after = rest.substr(end + 1);
+    rest = rest.substr(0, end);
     const bool found =
         rest.starts_with(key) && (rest.size() == key.size() || rest[key.size()] == ' ');
     require_line(found, "'", key, "' expected, not '", rest.substr(0, 40), "'");
     rest.remove_prefix(key.size());
-    all(values...);
+    (pass(values), ...);
     require_line(rest.empty(), "more than expected");
-  }
-  template <class... Values>
-  void all(Values &...values) {
-    (take(values), ...);
+    rest = after;
   }
   template <class Number>
-  void take(Number &value) {
+  void pass(Number &value) {
+    if (!reads) {
+      text.push_back(' ');
+      return append(text, value);
+    }
     require_line(!rest.empty(), "fewer numbers than expected");
     const std::string_view word = rest.substr(1, rest.find(' ', 1) - 1);
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -106,21 +51,41 @@ struct Reader {
                  "' is not a number of its kind");
     rest.remove_prefix(1 + word.size());
   }
-  void take(bool &value) {
-    int number_of_it = 0;
-    take(number_of_it);
-    require_line(number_of_it == 0 || number_of_it == 1, number_of_it, " is neither 0 nor 1");
-    value = number_of_it == 1;
+  void pass(bool &value) {
+    int as_number = value ? 1 : 0;
+    pass(as_number);
+    require_line(as_number == 0 || as_number == 1, as_number, " is neither 0 nor 1");
+    value = as_number == 1;
   }
-  void take(AtStop &stop) {
-    pass_stop(*this, stop);
+  void pass(AtStop &at) {
+    pass(at.gap), pass(at.speed), pass(at.below_rounding);
+    pass(at.decided), pass(at.zeros), pass(at.leading);
+    pass(at.last_speed), pass(at.falling);
   }
-  void take(ChatterTable::Node &node) {
-    pass_node(*this, node);
+  void pass(ChatterTable::Node &node) {
+    pass(node.x), pass(node.predicted), pass(node.impact);
   }
   template <class Value>
-  void take(std::vector<Value> &values) {
-    while (!rest.empty()) take(values.emplace_back());
+  void pass(std::vector<Value> &values) {
+    while (reads && !rest.empty()) pass(values.emplace_back());
+    if (!reads)
+      for (Value &value : values) pass(value);
+  }
+  void pass_state(RunState::Numbers &state) {
+    line("vibro-impact run state 2");
+    line("instant", state.instant.cycle, state.instant.phase);
+    line("held", state.held);
+    line("values", state.value);
+    line("slopes", state.slope);
+    line("stops", state.stops);
+    line("next_flight", state.next_flight);
+    line("clear", state.clear);
+    line("window", state.window_start.cycle, state.window_start.phase, state.impacts_in_window);
+    line("chatter_contacts", state.chatter.contacts);
+    line("chatter_times", state.chatter.times);
+    line("chatter_jumps", state.chatter.jumps);
+    line("chatter_flight", state.chatter.flight, state.chatter.since);
+    line("chatter_nodes", state.nodes);
   }
 };
 
@@ -136,17 +101,18 @@ const Held &RunState::held() const {
 }
 
 std::string save(const RunState &state) {
-  Writer writer;
-  pass(writer, state.numbers());
-  return writer.text;
+  RunState::Numbers numbers = state.numbers();
+  Lines lines;
+  lines.pass_state(numbers);
+  return lines.text;
 }
 
 RunState load(const Scene &scene, std::string_view text) {
   check(scene);
   RunState::Numbers numbers;
-  Reader reader{text};
-  pass(reader, numbers);
-  require(reader.text.empty(), "state of a run: something follows its last line");
+  Lines lines{.reads = true, .rest = text};
+  lines.pass_state(numbers);
+  require(lines.rest.empty(), "state of a run: something follows its last line");
   check_place(scene, numbers.instant, numbers.held);
   if (has_four_lanes(scene))
     require_consistent(numbers, scene, build_contact_mode<4>(scene, numbers.held));
@@ -174,32 +140,29 @@ void check_place(const Scene &scene, const Instant &instant, const Held &held) {
             ": it has no such stop (0 free, 1 upper, -1 lower)");
 }
 
-void check_stop_state(const AtStop &stop, bool held) {
-  const bool at_rest = stop.gap == 0.0 && stop.speed == 0.0;
-  const bool finite = std::isfinite(stop.gap + stop.speed + stop.leading + stop.last_speed);
-  // Of a free mass: the gap where one zero is known, and its speed where there are more.
-  const bool zeros_fit = held              ? at_rest
-                         : stop.zeros == 0 ? stop.leading == 0.0
-                                           : stop.gap == 0.0 && (stop.zeros == 1 || at_rest);
-  require(finite && stop.gap >= 0.0 && stop.zeros >= 0 && stop.zeros <= all_zeros &&
-              stop.leading >= 0.0 && zeros_fit,
-          "state: gap = ", stop.gap, ", speed = ", stop.speed, ", ", stop.zeros, " zeros before ",
-          stop.leading, " at a stop: not those of a run");
-  require(stop.falling >= 0 && stop.last_speed >= 0.0, "state: ", stop.falling,
-          " falling impacts, the latest at ", stop.last_speed, ": not those of a run");
-}
-
-void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes) {
+void check_numbers(const RunState::Numbers &from) {
+  for (const AtStop &at : from.stops) {
+    const bool finite = std::isfinite(at.gap + at.speed + at.leading + at.last_speed);
+    const bool fits = at.decided ? at.gap == 0.0 && at.speed == 0.0 && !at.below_rounding
+                                 : at.zeros == 0 && at.leading == 0.0;
+    require(finite && fits && at.gap >= 0.0 && at.zeros >= 0 && at.leading >= 0.0,
+            "state: gap = ", at.gap, ", speed = ", at.speed, ", ", at.zeros, " zeros before ",
+            at.leading, " at a stop: not those of a run");
+    require(at.falling >= 0 && at.last_speed >= 0.0, "state: ", at.falling,
+            " falling impacts, the latest at ", at.last_speed, ": not those of a run");
+  }
+  require(from.next_flight >= 0.0 && from.impacts_in_window >= 0, "state: next flight ",
+          from.next_flight, ", ", from.impacts_in_window, " impacts: not those of a run");
+  require(!(from.instant < from.window_start), "state: impacts are counted from a later time");
+  const ChatterImpacts &chatter = from.chatter;
+  const std::vector<ChatterTable::Node> &nodes = from.nodes;
   bool fits = chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
               chatter.contacts.empty() == chatter.times.empty() &&
               nodes.empty() == chatter.times.empty() && nodes.size() <= max_chatter_nodes &&
-              chatter.since >= 0.0 && std::isfinite(chatter.since);
-  for (std::size_t k = 0; k < chatter.times.size(); ++k)
-    fits = fits && (k == 0 ? chatter.times[k] == 0.0 : chatter.times[k - 1] <= chatter.times[k]);
-  for (const double jump : chatter.jumps) fits = fits && jump > 0.0 && std::isfinite(jump);
+              chatter.since >= 0.0 && std::is_sorted(chatter.times.begin(), chatter.times.end());
+  for (const double jump : chatter.jumps) fits = fits && jump > 0.0;
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    fits = fits && nodes[k].x > 0.0 && nodes[k].impact < chatter.times.size() &&
-           chatter.times[nodes[k].impact] <= nodes[k].predicted &&
+    fits = fits && nodes[k].impact < chatter.times.size() && nodes[k].x > 0.0 &&
            (k == 0 || (nodes[k].x < nodes[k - 1].x && nodes[k - 1].impact < nodes[k].impact));
   require(fits, "state: the impacts of a chatter that are not those of a run");
 }

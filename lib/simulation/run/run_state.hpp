@@ -25,11 +25,8 @@ struct RunState::Numbers {
 // are held at stops that exist.
 void check_place(const Scene &scene, const Instant &instant, const Held &held);
 
-// Throws std::invalid_argument where what is known of one stop, by itself, is not that of a run.
-void check_stop_state(const AtStop &stop, bool held);
-
-// Throws std::invalid_argument where the impacts of a chatter so far are not those of a run.
-void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes);
+// Throws std::invalid_argument where the numbers contradict each other.
+void check_numbers(const RunState::Numbers &from);
 
 // Throws std::invalid_argument where the state contradicts itself, or the scene in this mode.
 template <int D>
@@ -37,6 +34,7 @@ void require_consistent(const RunState::Numbers &from, const Scene &scene,
                         const ContactMode<D> &mode) {
   using Lanes = Eigen::Array<double, D, 1>;
   const auto lanes = static_cast<std::size_t>(mode.lanes());
+  check_numbers(from);
   require(from.value.size() == lanes && from.slope.size() == lanes, "state: ", from.value.size(),
           " and ", from.slope.size(), " modal coordinates given, the contact mode ",
           contact_mode_name(from.held), " has ", lanes);
@@ -56,16 +54,10 @@ void require_consistent(const RunState::Numbers &from, const Scene &scene,
   state.value = value;
   for (const Contact<D> &contact : mode.contacts) {
     const AtStop &stop = from.stops[contact.stop];
-    check_stop_state(stop, contact.held);
-    const double misplaced = contact.held ? 0.0 : watched_now(state, contact) - stop.gap;
-    require(std::abs(misplaced) <= wide * size_of(state, contact), "state: gap = ", stop.gap,
-            " at stop ", contact.stop + 1, ", where the modal coordinates have ",
-            stop.gap + misplaced);
+    const double gap = contact.held ? 0.0 : watched_now(state, contact);
+    require(std::abs(gap - stop.gap) <= wide * size_of(state, contact), "state: gap = ", stop.gap,
+            " at stop ", contact.stop + 1, ", where the modal coordinates have ", gap);
   }
-  require(from.next_flight >= 0.0 && from.impacts_in_window >= 0, "state: next flight ",
-          from.next_flight, ", ", from.impacts_in_window, " impacts: not those of a run");
-  require(!(from.instant < from.window_start), "state: impacts are counted from a later time");
-  check_chatter(from.chatter, from.nodes);
   for (const std::size_t k : from.chatter.contacts)
     require(k < mode.contacts.size() && !mode.contacts[k].held,
             "state: a chatter at stops that no free mass comes to");

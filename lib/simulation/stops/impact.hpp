@@ -25,7 +25,7 @@ void place_at_stop(State<D> &state, const Contact<D> &contact, double speed) {
 template <int D>
 void leave_stop(State<D> &state, const Contact<D> &contact, double leaving) {
   place_at_stop(state, contact, leaving);
-  set_leaving(state.stops[contact.stop], leaving);
+  set_in_flight(state.stops[contact.stop], 0.0, leaving);
   for (const Contact<D> &other : state.mode->contacts)
     if (other.mass == contact.mass && other.stop != contact.stop)
       state.stops[other.stop].speed = -leaving;

@@ -60,7 +60,7 @@ std::size_t decide_by_order(const Scene &scene, double phase, double rate, Quest
       mass.held = mass.sigma * force > 0.0;
       kind[mass.mass] = mass.held ? Kind::at_rest : Kind::moving;
       if (!mass.held) set_acceleration(mass.mass, force, error);
-      mass.zeros = mass.held ? order : order + 2;
+      mass.zeros = order;
       mass.leading = mass.held ? mass.sigma * force : -mass.sigma * at.a[mass.mass];
       --left;
     }
@@ -82,7 +82,7 @@ void decide(const Scene &scene, double phase, double rate, Question &question) {
   for (Resting &mass : question.resting) {
     kind[mass.mass] = Kind::undecided;
     at.x[mass.mass] = scene.stops[mass.stop].position;
-    mass.zeros = all_zeros;
+    mass.zeros = 0;
     mass.leading = 0.0;
   }
   for (std::size_t i = 0; i < n; ++i)  // at rest means exactly where its stop is

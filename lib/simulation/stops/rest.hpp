@@ -14,8 +14,7 @@ struct Resting {
   double sigma = 1.0;              // the sign of the side of the stop
   bool was_held = false;
   bool force_is_zero = false;  // by definition: the instant is a root of the force
-  // Held, or free. Of the pressing force of a mass held, `zeros` derivatives are zero, of the gap
-  // of a mass let go `zeros`, and the next one is `leading` > 0, in units of the rate of the scene.
+  // Held, or free, and the force that decided it, as in AtStop.
   bool held = false;
   int zeros = 0;
   double leading = 0.0;
