@@ -201,7 +201,7 @@ BadCall recorded_by(const Recorder &recorder, const char *says) {
 TEST(Refusals, OfRecorders) {
   const Scene scene = paper::figure2();
   const MotionState later = simulate(scene, 50.0).state;
-  const RecorderRef no_times{.sample = [](void *, const Moment &) {}};
+  const RecorderRef no_times{.sample = [](const Moment &) {}};
   expect_refused({
       recorded_by(EventRecorder{nan}, "from = nan: must be a time"),
       recorded_by(ImpactSpeedRecorder{3, 0.0}, "mass 3: the chain has masses 1 to 2"),

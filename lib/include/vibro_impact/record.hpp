@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,43 +50,21 @@ struct Event {
 // mass the chain does not have.
 class Moment {
  public:
-  // Where the numbers come from.
-  struct Source {
-    int masses;
-    double (*displacement)(const void *of, int mass);
-    double (*velocity)(const void *of, int mass);
-    double (*hold_force)(const void *of, int mass);
-  };
-
   Instant instant;
   double time = 0.0;
 
-  Moment(const Instant &at, double time_of_it, const void *of, const Source &source)
-      : instant(at), time(time_of_it), of_(of), source_(source) {
+  Moment(const Instant &at, double time_of_it) : instant(at), time(time_of_it) {
   }
   Moment(const Moment &) = delete;
   Moment &operator=(const Moment &) = delete;
+  virtual ~Moment() = default;
 
-  int masses() const {
-    return source_.masses;
-  }
-  double displacement(int mass) const {
-    return source_.displacement(of_, existing(mass));
-  }
-  double velocity(int mass) const {
-    return source_.velocity(of_, existing(mass));
-  }
+  virtual int masses() const = 0;
+  virtual double displacement(int mass) const = 0;
+  virtual double velocity(int mass) const = 0;
   // Force of the neighbours and the forcing on a held mass (Eqs. 12-13, F_p; towards +x); NaN for a
   // mass that is free.
-  double hold_force(int mass) const {
-    return source_.hold_force(of_, existing(mass));
-  }
-
- private:
-  const void *of_;
-  const Source &source_;
-
-  int existing(int mass) const;
+  virtual double hold_force(int mass) const = 0;
 };
 
 // Every event from time `from` on.
@@ -140,40 +119,37 @@ struct HoldForceRecorder {
   void check(const Scene &scene) const;
 };
 
-// A recorder as a run sees it; null where it has no such member. Refers to the recorder.
+// A recorder as a run sees it; empty where it has no such member. Refers to the recorder.
 struct RecorderRef {
-  void *recorder = nullptr;
-  void (*event)(void *, const Event &, const Moment &) = nullptr;
-  double (*next_time)(const void *) = nullptr;
-  void (*sample)(void *, const Moment &) = nullptr;
-  bool (*done)(const void *) = nullptr;
-  void (*check)(const void *, const Scene &) = nullptr;
+  std::function<void(const Event &, const Moment &)> event = {};
+  std::function<double()> next_time = {};
+  std::function<void(const Moment &)> sample = {};
+  std::function<bool()> done = {};
+  std::function<void(const Scene &)> check = {};
 };
 
 template <class Recorder>
 RecorderRef recorder_ref(Recorder &recorder) {
-  constexpr bool takes_events = requires(Recorder & r, const Event &e, const Moment &m) {
-    r.event(e, m);
+  constexpr bool takes_events = requires(const Event &event, const Moment &moment) {
+    recorder.event(event, moment);
   };
-  constexpr bool takes_samples = requires(Recorder & r, const Moment &m) {
-    double{r.next_time()}, r.sample(m);
+  constexpr bool takes_samples = requires(const Moment &moment) {
+    double{recorder.next_time()}, recorder.sample(moment);
   };
   static_assert(takes_events || takes_samples, "a recorder takes events, samples or both");
-  RecorderRef ref{&recorder};
+  RecorderRef ref;
   if constexpr (takes_events)
-    ref.event = [](void *r, const Event &event, const Moment &moment) {
-      static_cast<Recorder *>(r)->event(event, moment);
+    ref.event = [&recorder](const Event &event, const Moment &moment) {
+      recorder.event(event, moment);
     };
   if constexpr (takes_samples) {
-    ref.next_time = [](const void *r) { return static_cast<const Recorder *>(r)->next_time(); };
-    ref.sample = [](void *r, const Moment &moment) { static_cast<Recorder *>(r)->sample(moment); };
+    ref.next_time = [&recorder] { return recorder.next_time(); };
+    ref.sample = [&recorder](const Moment &moment) { recorder.sample(moment); };
   }
-  if constexpr (requires(const Recorder &r) { bool{r.done()}; })
-    ref.done = [](const void *r) { return static_cast<const Recorder *>(r)->done(); };
-  if constexpr (requires(const Recorder &r, const Scene &scene) { r.check(scene); })
-    ref.check = [](const void *r, const Scene &scene) {
-      static_cast<const Recorder *>(r)->check(scene);
-    };
+  if constexpr (requires { bool{recorder.done()}; })
+    ref.done = [&recorder] { return recorder.done(); };
+  if constexpr (requires(const Scene &scene) { recorder.check(scene); })
+    ref.check = [&recorder](const Scene &scene) { recorder.check(scene); };
   return ref;
 }
 

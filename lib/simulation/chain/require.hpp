@@ -37,4 +37,8 @@ void require(bool holds, const Pieces &...pieces) {
   if (!holds) throw std::invalid_argument(line(pieces...));
 }
 
+inline void require_mass(int mass, int masses) {
+  require(mass >= 1 && mass <= masses, "mass ", mass, ": the chain has masses 1 to ", masses);
+}
+
 }  // namespace vibro_impact

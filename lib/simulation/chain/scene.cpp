@@ -5,6 +5,7 @@
 
 #include "forces.hpp"
 #include "require.hpp"
+#include "vibro_impact/instant.hpp"
 
 namespace vibro_impact {
 
@@ -46,6 +47,15 @@ void check_stop(const Stop &stop, const Scene &scene) {
 
 }  // namespace
 
+void refuse_omega(double omega) {
+  throw std::invalid_argument(line("omega = ", omega, ": must be non-negative and finite"));
+}
+
+void refuse_time(double time) {
+  throw std::invalid_argument(
+      line("time ", time, ": more forcing periods than double precision can count"));
+}
+
 const char *name(Side side) {
   return side == Side::upper ? "upper" : "lower";
 }
@@ -84,8 +94,7 @@ void check(const Scene &scene) {
   }
   require(std::isfinite(scene.beta) && scene.beta >= 0.0, "beta = ", scene.beta,
           ": must be non-negative and finite");
-  require(std::isfinite(scene.omega) && scene.omega >= 0.0, "omega = ", scene.omega,
-          ": must be non-negative and finite");
+  static_cast<void>(Clock(scene.omega));  // refuses an Omega that is negative or not finite
   require_restitution(scene.restitution);
   require_one_per_mass(scene.amplitude, scene, "amplitude");
   require_one_per_mass(scene.displacement, scene, "initial displacement");

@@ -16,10 +16,9 @@ template <int D>
 struct Flight {
   // What is known of a contact along the flight.
   struct Watch {
-    bool clear = false;     // certain to stay positive: not looked at
-    Polynomial polynomial;  // else
-    double at = 2.0;        // its first root, beyond 1 for none
-    double slope = 0.0;     // there, per unit of the path
+    bool clear = false;        // certain to stay positive: not looked at
+    Polynomial polynomial;     // else
+    std::optional<Root> root;  // its first one on the path
   };
   Expansion path;
   std::vector<Weights<D>> all_weights;  // by mode, in the order of their entry
@@ -42,12 +41,14 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
   const double together = same_instant / (path.rate * span);
   if (flight.watched.size() < mode.contacts.size()) flight.watched.resize(mode.contacts.size());
   flight.all_clear = true;
-  double first = 2.0, limit = 1.0;
+  flight.u = 1.0;
+  flight.eventful = false;
+  double limit = 1.0;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact<D> &contact = mode.contacts[k];
     const AtStop &stop = state.stops[contact.stop];
     auto &watch = flight.watched[k];
-    watch.at = 2.0;
+    watch.root.reset();
     const double now = contact.held ? watched_now(state, contact) : stop.gap;
     watch.clear =
         !stop.decided && stays_clear(state, contact, now, flight.speeds, span, 2.0 * wide);
@@ -57,23 +58,22 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
     }
     flight.all_clear = false;
     read_along(state, k, *flight.weights, path, scene_rate, watch.polynomial, counters);
-    if (const auto root = first_root(watch.polynomial, limit, counters)) {
-      watch.at = root->at;
-      watch.slope = root->slope;
-      first = std::min(first, root->at);
-      limit = std::min(1.0, first + together);
-    }
+    watch.root = first_root(watch.polynomial, limit, counters);
+    if (!watch.root) continue;
+    flight.eventful = true;
+    flight.u = std::min(flight.u, watch.root->at);
+    limit = std::min(1.0, flight.u + together);
   }
-  flight.eventful = first <= 1.0;
-  flight.u = flight.eventful ? first : 1.0;
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k)  // at the same instant, or later
-    if (flight.watched[k].at > first + together) flight.watched[k].at = 2.0;
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // at the same instant, or later
+    std::optional<Root> &root = flight.watched[k].root;
+    if (root && root->at > flight.u + together) root.reset();
+  }
 }
 
 // True when contact k has its event at the end of the flight.
 template <int D>
 bool happens(const Flight<D> &flight, std::size_t k) {
-  return flight.watched[k].at <= 1.0;
+  return flight.watched[k].root.has_value();
 }
 
 // Moves the state to u of the path: lanes, time, and what is carried of the stops.
@@ -96,7 +96,7 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
       continue;
     }
     if (ends_here && happens(flight, k)) {
-      set_in_flight(stop, 0.0, watch.slope / path.span);
+      set_in_flight(stop, 0.0, watch.root->slope / path.span);
       continue;
     }
     if (u == 0.0) continue;

@@ -3,7 +3,6 @@
 
 #include "instant_events.hpp"
 #include "run_state.hpp"
-#include "start.hpp"
 
 namespace vibro_impact {
 

@@ -9,10 +9,6 @@ namespace vibro_impact {
 
 namespace {
 
-void require_mass(int mass, int masses) {
-  require(mass >= 1 && mass <= masses, "mass ", mass, ": the chain has masses 1 to ", masses);
-}
-
 void require_from(double from) {
   require(!std::isnan(from), "from = ", from, ": must be a time");
 }
@@ -37,11 +33,6 @@ std::string contact_mode_name(const Held &held) {
       text += std::to_string(i + 1);
     }
   return text.empty() ? "-" : text;
-}
-
-int Moment::existing(int mass) const {
-  require_mass(mass, source_.masses);
-  return mass;
 }
 
 void EventRecorder::event(const Event &event, const Moment &) {

@@ -49,7 +49,7 @@ struct Run {
 // A recorder may ask the run to end.
 template <int D>
 void ask_whether_done(Run<D> &run, const RecorderRef &ref) {
-  if (ref.done == nullptr || !ref.done(ref.recorder)) return;
+  if (!ref.done || !ref.done()) return;
   run.over = true;
   run.ending = Ending::stopped;
 }
@@ -61,32 +61,35 @@ void give_up(Run<D> &run, std::string reason) {
   run.reason = std::move(reason);
 }
 
-// A state as the source of the numbers of a moment.
+// The motion in a state.
 template <int D>
-struct StateSource {
-  const State<D> *state;
-  Moment::Source functions;
-
-  explicit StateSource(const State<D> &of)
-      : state(&of),
-        functions{static_cast<int>(of.mode->held.size()),
-                  [](const void *source, int mass) {
-                    const State<D> &at = *static_cast<const State<D> *>(source);
-                    return at.mode->equilibrium(mass - 1) +
-                           at.mode->shape.row(mass - 1).dot(at.value.matrix());
-                  },
-                  [](const void *source, int mass) {
-                    const State<D> &at = *static_cast<const State<D> *>(source);
-                    return at.mode->shape.row(mass - 1).dot(at.slope.matrix());
-                  },
-                  [](const void *source, int mass) {
-                    const State<D> &at = *static_cast<const State<D> *>(source);
-                    for (const Contact<D> &contact : at.mode->contacts)
-                      if (contact.held && contact.mass + 1 == static_cast<std::size_t>(mass))
-                        return contact.sigma * contact.watched(at.value, at.slope);
-                    return std::numeric_limits<double>::quiet_NaN();
-                  }} {
+class MomentOf final : public Moment {
+ public:
+  MomentOf(const State<D> &state, const Instant &at, const Clock &clock)
+      : Moment(at, time_of(at, clock)), state_(state), mode_(*state.mode) {
   }
+  int masses() const override {
+    return static_cast<int>(mode_.held.size());
+  }
+  double displacement(int mass) const override {
+    require_mass(mass, masses());
+    return mode_.equilibrium(mass - 1) + mode_.shape.row(mass - 1).dot(state_.value.matrix());
+  }
+  double velocity(int mass) const override {
+    require_mass(mass, masses());
+    return mode_.shape.row(mass - 1).dot(state_.slope.matrix());
+  }
+  double hold_force(int mass) const override {
+    require_mass(mass, masses());
+    for (const Contact<D> &contact : mode_.contacts)
+      if (contact.held && contact.mass + 1 == static_cast<std::size_t>(mass))
+        return contact.sigma * contact.watched(state_.value, state_.slope);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  const State<D> &state_;
+  const ContactMode<D> &mode_;
 };
 
 // Tells of an event at a stop; velocities of an impact as told.
@@ -101,17 +104,16 @@ void tell(Run<D> &run, EventKind kind, std::size_t stop, double before, double a
   event.mass = run.scene.stops[stop].mass;
   event.side = run.scene.stops[stop].side;
   event.instant = state.now;
-  event.time = time_of(state.now, run.clock);
   event.velocity_before = before;
   event.velocity_after = after;
   event.falling = state.stops[stop].falling;
   event.by_a_jump = by_a_jump;
   event.held = state.mode->held;
-  const StateSource<D> source(state);
-  const Moment moment(event.instant, event.time, source.state, source.functions);
+  const MomentOf<D> moment(state, event.instant, run.clock);
+  event.time = moment.time;
   for (const RecorderRef &ref : run.recorders) {
-    if (ref.event == nullptr) continue;
-    ref.event(ref.recorder, event, moment);
+    if (!ref.event) continue;
+    ref.event(event, moment);
     ask_whether_done(run, ref);
   }
 }
@@ -121,7 +123,7 @@ double next_sample(const Run<D> &run) {
   double next = std::numeric_limits<double>::infinity();
   if (!run.takes_samples) return next;
   for (const RecorderRef &ref : run.recorders)
-    if (ref.sample != nullptr) next = std::min(next, ref.next_time(ref.recorder));
+    if (ref.sample) next = std::min(next, ref.next_time());
   return next;
 }
 
@@ -138,14 +140,13 @@ void sample_flight(Run<D> &run, double tau) {
     between = run.state;
     move_lanes(between, run.scene, run.clock, *run.flight.weights, run.flight.path, after);
     ++run.counters.modal_evaluations;
-    const StateSource<D> source(between);
-    const Moment moment(instant, time_of(instant, run.clock), source.state, source.functions);
+    const MomentOf<D> moment(between, instant, run.clock);
     for (const RecorderRef &ref : run.recorders) {
-      if (ref.sample == nullptr || ref.next_time(ref.recorder) > next) continue;
-      ref.sample(ref.recorder, moment);
+      if (!ref.sample || ref.next_time() > next) continue;
+      ref.sample(moment);
       ask_whether_done(run, ref);
       if (run.over) continue;
-      const double then = ref.next_time(ref.recorder);
+      const double then = ref.next_time();
       require(then > next, "next_time = ", then, " after the sample at ", next, ": must be later");
     }
     if (run.over) {

@@ -1,7 +1,5 @@
 #include "run_state.hpp"
 
-#include "start.hpp"
-
 namespace vibro_impact {
 
 namespace {

@@ -1,5 +1,5 @@
-// Where a run stands, with what makes a resumed run the same as one that never ended: the numbers,
-// and what they may be beside a scene.
+// What a run starts from: a motion, or where another run stood, with what makes a resumed run the
+// same as one that never ended: the numbers, and what they may be beside a scene.
 #pragma once
 
 #include "simulation/chain/require.hpp"
@@ -20,6 +20,23 @@ struct RunState::Numbers {
   ChatterImpacts chatter;
   std::vector<ChatterTable::Node> nodes;
 };
+
+// What a run starts from: the motion at the start, or where another run stood.
+struct Start {
+  const MotionState *motion = nullptr;
+  const RunState *state = nullptr;
+};
+
+constexpr int any_lanes = Eigen::Dynamic;
+
+// True for two masses under forcing, the paper's case, which get lanes of fixed size; the code is
+// the same. They have no room for a strongly damped mode split in two.
+bool has_four_lanes(const Scene &scene);
+
+// Runs a scene, checked, on D lanes: N + 2 for N masses under forcing, or any number.
+template <int D>
+Outcome run_lanes(const Scene &scene, const Start &start, double until, const RunOptions &options,
+                  std::span<const RecorderRef> recorders);
 
 // Throws std::invalid_argument unless the instant lies in a period of the forcing and the masses
 // are held at stops that exist.

@@ -7,7 +7,6 @@
 #include "run_state.hpp"
 #include "simulation/chain/forces.hpp"
 #include "simulation/chain/require.hpp"
-#include "start.hpp"
 
 namespace vibro_impact {
 
@@ -57,10 +56,10 @@ Outcome run(const Scene &scene, const Start &start, const Instant &from, double 
   require(until >= begins || !(instant_at(until, clock) < from), "until = ", until,
           ": lies before the start at ", begins);
   for (const RecorderRef &recorder : recorders) {
-    if (recorder.check != nullptr) recorder.check(recorder.recorder, scene);
-    if (recorder.sample == nullptr) continue;
+    if (recorder.check) recorder.check(scene);
+    if (!recorder.sample) continue;
     require(recorder.next_time != nullptr, "a recorder takes samples and asks for no time");
-    const double first = recorder.next_time(recorder.recorder);
+    const double first = recorder.next_time();
     require(first >= begins, "sample at t = ", first, ": the run begins at ", begins);
   }
   if (has_four_lanes(scene)) return run_lanes<4>(scene, start, until, options, recorders);

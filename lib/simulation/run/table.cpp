@@ -2,27 +2,13 @@
 
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iostream>
 #include <stdexcept>
 #include <system_error>
 
 namespace vibro_impact {
-
-namespace {
-
-bool write_all(const std::string &text, std::FILE *file) {
-  return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-}
-
-bool write_file(const std::string &text, const std::string &path) {
-  std::FILE *file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return false;
-  const bool written = write_all(text, file);
-  return std::fclose(file) == 0 && written;
-}
-
-}  // namespace
 
 // Every cell ends with a comma; that of the last one in a row becomes the end of the line.
 void Table::cell(double value) {
@@ -47,15 +33,17 @@ void Table::end_row() {
 
 void write(const Table &table, const std::string &path) {
   if (path == "-") {
-    if (!write_all(table.text, stdout))
+    if (!(std::cout << table.text << std::flush))
       throw std::runtime_error("standard output: cannot be written");
     return;
   }
   const std::string temporary = path + ".part";
-  const bool written = write_file(table.text, temporary);
+  std::ofstream file(temporary, std::ios::binary);
+  file << table.text;
+  file.close();
   std::error_code error;
-  if (written) std::filesystem::rename(temporary, path, error);
-  if (written && !error) return;
+  if (file) std::filesystem::rename(temporary, path, error);
+  if (file && !error) return;
   std::filesystem::remove(temporary, error);
   throw std::runtime_error(path + ": cannot be written");
 }
