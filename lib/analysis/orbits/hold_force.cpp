@@ -30,6 +30,15 @@ auto of(const std::vector<double> &values) {
   return [&values](std::size_t j) { return values[j]; };
 }
 
+// The force that presses the mass of this stop, at rest there, into it beside the others.
+double pressing(const Scene &scene, const Stop &stop, std::vector<double> x, std::vector<double> v,
+                double phase) {
+  const std::size_t p = index_of(stop);
+  x[p] = stop.position;
+  v[p] = 0.0;
+  return sign(stop.side) * force_on(scene, p, of(x), of(v), std::cos(scene.omega * phase));
+}
+
 }  // namespace
 
 NaturalModes natural_modes(const Scene &scene, const Held &held) {
@@ -63,29 +72,26 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &at) {
   std::vector<double> a(scene.mass.size(), 0.0);
   for (std::size_t i = 0; i < a.size(); ++i)
     if (at.held[i] == 0)
-      a[i] = (link_force(scene, i, at.displacement[i], of(at.displacement)) +
-              scene.beta * link_force(scene, i, at.velocity[i], of(at.velocity)) +
-              amplitude_on(scene, i) * forcing) /
-             scene.mass[i];
+      a[i] = force_on(scene, i, of(at.displacement), of(at.velocity), forcing) / scene.mass[i];
   return a;
 }
 
 double pressing_force(const Scene &scene, const Stop &stop, const MotionState &at) {
   require_stop(scene, stop);
   require_fits(scene, at);
-  return sign(stop.side) * force_at_rest(scene, index_of(stop), stop.position, at.instant.phase,
-                                         of(at.displacement), of(at.velocity));
+  return pressing(scene, stop, at.displacement, at.velocity, at.instant.phase);
 }
 
 double pressing_force(const Scene &scene, const Stop &stop, const Moment &at) {
   require_stop(scene, stop);
   require(at.masses() == scene.masses(), "motion of ", at.masses(), " masses: the chain has ",
           scene.masses());
-  const auto mass = [](std::size_t j) { return static_cast<int>(j) + 1; };
-  return sign(stop.side) * force_at_rest(
-                               scene, index_of(stop), stop.position, at.instant.phase,
-                               [&](std::size_t j) { return at.displacement(mass(j)); },
-                               [&](std::size_t j) { return at.velocity(mass(j)); });
+  std::vector<double> x, v;
+  for (int mass = 1; mass <= at.masses(); ++mass) {
+    x.push_back(at.displacement(mass));
+    v.push_back(at.velocity(mass));
+  }
+  return pressing(scene, stop, std::move(x), std::move(v), at.instant.phase);
 }
 
 double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &at) {

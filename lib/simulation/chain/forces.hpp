@@ -2,7 +2,6 @@
 // hold forces of Eqs. 12-13, are written out.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 
 #include "tolerances.hpp"
@@ -34,15 +33,6 @@ double force_on(const Scene &scene, std::size_t i, const Displacements &x, const
                 double cosine) {
   return link_force(scene, i, x(i), x) + scene.beta * link_force(scene, i, v(i), v) +
          amplitude_on(scene, i) * cosine;
-}
-
-// The same where the mass stands at `at` without moving, at a time `phase` within its period.
-template <class Displacements, class Velocities>
-double force_at_rest(const Scene &scene, std::size_t i, double at, double phase,
-                     const Displacements &x, const Velocities &v) {
-  return force_on(
-      scene, i, [&](std::size_t j) { return j == i ? at : x(j); },
-      [&](std::size_t j) { return j == i ? 0.0 : v(j); }, std::cos(scene.omega * phase));
 }
 
 // A bound of the rate of every contact mode, in units of which derivatives of forces are carried.

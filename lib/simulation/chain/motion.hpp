@@ -16,17 +16,21 @@
 
 namespace vibro_impact {
 
-template <int D>
-struct State {
-  using Lanes = Eigen::Array<double, D, 1>;
+// What is carried beside the lanes.
+struct BesideLanes {
   Instant now;
-  const ContactMode<D> *mode = nullptr;
-  Lanes value, slope;
   std::vector<AtStop> stops;                                     // one per stop of the scene
   double next_flight = std::numeric_limits<double>::infinity();  // expected of the next one
   bool clear = true;     // no stop was near in the latest flight
   Instant window_start;  // of the count of impacts in one forcing period
   long long impacts_in_window = 0;
+};
+
+template <int D>
+struct State : BesideLanes {
+  using Lanes = Eigen::Array<double, D, 1>;
+  const ContactMode<D> *mode = nullptr;
+  Lanes value, slope;
 };
 
 // Sets the forcing lanes cos(Omega t), sin(Omega t) from the phase.
@@ -92,8 +96,8 @@ void flow(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
       slope_after(j) = -mode.kappa(j) * value_after(j);
       continue;
     }
-    const auto after = free_response(mode.kappa(j), mode.lambda(j),
-                                     OscillatorState<double>{value(j), slope(j)}, tau);
+    const auto after =
+        free_response(mode.kappa(j), mode.lambda(j), OscillatorState{value(j), slope(j)}, tau);
     value_after(j) = after.value;
     slope_after(j) = after.slope;
   }

@@ -9,30 +9,27 @@
 namespace vibro_impact {
 
 // One oscillator's value and time derivative.
-template <class Scalar>
 struct OscillatorState {
-  Scalar value, slope;
+  double value, slope;
 };
 
 // Solution after tau of y'' + kappa y' + lambda y = 0 from (value, slope); kappa, lambda >= 0.
-template <class Scalar>
-OscillatorState<Scalar> free_response(Scalar kappa, Scalar lambda, OscillatorState<Scalar> start,
-                                      Scalar tau) {
-  using std::cos, std::exp, std::expm1, std::sin, std::sqrt;
-  const Scalar alpha = kappa / 2, discriminant = alpha * alpha - lambda;
+inline OscillatorState free_response(double kappa, double lambda, OscillatorState start,
+                                     double tau) {
+  const double alpha = kappa / 2, discriminant = alpha * alpha - lambda;
   if (discriminant < 0) {
-    const Scalar omega = sqrt(-discriminant), decay = exp(-alpha * tau);
-    const Scalar c = cos(omega * tau), s = sin(omega * tau) / omega;
+    const double omega = std::sqrt(-discriminant), decay = std::exp(-alpha * tau);
+    const double c = std::cos(omega * tau), s = std::sin(omega * tau) / omega;
     return {decay * (start.value * (c + alpha * s) + start.slope * s),
             decay * (start.slope * (c - alpha * s) - lambda * start.value * s)};
   }
   // Roots -slow and -(slow + 2 delta); slow = alpha - delta is formed without cancellation. The
   // functions used are analytic in the discriminant, so critical damping is not a special case.
-  const Scalar delta = sqrt(discriminant);
+  const double delta = std::sqrt(discriminant);
   if (alpha + delta == 0) return {start.value + start.slope * tau, start.slope};
-  const Scalar slow = lambda / (alpha + delta), decay = exp(-slow * tau);
-  const Scalar fast = exp(-2 * delta * tau);
-  const Scalar s = delta > 0 ? -expm1(-2 * delta * tau) / (2 * delta) : tau;
+  const double slow = lambda / (alpha + delta), decay = std::exp(-slow * tau);
+  const double fast = std::exp(-2 * delta * tau);
+  const double s = delta > 0 ? -std::expm1(-2 * delta * tau) / (2 * delta) : tau;
   // decay * (c - alpha s) with c - alpha s = fast + (slow) * (...) kept free of cancellation:
   // c - alpha s = (1 + fast) / 2 - alpha s = fast - slow s,  c + alpha s = 1 + slow s.
   return {decay * (start.value * (1 + slow * s) + start.slope * s),
@@ -43,10 +40,9 @@ OscillatorState<Scalar> free_response(Scalar kappa, Scalar lambda, OscillatorSta
 // from `force` to `force_after`, for an under-damped mode at or near resonance, or for lambda =
 // kappa = 0, the rigid-body mode: difference quotients instead of a steady response that grows
 // without bound there. However long tau is, the phase of the forcing is not rounded with it.
-inline OscillatorState<double> forced_from_rest(double kappa, double lambda,
-                                                std::complex<double> force,
-                                                std::complex<double> force_after, double omega,
-                                                double tau) {
+inline OscillatorState forced_from_rest(double kappa, double lambda, std::complex<double> force,
+                                        std::complex<double> force_after, double omega,
+                                        double tau) {
   using Complex = std::complex<double>;
   const Complex drive(0, omega);
   if (lambda == 0.0) {

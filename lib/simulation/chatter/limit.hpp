@@ -69,7 +69,7 @@ void add_responses(State<D> &state, const typename Chatter<D>::Hit &hit, const E
                    const Weights<D> &flow, const double *moments, int from, int to) {
   const ContactMode<D> &mode = *state.mode;
   for (Eigen::Index i = 0; i < mode.modal_lanes(); ++i) {
-    OscillatorState<double> response{0.0, 0.0};
+    OscillatorState response{0.0, 0.0};
     for (int n = from; n <= to; ++n) {
       const double moment = moments[n] * path.power[static_cast<std::size_t>(n)];
       response.value += moment * flow.response(i, n);

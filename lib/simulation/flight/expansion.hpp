@@ -164,8 +164,8 @@ void read_along(const State<D> &state, std::size_t k, Weights<D> &weights, const
 // Lane j where S and S' have these values. One solution, S with S(0) = 0 and S'(0) = 1, gives all
 // others: C = S' + kappa S, C' = -lambda S.
 template <int D>
-OscillatorState<double> lane_after(const ContactMode<D> &mode, Eigen::Index j, double value,
-                                   double slope, const OscillatorState<double> &s) {
+OscillatorState lane_after(const ContactMode<D> &mode, Eigen::Index j, double value, double slope,
+                           const OscillatorState &s) {
   return {value * (s.slope + mode.kappa(j) * s.value) + slope * s.value,
           slope * s.slope - mode.lambda(j) * value * s.value};
 }

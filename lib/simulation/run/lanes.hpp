@@ -128,19 +128,8 @@ void start_from(Run<D> &run, const MotionState &motion) {
 // From where another run stood, which may have come to a node of a chatter just then.
 template <int D>
 void start_from(Run<D> &run, const RunState::Numbers &from) {
-  State<D> &state = run.state;
   const ContactMode<D> &mode = run.modes.enter(run.scene, from.held, run.counters);
-  require_consistent(from, run.scene, mode);
-  const auto lanes = static_cast<Eigen::Index>(from.value.size());
-  state.now = from.instant;
-  state.mode = &mode;
-  state.value = Eigen::Map<const Eigen::ArrayXd>(from.value.data(), lanes);
-  state.slope = Eigen::Map<const Eigen::ArrayXd>(from.slope.data(), lanes);
-  state.stops = from.stops;
-  state.next_flight = from.next_flight;
-  state.clear = from.clear;
-  state.window_start = from.window_start;
-  state.impacts_in_window = from.impacts_in_window;
+  run.state = state_in(from, run.scene, mode);
   if (from.chatter.times.empty()) return;
   run.flight.weights = &weights_of(run.flight.all_weights, mode);
   begin(run.chatter, mode, run.scene, from.chatter.contacts);
@@ -153,15 +142,10 @@ template <int D>
 RunState state_of(const Run<D> &run) {
   const State<D> &state = run.state;
   const Chatter<D> &chatter = run.chatter;
-  RunState::Numbers numbers{state.now,
+  RunState::Numbers numbers{state,
                             state.mode->held,
                             {state.value.begin(), state.value.end()},
                             {state.slope.begin(), state.slope.end()},
-                            state.stops,
-                            state.next_flight,
-                            state.clear,
-                            state.window_start,
-                            state.impacts_in_window,
                             {},
                             {}};
   if (chatter.under_way()) {
@@ -176,10 +160,6 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
                   std::span<const RecorderRef> recorders) {
   Run<D> run{scene, options, recorders};
   run.end = instant_at(until, run.clock);
-  for (const RecorderRef &recorder : recorders) {
-    run.takes_events = run.takes_events || recorder.event != nullptr;
-    run.takes_samples = run.takes_samples || recorder.sample != nullptr;
-  }
   if (start.motion != nullptr)
     start_from(run, *start.motion);
   else

@@ -37,8 +37,7 @@ struct Run {
   // In which impacts are counted: the forcing period.
   double window = scene.omega > 0.0 ? clock.period : 6.3 / scene_rate;
   bool silent = false;  // a motion is looked at in between: nothing is told but samples
-  bool takes_events = false, takes_samples = false;  // some recorder
-  bool over = false;  // the end is reached, a recorder is done, or the run is given up
+  bool over = false;    // the end is reached, a recorder is done, or the run is given up
   Ending ending = Ending::reached;
   std::string reason = {};
   std::vector<std::size_t> hits = {}, roots = {};  // contacts of the event at hand
@@ -96,7 +95,7 @@ class MomentOf final : public Moment {
 template <int D>
 void tell(Run<D> &run, EventKind kind, std::size_t stop, double before, double after,
           bool by_a_jump) {
-  if (run.silent || !run.takes_events) return;
+  if (run.silent || run.recorders.empty()) return;
   const State<D> &state = run.state;
   Event &event = run.event;
   event.kind = kind;
@@ -121,7 +120,6 @@ void tell(Run<D> &run, EventKind kind, std::size_t stop, double before, double a
 template <int D>
 double next_sample(const Run<D> &run) {
   double next = std::numeric_limits<double>::infinity();
-  if (!run.takes_samples) return next;
   for (const RecorderRef &ref : run.recorders)
     if (ref.sample) next = std::min(next, ref.next_time());
   return next;

@@ -71,7 +71,7 @@ struct Lines {
   }
   void pass_state(RunState::Numbers &state) {
     line("vibro-impact run state 2");
-    line("instant", state.instant.cycle, state.instant.phase);
+    line("instant", state.now.cycle, state.now.phase);
     line("held", state.held);
     line("values", state.value);
     line("slopes", state.slope);
@@ -111,11 +111,11 @@ RunState load(const Scene &scene, std::string_view text) {
   Lines lines{.reads = true, .rest = text};
   lines.pass_state(numbers);
   require(lines.rest.empty(), "state of a run: something follows its last line");
-  check_place(scene, numbers.instant, numbers.held);
+  check_place(scene, numbers.now, numbers.held);
   if (has_four_lanes(scene))
-    require_consistent(numbers, scene, build_contact_mode<4>(scene, numbers.held));
+    state_in(numbers, scene, build_contact_mode<4>(scene, numbers.held));
   else
-    require_consistent(numbers, scene, build_contact_mode<any_lanes>(scene, numbers.held));
+    state_in(numbers, scene, build_contact_mode<any_lanes>(scene, numbers.held));
   return RunState(std::make_shared<const RunState::Numbers>(std::move(numbers)));
 }
 
@@ -151,7 +151,7 @@ void check_numbers(const RunState::Numbers &from) {
   }
   require(from.next_flight >= 0.0 && from.impacts_in_window >= 0, "state: next flight ",
           from.next_flight, ", ", from.impacts_in_window, " impacts: not those of a run");
-  require(!(from.instant < from.window_start), "state: impacts are counted from a later time");
+  require(!(from.now < from.window_start), "state: impacts are counted from a later time");
   const ChatterImpacts &chatter = from.chatter;
   const std::vector<ChatterTable::Node> &nodes = from.nodes;
   bool fits = chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&

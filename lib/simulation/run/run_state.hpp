@@ -8,15 +8,9 @@
 
 namespace vibro_impact {
 
-struct RunState::Numbers {
-  Instant instant;
+struct RunState::Numbers : BesideLanes {
   Held held;
   std::vector<double> value, slope;  // lanes of the contact mode
-  std::vector<AtStop> stops;         // one per stop of the scene
-  double next_flight = std::numeric_limits<double>::infinity();
-  bool clear = true;
-  Instant window_start;
-  long long impacts_in_window = 0;
   ChatterImpacts chatter;
   std::vector<ChatterTable::Node> nodes;
 };
@@ -45,11 +39,10 @@ void check_place(const Scene &scene, const Instant &instant, const Held &held);
 // Throws std::invalid_argument where the numbers contradict each other.
 void check_numbers(const RunState::Numbers &from);
 
-// Throws std::invalid_argument where the state contradicts itself, or the scene in this mode.
+// The state in this mode. Throws std::invalid_argument where it contradicts itself or the scene.
 template <int D>
-void require_consistent(const RunState::Numbers &from, const Scene &scene,
-                        const ContactMode<D> &mode) {
-  using Lanes = Eigen::Array<double, D, 1>;
+State<D> state_in(const RunState::Numbers &from, const Scene &scene, const ContactMode<D> &mode) {
+  using Lanes = typename State<D>::Lanes;
   const auto lanes = static_cast<std::size_t>(mode.lanes());
   check_numbers(from);
   require(from.value.size() == lanes && from.slope.size() == lanes, "state: ", from.value.size(),
@@ -57,18 +50,14 @@ void require_consistent(const RunState::Numbers &from, const Scene &scene,
           contact_mode_name(from.held), " has ", lanes);
   require(from.stops.size() == scene.stops.size(), "state: ", from.stops.size(),
           " stops given, the scene has ", scene.stops.size());
-  State<D> state;
-  state.now = from.instant;
-  state.mode = &mode;
-  state.value = Eigen::Map<const Lanes>(from.value.data(), mode.lanes());
-  state.slope = Eigen::Map<const Lanes>(from.slope.data(), mode.lanes());
+  const State<D> state{from, &mode, Eigen::Map<const Lanes>(from.value.data(), mode.lanes()),
+                       Eigen::Map<const Lanes>(from.slope.data(), mode.lanes())};
   require(std::isfinite(state.value.sum() + state.slope.sum()),
           "state: modal coordinates that are not finite");
-  const Lanes value = state.value;
-  set_forcing(state, scene);
-  require((value - state.value).abs().sum() < wide,
+  State<D> forced = state;
+  set_forcing(forced, scene);
+  require((forced.value - state.value).abs().sum() < wide,
           "state: the forcing has another phase in this scene");
-  state.value = value;
   for (const Contact<D> &contact : mode.contacts) {
     const AtStop &stop = from.stops[contact.stop];
     const double gap = contact.held ? 0.0 : watched_now(state, contact);
@@ -78,6 +67,7 @@ void require_consistent(const RunState::Numbers &from, const Scene &scene,
   for (const std::size_t k : from.chatter.contacts)
     require(k < mode.contacts.size() && !mode.contacts[k].held,
             "state: a chatter at stops that no free mass comes to");
+  return state;
 }
 
 }  // namespace vibro_impact

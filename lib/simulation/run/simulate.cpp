@@ -98,8 +98,8 @@ Outcome resume_seen(const Scene &scene, const RunState &state, double until,
                     const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
   const RunState::Numbers &numbers = state.numbers();
-  check_place(scene, numbers.instant, numbers.held);
-  return run(scene, {nullptr, &state}, numbers.instant, until, options, recorders);
+  check_place(scene, numbers.now, numbers.held);
+  return run(scene, {nullptr, &state}, numbers.now, until, options, recorders);
 }
 
 }  // namespace vibro_impact
