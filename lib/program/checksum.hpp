@@ -17,9 +17,8 @@ struct Checksum {
     for (const char c : text)
       value = (value ^ static_cast<unsigned char>(c)) * std::uint64_t{1099511628211U};
   }
-  // The line that closes what was added.
-  std::string line() const {
-    return fmt::format("checksum {:016x}\n", value);
+  std::string text() const {
+    return fmt::format("{:016x}", value);
   }
 };
 

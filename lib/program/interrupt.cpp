@@ -11,8 +11,6 @@ namespace {
 
 // A signal finds its way to the program through variables like these and no others.
 volatile std::sig_atomic_t came = 0, heard = 0;
-const char *last_words = nullptr;
-std::size_t length_of_last_words = 0;
 
 constexpr unsigned patience = 2;  // seconds
 
@@ -25,13 +23,6 @@ void set(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
-void catch_signals(void (*handler)(int)) {
-  for (const int signal : signals) {
-    struct sigaction now = {};
-    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) set(signal, handler);
-  }
-}
-
 void remember(int number) {
   came = number;
   for (const int signal : signals) set(signal, SIG_DFL);
@@ -41,29 +32,18 @@ void remember(int number) {
   alarm(patience);
 }
 
-void say_and_end(int number) {
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words, length_of_last_words);
-  set(number, SIG_DFL);
-  raise(number);
-}
-
 }  // namespace
 
 void remember_signals() {
-  catch_signals(remember);
+  for (const int signal : signals) {
+    struct sigaction now = {};
+    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) set(signal, remember);
+  }
 }
 
 int signal_that_came() {
   if (came != 0) heard = 1;
   return came;
-}
-
-void say_when_interrupted(const std::string &text) {
-  static std::string kept;
-  kept = (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + text;  // over the progress line
-  last_words = kept.data();
-  length_of_last_words = kept.size();
-  catch_signals(say_and_end);
 }
 
 }  // namespace vibro_impact::runner

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "interrupt.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "run_command.hpp"
@@ -16,9 +17,10 @@ namespace {
 
 using namespace vibro_impact::runner;
 
-int fail(std::string message, int status) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::fputs(("vibro-impact: " + message + "\n").c_str(), stderr);
+// One line on standard error, from one of all processes.
+int ends_with(int status, std::string said, bool speaks) {
+  std::replace(said.begin(), said.end(), '\n', ' ');
+  if (speaks && !said.empty()) std::fputs(("vibro-impact: " + said + "\n").c_str(), stderr);
   return status;
 }
 
@@ -30,28 +32,25 @@ int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   const vibro_impact::Processes processes(argc, argv);
-  // What all processes find wrong is said by one.
   const bool speaks = processes.rank() == 0;
   try {
     Request request;
     const auto answer = parse(argc, argv, request);
     if (request.sweep) {
       run_sweep(*request.sweep, processes);
-      return 0;
-    }
-    if (!speaks) return 0;
-    if (answer) {
+    } else if (speaks && answer) {
       Output out({"standard output", "-"});
-      out.write(answer->text);
+      out.write(*answer);
       out.complete();
-      return 0;
+    } else if (speaks) {
+      run_scene(request);
     }
-    return run_scene(request);
-  } catch (const ReaderLeft &) {
-    return 128 + SIGPIPE;
+    return 0;
+  } catch (const EndedBySignal &end) {
+    return ends_with(128 + end.signal, end.said, speaks);
   } catch (const std::invalid_argument &bad) {
-    return speaks ? fail(bad.what(), 2) : 2;
+    return ends_with(2, bad.what(), speaks);
   } catch (const std::exception &failure) {
-    return speaks ? fail(failure.what(), 1) : 1;
+    return ends_with(1, failure.what(), speaks);
   }
 }

@@ -1,8 +1,6 @@
 #include "options.hpp"
 
-#include <fmt/format.h>
-
-#include "bad_input.hpp"
+#include "refuse.hpp"
 #include "scene_options.hpp"
 #include "values.hpp"
 
@@ -46,18 +44,23 @@ void add_run_options(CLI::App &run, Request &request) {
   option(run, "--every", request.every, "TIME",
          "Interval between samples, > 0, counted from --from")
       ->check(positive_number());
-  option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output");
+  option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output")
+      ->check(file_name());
   option(run, "--samples", request.samples, "FILE",
-         "Displacements time,x1,x2,... (CSV); - for standard output");
+         "Displacements time,x1,x2,... (CSV); - for standard output")
+      ->check(file_name());
   option(run, "--plot", request.plot, "FILE",
          "Picture of the displacements, stops, impacts and sticking from --from on, by\n"
-         "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first");
+         "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first")
+      ->check(file_name());
   option(run, "--save-state", request.save_state, "FILE",
-         "The scene and the state at the end of the run, for --resume");
+         "The scene and the state at the end of the run, for --resume")
+      ->check(file_name());
   option(run, "--resume", request.resume, "FILE",
          "Go on from a saved state, with its scene: options of the scene cannot be\n"
          "given. The tables hold what comes after it; for those of one whole run,\n"
-         "give the other options as before");
+         "give the other options as before")
+      ->check(file_name());
   run.add_option("--resolve-chatter", request.options.resolve_chatter,
                  "Resolve and record every chatter impact faster than this; below it a\n"
                  "complete chatter may be carried to its limit. Default: as soon as the\n"
@@ -66,38 +69,24 @@ void add_run_options(CLI::App &run, Request &request) {
       ->check(number_from(0.0));
   option(run, "--max-impacts", request.options.max_impacts_per_period, "N",
          "Give up beyond this many impacts in one forcing period")
-      ->check(whole_number(1'000'000'000'000'000));
+      ->check(whole_number(1e15));
   run.add_flag("--progress", request.progress,
                "Say how far the run is and how long it still takes, on standard error, also where\n"
                "that is no terminal");
 }
 
-void check_run(const CLI::App &run, const Request &request) {
-  for (const char *name : {"--events", "--samples", "--plot", "--save-state", "--resume"})
-    if (run.count(name) > 0 && run.get_option(name)->as<std::string>().empty())
-      throw BadInput(fmt::format("{} '': must name a file", name));
+void check_run(const Request &request) {
   if (!(request.from <= request.until))
-    throw BadInput(
-        fmt::format("--from {}: must lie between 0 and --until {}", request.from, request.until));
+    refuse("--from {}: must lie between 0 and --until {}", request.from, request.until);
   // Sample times that rounding makes equal would never come to an end.
   if (!request.samples.empty() && !(request.until + request.every > request.until))
-    throw BadInput(fmt::format(
-        "--every {}: too short for double precision to tell samples at --until {} apart",
-        request.every, request.until));
-}
-
-// What CLI11 says, but for what it puts in words of its own.
-std::string explain(const CLI::App &app, const CLI::ParseError &error) {
-  for (const CLI::App *command : app.get_subcommands())
-    for (const CLI::Option *option : command->get_options())
-      if (option->count() > 1 && option->get_items_expected_max() == 1)
-        return fmt::format("{}: given {} times", option->get_name(), option->count());
-  return error.what();
+    refuse("--every {}: too short for double precision to tell samples at --until {} apart",
+           request.every, request.until);
 }
 
 }  // namespace
 
-std::optional<Answer> parse(int argc, char **argv, Request &request) {
+std::optional<std::string> parse(int argc, char **argv, Request &request) {
   SceneOptions scene;
   CLI::App app(purpose, "vibro-impact");
   app.footer(example);
@@ -108,27 +97,27 @@ std::optional<Answer> parse(int argc, char **argv, Request &request) {
   add_scene_options(run, scene);
   add_run_options(run, request);
   SweepOptionsOf of_sweep;
-  CLI::App &sweep = *app.add_subcommand("sweep", sweep_purpose);
+  CLI::App &sweep =
+      *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
   add_sweep_options(sweep, of_sweep);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion &version) {
-    return Answer{fmt::format("{}\n", version.what())};
+    return fmt::format("{}\n", version.what());
   } catch (const CLI::CallForHelp &) {
     for (const CLI::App *command : {&run, &sweep})
-      if (command->parsed())
-        return Answer{fmt::format("{}\n\n{}", purpose, command->help(app.get_name()))};
-    return Answer{app.help()};
+      if (command->parsed()) return fmt::format("{}\n\n{}", purpose, command->help(app.get_name()));
+    return app.help();
   } catch (const CLI::ParseError &error) {
-    throw BadInput(explain(app, error));
+    refuse("{}", error.what());
   }
 
   if (sweep.parsed()) {
     request.sweep = sweep_of(sweep, of_sweep);
     return std::nullopt;
   }
-  check_run(run, request);
+  check_run(request);
   if (request.resume.empty()) {
     request.scene = scene_of(scene);
     request.scene_text = text_of(scene);
@@ -136,8 +125,8 @@ std::optional<Answer> parse(int argc, char **argv, Request &request) {
   }
   for (const CLI::Option *of_scene : scene.all)
     if (of_scene->count() > 0)
-      throw BadInput(fmt::format("{}: the scene comes from --resume {} and cannot be changed",
-                                 of_scene->get_name(), request.resume));
+      refuse("{}: the scene comes from --resume {} and cannot be changed", of_scene->get_name(),
+             request.resume);
   return std::nullopt;
 }
 

@@ -20,13 +20,9 @@ struct Request {
   std::optional<SweepRequest> sweep = {};  // instead of a run
 };
 
-// Text asked for with --help or --version, to be printed instead of a run.
-struct Answer {
-  std::string text;
-};
-
-// Reads the command line into `request`, and no file; returns the answer to --help and --version.
-// Throws BadInput, or std::invalid_argument from `check` for a scene that makes no sense.
-std::optional<Answer> parse(int argc, char **argv, Request &request);
+// Reads the command line into `request`, and no file; returns the text that --help and --version
+// ask for instead of a run.
+// Throws std::invalid_argument with one line, that of `check` for a scene that makes no sense.
+std::optional<std::string> parse(int argc, char **argv, Request &request);
 
 }  // namespace vibro_impact::runner

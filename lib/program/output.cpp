@@ -1,14 +1,16 @@
 #include "output.hpp"
 
-#include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
-#include "bad_input.hpp"
+#include "interrupt.hpp"
+#include "refuse.hpp"
 
 namespace vibro_impact::runner {
 
@@ -20,37 +22,32 @@ bool is_standard_output(const std::string &path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
-// True when a file written to `path`, or on its way there, gets in the way of `other`.
+// True when a file written to `path` gets in the way of `other`.
 bool meet(const std::string &path, const std::string &other) {
-  const auto place = [](const std::string &of) {
-    std::error_code error;
-    return is_standard_output(of) ? "-"
-                                  : fs::weakly_canonical(fs::absolute(of, error), error).string();
-  };
+  if (is_standard_output(path) || is_standard_output(other))
+    return is_standard_output(path) && is_standard_output(other);
   std::error_code error;
   // Nothing in a terminal or in /dev/null is written over.
-  if (fs::is_character_file(path, error) && fs::is_character_file(other, error) &&
-      !is_standard_output(path))
-    return false;
-  const std::string one = place(path), two = place(other);
-  return one == two || one + ".part" == two || one == two + ".part";
+  return !fs::is_character_file(path, error) &&
+         fs::weakly_canonical(fs::absolute(path), error) ==
+             fs::weakly_canonical(fs::absolute(other), error);
 }
 
-std::string reason_of(int error) {
-  return std::generic_category().message(error);
+[[noreturn]] void fail(const std::string &path, int error) {
+  throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, std::strerror(error)));
 }
 
 }  // namespace
 
-Destination::Destination(const Named &file) : path(file.path), standard(is_standard_output(path)) {
+Destination::Destination(const Named &file)
+    : path(file.path), standard(is_standard_output(path)), direct(standard) {
   if (standard) return;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status))
-    throw BadInput(fmt::format("{} {}: is a directory, cannot be written", file.option, path));
+    refuse("{} {}: is a directory, cannot be written", file.option, path);
   const bool link = fs::is_symlink(fs::symlink_status(path, error));
-  if (link && !fs::exists(status))
-    throw BadInput(fmt::format("{} {}: is a link that leads nowhere", file.option, path));
+  if (link && !fs::exists(status)) refuse("{} {}: is a link that leads nowhere", file.option, path);
   // A file that is open already, under another name (2>log): what stands in it stays.
   const bool open = path == "/dev/stderr" || path.starts_with("/dev/fd/");
   direct = fs::exists(status) && (open || !fs::is_regular_file(status));
@@ -60,23 +57,24 @@ Destination::Destination(const Named &file) : path(file.path), standard(is_stand
 void require_apart(const std::vector<Named> &written, const Named &read) {
   const auto require = [](const Named &one, const Named &two) {
     if (!one.path.empty() && !two.path.empty() && meet(one.path, two.path))
-      throw BadInput(fmt::format("{} {} {} {}: these need to be two files", one.option, one.path,
-                                 two.option, two.path));
+      refuse("{} {} {} {}: these need to be two files", one.option, one.path, two.option, two.path);
   };
-  for (std::size_t k = 0; k < written.size(); ++k)
+  for (std::size_t k = 0; k < written.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j) require(written[j], written[k]);
-  for (const Named &file : written)
-    if (!is_standard_output(file.path) && file.option != "--save-state") require(file, read);
+    if (!is_standard_output(written[k].path) && written[k].option != "--save-state")
+      require(written[k], read);
+  }
 }
 
+// The number of the process makes the temporary name its own, and no file that is there already
+// is opened under it.
 Output::Output(const Named &file)
-    : to_(file), temporary_(to_.standard || to_.direct ? "" : to_.path + ".part") {
+    : to_(file), temporary_(to_.direct ? "" : fmt::format("{}.part{}", to_.path, getpid())) {
   file_ = to_.standard ? stdout
-                       : std::fopen(to_.direct ? to_.path.c_str() : temporary_.c_str(),
-                                    to_.direct ? "ab" : "wb");
+          : to_.direct ? std::fopen(to_.path.c_str(), "ab")
+                       : std::fopen(temporary_.c_str(), "wbx");
   if (file_ == nullptr)
-    throw BadInput(
-        fmt::format("{} {}: cannot be written: {}", file.option, file.path, reason_of(errno)));
+    refuse("{} {}: cannot be written: {}", file.option, file.path, std::strerror(errno));
 }
 
 Output::~Output() {
@@ -95,19 +93,13 @@ void Output::write(std::string_view text) {
 void Output::complete() {
   if (file_ != stdout && std::fclose(std::exchange(file_, nullptr)) != 0 && !failed())
     error_ = errno;
-  if (to_.standard && error_ == EPIPE) throw ReaderLeft{};
-  if (failed())
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}",
-                                         to_.standard ? "standard output" : to_.path,
-                                         reason_of(error_)));
+  if (to_.standard && error_ == EPIPE) throw EndedBySignal{SIGPIPE, ""};
+  if (failed()) fail(to_.standard ? "standard output" : to_.path, error_);
 }
 
 void Output::put_in_place() {
   if (temporary_.empty()) return;
-  std::error_code error;
-  fs::rename(temporary_, to_.path, error);
-  if (error)
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", to_.path, error.message()));
+  if (std::rename(temporary_.c_str(), to_.path.c_str()) != 0) fail(to_.path, errno);
   temporary_.clear();
 }
 

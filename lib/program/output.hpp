@@ -13,45 +13,47 @@ struct Named {
   std::string option, path;
 };
 
-// Where such a file goes. Throws BadInput for what cannot be written; makes no file.
+// Where such a file goes. Throws std::invalid_argument for what cannot be written; makes no file.
 struct Destination {
   std::string path;
   bool standard = false;  // standard output
-  bool direct = false;    // a device, a pipe or an open file: renaming would replace it
+  bool direct = false;    // that, a device, a pipe or an open file: renaming would replace it
 
   explicit Destination(const Named &file);
 };
 
-// Throws BadInput when two of the files would go to the same place, or one over `read`, which is
-// read before: a new state alone may replace it.
+// Throws std::invalid_argument when two of the files would go to the same place, or one over
+// `read`, which is read before: a new state alone may replace it.
 void require_apart(const std::vector<Named> &written, const Named &read);
-
-// What reads standard output has closed it: no error of ours, and nothing more to be done.
-struct ReaderLeft {};
 
 class Output {
  public:
-  // Opens the file: beside its name until it is whole. Throws BadInput when that fails.
+  // Opens the file, beside its name until it is whole. Throws std::invalid_argument when that
+  // fails.
   explicit Output(const Named &file);
   // What has not been put in place by now is removed.
   ~Output();
   Output(const Output &) = delete;
   Output &operator=(const Output &) = delete;
 
+  // Where the file stands until it is put in place; empty: at its place.
+  const std::string &temporary() const {
+    return temporary_;
+  }
   // Once a write has failed the others do nothing.
   void write(std::string_view text);
   bool failed() const {
     return error_ != 0;
   }
   // Closes the file. Throws std::runtime_error with one line that names it when a write failed, and
-  // ReaderLeft.
+  // EndedBySignal when the reader of standard output has left, which is no error.
   void complete();
   // Gives the complete file its name.
   void put_in_place();
 
  private:
   Destination to_;
-  std::string temporary_;  // empty: none
+  std::string temporary_;
   std::FILE *file_;
   int error_ = 0;  // of the first write that failed
 };

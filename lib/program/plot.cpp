@@ -1,19 +1,21 @@
 #include "plot.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <sstream>
 #include <stdexcept>
 
-#include "bad_input.hpp"
-#include "output.hpp"
+#include "refuse.hpp"
 
 namespace vibro_impact::runner {
 
@@ -23,43 +25,36 @@ namespace fs = std::filesystem;
 
 constexpr double least_samples = 4000.0, samples_per_period = 40.0, most_samples = 400'000.0;
 
-// Events closer than that, in parts of the width, fall on the same place.
+// Impacts at a stop closer than that, in parts of the width, fall on the same place.
 constexpr double resolution = 1.0 / 8000.0;
+
+constexpr double never = -std::numeric_limits<double>::infinity();
 
 // The name of gnuplot's terminal for a file.
 std::string terminal_of(const std::string &path) {
   if (path.ends_with(".png")) return "pngcairo";
   if (path.ends_with(".pdf")) return "pdfcairo";
   if (path.ends_with(".svg")) return "svg";
-  throw BadInput(fmt::format("--plot {}: must end in .png, .pdf or .svg", path));
+  refuse("--plot {}: must end in .png, .pdf or .svg", path);
 }
 
-// True when gnuplot, without the settings of the user, takes the script.
-bool taken_by_gnuplot(const std::string &script) {
-  std::FILE *pipe = popen("gnuplot -d - >/dev/null 2>&1", "w");
+// True when gnuplot, without the settings of the user, takes the script and draws to `path`, a name
+// that the shell need not quote.
+bool taken_by_gnuplot(const std::string &script, const std::string &path) {
+  setenv("VIBRO_IMPACT_PLOT", path.c_str(), 1);
+  std::FILE *pipe = popen("gnuplot -d - >\"$VIBRO_IMPACT_PLOT\" 2>/dev/null", "w");
   if (pipe == nullptr) return false;
   const bool written = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
   return pclose(pipe) == 0 && written;
 }
 
-// A file name as gnuplot reads it, whatever it consists of. From the root, where neither ~ nor |
-// means something.
-std::string in_quotes(const fs::path &path) {
-  std::string text = "\"";
-  for (const char c : fs::absolute(path).string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_')
-      text.push_back(c);
-    else
-      fmt::format_to(std::back_inserter(text), "\\{:03o}", byte);
-  }
-  return text + "\"";
-}
-
 // Beside the program, in the build as where it is installed.
-fs::path installed_script() {
-  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() /
-         "share/vibro-impact/plot.gp";
+std::string installed_script() {
+  std::ostringstream text;
+  text << std::ifstream(fs::read_symlink("/proc/self/exe").parent_path().parent_path() /
+                        "share/vibro-impact/plot.gp")
+              .rdbuf();
+  return text.str();
 }
 
 double period_of(const Scene &scene) {
@@ -67,122 +62,94 @@ double period_of(const Scene &scene) {
   return 2.0 * std::numbers::pi / (scene.omega > 0.0 ? scene.omega : fastest);
 }
 
+// Those with stops before the others.
+std::vector<int> masses_drawn(const Scene &scene) {
+  std::vector<int> masses(static_cast<std::size_t>(scene.masses()));
+  std::iota(masses.begin(), masses.end(), 1);
+  std::ranges::stable_partition(masses, [&scene](int mass) {
+    return std::ranges::count(scene.stops, mass, &Stop::mass) > 0;
+  });
+  masses.resize(std::min(masses.size(), most_masses_drawn));
+  std::ranges::sort(masses);
+  return masses;
+}
+
 }  // namespace
 
 Plot::Plot(const std::string &path, const Scene &scene, const Held &held, double from, double to)
-    : scene_(scene),
+    : path_(path),
+      terminal_(terminal_of(path)),
+      file_({"--plot", path}),
+      scene_(scene),
       from_(from),
       to_(to),
-      last_impact_(scene.stops.size(), -std::numeric_limits<double>::infinity()) {
-  const std::string terminal = terminal_of(path);
-  const Destination file({"--plot", path});
-  if (file.direct) throw BadInput(fmt::format("--plot {}: must be a file", path));
-  path_ = file.path;
-  temporary_ = path_ + ".part";
-  if (!(to > from))
-    throw BadInput(fmt::format("--plot {}: nothing to be drawn from t = {} to {}", path, from, to));
+      masses_(masses_drawn(scene)),
+      last_impact_(scene.stops.size(), never),
+      held_since_(scene.stops.size(), never) {
+  if (file_.temporary().empty()) refuse("--plot {}: must be a file", path);
+  if (!(to > from)) refuse("--plot {}: nothing to be drawn from t = {} to {}", path, from, to);
   const double periods = (to - from) / period_of(scene);
   const double samples = std::max(least_samples, samples_per_period * periods);
   if (!(samples <= most_samples))
-    throw BadInput(
-        fmt::format("--plot {}: {:.0f} periods, of which no more than {} can be drawn; "
-                    "give a later --from",
-                    path, periods, most_samples / samples_per_period));
+    refuse("--plot {}: {:.0f} periods, of which no more than {} can be drawn; give a later --from",
+           path, periods, most_samples / samples_per_period);
   every_ = (to - from) / std::ceil(samples);
-  if (!taken_by_gnuplot(fmt::format("set terminal {}\n", terminal)))
-    throw BadInput(
-        fmt::format("--plot {}: needs gnuplot with its terminal {}, not found", path, terminal));
-  Output({"--plot", path});  // it can be written
-
-  for (int mass = 1; mass <= scene.masses(); ++mass) panels_.push_back({mass});
-  for (const Stop &at : scene.stops) {
-    Panel &panel = panels_[static_cast<std::size_t>(at.mass - 1)];
-    fmt::format_to(std::back_inserter(panel.data[stop]), "0 {:.9g}\n", at.position);
-    if (held[static_cast<std::size_t>(at.mass - 1)] == static_cast<signed char>(at.side))
-      panel.held_at = &at;
-    panel.held_since = from;
-  }
-  std::ranges::stable_sort(panels_, {},
-                           [](const Panel &panel) { return panel.data[stop].empty(); });
-  panels_.resize(std::min(panels_.size(), most_masses_drawn), Panel{0});
-  std::ranges::sort(panels_, {}, &Panel::mass);
+  if (!taken_by_gnuplot(fmt::format("set terminal {}\n", terminal_), "/dev/null"))
+    refuse("--plot {}: needs gnuplot with its terminal {}, not found", path, terminal_);
+  for (std::size_t k = 0; k < scene.stops.size(); ++k)
+    if (held[static_cast<std::size_t>(scene.stops[k].mass - 1)] ==
+        static_cast<signed char>(scene.stops[k].side))
+      held_since_[k] = from;
 }
 
 void Plot::sample(const Moment &moment) {
   ++taken_;
-  add_point(moment);
+  auto row = std::back_inserter(displacements_);
+  fmt::format_to(row, "{:.9g}", moment.time);
+  for (const int mass : masses_) fmt::format_to(row, " {:.6g}", moment.displacement(mass));
+  displacements_ += "\n";
 }
 
-void Plot::add_point(const Moment &moment) {
-  for (Panel &panel : panels_)
-    fmt::format_to(std::back_inserter(panel.data[displacement]), "{:.9g} {:.6g}\n", moment.time,
-                   moment.displacement(panel.mass));
+void Plot::end_sticking(std::size_t stop, double time) {
+  const double since = std::max(held_since_[stop], from_);
+  if (held_since_[stop] > never && time > since)
+    fmt::format_to(std::back_inserter(sticking_), "{:.9g} {} {:.9g} {:.9g}\n", since,
+                   scene_.stops[stop].mass, scene_.stops[stop].position, time - since);
+  held_since_[stop] = never;
 }
 
-void Plot::end_sticking(Panel &panel, double time) {
-  if (panel.held_at == nullptr || time < from_) return;
-  fmt::format_to(std::back_inserter(panel.data[sticking]), "\n{:.9g} {:.9g}\n{:.9g} {:.9g}\n",
-                 std::max(panel.held_since, from_), panel.held_at->position, time,
-                 panel.held_at->position);
-}
-
-void Plot::event(const Event &event, const Moment &moment) {
-  const double apart = (to_ - from_) * resolution;
-  const bool seen = event.time >= from_;
-  // The lines have their corners where they are.
-  if (seen && event.time - last_corner_ > apart) {
-    add_point(moment);
-    last_corner_ = event.time;
-  }
-  const auto panel = std::ranges::find(panels_, event.mass, &Panel::mass);
-  if (panel == panels_.end()) return;
-  const Stop &at = scene_.stops[event.stop];
-  if (event.kind == EventKind::impact) {
-    if (!seen || event.time - last_impact_[event.stop] < apart) return;
-    last_impact_[event.stop] = event.time;
-    fmt::format_to(std::back_inserter(panel->data[impact]), "{:.9g} {:.9g}\n", event.time,
-                   at.position);
+void Plot::event(const Event &event, const Moment &) {
+  if (event.kind == EventKind::stick) held_since_[event.stop] = event.time;
+  if (event.kind == EventKind::release) end_sticking(event.stop, event.time);
+  double &last = last_impact_[event.stop];
+  if (event.kind != EventKind::impact || event.time < from_ ||
+      event.time - last < (to_ - from_) * resolution)
     return;
-  }
-  if (event.kind == EventKind::release) end_sticking(*panel, event.time);
-  panel->held_at = event.kind == EventKind::stick ? &at : nullptr;
-  panel->held_since = event.time;
-}
-
-// The data, then plot.gp: a block for each layer, with a part for each mass, which begins with a
-// row that is not drawn, for it must not be empty.
-std::string Plot::script(double time) const {
-  static constexpr std::array<const char *, layers> names = {"stop", "sticking", "displacement",
-                                                             "impact"};
-  std::string text, masses, shown;
-  for (const Panel &panel : panels_) masses += fmt::format("{} ", panel.mass);
-  for (std::size_t k = 0; k < layers; ++k) {
-    bool any = false;
-    fmt::format_to(std::back_inserter(text), "${} << END\n", names[k]);
-    for (const Panel &panel : panels_) {
-      text += "NaN NaN\n" + panel.data[k] + "\n\n";
-      any = any || !panel.data[k].empty();
-    }
-    text += "END\n";
-    if (any) shown += fmt::format("{} ", names[k]);
-  }
-  const double end = std::max(time, from_ + (to_ - from_) * resolution);
-  return text + fmt::format(
-                    "masses = '{}'\nshown = '{}'\nfrom = {:.17g}\nto = {:.17g}\n"
-                    "kind = '{}'\nfile = {}\nload {}\n",
-                    masses, shown, from_, end, terminal_of(path_), in_quotes(temporary_),
-                    in_quotes(installed_script()));
+  last = event.time;
+  fmt::format_to(std::back_inserter(impacts_), "{:.9g} {} {:.9g}\n", event.time, event.mass,
+                 scene_.stops[event.stop].position);
 }
 
 void Plot::draw(double time) {
-  for (Panel &panel : panels_) end_sticking(panel, time);
-  std::error_code error;
-  const bool drawn =
-      taken_by_gnuplot(script(time)) && fs::file_size(temporary_, error) > 0 && !error;
-  if (drawn) fs::rename(temporary_, path_, error);
-  if (drawn && !error) return;
-  fs::remove(temporary_, error);
-  throw std::runtime_error(fmt::format("--plot {}: gnuplot could not draw it", path_));
+  std::string stops;
+  for (std::size_t k = 0; k < scene_.stops.size(); ++k) {
+    end_sticking(k, time);
+    stops += fmt::format("0 {} {:.9g}\n", scene_.stops[k].mass, scene_.stops[k].position);
+  }
+  std::string script;
+  for (const auto &[name, rows] : {std::pair{"stop", &stops},
+                                   {"sticking", &sticking_},
+                                   {"displacement", &displacements_},
+                                   {"impact", &impacts_}})
+    script += fmt::format("${} << END\nNaN NaN NaN NaN\n{}END\n", name, *rows);
+  script += fmt::format("masses = '{}'\nfrom = {:.17g}\nto = {:.17g}\nkind = '{}'\n",
+                        fmt::join(masses_, " "), from_,
+                        std::max(time, from_ + (to_ - from_) * resolution), terminal_);
+  if (!taken_by_gnuplot(script + installed_script(), file_.temporary()) ||
+      fs::file_size(file_.temporary()) == 0)
+    throw std::runtime_error(fmt::format("--plot {}: gnuplot could not draw it", path_));
+  file_.complete();
+  file_.put_in_place();
 }
 
 }  // namespace vibro_impact::runner

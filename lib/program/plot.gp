@@ -1,8 +1,8 @@
-# The picture of a run. The program sends, before it loads this file:
-#   $stop, $sticking, $displacement, $impact   a part (index) for each mass
-#   masses, shown   the masses drawn, and the layers that any of them has, in words
-#   from, to        the times between which the run is drawn
-#   kind, file      the terminal, and where the picture goes
+# The picture of a run, to standard output. The program sends, before this file:
+#   $stop, $sticking, $impact   time, mass, displacement (and how long it sticks), after a row of NaN
+#   $displacement               time, and the displacements of the masses drawn, after such a row
+#   masses, from, to            the masses drawn, in words; the times between which they are
+#   kind                        the terminal
 rows = words(masses)
 height = 130 + 370 * rows
 if (kind eq 'pdfcairo') {
@@ -10,7 +10,6 @@ if (kind eq 'pdfcairo') {
 } else {
   set terminal @kind size 1400,height font 'Liberation Serif,22' linewidth 2
 }
-set output file
 set encoding utf8
 set border linewidth 0.7 linecolor rgb '#202020'
 set tics nomirror out scale 0.6
@@ -25,18 +24,19 @@ set offsets 0, 0, graph 0.06, graph 0.06
 set xrange [from:to]
 set multiplot layout rows,1
 # What any panel shows stands in the key above the first.
-key(k, layer) = k == 0 && strstrt(shown, layer) ? layer : ''
-do for [k = 0:rows - 1] {
-  set ylabel 'x_{'.word(masses, k + 1).'}'
-  if (k == rows - 1) { set xlabel 'time' }
-  plot $stop index k using (from):2:(to - from):(0) with vectors nohead linestyle 3, \
-       $sticking index k with lines linestyle 4, \
-       $displacement index k with lines linestyle 1, \
-       $impact index k with points linestyle 2, \
-       NaN with lines linestyle 3 title key(k, 'stop'), \
-       NaN with lines linestyle 4 title key(k, 'sticking'), \
-       NaN with lines linestyle 1 title key(k, 'displacement'), \
-       NaN with points linestyle 2 title key(k, 'impact')
+key(k, layer, size) = k == 1 && size > 1 ? layer : ''
+do for [k = 1:rows] {
+  mass = int(word(masses, k))
+  of(m, x) = m == mass ? x : NaN
+  set ylabel 'x_{'.mass.'}'
+  if (k == rows) { set xlabel 'time' }
+  plot $stop using (from):(of($2, $3)):(to - from):(0) with vectors nohead linestyle 3, \
+       $sticking using 1:(of($2, $3)):4:(0) with vectors nohead linestyle 4, \
+       $displacement using 1:(column(k + 1)) with lines linestyle 1, \
+       $impact using 1:(of($2, $3)) with points linestyle 2, \
+       NaN with lines linestyle 3 title key(k, 'stop', |$stop|), \
+       NaN with lines linestyle 4 title key(k, 'sticking', |$sticking|), \
+       NaN with lines linestyle 1 title key(k, 'displacement', |$displacement|), \
+       NaN with points linestyle 2 title key(k, 'impact', |$impact|)
 }
 unset multiplot
-set output

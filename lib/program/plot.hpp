@@ -2,11 +2,11 @@
 // and the phases in which it sticks. How it looks stands in plot.gp, which is installed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "output.hpp"
 #include "vibro_impact/record.hpp"
 
 namespace vibro_impact::runner {
@@ -14,12 +14,12 @@ namespace vibro_impact::runner {
 // At most so many masses are drawn: those with stops before the others.
 constexpr std::size_t most_masses_drawn = 8;
 
-// A recorder of what the picture shows and no more: two events of a kind at a stop that fall on the
-// same place of the paper are one.
+// A recorder of what the picture shows.
 class Plot {
  public:
-  // From `from` to `to`; `held`: the contact mode at the start. Throws BadInput when there are more
-  // periods than can be drawn, and when gnuplot is not there or does not draw this kind of file.
+  // From `from` to `to`; `held`: the contact mode at the start. Throws std::invalid_argument when
+  // there are more periods than can be drawn, and when gnuplot is not there or does not draw this
+  // kind of file.
   Plot(const std::string &path, const Scene &scene, const Held &held, double from, double to);
 
   double next_time() const {
@@ -32,26 +32,16 @@ class Plot {
   void draw(double time);
 
  private:
-  // What a panel consists of, as rows of gnuplot.
-  enum Layer { stop, sticking, displacement, impact, layers };
-  struct Panel {
-    int mass;
-    std::array<std::string, layers> data = {};
-    double held_since = 0.0;        // where it sticks now
-    const Stop *held_at = nullptr;  // none: it is free
-  };
-
-  std::string path_, temporary_;
+  std::string path_, terminal_;
+  Output file_;
   const Scene &scene_;
   double from_, to_, every_ = 0.0;
   std::size_t taken_ = 0;
-  std::vector<Panel> panels_ = {};
-  std::vector<double> last_impact_;  // drawn, per stop
-  double last_corner_ = -1.0;        // event at which the lines have a point
+  std::vector<int> masses_ = {};                    // drawn
+  std::vector<double> last_impact_, held_since_;    // per stop
+  std::string displacements_, impacts_, sticking_;  // rows for gnuplot
 
-  void add_point(const Moment &moment);
-  void end_sticking(Panel &panel, double time);
-  std::string script(double time) const;
+  void end_sticking(std::size_t stop, double time);
 };
 
 }  // namespace vibro_impact::runner

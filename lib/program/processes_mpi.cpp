@@ -1,7 +1,6 @@
 #include <mpi.h>
 
 #include <chrono>
-#include <cstdint>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
@@ -19,95 +18,53 @@ struct Seat {
   int rank, thread;
 };
 
-constexpr std::uint64_t no_more = UINT64_MAX;
+using Row = std::vector<double>;
 
-std::mutex talking;  // the threads take turns
-
-// Set by mpirun of Open MPI, by other starters. A program started without is one process, and does
-// not wait for MPI to begin.
-bool started_by_mpirun() {
-  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(name) != nullptr) return true;
-  return false;
+void send(const Row &row, const Seat &to) {
+  MPI_Send(row.data(), static_cast<int>(row.size()), MPI_DOUBLE, to.rank, to.thread,
+           MPI_COMM_WORLD);
 }
 
-template <class Number>
-void send(const std::vector<Number> &values, MPI_Datatype type, int to, int tag) {
-  const std::lock_guard lock(talking);
-  MPI_Send(values.data(), static_cast<int>(values.size()), type, to, tag, MPI_COMM_WORLD);
-}
-
-template <class Number>
-std::vector<Number> receive(MPI_Datatype type, int from, int tag) {
-  for (;;) {
-    {
-      const std::lock_guard lock(talking);
-      int there = 0, size = 0;
-      MPI_Status status;
-      MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, &status);
-      if (there != 0) {
-        MPI_Get_count(&status, type, &size);
-        std::vector<Number> values(static_cast<std::size_t>(size));
-        MPI_Recv(values.data(), size, type, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-        return values;
-      }
-    }
+// Asleep while there is nothing: MPI itself would wait at the cost of a processor.
+Row receive(const Seat &from) {
+  int there = 0, size = 0;
+  MPI_Message message;
+  MPI_Status status;
+  while (MPI_Improbe(from.rank, from.thread, MPI_COMM_WORLD, &there, &message, &status), there == 0)
     std::this_thread::sleep_for(std::chrono::microseconds(50));
-  }
+  MPI_Get_count(&status, MPI_DOUBLE, &size);
+  Row row(static_cast<std::size_t>(size));
+  MPI_Mrecv(row.data(), size, MPI_DOUBLE, &message, MPI_STATUS_IGNORE);
+  return row;
 }
 
-void send_point(std::uint64_t point, const Seat &to) {
-  send(std::vector{point}, MPI_UINT64_T, to.rank, to.thread);
-}
-
-// A row without numbers says that there was an error: rank 0 computes the point itself, and meets
-// it.
+// Computes the points that come until a message without one. The answer to a point that ends with
+// an error is a row without numbers: rank 0 then computes the point itself, and meets the error.
 void serve(const ComputeRow &compute, int thread) {
-  for (;;) {
-    const std::uint64_t point = receive<std::uint64_t>(MPI_UINT64_T, 0, thread).at(0);
-    if (point == no_more) return;
-    std::vector<double> row;
+  const Seat master{0, thread};
+  for (Row point; !(point = receive(master)).empty();) {
+    Row row;
     try {
-      row = compute(point);
+      row = compute(static_cast<std::size_t>(point[0]));
     } catch (...) {
     }
-    send(row, MPI_DOUBLE, 0, thread);
+    send(row, master);
   }
 }
-
-// The threads of the others that have nothing to do.
-class FreeSeats {
- public:
-  std::vector<Seat> seats = {};
-
-  std::optional<Seat> take() {
-    const std::lock_guard lock(mutex_);
-    if (seats.empty()) return std::nullopt;
-    const Seat seat = seats.back();
-    seats.pop_back();
-    return seat;
-  }
-  void give_back(const Seat &seat) {
-    const std::lock_guard lock(mutex_);
-    seats.push_back(seat);
-  }
-  ~FreeSeats() {
-    for (const Seat &seat : seats) send_point(no_more, seat);
-  }
-
- private:
-  std::mutex mutex_;
-};
 
 }  // namespace
 
+// A program that mpirun did not start is one process, and does not wait for MPI to begin. (The
+// names are those that Open MPI and other starters set.)
 Processes::Processes(int &argc, char **&argv) {
-  if (!started_by_mpirun()) return;
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr &&
+      std::getenv("PMI_RANK") == nullptr)
+    return;
   int level = 0;
-  MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &level);
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_MULTIPLE, &level);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
-  if (size_ > 1 && level < MPI_THREAD_SERIALIZED)
+  if (size_ > 1 && level < MPI_THREAD_MULTIPLE)
     throw std::runtime_error("this MPI was built without threads");
 }
 
@@ -127,16 +84,28 @@ void Processes::share_out(int threads, const ComputeRow &compute,
     for (int thread = 1; thread < threads; ++thread) others.emplace_back(serve, compute, thread);
     return serve(compute, 0);
   }
-  FreeSeats free;
+  // The threads of the others that have nothing to do; all of them are told when it is over.
+  struct Free {
+    std::vector<Seat> seats = {};
+    std::mutex mutex = {};
+    ~Free() {
+      for (const Seat &seat : seats) send({}, seat);
+    }
+  } free;
   for (int rank = 1; rank < size_; ++rank)
     for (int thread = 0; thread < threads_of[static_cast<std::size_t>(rank)]; ++thread)
       free.seats.push_back({rank, thread});
   use(threads + static_cast<int>(free.seats.size()), [&](std::size_t point) {
-    const std::optional<Seat> seat = free.take();
+    std::optional<Seat> seat;
+    if (const std::lock_guard lock(free.mutex); !free.seats.empty()) {
+      seat = free.seats.back();
+      free.seats.pop_back();
+    }
     if (!seat) return compute(point);
-    send_point(point, *seat);
-    std::vector<double> row = receive<double>(MPI_DOUBLE, seat->rank, seat->thread);
-    free.give_back(*seat);
+    send({static_cast<double>(point)}, *seat);
+    const Row row = receive(*seat);
+    const std::lock_guard lock(free.mutex);
+    free.seats.push_back(*seat);
     return row.empty() ? compute(point) : row;
   });
 }

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "bad_input.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
+#include "refuse.hpp"
 #include "state_file.hpp"
 #include "tables.hpp"
 
@@ -23,20 +23,17 @@ namespace vibro_impact::runner {
 namespace {
 
 // To standard error, come what may: a terminal that is gone does not undo what the run has done.
-void say(const std::string &text) {
-  std::fputs(text.c_str(), stderr);
-}
-
 void summarise(const Outcome &outcome) {
   const Counters &c = outcome.counters;
-  say(
-      fmt::format("t = {:.17g}: {} impacts resolved, {} sticks, {} releases\n"
-                  "chatter: {} complete and carried to the limit, {} incomplete\n"
-                  "work: {} contact modes, {} expansions, {} root searches ({} stops dismissed), "
-                  "{} root iterations, {} modal evaluations\n",
-                  outcome.time, c.impacts, c.sticks, c.releases, c.chatter_limits,
-                  c.chatter_incomplete, c.modes_built, c.expansions, c.roots_searched,
-                  c.roots_dismissed + c.stops_clear, c.root_iterations, c.modal_evaluations));
+  const std::string text = fmt::format(
+      "t = {:.17g}: {} impacts resolved, {} sticks, {} releases\n"
+      "chatter: {} complete and carried to the limit, {} incomplete\n"
+      "work: {} contact modes, {} expansions, {} root searches ({} stops dismissed), {} root "
+      "iterations, {} modal evaluations\n",
+      outcome.time, c.impacts, c.sticks, c.releases, c.chatter_limits, c.chatter_incomplete,
+      c.modes_built, c.expansions, c.roots_searched, c.roots_dismissed + c.stops_clear,
+      c.root_iterations, c.modal_evaluations);
+  std::fputs(text.c_str(), stderr);
 }
 
 // The saved run to go on with; nothing: the run starts at t = 0.
@@ -44,8 +41,8 @@ std::optional<SavedRun> saved_run(const Request &request) {
   if (request.resume.empty()) return std::nullopt;
   SavedRun saved = read_saved_run(request.resume);
   if (request.until < saved.time)
-    throw BadInput(fmt::format("--until {}: lies before the end {} of the run saved in {}",
-                               request.until, saved.time, request.resume));
+    refuse("--until {}: lies before the end {} of the run saved in {}", request.until, saved.time,
+           request.resume);
   return saved;
 }
 
@@ -93,15 +90,13 @@ struct Files {
         saved ? samples_taken(request.from, request.every, saved->time) : std::size_t{0};
     if (!request.samples.empty())
       samples.emplace(Named{"--samples", request.samples}, scene.masses(),
-                      SampleRows::Times{request.from, request.until, request.every, taken});
+                      SampleTimes{request.from, request.until, request.every, taken});
   }
 
-  std::vector<RecorderRef> recorders() {
-    std::vector<RecorderRef> all;
-    if (events) all.push_back(recorder_ref(*events));
-    if (samples) all.push_back(recorder_ref(*samples));
-    if (plot) all.push_back(recorder_ref(*plot));
-    return all;
+  void add_to(std::vector<RecorderRef> &recorders) {
+    if (events) recorders.push_back(recorder_ref(*events));
+    if (samples) recorders.push_back(recorder_ref(*samples));
+    if (plot) recorders.push_back(recorder_ref(*plot));
   }
 
   // A run that was given up may be gone on with, too, under another limit of impacts: unless its
@@ -116,11 +111,11 @@ struct Files {
 
   // First all are closed, then all put in place: one that cannot be written leaves none behind.
   void finish() {
-    if (events) events->table.complete();
-    if (samples) samples->table.complete();
+    if (events) events->complete();
+    if (samples) samples->complete();
     if (state) state->complete();
-    if (events) events->table.file.put_in_place();
-    if (samples) samples->table.file.put_in_place();
+    if (events) events->file.put_in_place();
+    if (samples) samples->file.put_in_place();
     if (state) state->put_in_place();
   }
 };
@@ -138,7 +133,7 @@ Outcome simulate_or_resume(const Request &request, const std::optional<SavedRun>
   const double begin = saved ? saved->time : 0.0;
   Interruption interruption{signal, begin};
   std::vector<RecorderRef> recorders{recorder_ref(interruption)};
-  for (const RecorderRef &recorder : files.recorders()) recorders.push_back(recorder);
+  files.add_to(recorders);
   Progress progress("time", request.until, request.progress, begin);
   ShownProgress shown{progress};
   if (shows_progress(request)) recorders.push_back(recorder_ref(shown));
@@ -146,7 +141,7 @@ Outcome simulate_or_resume(const Request &request, const std::optional<SavedRun>
       saved ? resume_seen(scene, saved->state, request.until, request.options, recorders)
             : simulate_seen(scene, start_of(scene), request.until, request.options, recorders);
   if (files.samples && outcome.ending != Ending::reached)
-    outcome.time = reach(files.samples->at, outcome.time);
+    outcome.time = files.samples->at.reach(outcome.time);
   return outcome;
 }
 
@@ -170,7 +165,7 @@ std::string remark_on(const Files &files, bool state_wanted) {
 
 }  // namespace
 
-int run_scene(const Request &request, int (*signal)()) {
+void run_scene(const Request &request, int (*signal)()) {
   require_apart({{"--events", request.events},
                  {"--samples", request.samples},
                  {"--save-state", request.save_state},
@@ -188,15 +183,12 @@ int run_scene(const Request &request, int (*signal)()) {
   const std::string remark = remark_on(files, state_wanted);
   if (outcome.ending == Ending::given_up)
     throw std::runtime_error(outcome.reason + place_of(outcome.state) + remark);
-  if (outcome.ending == Ending::stopped) {  // a table that cannot be written has thrown in `finish`
-    say(fmt::format("vibro-impact: interrupted at t = {}{}\n", outcome.time, remark));
-    return 128 + signal();
-  }
+  if (outcome.ending == Ending::stopped)  // a table that cannot be written has thrown in `finish`
+    throw EndedBySignal{signal(), fmt::format("interrupted at t = {}{}", outcome.time, remark)};
   if (state_wanted && !files.state)
     throw std::runtime_error(
         fmt::format("--save-state {}: the state is out of range", request.save_state));
   summarise(outcome);
-  return 0;
 }
 
 }  // namespace vibro_impact::runner

@@ -6,9 +6,9 @@
 
 namespace vibro_impact::runner {
 
-// Runs the scene and writes its files. Ends early when `signal`, asked at every flight, gives the
-// number of one. Returns the exit status: 0, or 128 + that number. Throws BadInput,
-// std::invalid_argument and std::runtime_error with one line.
-int run_scene(const Request &request, int (*signal)() = signal_that_came);
+// Runs the scene and writes its files. Ends early, with EndedBySignal, when `signal`, asked at
+// every flight, gives the number of one. Throws std::invalid_argument and std::runtime_error with
+// one line.
+void run_scene(const Request &request, int (*signal)() = signal_that_came);
 
 }  // namespace vibro_impact::runner

@@ -1,17 +1,24 @@
 #include "scene_options.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <utility>
 
-#include "bad_input.hpp"
+#include "refuse.hpp"
 #include "values.hpp"
 
 namespace vibro_impact::runner {
 
+namespace {
+
+bool given(const SceneOptions &words, const std::string &name) {
+  return std::ranges::any_of(words.all, [&name](const CLI::Option *option) {
+    return option->get_name() == name && option->count() > 0;
+  });
+}
+
+}  // namespace
+
 void add_scene_options(CLI::App &app, SceneOptions &words) {
-  const auto add = [&](const char *name, std::string &value, const char *type, const char *what) {
+  const auto add = [&](const char *name, auto &value, const char *type, const char *what) {
     CLI::Option *added = option(app, name, value, type, what);
     words.all.push_back(added);
     return added;
@@ -22,37 +29,30 @@ void add_scene_options(CLI::App &app, SceneOptions &words) {
       "k_i > 0, link by link; k_1 = 0: a free chain, not tied to the ground");
   CLI::Option *damping =
       add("--damping", words.damping, "LIST", "c_i, proportional to k_i: C = beta K");
-  CLI::Option *beta = add("--beta", words.beta, "NUMBER", "beta of C = beta K (the paper's c / k)");
-  beta->excludes(damping);
-  words.beta_option = beta;
+  add("--beta", words.beta, "NUMBER", "beta of C = beta K (the paper's c / k)")->excludes(damping);
   add("--restitution", words.restitution, "NUMBER",
       "Coefficient of restitution r in [0, 1] of the stops that have none of their own");
-  words.amplitude_option = add("--amplitude", words.amplitude, "LIST",
-                               "A_i of the forcing A cos(Omega t); if N is not 2: 0.5 on mass 1");
+  add("--amplitude", words.amplitude, "LIST",
+      "A_i of the forcing A cos(Omega t); if N is not 2: 0.5 on mass 1");
   add("--omega", words.omega, "NUMBER",
       "Forcing frequency Omega >= 0; the default is reconstructed, not printed");
-  words.stops_option =
-      app.add_option("--stop", words.stops,
-                     "mass:side:position or mass:side:position:restitution, with side lower or\n"
-                     "upper, repeatable; none: a chain without stops")
-          ->type_name("STOP")
-          ->capture_default_str();
-  words.all.push_back(words.stops_option);
+  add("--stop", words.stops, "STOP",
+      "mass:side:position or mass:side:position:restitution, with side lower or\n"
+      "upper, repeatable; none: a chain without stops");
   add("--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
   add("--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
 }
 
 Scene scene_of(const SceneOptions &words) {
   const auto size = static_cast<std::size_t>(number("--masses", words.masses));
-  if (words.stops_option->count() == 0 && size < 2)
-    throw BadInput(fmt::format(
-        "--masses {}: the default stops stand on masses 1 and 2; give --stop, or --stop none",
-        words.masses));
+  if (size < 2 && !given(words, "--stop"))
+    refuse("--masses {}: the default stops stand on masses 1 and 2; give --stop, or --stop none",
+           words.masses);
   Scene scene;
   scene.mass = per_mass("--mass", words.mass, size);
   scene.stiffness = per_mass("--stiffness", words.stiffness, size);
   scene.restitution = number("--restitution", words.restitution);
-  if (words.amplitude_option->count() == 0 && size != 2) {
+  if (size != 2 && !given(words, "--amplitude")) {
     scene.amplitude.assign(size, 0.0);
     scene.amplitude.front() = 0.5;
   } else {
@@ -61,20 +61,20 @@ Scene scene_of(const SceneOptions &words) {
   scene.omega = number("--omega", words.omega);
   scene.displacement = per_mass("--initial-displacement", words.displacement, size);
   scene.velocity = per_mass("--initial-velocity", words.velocity, size);
-  if (!(words.stops.size() == 1 && words.stops.front() == "none"))
+  if (words.stops != std::vector<std::string>{"none"})
     for (const std::string &stop : words.stops) scene.stops.push_back(stop_of(stop));
   check(scene);  // before the damping is divided by the stiffness
-  scene.beta = words.beta_option->count() > 0 ? number("--beta", words.beta)
-                                              : beta_of(words.damping, scene.stiffness);
+  scene.beta = given(words, "--beta") ? number("--beta", words.beta)
+                                      : beta_of(words.damping, scene.stiffness);
   check(scene);
   return scene;
 }
 
 std::string text_of(const SceneOptions &options) {
   std::string text;
-  for (const CLI::Option *given : options.all)
-    for (const std::string &value : given->results())
-      text += fmt::format("{}={}\n", given->get_name(), value);
+  for (const CLI::Option *option : options.all)
+    for (const std::string &value : option->results())
+      text += fmt::format("{}={}\n", option->get_name(), value);
   return text;
 }
 
@@ -88,7 +88,7 @@ Scene scene_in(const std::string &text) {
   try {
     app.parse(lines);
   } catch (const CLI::ParseError &error) {
-    throw BadInput(error.what());
+    refuse("{}", error.what());
   }
   return scene_of(options);
 }

@@ -17,7 +17,6 @@ struct SceneOptions {
   std::vector<std::string> stops = {"1:lower:-0.3", "2:upper:0.1"};
 
   std::vector<const CLI::Option *> all = {};
-  const CLI::Option *amplitude_option = nullptr, *beta_option = nullptr, *stops_option = nullptr;
 };
 
 // An option that takes one value.
@@ -29,7 +28,7 @@ CLI::Option *option(CLI::App &app, const char *name, Value &value, const char *t
 
 void add_scene_options(CLI::App &app, SceneOptions &options);
 
-// Throws BadInput, or std::invalid_argument from `check` for a scene that makes no sense.
+// Throws std::invalid_argument with one line, that of `check` for a scene that makes no sense.
 Scene scene_of(const SceneOptions &options);
 
 // The options that were given, one a line as --name=value, and the scene they stand for.

@@ -1,13 +1,11 @@
 #include "state_file.hpp"
 
-#include <fmt/format.h>
-
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
-#include "bad_input.hpp"
 #include "checksum.hpp"
+#include "refuse.hpp"
 #include "scene_options.hpp"
 #include "values.hpp"
 
@@ -21,17 +19,17 @@ constexpr std::string_view kind = "vibro-impact state ", version = "3\n";
 std::string checked(std::istream &file) {
   std::string start(kind.size() + version.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  if (!file || !start.starts_with(kind)) throw BadInput("is not a state file");
+  if (!file || !start.starts_with(kind)) refuse("is not a state file");
   if (!start.ends_with(version))
-    throw BadInput(
-        fmt::format("a state file of version {}, not {}: the version of vibro-impact "
-                    "that wrote it goes on with it",
-                    start.substr(kind.size(), 1), version.substr(0, 1)));
+    refuse(
+        "a state file of version {}, not {}: the version of vibro-impact that wrote it goes on "
+        "with it",
+        start.substr(kind.size(), 1), version.substr(0, 1));
   std::string text = start + std::string(std::istreambuf_iterator<char>(file), {});
   const std::size_t end = text.rfind("checksum ");
-  if (end == std::string::npos || !text.ends_with('\n')) throw BadInput("the file is cut short");
+  if (end == std::string::npos || !text.ends_with('\n')) refuse("the file is cut short");
   if (text.substr(end) != checksum_line(text.substr(0, end)))
-    throw BadInput("the checksum does not fit: the file was changed");
+    refuse("the checksum does not fit: the file was changed");
   return text.substr(start.size(), end - start.size());
 }
 
@@ -44,7 +42,7 @@ std::optional<std::string> text_of(const SavedRun &run) {
   try {
     std::istringstream file(text);
     read_saved_run(file, "");
-  } catch (const BadInput &) {
+  } catch (const std::invalid_argument &) {
     return std::nullopt;
   }
   return text;
@@ -53,7 +51,7 @@ std::optional<std::string> text_of(const SavedRun &run) {
 std::string checksum_line(std::string_view text) {
   Checksum checksum;
   checksum.add(text);
-  return checksum.line();
+  return fmt::format("checksum {}\n", checksum.text());
 }
 
 SavedRun read_saved_run(std::istream &file, const std::string &name) {
@@ -63,19 +61,19 @@ SavedRun read_saved_run(std::istream &file, const std::string &name) {
     std::string line;
     while (std::getline(lines, line) && line.starts_with("--")) run.scene_text += line + "\n";
     run.scene = scene_in(run.scene_text);
-    if (!line.starts_with("time ")) throw BadInput("'time' expected behind the scene");
+    if (!line.starts_with("time ")) refuse("'time' expected behind the scene");
     run.time = number("time", line.substr(5));
     run.state = load(run.scene, std::string(std::istreambuf_iterator<char>(lines), {}));
     return run;
   } catch (const std::invalid_argument &error) {
-    throw BadInput(fmt::format("{}: {}", name, error.what()));
+    refuse("{}: {}", name, error.what());
   }
 }
 
 SavedRun read_saved_run(const std::string &path) {
   const std::string name = fmt::format("--resume {}", path);
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw BadInput(fmt::format("{}: cannot be read", name));
+  if (!file) refuse("{}: cannot be read", name);
   return read_saved_run(file, name);
 }
 

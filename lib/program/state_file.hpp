@@ -27,8 +27,8 @@ std::optional<std::string> text_of(const SavedRun &run);
 // The last line of a file whose other lines are `text`.
 std::string checksum_line(std::string_view text);
 
-// Reads what `text_of` wrote. Throws BadInput with one line that begins with `name` and says what
-// is wrong.
+// Reads what `text_of` wrote. Throws std::invalid_argument with one line that begins with `name`
+// and says what is wrong.
 SavedRun read_saved_run(std::istream &file, const std::string &name);
 
 // The same from the file at `path`, given as --resume.

@@ -1,9 +1,7 @@
 #include "sweep_command.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -18,29 +16,6 @@ namespace vibro_impact::runner {
 namespace {
 
 using Row = std::vector<double>;
-
-// Everything that the table depends on, in one line.
-std::string definition_of(const SweepRequest &request) {
-  const Scene &scene = request.grid.scene;
-  const SettleOptions &settle = request.records.settle;
-  const auto list = [](const std::vector<double> &values) {
-    return fmt::format("[{:.17g}]", fmt::join(values, " "));
-  };
-  std::string text = fmt::format(
-      "mass {} stiffness {} beta {:.17g} amplitude {} omega {:.17g} restitution {:.17g} "
-      "displacement {} velocity {}",
-      list(scene.mass), list(scene.stiffness), scene.beta, list(scene.amplitude), scene.omega,
-      scene.restitution, list(scene.displacement), list(scene.velocity));
-  for (const Stop &stop : scene.stops)
-    text += fmt::format(" stop {}:{}:{:.17g}:{:.17g}", stop.mass, name(stop.side), stop.position,
-                        stop.restitution.value_or(-1.0));
-  for (const Axis &axis : request.grid.axes)
-    text +=
-        fmt::format(" {}={:.17g}:{:.17g}:{}", name(axis.parameter), axis.from, axis.to, axis.count);
-  return text + fmt::format(" longest {} counted {} most {} tolerance {:.17g} impacts {}",
-                            settle.longest, request.records.counted, settle.most, settle.tolerance,
-                            settle.run.max_impacts_per_period);
-}
 
 // Behind what stands in the table of a point: the forcing periods integrated for it.
 constexpr std::size_t counts_of_work = 3;
@@ -74,79 +49,73 @@ struct Sums {
   }
 };
 
-// The files of rank 0.
-class SweepOutput {
- public:
-  explicit SweepOutput(const SweepRequest &request)
-      : request_(request), rows_(sweep_table(request.grid, request.records)) {
-    const Destination to(table_);
-    if (to.standard || to.direct) {
-      direct_.emplace(table_).write(rows_.text);
-    } else {
-      table_.path = to.path;
-      const std::string partial = to.path + ".partial";
-      say_when_interrupted(fmt::format(
-          "vibro-impact: interrupted; the rows so far stand in {}: --resume goes on with them\n",
-          partial));
-      partial_.emplace(partial, definition_of(request), rows_.text, request.resume);
-    }
-    rows_.text.clear();
-  }
-  std::size_t first() const {
-    return partial_ ? partial_->points() : 0;
-  }
-  void add(std::size_t point, std::span<const double> row) {
-    add_row(rows_, request_.grid, request_.records, point, row.first(row.size() - counts_of_work));
-    if (partial_)
-      partial_->add(rows_.text);
-    else
-      direct_->write(rows_.text);
-    rows_.text.clear();
-    if (direct_ && direct_->failed()) direct_->complete();  // which throws
-  }
-  void finish() {
-    if (partial_)
-      partial_->finish(table_);
-    else
-      direct_->complete();
-  }
+// Where the rows go: beside the table until it is complete, or straight to a device or a pipe.
+struct Rows {
+  Named table;
+  std::optional<PartialTable> partial = {};
+  std::optional<Output> direct = {};
 
- private:
-  const SweepRequest &request_;
-  Named table_{"--table", request_.table};
-  Table rows_;                    // not yet handed on
-  std::optional<Output> direct_;  // where the rows go straight to their place
-  std::optional<PartialTable> partial_;
+  Rows(const SweepRequest &request, const std::string &header) : table{"--table", request.table} {
+    const Destination to(table);
+    if (to.direct) {
+      direct.emplace(table).write(header);
+      return;
+    }
+    table.path = to.path;
+    remember_signals();
+    partial.emplace(to.path + ".partial", request.definition, header, request.resume);
+  }
+  void add(std::string_view row) {
+    if (partial) {
+      partial->add(row);
+      if (const int signal = signal_that_came())
+        throw EndedBySignal{signal, fmt::format("interrupted; the rows so far stand in {}.partial: "
+                                                "--resume goes on with them",
+                                                table.path)};
+      return;
+    }
+    direct->write(row);
+    if (direct->failed()) direct->complete();  // which throws
+  }
 };
+
+// On rank 0, with a function that may leave a point to another process.
+void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of_point) {
+  Table text = sweep_table(request.grid, request.records);  // not yet handed on
+  Rows rows(request, text.text);
+  const std::size_t points = request.grid.points(),
+                    first = rows.partial ? rows.partial->points() : 0;
+  Progress progress("sweep", static_cast<double>(points), request.progress,
+                    static_cast<double>(first));
+  Sums sums;
+  const auto take = [&](std::size_t point, const Row &row) {
+    sums.add(row);
+    text.text.clear();
+    add_row(text, request.grid, request.records, point,
+            std::span(row).first(row.size() - counts_of_work));
+    rows.add(text.text);
+    progress.reach(static_cast<double>(point + 1));
+  };
+  sweep(points, row_of_point, take, {.threads = threads, .first = first});
+  if (rows.partial)
+    rows.partial->finish(rows.table);
+  else
+    rows.direct->complete();
+  fmt::print(
+      stderr,
+      "{} points: {} computed, of which {} settled and {} were given up\n"
+      "work: {:.0f} forcing periods until settled or to the end, {:.0f} recorded after that, "
+      "{:.0f} with tangents\n",
+      points, sums.points, sums.settled, sums.given_up, sums.work[0], sums.work[1], sums.work[2]);
+}
 
 }  // namespace
 
 void run_sweep(const SweepRequest &request, const Processes &processes) {
   const int threads = request.threads > 0 ? request.threads : available_threads();
-  const auto compute = [&request](std::size_t point) { return row_at(request, point); };
   processes.share_out(
-      threads, compute, [&request](int all_threads, const ComputeRow &row_of_point) {
-        SweepOutput output(request);
-        const std::size_t points = request.grid.points();
-        Progress progress("sweep", static_cast<double>(points), request.progress,
-                          static_cast<double>(output.first()));
-        Sums sums;
-        sweep(points, row_of_point,
-              [&](std::size_t point, const Row &row) {
-                sums.add(row);
-                output.add(point, row);
-                progress.reach(static_cast<double>(point + 1));
-              },
-              {.threads = all_threads, .first = output.first()});
-        output.finish();
-        fmt::print(stderr,
-                   "{} points: {} computed, of which {} settled and {} were given up\n"
-                   "work: {:.0f} forcing periods until settled or to the end, {:.0f} recorded "
-                   "after that, {:.0f} "
-                   "with tangents\n",
-                   points, sums.points, sums.settled, sums.given_up, sums.work[0], sums.work[1],
-                   sums.work[2]);
-      });
+      threads, [&request](std::size_t point) { return row_at(request, point); },
+      [&request](int all, const ComputeRow &row) { run_with(request, all, row); });
 }
 
 }  // namespace vibro_impact::runner

@@ -1,11 +1,12 @@
 #include "sweep_options.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <optional>
 #include <stdexcept>
 
-#include "bad_input.hpp"
 #include "output.hpp"
+#include "refuse.hpp"
 #include "values.hpp"
 
 namespace vibro_impact::runner {
@@ -29,53 +30,53 @@ constexpr const char *footer =
     "which --resume goes on.\n"
     "Exit status: 0 done, 1 a file could not be written, 2 bad input.";
 
-bool is_range(const std::string &text) {
-  return text.find(':') != std::string::npos;
-}
-
 // name=from:to:count
 Axis axis_given_as_vary(const std::string &text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos)
-    throw BadInput(fmt::format("--vary {}: must read parameter=from:to:count", text));
+  if (equals == std::string::npos) refuse("--vary {}: must read parameter=from:to:count", text);
+  std::optional<Parameter> parameter;
   try {
-    const Parameter parameter = parameter_named(text.substr(0, equals));
-    return axis_of("--vary", parameter, text.substr(equals + 1));
-  } catch (const BadInput &) {
-    throw;
+    parameter = parameter_named(text.substr(0, equals));
   } catch (const std::invalid_argument &error) {
-    throw BadInput(fmt::format("--vary {}: {}", text, error.what()));
+    refuse("--vary {}: {}", text, error.what());
   }
+  return axis_of("--vary", *parameter, text.substr(equals + 1));
 }
 
-// The range given to an option of a single number, which becomes its first value.
-std::optional<Axis> axis_in(const CLI::Option &option, std::string &word, const char *name) {
-  if (!is_range(word)) return std::nullopt;
-  const Axis axis = axis_of(option.get_name(), parameter_named(name), word);
-  word = fmt::format("{:.17g}", axis.from);
-  return axis;
-}
-
-// The axes in the order in which they were given.
+// The axes in the order in which they were given: those of --vary, and the ranges given to options
+// of a single number, which become their first values.
 std::vector<Axis> take_axes(const CLI::App &app, SweepOptionsOf &options) {
-  SceneOptions &scene = options.scene;
+  const std::pair<const char *, std::string *> numbers[] = {
+      {"omega", &options.scene.omega},
+      {"restitution", &options.scene.restitution},
+      {"beta", &options.scene.beta}};
   std::vector<Axis> axes;
   std::size_t varied = 0;
   for (const CLI::Option *option : app.parse_order()) {
-    std::optional<Axis> axis;
-    if (option == options.vary_option)
-      axis = axis_given_as_vary(options.vary.at(varied++));
-    else if (option->get_name() == "--omega")
-      axis = axis_in(*option, scene.omega, "omega");
-    else if (option->get_name() == "--restitution")
-      axis = axis_in(*option, scene.restitution, "restitution");
-    else if (option == scene.beta_option)
-      axis = axis_in(*option, scene.beta, "beta");
-    if (axis) axes.push_back(*axis);
+    const std::string name = option->get_name();
+    if (name == "--vary") axes.push_back(axis_given_as_vary(options.vary.at(varied++)));
+    for (const auto &[parameter, word] : numbers)
+      if (name.substr(2) == parameter && word->find(':') != std::string::npos) {
+        axes.push_back(axis_of(name, parameter_named(parameter), *word));
+        *word = fmt::format("{:.17g}", axes.back().from);
+      }
   }
   if (axes.empty())
-    throw BadInput("sweep: needs a range from:to:count of some parameter (--omega, --vary, ...)");
+    refuse("sweep: needs a range from:to:count of some parameter (--omega, --vary, ...)");
   return axes;
+}
+
+// The version and the options as they were given, in their order, which is that of the axes; but
+// for those that the table does not depend on.
+std::string definition_of(const CLI::App &app) {
+  std::string text = VIBRO_IMPACT_VERSION;
+  for (const CLI::Option *option : app.parse_order()) {
+    const std::string name = option->get_name();
+    if (name == "--table" || name == "--resume" || name == "--threads" || name == "--progress")
+      continue;
+    text += fmt::format(" {}={}", name, fmt::join(option->results(), ","));
+  }
+  return text;
 }
 
 }  // namespace
@@ -83,16 +84,16 @@ std::vector<Axis> take_axes(const CLI::App &app, SweepOptionsOf &options) {
 void add_sweep_options(CLI::App &app, SweepOptionsOf &options) {
   SweepRequest &request = options.request;
   SettleOptions &settle = request.records.settle;
+  request.records.lyapunov = true;
   add_scene_options(app, options.scene);
   for (const char *name : {"--omega", "--restitution", "--beta"})
     app.get_option(name)->type_name("NUMBER or FROM:TO:COUNT");
-  options.vary_option =
-      app.add_option("--vary", options.vary,
-                     "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
-                     "restitution, or restitution2 (of a stop), stop1 (its position),\n"
-                     "amplitude2, mass1, stiffness1, displacement1, velocity1")
-          ->type_name("RANGE");
-  option(app, "--table", request.table, "FILE", "The table (CSV); - for standard output");
+  option(app, "--vary", options.vary, "RANGE",
+         "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
+         "restitution, or restitution2 (of a stop), stop1 (its position),\n"
+         "amplitude2, mass1, stiffness1, displacement1, velocity1");
+  option(app, "--table", request.table, "FILE", "The table (CSV); - for standard output")
+      ->check(file_name());
   app.add_flag("--resume", request.resume,
                "Go on with what a sweep that was ended left of --table");
   app.add_option("--threads", request.threads,
@@ -101,10 +102,10 @@ void add_sweep_options(CLI::App &app, SweepOptionsOf &options) {
       ->check(whole_number(1024));
   option(app, "--longest", settle.longest, "N",
          "Forcing periods after which a motion counts as not settling")
-      ->check(whole_number(1'000'000));
+      ->check(whole_number(1e6));
   option(app, "--counted", request.records.counted, "N",
          "Forcing periods over which such a motion is recorded after that")
-      ->check(whole_number(1'000'000));
+      ->check(whole_number(1e6));
   option(app, "--max-period", settle.most, "N", "Largest period looked for")
       ->check(whole_number(1000));
   option(app, "--tolerance", settle.tolerance, "NUMBER",
@@ -112,8 +113,10 @@ void add_sweep_options(CLI::App &app, SweepOptionsOf &options) {
       ->check(positive_number());
   option(app, "--max-impacts", settle.run.max_impacts_per_period, "N",
          "Give up a point beyond this many impacts in one forcing period")
-      ->check(whole_number(1'000'000'000'000'000));
-  app.add_flag("--no-lyapunov", options.no_lyapunov, "Leave out the Lyapunov exponent");
+      ->check(whole_number(1e15));
+  app.add_flag_callback(
+      "--no-lyapunov", [&request] { request.records.lyapunov = false; },
+      "Leave out the Lyapunov exponent");
   app.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
   app.add_flag("--progress", request.progress,
                "Show progress and time left also where standard error is no terminal");
@@ -125,10 +128,9 @@ SweepRequest sweep_of(const CLI::App &app, SweepOptionsOf options) {
   request.grid.axes = take_axes(app, options);
   request.grid.scene = scene_of(options.scene);
   check(request.grid);
-  request.records.lyapunov = !options.no_lyapunov;
-  if (request.table.empty()) throw BadInput("--table '': must name a file");
+  request.definition = definition_of(app);
   if (request.resume && Destination({"--table", request.table}).standard)
-    throw BadInput("--resume: needs --table FILE, beside which the rows so far stand");
+    refuse("--resume: needs --table FILE, beside which the rows so far stand");
   return request;
 }
 

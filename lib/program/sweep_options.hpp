@@ -1,7 +1,6 @@
 // The options of `vibro-impact sweep`.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@ struct SweepRequest {
   int threads = 0;          // 0: all
   std::string table = "-";  // `-`: standard output
   bool resume = false, progress = false;
+  std::string definition = {};  // everything that the table depends on, in one line
 };
 
 // The options and what they have taken so far.
@@ -24,15 +24,11 @@ struct SweepOptionsOf {
   SweepRequest request = {};
   SceneOptions scene = {};
   std::vector<std::string> vary = {};
-  const CLI::Option *vary_option = nullptr;
-  bool no_lyapunov = false;
 };
-
-constexpr const char *sweep_purpose = "Record the settled motion at many parameter points";
 
 void add_sweep_options(CLI::App &app, SweepOptionsOf &options);
 
-// Throws BadInput, or std::invalid_argument from `check` for a grid that makes no sense.
+// Throws std::invalid_argument with one line, that of `check` for a grid that makes no sense.
 SweepRequest sweep_of(const CLI::App &app, SweepOptionsOf options);
 
 }  // namespace vibro_impact::runner

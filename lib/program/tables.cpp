@@ -1,5 +1,7 @@
 #include "tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,12 +14,6 @@ namespace {
 constexpr std::size_t block = 1 << 16;
 
 }  // namespace
-
-std::string sample_header(int masses) {
-  std::string header = "time";
-  for (int i = 1; i <= masses; ++i) header += ",x" + std::to_string(i);
-  return header;
-}
 
 void StreamedTable::end_row() {
   rows.end_row();
@@ -33,28 +29,33 @@ void StreamedTable::complete() {
 
 void EventRows::event(const Event &event, const Moment &) {
   if (event.time < from) return;
-  Table &row = table.rows;
-  row.cell(event.time);
-  row.cell(event.mass);
-  row.cell(std::string_view(name(event.kind)));
-  row.cell(event.velocity_before);
-  row.cell(event.velocity_after);
-  row.cell(contact_mode_name(event.held));
-  table.end_row();
+  rows.cell(event.time);
+  rows.cell(event.mass);
+  rows.cell(std::string_view(name(event.kind)));
+  rows.cell(event.velocity_before);
+  rows.cell(event.velocity_after);
+  rows.cell(contact_mode_name(event.held));
+  end_row();
+}
+
+SampleRows::SampleRows(const Named &to, int masses, const SampleTimes &times)
+    : StreamedTable(to, ""), at(times) {
+  rows.text = "time";
+  for (int i = 1; i <= masses; ++i) rows.text += fmt::format(",x{}", i);
+  rows.text += "\n";
 }
 
 void SampleRows::sample(const Moment &moment) {
   ++at.taken;
-  table.rows.cell(moment.time);
-  for (int mass = 1; mass <= moment.masses(); ++mass) table.rows.cell(moment.displacement(mass));
-  table.end_row();
+  rows.cell(moment.time);
+  for (int mass = 1; mass <= moment.masses(); ++mass) rows.cell(moment.displacement(mass));
+  end_row();
 }
 
-double reach(const SampleRows::Times &samples, double time) {
-  const auto &[from, to, every, taken] = samples;
+double SampleTimes::reach(double time) const {
   if (taken > 0) time = std::max(time, sample_time(from, to, every, taken - 1));
   // `sample_time` takes one that lies beyond by rounding for one that is due.
-  return std::min(time, sample_time(from, to, every, taken) * (1.0 - 1e-15));
+  return std::min(time, next() * (1.0 - 1e-15));
 }
 
 std::size_t samples_taken(double from, double every, double time) {

@@ -10,61 +10,57 @@
 
 namespace vibro_impact::runner {
 
-inline constexpr const char *event_header =
-    "time,mass,event,velocity_before,velocity_after,contact_mode";
-std::string sample_header(int masses);
-
-// A table that keeps no more than a block of its rows.
+// A table that keeps no more than a block of its rows. As a recorder it ends the run when they
+// cannot be written.
 struct StreamedTable {
   Output file;
   Table rows;  // not yet written
 
   StreamedTable(const Named &to, const std::string &header) : file(to), rows(header) {
   }
+  bool done() const {
+    return file.failed();
+  }
   void end_row();
   void complete();
 };
 
-// A recorder of the events from time `from` on. Ends the run when they cannot be written.
-struct EventRows {
-  StreamedTable table;
+// A recorder of the events from time `from` on.
+struct EventRows : StreamedTable {
   double from;
 
-  EventRows(const Named &to, double begin) : table(to, event_header), from(begin) {
+  EventRows(const Named &to, double begin)
+      : StreamedTable(to, "time,mass,event,velocity_before,velocity_after,contact_mode"),
+        from(begin) {
   }
   void event(const Event &event, const Moment &);
-  bool done() const {
-    return table.file.failed();
-  }
 };
 
-// A recorder of the displacements at from, from + every, ... up to `to`.
-struct SampleRows {
-  // When they are taken, and how many have been.
-  struct Times {
-    double from, to, every;
-    std::size_t taken;
-  };
-  StreamedTable table;
-  Times at;
+// When samples are taken: at from, from + every, ... up to `to`; and how many have been.
+struct SampleTimes {
+  double from, to, every;
+  std::size_t taken;
 
-  SampleRows(const Named &to, int masses, const Times &times)
-      : table(to, sample_header(masses)), at(times) {
+  double next() const {
+    return sample_time(from, to, every, taken);
   }
-  double next_time() const {
-    return sample_time(at.from, at.to, at.every, at.taken);
-  }
-  void sample(const Moment &moment);
-  bool done() const {
-    return table.file.failed();
-  }
+  // The time up to which a table of them reaches when the run has ended at `time`: that itself, but
+  // for the rounding beside a sample. `samples_taken` gives `taken` there.
+  double reach(double time) const;
 };
-
-// The time up to which a table of such samples reaches when the run has ended at `time`: that
-// itself, but for the rounding beside a sample. `samples_taken` gives `taken` there.
-double reach(const SampleRows::Times &samples, double time);
 
 // How many samples at from, from + every, ... a run to `time` has taken.
 std::size_t samples_taken(double from, double every, double time);
+
+// A recorder of the displacements at such times.
+struct SampleRows : StreamedTable {
+  SampleTimes at;
+
+  SampleRows(const Named &to, int masses, const SampleTimes &times);
+  double next_time() const {
+    return at.next();
+  }
+  void sample(const Moment &moment);
+};
 
 }  // namespace vibro_impact::runner

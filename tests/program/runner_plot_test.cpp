@@ -10,22 +10,22 @@ namespace {
 
 using namespace vibro_impact::testing;
 
-// The numbers of a layer of panel `k` (from 0) in what gnuplot is told, row by row; an empty line
-// is an empty row.
-std::vector<std::vector<double>> block(const std::string &script, const std::string &layer, int k) {
-  const std::string begin = "$" + layer + " << END\n", none = "NaN NaN\n";
-  std::size_t from = script.find(begin);
-  for (int panel = 0; panel <= k && from != std::string::npos; ++panel)
-    from = script.find(none, from + 1);
-  EXPECT_NE(from, std::string::npos) << layer;
-  if (from == std::string::npos) return {};
-  from += none.size();
-  std::vector<std::vector<double>> rows;
-  for (const std::string &row :
-       lines(script.substr(from, script.find("\n\n\n", from - 1) - from))) {
-    std::istringstream words(row);
-    rows.emplace_back();
-    for (double number; words >> number;) rows.back().push_back(number);
+using Rows = std::vector<std::vector<double>>;
+
+// The rows of a block of what gnuplot is told, below the one that is not drawn; `mass`: those that
+// have it as their second number.
+Rows block(const std::string &script, const std::string &name, int mass = 0) {
+  const std::string begin = "$" + name + " << END\nNaN NaN NaN NaN\n";
+  const std::size_t from = script.find(begin);
+  EXPECT_NE(from, std::string::npos) << name;
+  Rows rows;
+  for (const std::string &line :
+       lines(script.substr(from, script.find("END\n", from + begin.size()) - from)
+                 .substr(begin.size()))) {
+    std::istringstream words(line);
+    std::vector<double> row;
+    for (double number; words >> number;) row.push_back(number);
+    if (mass == 0 || row.at(1) == mass) rows.push_back(row);
   }
   return rows;
 }
@@ -33,7 +33,7 @@ std::vector<std::vector<double>> block(const std::string &script, const std::str
 struct PlotRunner : Runner {
   // Runs with a gnuplot that keeps what it is told and draws something.
   std::string script_of(const std::string &arguments) {
-    std::ofstream(folder / "gnuplot") << "#!/bin/sh\ncat >script.gp\necho drawn >p.png.part\n";
+    std::ofstream(folder / "gnuplot") << "#!/bin/sh\ncat >script.gp\necho drawn\n";
     fs::permissions(folder / "gnuplot", fs::perms::owner_all);
     const Result result = run(arguments + " --plot p.png", "PATH=\"$PWD:$PATH\" && export PATH");
     EXPECT_EQ(result.status, 0) << result.err;
@@ -54,66 +54,57 @@ TEST_F(PlotRunner, HoldsEveryImpactAndSticking) {
     if (row[2] == "stick") held_since[i] = time;
     if (row[2] == "release") ends[i].insert(ends[i].end(), {held_since[i], time});
   }
-  for (const std::size_t i : {0u, 1u}) {
-    const int panel = static_cast<int>(i);
-    const double stop = i == 0 ? -0.3 : 0.1;
-    EXPECT_EQ(block(script, "stop", panel), (std::vector<std::vector<double>>{{0.0, stop}}));
+  const Rows motion = block(script, "displacement");
+  EXPECT_EQ(motion.size(), 4001u);
+  EXPECT_EQ(motion.front()[0], 30.0);
+  EXPECT_EQ(motion.back()[0], 75.0);
+  for (const int mass : {1, 2}) {
+    const auto i = static_cast<std::size_t>(mass - 1);
+    const double stop = mass == 1 ? -0.3 : 0.1;
+    EXPECT_EQ(block(script, "stop", mass), (Rows{{0.0, static_cast<double>(mass), stop}}));
     // A mark stands for those that fall on the same place of the paper.
-    const auto marks = block(script, "impact", panel);
+    const Rows marks = block(script, "impact", mass);
     EXPECT_GT(impacts[i].size(), 20u);
     EXPECT_LE(marks.size(), impacts[i].size());
     for (const double time : impacts[i])
       EXPECT_TRUE(std::any_of(marks.begin(), marks.end(), [&](const std::vector<double> &mark) {
-        return mark[1] == stop && std::abs(mark[0] - time) < 45.0 / 8000.0;
+        return mark[2] == stop && std::abs(mark[0] - time) < 45.0 / 8000.0;
       })) << time;
-    const auto sticking = block(script, "sticking", panel);
-    ASSERT_GE(ends[i].size(), 4u);
-    ASSERT_EQ(sticking.size(), ends[i].size() / 2 * 3) << "an empty line and two ends";
-    for (std::size_t k = 0; k < ends[i].size(); ++k) {
-      const auto &end = sticking[k / 2 * 3 + 1 + k % 2];
-      ASSERT_EQ(end.size(), 2u);
-      EXPECT_NEAR(end[0], ends[i][k], 1e-7) << "nine digits";
-      EXPECT_EQ(end[1], stop);
+    const Rows sticking = block(script, "sticking", mass);
+    ASSERT_GE(sticking.size(), 2u);
+    ASSERT_EQ(sticking.size(), ends[i].size() / 2);
+    for (std::size_t k = 0; k < sticking.size(); ++k) {
+      EXPECT_NEAR(sticking[k][0], ends[i][2 * k], 1e-7) << "nine digits";
+      EXPECT_NEAR(sticking[k][0] + sticking[k][3], ends[i][2 * k + 1], 2e-7);
+      EXPECT_EQ(sticking[k][2], stop);
     }
-    const auto line = block(script, "displacement", panel);
-    EXPECT_GT(line.size(), 4001u) << "samples, and corners at the events";
-    EXPECT_EQ(line.front()[0], 30.0);
-    EXPECT_EQ(line.back()[0], 75.0);
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      EXPECT_GE(line[k][0], line[k - 1][0]);
-      EXPECT_LE((line[k][1] - stop) * (i == 0 ? -1.0 : 1.0), 1e-6) << "beyond the stop";
-    }
+    for (const auto &row : motion)
+      EXPECT_LE((row[i + 1] - stop) * (mass == 1 ? -1.0 : 1.0), 1e-6) << "beyond the stop";
   }
 }
 
 // A run taken up while a mass sticks, and one that ends so.
 TEST_F(PlotRunner, StickingIsDrawnFromTheStartAndToTheEnd) {
-  const std::string whole = run("run --until 60 --events -").out;
-  double stick = 0.0, release = 0.0;
-  for (const std::string &line : lines(below_header(whole))) {
-    const auto row = cells(line);
-    if (row[2] == "stick" && row[5] == "2") stick = std::stod(row[0]);
-    if (row[2] == "release" && row[1] == "2" && row[5] == "-") release = std::stod(row[0]);
-    if (stick > 0.0 && release > stick) break;
-  }
-  ASSERT_GT(release, stick);
-  const double middle = (stick + release) / 2;
-  const auto first =
-      block(script_of("run --save-state x --until " + std::to_string(middle)), "sticking", 1);
-  const auto second = block(script_of("run --resume x --until 60"), "sticking", 1);
-  ASSERT_GE(first.size(), 3u);
-  ASSERT_GE(second.size(), 3u);
-  EXPECT_NEAR(first[first.size() - 2][0], stick, 1e-6);
-  EXPECT_NEAR(first[first.size() - 1][0], middle, 1e-6);
-  EXPECT_NEAR(second[1][0], middle, 1e-6);
-  EXPECT_NEAR(second[2][0], release, 1e-6);
+  const Rows whole = block(script_of("run --until 60"), "sticking", 2);
+  ASSERT_GE(whole.size(), 1u);
+  const double stick = whole[0][0], lasts = whole[0][3], middle = stick + lasts / 2;
+  const Rows first =
+      block(script_of("run --save-state x --until " + std::to_string(middle)), "sticking", 2);
+  const Rows second = block(script_of("run --resume x --until 60"), "sticking", 2);
+  ASSERT_EQ(first.size(), 1u);
+  ASSERT_EQ(second.size(), whole.size());
+  EXPECT_NEAR(first[0][0], stick, 1e-6);
+  EXPECT_NEAR(first[0][3], lasts / 2, 2e-6);
+  EXPECT_NEAR(second[0][0], middle, 1e-6);
+  EXPECT_NEAR(second[0][3], lasts / 2, 2e-6);
 }
 
 TEST_F(PlotRunner, EightMassesAreDrawnThoseWithStopsFirst) {
   const std::string script =
       script_of("run --masses 12 --stop 12:upper:0.1 --stop 12:lower:-0.2 --until 20");
-  EXPECT_NE(script.find("masses = '1 2 3 4 5 6 7 12 '"), std::string::npos);
-  EXPECT_EQ(block(script, "stop", 7), (std::vector<std::vector<double>>{{0.0, 0.1}, {0.0, -0.2}}));
+  EXPECT_NE(script.find("masses = '1 2 3 4 5 6 7 12'"), std::string::npos);
+  EXPECT_EQ(block(script, "stop"), (Rows{{0.0, 12.0, 0.1}, {0.0, 12.0, -0.2}}));
+  EXPECT_EQ(block(script, "displacement").at(0).size(), 9u);
 }
 
 // Whatever the file is called, and at the end of a run that was given up.
@@ -157,7 +148,7 @@ TEST_F(PlotRunner, ARefusedOrFailedPictureLeavesNothing) {
   EXPECT_TRUE(fs::is_empty(folder));
 
   // One that takes the terminal and then fails; the tables are whole by then.
-  std::ofstream(folder / "gnuplot") << "#!/bin/sh\n! grep -q output\n";
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\n! grep -q multiplot\n";
   fs::permissions(folder / "gnuplot", fs::perms::owner_all);
   const Result failed =
       run("run --events e.csv --plot p.png", "PATH=\"$PWD:$PATH\" && export PATH");

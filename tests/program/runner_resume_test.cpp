@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "program/bad_input.hpp"
 #include "program/state_file.hpp"
 #include "runner_program.hpp"
 
@@ -13,54 +12,6 @@ namespace {
 
 using namespace vibro_impact::testing;
 using namespace vibro_impact;
-
-// Times to split a run with these events at: far from events, and about the first chatter that
-// ends in sticking: between two of its late impacts, after the last one that is resolved, in the
-// phase of sticking, at events themselves.
-std::vector<std::string> split_times(const std::string &table) {
-  const auto rows = lines(table);
-  std::size_t stick = 1;
-  while (stick < rows.size() && cells(rows[stick])[2] != "stick") ++stick;
-  const auto time = [&rows](std::size_t row) { return cells(rows.at(row))[0]; };
-  const auto between = [&time](std::size_t row) {
-    std::ostringstream text;
-    text.precision(17);
-    text << (std::stod(time(row)) + std::stod(time(row + 1))) / 2;
-    return text.str();
-  };
-  return {"0.25",
-          "33.3",
-          "50",
-          between(stick - 3),
-          between(stick - 2),
-          between(stick - 1),
-          between(stick),
-          time(stick - 2),
-          time(stick)};
-}
-
-TEST_F(Runner, TwoPartsAreTheWholeRunByteForByte) {
-  const auto parts = [this](const std::string &table) {
-    return contents(folder / (table + "1.csv")) +
-           below_header(contents(folder / (table + "2.csv")));
-  };
-  for (const std::string resolve : {"", "--resolve-chatter 1e-4", "--resolve-chatter 0"}) {
-    const std::string options = " --every 0.25 " + resolve;
-    ASSERT_EQ(run("run --until 60 --events e.csv --samples s.csv" + options).status, 0);
-    const std::string events = contents(folder / "e.csv"), samples = contents(folder / "s.csv");
-    EXPECT_GT(lines(events).size(), 50u);
-    for (const std::string &split : split_times(events)) {
-      const Result first = run(
-          "run --events e1.csv --samples s1.csv --save-state x.state --until " + split + options);
-      ASSERT_EQ(first.status, 0) << first.err;
-      const Result second =
-          run("run --resume x.state --until 60 --events e2.csv --samples s2.csv" + options);
-      ASSERT_EQ(second.status, 0) << second.err;
-      EXPECT_EQ(first_difference(parts("e"), events), "") << "split at " << split << options;
-      EXPECT_EQ(first_difference(parts("s"), samples), "") << "split at " << split << options;
-    }
-  }
-}
 
 // As many parts as one likes, each in the place of the one before; the scene is carried along, all
 // of it.
@@ -70,17 +21,24 @@ TEST_F(Runner, AStateMayBeGoneOnWithAgainAndAgain) {
       "--omega 0.9 --restitution 0.6 --initial-displacement 0.01,0.02,0 "
       "--initial-velocity -0.1,0.2,0.3 --stop 1:lower:-0.3 --stop 1:upper:0.4 "
       "--stop 2:upper:0.1:0.4 --stop 3:lower:-0.5:0 ";
-  const std::string whole = run("run " + scene + "--until 40 --events -").out;
-  EXPECT_GT(lines(whole).size(), 30u);
-  std::string parts = run("run " + scene + "--until 10 --events - --save-state x.state").out;
-  for (const char *until : {"10", "11.5", "25", "40"}) {
-    const Result part = run(std::string("run --resume x.state --save-state x.state --events - ") +
-                            "--until " + until);
-    ASSERT_EQ(part.status, 0) << part.err;
-    parts += below_header(part.out);
+  const std::string tables = " --every 0.25 --events e.csv --samples s.csv ";
+  for (const std::string resolve : {"", "--resolve-chatter 0 "}) {
+    ASSERT_EQ(run("run " + scene + resolve + "--until 40" + tables).status, 0);
+    const std::string events = contents(folder / "e.csv"), samples = contents(folder / "s.csv");
+    EXPECT_GT(lines(events).size(), 30u);
+    std::string event_parts = "", sample_parts = "", from = scene;
+    for (const char *until : {"10", "10", "11.6", "25", "40"}) {
+      const Result part = run("run " + from + resolve + "--save-state x --until " + until + tables);
+      ASSERT_EQ(part.status, 0) << part.err;
+      const bool first = event_parts.empty();
+      for (const auto &[all, file] : {std::pair{&event_parts, "e.csv"}, {&sample_parts, "s.csv"}})
+        *all += first ? contents(folder / file) : below_header(contents(folder / file));
+      from = "--resume x ";
+    }
+    EXPECT_EQ(first_difference(event_parts, events), "") << resolve;
+    EXPECT_EQ(first_difference(sample_parts, samples), "") << resolve;
   }
-  EXPECT_EQ(first_difference(parts, whole), "");
-  EXPECT_EQ(files(), std::vector<std::string>{"x.state"});
+  EXPECT_EQ(files(), (std::vector<std::string>{"e.csv", "s.csv", "x"}));
 }
 
 // A run given up at its limit of impacts goes on under a higher one.
@@ -135,11 +93,11 @@ TEST_F(Runner, ADamagedStateIsRefused) {
   };
   ASSERT_EQ(runner::text_of(read(good)), good);
   for (std::size_t length = 0; length < good.size(); ++length)
-    EXPECT_THROW(read(good.substr(0, length)), runner::BadInput) << "cut after " << length;
+    EXPECT_THROW(read(good.substr(0, length)), std::invalid_argument) << "cut after " << length;
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string changed = good;
     changed[i] = changed[i] == '1' ? '2' : '1';
-    EXPECT_THROW(read(changed), runner::BadInput) << "byte " << i << " changed";
+    EXPECT_THROW(read(changed), std::invalid_argument) << "byte " << i << " changed";
   }
   const std::pair<std::string, const char *> cases[] = {
       {"", "is not a state file"},

@@ -130,16 +130,6 @@ TEST_F(Runner, ScalarsRepeatForAllMassesAndBetaIsDampingOverStiffness) {
             run("run --stiffness 1,2 --beta 0.1 --until 60 --events -").out);
 }
 
-TEST_F(Runner, SamplesEveryIntervalFromTheStartAskedFor) {
-  const Result result = run(paper_scene + "--until 20 --from 10 --every 0.5 --samples s.csv");
-  ASSERT_EQ(result.status, 0) << result.err;
-  const auto rows = lines(contents(folder / "s.csv"));
-  ASSERT_EQ(rows.size(), 22u);
-  EXPECT_EQ(rows[0], "time,x1,x2");
-  EXPECT_EQ(rows[1].substr(0, 3), "10,");
-  EXPECT_EQ(rows[21].substr(0, 3), "20,");
-}
-
 TEST_F(Runner, RunsWithoutStopsAndWithAnyNumberOfMasses) {
   EXPECT_EQ(lines(run("run --masses 5 --stop none --until 50 --events -").out).size(), 1u);
   EXPECT_EQ(run("run --masses 5 --stop 5:upper:0.05 --until 100").status, 0);
