@@ -15,11 +15,10 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::figures;
 
-std::vector<PairedEvents> pairs_of(const Scene &scene, double until, double from = 0.0,
-                                   const PairTolerances &tolerances = {}) {
+std::vector<PairedEvents> pairs_of(const Scene &scene, double until, double from = 0.0) {
   PressedEventRecorder recorder{scene, from};
   require_complete(simulate(scene, until, {}, recorder));
-  return event_pairs(recorder.events, tolerances);
+  return event_pairs(recorder.events);
 }
 
 int count(const std::vector<PairedEvents> &pairs, EventPair kind) {
@@ -39,7 +38,7 @@ TEST(TableI, EachSceneShowsItsPair) {
     const PairScene &shown = scenes[i];
     EXPECT_EQ(shown.kind, all_event_pairs[i]);
     const auto pairs = pairs_of(shown.scene, shown.to, shown.from);
-    // A grazing contact is met some 1e-7 before or after the turning point (PairTolerances).
+    // A grazing contact is met some 1e-7 before or after the turning point.
     EXPECT_TRUE(std::any_of(pairs.begin(), pairs.end(), [&](const PairedEvents &pair) {
       return pair.kind == shown.kind && std::abs(pair.from - shown.time) < 0.2;
     })) << abbreviation(shown.kind);
@@ -92,15 +91,6 @@ TEST(TableI, GrazingAndSimultaneityAreLostWhenAStopMoves) {
     EXPECT_EQ(count(pairs_of(moved, shown.to, shown.from), shown.kind) > 0, open)
         << abbreviation(shown.kind);
   }
-}
-
-TEST(TableI, AnswersFollowTheTolerances) {
-  const PairScene dg = dual_grazing();
-  EXPECT_EQ(count(pairs_of(dg.scene, dg.to, 0.0, {1e-6, 1e-6, 1e-9}), EventPair::dual_grazing), 1);
-  // Contacts 1e-7 apart are two events at a tolerance of 1e-9; at speed 0 they are both impacts.
-  EXPECT_TRUE(pairs_of(dg.scene, dg.to, 0.0, {1e-9, 1e-6, 1e-9}).empty());
-  EXPECT_EQ(count(pairs_of(dg.scene, dg.to, 0.0, {1e-6, 0.0, 1e-9}), EventPair::double_impact), 1);
-  EXPECT_THROW(event_pairs({}, {-1.0, 0.0, 0.0}), std::invalid_argument);
 }
 
 PressedEvent event_at(EventKind kind, int mass, double time, Held held) {

@@ -150,8 +150,6 @@ TEST(Refusals, OfOrbits) {
 
 TEST(Refusals, OfPairsOfEvents) {
   expect_refused({
-      {[] { event_pairs({}, {.time = nan}); }, "tolerance = nan: must be non-negative and finite"},
-      {[] { event_pairs({}, {.force = -1.0}); }, "tolerance = -1: must be non-negative"},
       {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
       {[] {
          PressedEventRecorder recorder{{}};

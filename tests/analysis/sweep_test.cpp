@@ -199,7 +199,6 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       {record([](auto &o) { o.counted = 0; }), "counted = 0"},
       {record([](auto &o) { o.counted = 2'000'000'000; }), "counted = 2000000000"},
       {record([](auto &o) { o.slowest = -1.0; }), "slowest = -1"},
-      {record([](auto &o) { o.averaged = 0; }), "averaged = 0"},
       {record([](auto &o) { o.longest_if_stable = 1; }), "longest_if_stable = 1"},
       {[&] { record_of(unforced); }, "omega = 0"},
       {[&] { settle(unforced, start); }, "omega = 0"},

@@ -5,15 +5,19 @@
 #include <limits>
 #include <tuple>
 
-#include "fits.hpp"
+#include "motion_state.hpp"
 #include "simulation/for_analysis.hpp"
-#include "vibro_impact/analysis/hold_force.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A mass pulled off by a force of 0.1 meets a stop that is 1e-15 short of its turning point at a
+// speed of 1e-8 and a time 1e-7 off: grazing cannot be told from impact more sharply than that in
+// double precision.
+constexpr double simultaneous = 1e-6, slow = 1e-6, pulled_off = 1e-9;
 
 // A sticking phase of one mass, and a contact that either grazes or hits.
 struct HeldPhase {
@@ -58,24 +62,22 @@ std::vector<HeldPhase> held_phases(const std::vector<PressedEvent> &events) {
 
 // A slow contact is grazing only when the mass is pulled off the stop: the slow impacts of a late
 // chatter are pressed into it, those about an equilibrium at the stop (Figure 5(c)) are neither.
-std::vector<TimedContact> timed_contacts(const std::vector<PressedEvent> &events,
-                                         const PairTolerances &tolerances) {
+std::vector<TimedContact> timed_contacts(const std::vector<PressedEvent> &events) {
   std::vector<TimedContact> contacts;
   for (const auto &[event, press] : events)
     if (event.kind == EventKind::impact)
       contacts.push_back(
-          {event.mass, event.time,
-           std::abs(event.velocity_before) <= tolerances.speed && press < -tolerances.force});
+          {event.mass, event.time, std::abs(event.velocity_before) <= slow && press < -pulled_off});
   return contacts;
 }
 
-bool contains(const HeldPhase &phase, double time, double tolerance) {
-  return phase.from - time <= tolerance && time - phase.to <= tolerance;
+bool contains(const HeldPhase &phase, double time) {
+  return phase.from - time <= simultaneous && time - phase.to <= simultaneous;
 }
 
-bool sticks_at(int mass, double time, const std::vector<HeldPhase> &phases, double tolerance) {
+bool sticks_at(int mass, double time, const std::vector<HeldPhase> &phases) {
   return std::any_of(phases.begin(), phases.end(), [&](const HeldPhase &phase) {
-    return phase.mass == mass && contains(phase, time, tolerance);
+    return phase.mass == mass && contains(phase, time);
   });
 }
 
@@ -84,22 +86,21 @@ PairedEvents pair_of(EventPair kind, int one, int another, double from, double t
   return {kind, std::min(one, another), std::max(one, another), from, to};
 }
 
-void pair_phases(const std::vector<HeldPhase> &phases, double tolerance,
-                 std::vector<PairedEvents> &pairs) {
+void pair_phases(const std::vector<HeldPhase> &phases, std::vector<PairedEvents> &pairs) {
   for (auto a = phases.begin(); a != phases.end(); ++a)
     for (auto b = a + 1; b != phases.end(); ++b) {
       const double from = std::max(a->from, b->from), to = std::min(a->to, b->to);
-      if (a->mass != b->mass && to - from > tolerance)
+      if (a->mass != b->mass && to - from > simultaneous)
         pairs.push_back(pair_of(EventPair::dual_sticking, a->mass, b->mass, from, to));
     }
 }
 
 void pair_contacts_with_phases(const std::vector<TimedContact> &contacts,
-                               const std::vector<HeldPhase> &phases, double tolerance,
+                               const std::vector<HeldPhase> &phases,
                                std::vector<PairedEvents> &pairs) {
   for (const auto &[mass, time, grazing] : contacts)
     for (const HeldPhase &phase : phases) {
-      if (phase.mass == mass || !contains(phase, time, tolerance)) continue;
+      if (phase.mass == mass || !contains(phase, time)) continue;
       if (grazing)
         pairs.push_back({EventPair::grazing_sticking, mass, phase.mass, time, time});
       else
@@ -116,11 +117,11 @@ PairedEvents pair_of(const TimedContact &a, const TimedContact &b) {
 }
 
 void pair_contacts(const std::vector<TimedContact> &contacts, const std::vector<HeldPhase> &phases,
-                   double tolerance, std::vector<PairedEvents> &pairs) {
+                   std::vector<PairedEvents> &pairs) {
   for (auto a = contacts.begin(); a != contacts.end(); ++a)
-    for (auto b = a + 1; b != contacts.end() && b->time - a->time <= tolerance; ++b)
-      if (a->mass != b->mass && !sticks_at(a->mass, b->time, phases, tolerance) &&
-          !sticks_at(b->mass, a->time, phases, tolerance))
+    for (auto b = a + 1; b != contacts.end() && b->time - a->time <= simultaneous; ++b)
+      if (a->mass != b->mass && !sticks_at(a->mass, b->time, phases) &&
+          !sticks_at(b->mass, a->time, phases))
         pairs.push_back(pair_of(*a, *b));
 }
 
@@ -149,20 +150,17 @@ void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.kind != EventKind::impact) return events.push_back({event, 0.0});
   require(event.stop < scene.stops.size(), "stop ", event.stop, ": the scene has ",
           scene.stops.size(), " stops");
-  events.push_back({event, pressing_force(scene, scene.stops[event.stop], moment)});
+  events.push_back(
+      {event, pressing_force(scene, scene.stops[event.stop], state_at(moment, event.held))});
 }
 
-std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
-                                      const PairTolerances &tolerances) {
-  for (const double tolerance : {tolerances.time, tolerances.speed, tolerances.force})
-    require(std::isfinite(tolerance) && tolerance >= 0.0, "tolerance = ", tolerance,
-            ": must be non-negative and finite");
+std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {
   const std::vector<HeldPhase> phases = held_phases(events);
-  const std::vector<TimedContact> contacts = timed_contacts(events, tolerances);
+  const std::vector<TimedContact> contacts = timed_contacts(events);
   std::vector<PairedEvents> pairs;
-  pair_phases(phases, tolerances.time, pairs);
-  pair_contacts_with_phases(contacts, phases, tolerances.time, pairs);
-  pair_contacts(contacts, phases, tolerances.time, pairs);
+  pair_phases(phases, pairs);
+  pair_contacts_with_phases(contacts, phases, pairs);
+  pair_contacts(contacts, phases, pairs);
   sort_once_each(pairs);
   return pairs;
 }

@@ -1,5 +1,5 @@
-// What the analysis asks of its arguments beyond `check`: masses that the chain has, states of its
-// size.
+// What the analysis asks of its arguments beyond `check`: masses that the chain has, stops on them,
+// states of its size.
 #pragma once
 
 #include "simulation/for_analysis.hpp"
@@ -10,6 +10,16 @@ namespace vibro_impact {
 inline void require_mass(const Scene &scene, int mass) {
   require(mass >= 1 && mass <= scene.masses(), "mass = ", mass, ": the chain has masses 1 to ",
           scene.masses());
+}
+
+// Of a stop that the scene need not contain.
+inline void require_stop(const Scene &scene, const Stop &stop) {
+  check(scene);
+  require_mass(scene, stop.mass);
+  require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
+          ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
+  require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
+          ": must be finite");
 }
 
 inline void require_held(const Scene &scene, const Held &held) {

@@ -16,15 +16,6 @@ std::size_t index_of(const Stop &stop) {
   return static_cast<std::size_t>(stop.mass - 1);
 }
 
-void require_stop(const Scene &scene, const Stop &stop) {
-  check(scene);
-  require_mass(scene, stop.mass);
-  require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
-          ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
-  require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
-          ": must be finite");
-}
-
 // The coordinate j (from 0) that link_force asks for.
 auto of(const std::vector<double> &values) {
   return [&values](std::size_t j) { return values[j]; };
@@ -80,18 +71,6 @@ double pressing_force(const Scene &scene, const Stop &stop, const MotionState &a
   require_stop(scene, stop);
   require_fits(scene, at);
   return pressing(scene, stop, at.displacement, at.velocity, at.instant.phase);
-}
-
-double pressing_force(const Scene &scene, const Stop &stop, const Moment &at) {
-  require_stop(scene, stop);
-  require(at.masses() == scene.masses(), "motion of ", at.masses(), " masses: the chain has ",
-          scene.masses());
-  std::vector<double> x, v;
-  for (int mass = 1; mass <= at.masses(); ++mass) {
-    x.push_back(at.displacement(mass));
-    v.push_back(at.velocity(mass));
-  }
-  return pressing(scene, stop, std::move(x), std::move(v), at.instant.phase);
 }
 
 double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &at) {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "change_flow.hpp"
 #include "fits.hpp"
 #include "motion_state.hpp"
-#include "parameter_flow.hpp"
 #include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
@@ -102,13 +102,6 @@ std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
     if (!least || value < least->value) least = {value, std::move(lowest)};
   }
   return least;
-}
-
-void require_stop(const Scene &scene, const Stop &stop) {
-  check(scene);
-  require_mass(scene, stop.mass);
-  require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
-          ": must be finite");
 }
 
 }  // namespace

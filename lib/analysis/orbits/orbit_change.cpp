@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "change_flow.hpp"
 #include "fits.hpp"
 #include "motion_state.hpp"
-#include "parameter_flow.hpp"
 #include "vibro_impact/analysis/border_orbit.hpp"
 #include "vibro_impact/analysis/multi_sliding.hpp"
 

@@ -172,7 +172,7 @@ void TangentRecorder::Tangents::chatter_limit(const Held &after) {
     x.push_back(elapsed(node.instant, now, clock));
     carry_all(after, node.instant, x.back(), node.motion, node.changes);
   }
-  const double last_error = std::pow(x.back() * fastest_rate(flow, held), 2);
+  const double last_error = std::pow(x.back() * modes.enter(unforced, held, counters).fastest, 2);
   // The speeds of late impacts fall as r^n; by r the n comes down as a factor.
   const ImpactLaw law = law_of(scene, scene.stops[chatter.stop]);
   const double ratio = std::pow(law.at_rest(), static_cast<double>(stride_of(law)));

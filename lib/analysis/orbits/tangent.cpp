@@ -64,13 +64,18 @@ void TangentRecorder::Tangents::hold(Eigen::MatrixXd &columns, const Held &mode)
   }
 }
 
+// A short time always by the series: modal coordinates would lose the small change of a chattering
+// mass beside the others.
 void TangentRecorder::Tangents::carry_all(const Held &mode, const Instant &from, double tau,
                                           PlainMotion &with, Eigen::MatrixXd &columns) {
-  if (options.by.empty()) return carry(flow, mode, tau, columns);
+  constexpr double shortest = 0.5;  // of the fastest rate
+  const auto &of_mode = modes.enter(unforced, mode, counters);
+  if (of_mode.fastest * tau < shortest)
+    return carry(scene, options.by, mode, from.phase, tau, with, columns);
   Eigen::MatrixXd by_start = columns.leftCols(columns.cols() - parameters()),
                   by_parameters = columns.rightCols(parameters());
-  carry(flow, mode, tau, by_start);
-  carry(scene, options.by, mode, from.phase, tau, with, by_parameters);
+  carry_by_modes(of_mode, tau, by_start);
+  if (!options.by.empty()) carry(scene, options.by, mode, from.phase, tau, with, by_parameters);
   columns << by_start, by_parameters;
 }
 
@@ -94,16 +99,18 @@ TangentRecorder::TangentRecorder(const Scene &scene, const MotionState &start,
     for (std::size_t k = 0; k + options.by.size() < columns.columns; ++k)
       require(start.held[i % n] == 0 || columns(i, k) == 0.0, "column ", k + 1,
               ": must be zero for mass ", i % n + 1, ", which is held");
-  tangents_ = std::make_unique<Tangents>(Tangents{.scene = scene,
-                                                  .options = options,
-                                                  .clock = Clock(scene.omega),
-                                                  .started = start.instant,
-                                                  .now = start.instant,
-                                                  .held = start.held,
-                                                  .changes = view(columns),
-                                                  .flow = tangent_flow(scene)});
-  if (options.by.empty()) return;
-  tangents_->motion = {view(start.displacement), view(start.velocity)};
+  tangents_ = std::make_unique<Tangents>(
+      Tangents{.scene = scene,
+               .options = options,
+               .clock = Clock(scene.omega),
+               .started = start.instant,
+               .now = start.instant,
+               .held = start.held,
+               .changes = view(columns),
+               .motion = {view(start.displacement), view(start.velocity)},
+               .unforced = scene});
+  tangents_->unforced.amplitude.clear();
+  tangents_->unforced.stops.clear();
   tangents_->hold(tangents_->changes, start.held);
 }
 

@@ -5,8 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "parameter_flow.hpp"
-#include "tangent_flow.hpp"
+#include "change_flow.hpp"
 #include "vibro_impact/analysis/tangent.hpp"
 
 namespace vibro_impact {
@@ -37,8 +36,12 @@ struct TangentRecorder::Tangents {
   Instant started, now;
   Held held;  // up to the events of `group`
   Eigen::MatrixXd changes;
-  TangentFlow flow;
-  PlainMotion motion = {};  // now; carried along for changes by parameters only
+  PlainMotion motion;  // now; kept up for changes by parameters only
+  // What changes by the start alone go by: the chain without forcing, and its contact modes; stops
+  // shift the static positions, not the changes.
+  Scene unforced;
+  Modes<Eigen::Dynamic> modes = {};
+  Counters counters = {};
   bool differentiable = true;
   double chatter_error = 0.0;
   std::vector<EventChange> told = {};

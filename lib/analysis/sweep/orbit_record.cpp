@@ -11,6 +11,8 @@ namespace vibro_impact {
 
 namespace {
 
+constexpr int most_averaged = 1000;  // forcing periods, until the sign of the exponent is certain
+
 // The motion goes on from where it settled for as many periods as are recorded.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                const RecordOptions &options, OrbitRecord &record, RecordWork &work) {
@@ -46,7 +48,7 @@ std::optional<double> exponent_of(const Scene &scene, const OrbitRecord &record,
                              record.period * Clock(scene.omega).period);
   }
   GrowthRecorder growth(scene, start);
-  const double until = time_after(scene, start, options.averaged);
+  const double until = time_after(scene, start, most_averaged);
   const Instant end =
       require_complete(simulate_from(scene, start, until, run, growth)).state.instant;
   growth.finish(end);
@@ -94,10 +96,8 @@ OrbitRecord record_within(const Scene &scene, const MotionState &start, int long
 }  // namespace
 
 OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
-  for (const auto &[what, periods] :
-       {std::pair{"counted = ", options.counted}, {"averaged = ", options.averaged}})
-    require(periods >= 1 && periods <= most_periods_run, what, periods, ": must lie from 1 to ",
-            most_periods_run);
+  require(options.counted >= 1 && options.counted <= most_periods_run,
+          "counted = ", options.counted, ": must lie from 1 to ", most_periods_run);
   require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
   require(options.longest_if_stable >= 0 && (options.lyapunov || options.longest_if_stable == 0),
           "longest_if_stable = ", options.longest_if_stable,

@@ -37,15 +37,6 @@ constexpr std::array<EventPair, 6> all_event_pairs{
 // The paper's abbreviation: DG, DS, DI, GS, GI, SI.
 const char *abbreviation(EventPair kind);
 
-// The tolerances, non-dimensional. A mass pulled off by a force of 0.1 meets a stop that is 1e-15
-// short of its turning point at a speed of 1e-8 and a time 1e-7 off: grazing cannot be told from
-// impact more sharply than that in double precision.
-struct PairTolerances {
-  double time = 1e-6;   // events at most this far apart are simultaneous
-  double speed = 1e-6;  // contacts at most this fast may be grazing
-  double force = 1e-9;  // ... if the mass is pulled off its stop by more than this
-};
-
 // An event and the force that presses its mass into the stop (hold_force.hpp) right after it.
 struct PressedEvent {
   Event event;
@@ -73,9 +64,8 @@ struct PairedEvents {
 };
 
 // The pairs of events among `events` (in order of time, as a run reports them), in order of time,
-// for every two masses of the chain. Throws std::invalid_argument for a tolerance that is negative
-// or not finite.
-std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
-                                      const PairTolerances &tolerances = {});
+// for every two masses of the chain. Events at most 1e-6 apart are simultaneous; contacts at most
+// 1e-6 fast are grazing if the mass is pulled off its stop by more than 1e-9 (non-dimensional).
+std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events);
 
 }  // namespace vibro_impact

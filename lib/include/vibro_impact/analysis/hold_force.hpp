@@ -27,6 +27,5 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &at);
 // velocities, and the stop stands).
 double pressing_force(const Scene &scene, const Stop &stop, const MotionState &at);
 double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &at);
-double pressing_force(const Scene &scene, const Stop &stop, const Moment &at);
 
 }  // namespace vibro_impact

@@ -15,8 +15,6 @@ struct RecordOptions {
   int counted = 40;           // forcing periods over which a motion that does not settle is
                               // recorded, after SettleOptions::longest, >= 1
   bool lyapunov = false;      // greatest Lyapunov exponent
-  int averaged = 1000;        // forcing periods at most over which the growth of tangents is
-                              // averaged until the sign of the exponent is certain, >= 1
   int longest_if_stable = 0;  // a motion that has not settled after SettleOptions::longest, but
                               // whose exponent is negative, gets as many forcing periods more;
                               // 0: none, else the exponent must be asked for
@@ -50,7 +48,7 @@ struct OrbitRecord {
 // The record of the motion from `start`, or from the initial state of the scene. The Lyapunov
 // exponent of a motion that has settled is ln|mu| / (p T), mu its largest Floquet multiplier over
 // its period of p forcing periods T; that of any other the mean growth of tangents, if its sign is
-// certain (lyapunov.hpp) after RecordOptions::averaged forcing periods. Pairs of events are looked
+// certain (lyapunov.hpp) within 1,000 forcing periods. Pairs of events are looked
 // for over two periods, so that every sticking phase is whole in one of them. Throws as `settle`
 // does, and std::invalid_argument for options out of range.
 OrbitRecord record_of(const Scene &scene, const MotionState &start,
