@@ -214,8 +214,4 @@ TEST(BifurcationFunctions, BorderExcessEqualsDifferences) {
                std::invalid_argument);
 }
 
-TEST(OrbitChange, RefusesAnOrbitThatHasNotConverged) {
-  EXPECT_THROW(orbit_change(paper::figure2(), PeriodicOrbit{}, lengths), std::invalid_argument);
-}
-
 }  // namespace

@@ -67,9 +67,6 @@ TEST(Parameter, RefusesWhatTheSceneDoesNotHave) {
     EXPECT_THROW(parameter_named(word), std::invalid_argument) << word;
   for (const char *word : {"stop3", "restitution3", "amplitude3", "mass3", "velocity3"})
     EXPECT_THROW(get(paper::figure2(), parameter_named(word)), std::invalid_argument) << word;
-  EXPECT_THROW(get(paper::figure2(), {Parameter::Kind::stop, 0}), std::invalid_argument);
-  EXPECT_THROW(get(paper::figure2(), {Parameter::Kind::stop, -1}), std::invalid_argument);
-  EXPECT_THROW(get(paper::figure2(), {Parameter::Kind::omega, 1}), std::invalid_argument);
 }
 
 }  // namespace

@@ -248,12 +248,4 @@ TEST(Newton, SaysWhyItDidNotConverge) {
   EXPECT_TRUE(find_periodic_orbit(scene, section_after(scene, 30)).why_not.empty());
 }
 
-TEST(StroboscopicMap, RejectsASceneWithoutAForcingPeriod) {
-  Scene scene = paper::figure2();
-  scene.omega = 0.0;
-  EXPECT_THROW(stroboscopic_map(scene, start_of(scene), 1), std::invalid_argument);
-  scene.omega = 0.28;
-  EXPECT_THROW(stroboscopic_map(scene, start_of(scene), 0), std::invalid_argument);
-}
-
 }  // namespace

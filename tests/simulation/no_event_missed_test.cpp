@@ -7,6 +7,7 @@
 
 #include "random_scenes.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "tests/events.hpp"
 #include "witness.hpp"
 
 namespace {
@@ -14,15 +15,9 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
 
-RunOptions all_impacts() {
-  RunOptions options;
-  options.resolve_chatter = 0.0;
-  return options;
-}
-
 Witness witness_of(const Scene &scene, double until) {
   Witness witness(scene);
-  witness.close(require_complete(simulate(scene, until, all_impacts(), witness)).state);
+  witness.close(require_complete(simulate(scene, until, all_impacts, witness)).state);
   return witness;
 }
 
