@@ -24,6 +24,16 @@ double safe_step(double value, double slope, double curvature) {
   return slope > 0.0 ? (slope + root) / curvature : 2.0 * value / (root - slope);
 }
 
+// The same where p'' > 0, from p'' >= 2 second - twist d over the next d: superlinear even at a
+// tangency, and over a dip in one step.
+double convex_step(const Jet &at, double twist) {
+  if (at.slope >= 0.0) return 2.0 * at.second / twist;  // p' >= 0 that far
+  const double d = -at.slope / at.second, curvature = 2.0 * at.second - twist * d;
+  if (curvature <= 0.0) return 0.0;
+  const double square = at.slope * at.slope - 2.0 * curvature * at.value;
+  return square < 0.0 ? d : std::min(d, 2.0 * at.value / (std::sqrt(square) - at.slope));
+}
+
 constexpr double squares_underflow = 0x1p-430, squares_overflow = 0x1p430;
 
 // Sets `other` to a polynomial of which all coefficients are so small that their squares underflow
@@ -99,7 +109,7 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
   }
   ++counters.roots_searched;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  double reach = 1.0, growth = 4.0, curvature = -1.0;  // not known yet
+  double reach = 1.0, growth = 4.0, curvature = -1.0, twist = -1.0;  // not known yet
   double u = 0.0, last_newton = std::numeric_limits<double>::infinity();
   const auto known = [&](int n) { return n <= p.order - first ? c[n] : 0.0; };
   Jet at{c[0], known(1), known(2), known(3), known(4)};
@@ -135,6 +145,10 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
     }
     if (curvature < 0.0) bound_within(1.0);
     double step = at.value <= 0.0 ? 0.0 : safe_step(at.value, at.slope, curvature);
+    if (at.value > 0.0 && at.second > 0.0 && steps >= 2) {
+      if (twist < 0.0) twist = detail::twist_bound(p, first);
+      step = std::max(step, convex_step(at, twist));
+    }
     if (step <= 1e-6 * u) {
       if (u < 0.25 * reach) {
         growth = 4.0;

@@ -102,6 +102,13 @@ inline Bounds bounds_of(const Polynomial &p, int first) {
   return {2.0 * bend.sum(), fifth.sum()};
 }
 
+inline double twist_bound(const Polynomial &p, int first) {  // of |p'''|
+  const double *c = p.coefficient.data() + first;
+  Packet sum = Packet::Zero();
+  for (int n = 0; n <= p.order - first; n += 4) sum += binomials(3, n) * packet(c + n).abs();
+  return 6.0 * sum.sum();
+}
+
 // Lower bound on [0, 1] of sum_{n >= first} weight(n) c_n u^(n - first): nested minima.
 template <class Weight>
 double lower_bound(const Polynomial &p, int first, Weight weight) {
