@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -46,21 +45,12 @@ std::optional<SavedRun> saved_run(const Request &request) {
   return saved;
 }
 
-// A recorder that ends the run at the next flight after a signal: it then asks for a time that is
-// over, and is served at once.
-struct Interruption {
-  int (*signal)();
-  double begin;
-
-  double next_time() const {
-    return signal() != 0 ? begin : std::numeric_limits<double>::infinity();
-  }
-  void sample(const Moment &) {
-  }
-  bool done() const {
-    return signal() != 0;
-  }
-};
+// A recorder that ends the run after the flight in which a signal comes.
+RecorderRef interruption(int (*&signal)()) {
+  RecorderRef ref{&signal};
+  ref.done = [](const void *asked) { return (*static_cast<int (*const *)()>(asked))() != 0; };
+  return ref;
+}
 
 // A recorder that shows, at the events, how far the run is.
 struct ShownProgress {
@@ -131,8 +121,7 @@ bool shows_progress(const Request &request) {
 Outcome simulate_or_resume(const Request &request, const std::optional<SavedRun> &saved,
                            const Scene &scene, int (*signal)(), Files &files) {
   const double begin = saved ? saved->time : 0.0;
-  Interruption interruption{signal, begin};
-  std::vector<RecorderRef> recorders{recorder_ref(interruption)};
+  std::vector<RecorderRef> recorders{interruption(signal)};
   files.add_to(recorders);
   Progress progress("time", request.until, request.progress, begin);
   ShownProgress shown{progress};

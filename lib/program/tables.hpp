@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "vibro_impact/record.hpp"
 #include "vibro_impact/table.hpp"
@@ -11,7 +12,7 @@
 namespace vibro_impact::runner {
 
 // A table that keeps no more than a block of its rows. As a recorder it ends the run when they
-// cannot be written.
+// cannot be written, and at a signal: a flight that nothing disturbs has any number of samples.
 struct StreamedTable {
   Output file;
   Table rows;  // not yet written
@@ -19,7 +20,7 @@ struct StreamedTable {
   StreamedTable(const Named &to, const std::string &header) : file(to), rows(header) {
   }
   bool done() const {
-    return file.failed();
+    return file.failed() || signal_that_came() != 0;
   }
   void end_row();
   void complete();

@@ -91,8 +91,7 @@ TEST_F(InProcess, WhereverASignalComesTheTablesGoOnByteForByte) {
       ASSERT_EQ(first_difference(both("e"), events), "") << said;
       ASSERT_EQ(first_difference(both("s"), samples), "") << said;
     }
-    // It is asked before each of the samples and twice after it.
-    EXPECT_GT(interrupted, 3 * 160);
+    EXPECT_GT(interrupted, 50) << "it is asked before each flight";
   }
   EXPECT_EQ(files(), (std::vector<std::string>{"e.csv", "e1.csv", "e2.csv", "s.csv", "s1.csv",
                                                "s2.csv", "x", "x1", "x2"}));
@@ -146,10 +145,9 @@ struct Started : Runner {
 };
 
 TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    start({"run", "--until", "1e15", "--events", "e1.csv", "--samples", "s1.csv", "--every", "1",
-           "--save-state", "x"});
-    wait_for("e1.csv");
+  for (const auto &[signal, stop] : {std::pair{SIGINT, "1:lower:-0.3"}, {SIGTERM, "none"}}) {
+    start({"run", "--until", "1e15", "--stop", stop, "--events", "e1.csv", "--samples", "s1.csv",
+           "--every", "1", "--save-state", "x"});
     wait_for("s1.csv");
     kill(program, signal);
     const auto [status, said] = ending();
@@ -163,7 +161,7 @@ TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
     EXPECT_TRUE(contents(folder / "e1.csv").ends_with('\n'));
     EXPECT_TRUE(contents(folder / "s1.csv").ends_with('\n'));
     EXPECT_EQ(cells(lines(contents(folder / "s1.csv")).back()).size(), 3u);
-    EXPECT_EQ(run("run --resume x --until 1").status, 2) << "it stands beyond";
+    EXPECT_EQ(run("run --resume x --until 0.001").status, 2) << "it stands beyond";
     for (const std::string &file : files()) fs::remove(folder / file);
   }
 }
