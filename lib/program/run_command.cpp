@@ -46,11 +46,13 @@ std::optional<SavedRun> saved_run(const Request &request) {
 }
 
 // A recorder that ends the run after the flight in which a signal comes.
-RecorderRef interruption(int (*&signal)()) {
-  RecorderRef ref{&signal};
-  ref.done = [](const void *asked) { return (*static_cast<int (*const *)()>(asked))() != 0; };
-  return ref;
-}
+struct Interruption {
+  int (*signal)();
+
+  bool done() const {
+    return signal() != 0;
+  }
+};
 
 // A recorder that shows, at the events, how far the run is.
 struct ShownProgress {
@@ -121,7 +123,8 @@ bool shows_progress(const Request &request) {
 Outcome simulate_or_resume(const Request &request, const std::optional<SavedRun> &saved,
                            const Scene &scene, int (*signal)(), Files &files) {
   const double begin = saved ? saved->time : 0.0;
-  std::vector<RecorderRef> recorders{interruption(signal)};
+  Interruption interruption{signal};
+  std::vector<RecorderRef> recorders{recorder_ref(interruption)};
   files.add_to(recorders);
   Progress progress("time", request.until, request.progress, begin);
   ShownProgress shown{progress};

@@ -5,7 +5,8 @@
 //   double next_time() and void sample(const Moment &) called at the times it asks for, each later
 //                                                      than the one before; infinite: no more
 // and beside them, if it likes,
-//   bool done()                 asked after each of these calls: true ends the run there
+//   bool done()                 asked after each of these calls: true ends the run there; of a
+//                               recorder that has this alone, asked after every flight
 //   void check(const Scene &)   called before the run; throws std::invalid_argument
 // A run calls only what its recorders have; nothing is computed or stored that none asked for.
 #pragma once
@@ -136,7 +137,11 @@ RecorderRef recorder_ref(Recorder &recorder) {
   constexpr bool takes_samples = requires(const Moment &moment) {
     double{recorder.next_time()}, recorder.sample(moment);
   };
-  static_assert(takes_events || takes_samples, "a recorder takes events, samples or both");
+  constexpr bool is_asked = requires {
+    bool{recorder.done()};
+  };
+  static_assert(takes_events || takes_samples || is_asked,
+                "a recorder takes events or samples, or is asked whether it is done");
   RecorderRef ref;
   if constexpr (takes_events)
     ref.event = [&recorder](const Event &event, const Moment &moment) {
@@ -146,8 +151,7 @@ RecorderRef recorder_ref(Recorder &recorder) {
     ref.next_time = [&recorder] { return recorder.next_time(); };
     ref.sample = [&recorder](const Moment &moment) { recorder.sample(moment); };
   }
-  if constexpr (requires { bool{recorder.done()}; })
-    ref.done = [&recorder] { return recorder.done(); };
+  if constexpr (is_asked) ref.done = [&recorder] { return recorder.done(); };
   if constexpr (requires(const Scene &scene) { recorder.check(scene); })
     ref.check = [&recorder](const Scene &scene) { recorder.check(scene); };
   return ref;

@@ -74,7 +74,7 @@ void run_on(Run<D> &run) {
     if (run.over) break;
     // One that takes neither events nor samples is asked after every flight.
     for (const RecorderRef &ref : run.recorders)
-      if (ref.event == nullptr && ref.sample == nullptr) ask_whether_done(run, ref);
+      if (!ref.event && !ref.sample) ask_whether_done(run, ref);
   }
   if (run.ending != Ending::reached && !(run.at_end.now < run.end)) run.at_end = state;
 }
