@@ -110,6 +110,10 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
   return time_of({start.instant.cycle + periods, start.instant.phase}, Clock(scene.omega));
 }
 
+// The changes by restitution are extrapolated in lower orders of the time left than the motion is,
+// and want some three impacts more: their limits are asked for that much closer.
+constexpr double tangents_to_motion = 0.01;
+
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options,
                                                   const std::vector<Parameter> &by) {
@@ -119,7 +123,9 @@ StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const Moti
   Matrix columns(2 * n, free.size() + by.size());
   for (std::size_t k = 0; k < free.size(); ++k) columns(free[k], k) = 1.0;
   TangentRecorder tangents(scene, start, columns, {.by = by});
-  const Outcome end = simulate_from(scene, start, until, options, tangents);
+  RunOptions closer = options;
+  closer.chatter_tolerance *= tangents_to_motion;
+  const Outcome end = simulate_from(scene, start, until, closer, tangents);
   tangents.finish(require_complete(end).state.instant);
   StroboscopicImage image{end.state,
                           Matrix(2 * n, 2 * n),
