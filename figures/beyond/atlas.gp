@@ -13,7 +13,7 @@ of_sticks(one, two, dual) = dual > 0 ? 5 : one > 0 && two > 0 ? 4 : two > 0 ? 3 
 
 of_pairs(pairs) = strstrt(pairs, 'DI') > 0 ? 4 : strstrt(pairs, 'DS') > 0 ? 3 : strstrt(pairs, 'SI') > 0 ? 2 : 1
 
-array meaning[16] = ['period 1', '2', '3', '4', '5 to 8', 'none, λ < 0', 'none, λ > 0', \
+array meaning[16] = ['period 1', '2', '3', '4', '5 to 8', 'none, otherwise', 'none, λ > 0', \
   'no mass sticks', 'mass 1', 'mass 2', 'both in turn', 'both at once', 'no pair', 'SI', 'DS and SI', 'DI too']
 
 array plane[5] = ['omega_r', 'omega_A1', '5a', '5b', '5c']

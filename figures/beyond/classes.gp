@@ -7,5 +7,6 @@ do for [c = 1:16] { colours = colours.sprintf("%s %d '%s'", c > 1 ? ',' : '', c,
 eval 'set palette defined ('.colours.') maxcolors 16'
 set cbrange [0.5:16.5]
 unset colorbox
-# The period, and what motions without one are: chaotic where the Lyapunov exponent is positive.
+# The period, and what motions without one are: chaotic where the Lyapunov exponent is certainly
+# positive.
 of_period(p, lambda) = p > 4 ? 5 : p > 0 ? p : lambda > 0 ? 7 : 6
