@@ -1,6 +1,6 @@
 // The border orbits unfolded: beyond the border the chatter has finitely many impacts, one more
-// each time the distance to the border shrinks by the same factor (figures/README.md, The border
-// orbit unfolded).
+// each time the distance to the border shrinks by the same factor (figures/beyond/README.md, The
+// border orbit unfolded).
 #pragma once
 
 #include <cmath>
