@@ -69,7 +69,7 @@ computed-%: configured-figures
 	@build/bin/$* --output build/figures
 
 drawn-%: configured-figures
-	@gnuplot -e "data='build/figures'" $(wildcard figures/$*.gp figures/*/$*.gp)
+	@for kind in png pdf; do gnuplot -e "data='build/figures'; kind='$$kind'" $(wildcard figures/$*.gp figures/*/$*.gp) || exit; done
 	@echo "drawn: build/figures/$*.png"
 
 error-vs-runtime: configured-figures

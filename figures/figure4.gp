@@ -6,16 +6,11 @@ set ylabel '{/:Italic F}_2'
 set xrange [12:17.5]; set xtics 0.5
 set yrange [-0.2:0.02]; set ytics 0.02
 
-do for [kind in 'png pdf'] {
-  eval canvas(kind, 'figure4', 2)
-  set multiplot layout 2,1
-  do for [letter in 'a b'] {
-    eval panel(letter)
-    if (letter eq 'b') { set label 2 'chatter' at 14.4, -0.014 center }
-    plot 0 lt 3, for [phase = 1:2] data.'/figure4'.letter.'.csv' \
-      using 't':(column('phase') == phase ? column('F2') : NaN) with lines lt 1
-  }
-  unset label 2
-  unset multiplot
-  unset output
+eval page('figure4', 2, 1)
+do for [letter in 'a b'] {
+  eval panel(letter)
+  if (letter eq 'b') { set label 2 'chatter' at 14.4, -0.014 center }
+  plot 0 lt 3, for [phase = 1:2] data.'/figure4'.letter.'.csv' \
+    using 't':(column('phase') == phase ? column('F2') : NaN) with lines lt 1
 }
+unset label 2

@@ -1,21 +1,28 @@
 # Shared by the figures. Run a figure from the top of the repository:
-#   gnuplot -e "data='build/figures'" figures/figure2.gp
-# It reads the tables in `data` and writes the PNG and the PDF beside them.
+#   gnuplot -e "data='build/figures'; kind='png'" figures/figure2.gp
+# It reads the tables in `data` and writes the picture, png or pdf, beside them.
 if (!exists("data")) data = 'build/figures'
+if (!exists("kind")) kind = 'png'
 
 set encoding utf8
 set datafile separator comma
 
-# eval canvas('png', 'figure2', rows) opens a page for `rows` panels, one below the other.
-png(rows) = sprintf("pngcairo size 1400,%d font 'Liberation Serif,22' linewidth 2 dashlength 1.2", \
-                    100 + 560 * rows)
-pdf(rows) = sprintf("pdfcairo size 14cm,%.2fcm font 'Liberation Serif,10'", 1.0 + 5.6 * rows)
-canvas(kind, figure, rows) = sprintf("set terminal %s; set output '%s/%s.%s'", \
-                                     kind eq 'png' ? png(rows) : pdf(rows), data, figure, kind)
+# eval page('figure2', rows, columns) opens a page for so many panels; all sizes and fonts are those
+# of the PNG, a hundred pixels of which make a centimetre of the PDF.
+font = "font 'Liberation Serif,22'"
+terminal(width, height) = kind eq 'png' ? \
+  sprintf("pngcairo size %d,%d %s linewidth 2 dashlength 1.2", width, height, font) : \
+  sprintf("pdfcairo size %gcm,%gcm %s fontscale 0.45 pointscale 0.4", 0.01 * width, 0.01 * height, font)
+opened(name, width, height) = sprintf("set terminal %s; set output '%s/%s.%s'", \
+                                      terminal(width, height), data, name, kind)
+canvas(kind, name, rows) = opened(name, 1400, 100 + 560 * rows)
+page(name, rows, columns) = canvas(kind, name, rows).sprintf("; set multiplot layout %d,%d", rows, columns)
 
 set linetype 1 linecolor rgb '#12355b' linewidth 1.4 dashtype solid    # mass 1
 set linetype 2 linecolor rgb '#c8442c' linewidth 1.4 dashtype (9, 5)   # mass 2
 set linetype 3 linecolor rgb '#404040' linewidth 0.6 dashtype (2, 5)   # stops, zero line
+set linetype 4 linecolor rgb '#9a9a9a' linewidth 0.6 dashtype solid    # border orbit, grazing
+set linetype 5 linecolor rgb '#0f5f40' linewidth 1.2 dashtype (3, 3)   # multi-sliding, fold
 
 set border linewidth 0.7 linecolor rgb '#202020'
 set tics nomirror out scale 0.6
@@ -25,6 +32,10 @@ set tmargin 0.8
 set bmargin 3.2
 set xlabel offset 0, 0.3
 set key samplen 4 spacing 1.2 noautotitle
+
+# The frequency of a row of the bifurcation points, where it is one of this mass.
+is_border(mass) = strcol('symbol')[1:13] eq 'border_mass_'.mass ? column('value') : NaN
+is_sliding(mass) = strcol('symbol') eq 'multi_sliding_mass_'.mass ? column('value') : NaN
 
 # eval panel('a') names the panel.
 panel(letter) = sprintf("set label 1 '(%s)' at character 1.2, graph 0.985", letter)

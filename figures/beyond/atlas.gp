@@ -41,39 +41,32 @@ do for [picture in 'atlas atlas_stops'] {
   last = picture eq 'atlas' ? 2 : 5
   rows = last - first + 1.0
   columns = picture eq 'atlas' ? 2.0 : 3.0
-  do for [kind in 'png pdf'] {
-    if (kind eq 'png') {
-      set terminal pngcairo size 1700, 600 * rows font 'Liberation Serif,22' linewidth 2
-    } else {
-      eval sprintf("set terminal pdfcairo size 17cm, %gcm font 'Liberation Serif,8'", 6 * rows)
+  eval opened(picture, 1700, 600 * rows)
+  set multiplot
+  do for [k = first:last] {
+    do for [part = 1:int(columns)] {
+      n = (k - first) * int(columns) + part
+      set lmargin at screen (part - 1 + 0.07 * columns) / columns; set rmargin at screen (part - 0.05) / columns
+      set tmargin at screen 1 - (k - first + 0.22) / rows; set bmargin at screen 1 - (k - first + 0.84) / rows
+      set key at graph 1.0, graph 1.33 right top samplen 0.7 width 0 maxrows (columns > 2 && part == 1 ? 4 : 3) font ',17'
+      set label 1 '('.letters[n:n].')' at graph -0.16, graph 1.07
+      set xlabel x_name[k].'{/*0.8 '.where[k].'}'; set ylabel y_name[k] offset 1
+      set xtics 0.1
+      table = data.'/atlas_'.plane[k].'.csv'
+      seen = ''
+      set autoscale xy
+      stats table using (noted(class_of(part))) nooutput
+      set xrange [k < 3 ? 0.2 : 0 : k < 3 ? 0.8 : 0.6]; set yrange [0 : highest[k]]
+      plot table using abscissa[k]:ordinate[k]:(class_of(part)) with image notitle, \
+        for [unused in k == 1 && part == 2 && curves_drawn ? 'yes' : ''] curves using 'omega':'restitution' with points pt 7 ps 0.25 lc rgb '#000000' notitle, \
+        for [unused in k == 1 && part == 2 && curves_drawn ? 'yes' : ''] NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'curves of bifurcations', \
+        '+' using (k < 3 ? 0.25 + 0.45 * column(0) / 99 : NaN):(k == 1 ? 0.7 : 0.5) with lines dt (6, 4) lw 1.6 lc rgb violet title (k < 3 ? 'Figure 3' : ''), \
+        scenes using (marked_in(plane[k], column('x'))):'y' with points pt 6 ps 1.6 lw 2 lc rgb '#202020' notitle, \
+        scenes using (strcol('figure') eq '4' ? marked_in(plane[k], column('x')) : NaN):'y':'figure' with labels offset -1, -0.9 right notitle, \
+        scenes using (strcol('figure') eq '4' ? NaN : marked_in(plane[k], column('x'))):'y':'figure' with labels offset 1, -0.9 left notitle, \
+        for [c = first_of(part):last_of(part)] NaN with points pt 5 ps 2.4 lc rgb colour[c] title (in_key(c) ? meaning[c] : '')
     }
-    set output data.'/'.picture.'.'.kind
-    set multiplot
-    do for [k = first:last] {
-      do for [part = 1:int(columns)] {
-        n = (k - first) * int(columns) + part
-        set lmargin at screen (part - 1 + 0.07 * columns) / columns; set rmargin at screen (part - 0.05) / columns
-        set tmargin at screen 1 - (k - first + 0.22) / rows; set bmargin at screen 1 - (k - first + 0.84) / rows
-        set key at graph 1.0, graph 1.33 right top samplen 0.7 width 0 maxrows (columns > 2 && part == 1 ? 4 : 3) font kind eq 'png' ? ',17' : ',6'
-        set label 1 '('.letters[n:n].')' at graph -0.16, graph 1.07
-        set xlabel x_name[k].'{/*0.8 '.where[k].'}'; set ylabel y_name[k] offset 1
-        set xtics 0.1
-        table = data.'/atlas_'.plane[k].'.csv'
-        seen = ''
-        set autoscale xy
-        stats table using (noted(class_of(part))) nooutput
-        set xrange [k < 3 ? 0.2 : 0 : k < 3 ? 0.8 : 0.6]; set yrange [0 : highest[k]]
-        plot table using abscissa[k]:ordinate[k]:(class_of(part)) with image notitle, \
-          for [unused in k == 1 && part == 2 && curves_drawn ? 'yes' : ''] curves using 'omega':'restitution' with points pt 7 ps 0.25 lc rgb '#000000' notitle, \
-          for [unused in k == 1 && part == 2 && curves_drawn ? 'yes' : ''] NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'curves of bifurcations', \
-          '+' using (k < 3 ? 0.25 + 0.45 * column(0) / 99 : NaN):(k == 1 ? 0.7 : 0.5) with lines dt (6, 4) lw 1.6 lc rgb violet title (k < 3 ? 'Figure 3' : ''), \
-          scenes using (marked_in(plane[k], column('x'))):'y' with points pt 6 ps 1.6 lw 2 lc rgb '#202020' notitle, \
-          scenes using (strcol('figure') eq '4' ? marked_in(plane[k], column('x')) : NaN):'y':'figure' with labels offset -1, -0.9 right notitle, \
-          scenes using (strcol('figure') eq '4' ? NaN : marked_in(plane[k], column('x'))):'y':'figure' with labels offset 1, -0.9 left notitle, \
-          for [c = first_of(part):last_of(part)] NaN with points pt 5 ps (kind eq 'png' ? 2.4 : 1) lc rgb colour[c] title (in_key(c) ? meaning[c] : '')
-      }
-    }
-    unset multiplot
-    unset output
   }
+  unset multiplot
+  unset output
 }

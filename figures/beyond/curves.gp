@@ -30,37 +30,32 @@ array y_from[panels] = [0.0, 0.64, 0.02, 0.0, 0.0, 0.0, 0.0]
 array y_to[panels] = [0.98, 0.78, 1.2, 0.6, 0.6, 0.6, 0.98]
 row = 0.188
 
-do for [kind in 'png pdf'] {
-  eval canvas(kind, 'curves', 5)
-  set multiplot
-  set tmargin 1.2
-  do for [k = 1:panels] {
-    set label 1 '('.substr('abcdefg', k, k).')' at graph (k > 3 ? -0.2 : -0.1), graph 1.02
-    set xlabel x_name[k]; set ylabel y_name[k]
-    set xrange [x_from[k]:x_to[k]]; set yrange [y_from[k]:y_to[k]]
-    set origin k == 5 || k == 7 ? 0.5 : 0.0, k > 5 ? 0.0 : k > 3 ? row : 0.95 - row * k
-    set size k > 3 ? 0.5 : 1.0, row
-    set xtics autofreq; if (k == 7) { set xtics 0.004 }
-    if (k == 1) { set key at screen 0.98, screen 0.995 right top samplen 6 width 0 maxrows 3 font kind eq 'png' ? ',18' : ',8' } else { unset key }
-    map = data.'/atlas_'.plane[k].'.csv'
-    curves = data.'/atlas_curves'.table[k].'.csv'
-    map_drawn = system("test -e '".map."' && echo 1") eq '1'
-    below = map_drawn ? map : curves
-    names = system("awk -F, 'NR > 1 && $1 != last {print $1; last = $1}' '".curves."'")
-    plot below using x_column[k]:y_column[k]:(map_drawn ? of_sticks(column('sticks1'), column('sticks2'), column('dual_sticking')) : NaN) with image notitle, \
-      for [n in names] curves using (of_kind(n, 'border', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt solid lw 1.6 notitle, \
-      for [n in names] curves using (of_kind(n, 'multi_sliding', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt (6, 3) lw 1.6 notitle, \
-      for [n in names] curves using (of_kind(n, 'grazing', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt (1.5, 2) lw 1.6 notitle, \
-      ends using (ended(plane[k], column('x'))):'y' with points pt 7 ps 0.7 lc rgb '#202020' notitle, \
-      (k == 5 || k == 6 ? x : NaN) with lines lc rgb '#202020' dt (8, 3, 2, 3) lw 1.2 notitle, \
-      NaN with lines lc rgb '#12355b' dt solid lw 1.6 title 'border orbit, mass 1', \
-      NaN with lines lc rgb '#c8442c' dt solid lw 1.6 title 'border orbit, mass 2', \
-      NaN with lines lc rgb '#12355b' dt (6, 3) lw 1.6 title 'multi-sliding, mass 1', \
-      NaN with lines lc rgb '#c8442c' dt (6, 3) lw 1.6 title 'multi-sliding, mass 2', \
-      NaN with lines lc rgb '#c8442c' dt (1.5, 2) lw 1.6 title 'grazing, mass 2', \
-      NaN with lines lc rgb '#202020' dt (8, 3, 2, 3) lw 1.2 title '{/:Italic s}_1 = {/:Italic s}_2', \
-      NaN with points pt 7 ps 0.7 lc rgb '#202020' title 'end inside the plane'
-  }
-  unset multiplot
-  unset output
+eval page('curves', 5, 1)
+set tmargin 1.2
+do for [k = 1:panels] {
+  set label 1 '('.substr('abcdefg', k, k).')' at graph (k > 3 ? -0.2 : -0.1), graph 1.08
+  set xlabel x_name[k]; set ylabel y_name[k]
+  set xrange [x_from[k]:x_to[k]]; set yrange [y_from[k]:y_to[k]]
+  set origin k == 5 || k == 7 ? 0.5 : 0.0, k > 5 ? 0.0 : k > 3 ? row : 0.95 - row * k
+  set size k > 3 ? 0.5 : 1.0, row
+  set xtics autofreq; if (k == 7) { set xtics 0.004 }
+  if (k == 1) { set key at screen 0.98, screen 0.995 right top samplen 6 width 0 maxrows 3 font ',18' } else { unset key }
+  map = data.'/atlas_'.plane[k].'.csv'
+  curves = data.'/atlas_curves'.table[k].'.csv'
+  map_drawn = system("test -e '".map."' && echo 1") eq '1'
+  below = map_drawn ? map : curves
+  names = system("awk -F, 'NR > 1 && $1 != last {print $1; last = $1}' '".curves."'")
+  plot below using x_column[k]:y_column[k]:(map_drawn ? of_sticks(column('sticks1'), column('sticks2'), column('dual_sticking')) : NaN) with image notitle, \
+    for [n in names] curves using (of_kind(n, 'border', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt solid lw 1.6 notitle, \
+    for [n in names] curves using (of_kind(n, 'multi_sliding', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt (6, 3) lw 1.6 notitle, \
+    for [n in names] curves using (of_kind(n, 'grazing', column(x_column[k]))):y_column[k] with lines lc rgb colour(n) dt (1.5, 2) lw 1.6 notitle, \
+    ends using (ended(plane[k], column('x'))):'y' with points pt 7 ps 0.7 lc rgb '#202020' notitle, \
+    (k == 5 || k == 6 ? x : NaN) with lines lc rgb '#202020' dt (8, 3, 2, 3) lw 1.2 notitle, \
+    NaN with lines lc rgb '#12355b' dt solid lw 1.6 title 'border orbit, mass 1', \
+    NaN with lines lc rgb '#c8442c' dt solid lw 1.6 title 'border orbit, mass 2', \
+    NaN with lines lc rgb '#12355b' dt (6, 3) lw 1.6 title 'multi-sliding, mass 1', \
+    NaN with lines lc rgb '#c8442c' dt (6, 3) lw 1.6 title 'multi-sliding, mass 2', \
+    NaN with lines lc rgb '#c8442c' dt (1.5, 2) lw 1.6 title 'grazing, mass 2', \
+    NaN with lines lc rgb '#202020' dt (8, 3, 2, 3) lw 1.2 title '{/:Italic s}_1 = {/:Italic s}_2', \
+    NaN with points pt 7 ps 0.7 lc rgb '#202020' title 'end inside the plane'
 }

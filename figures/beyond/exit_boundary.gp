@@ -25,40 +25,35 @@ near(n, value) = column('phase') == settled && abs(column('t') - instant(n)) <= 
 time_text(n) = sprintf('{/*0.8 %s%.2f}', n == 1 ? '{/:Italic t} = ' : '', instant(n))
 array shade[5] = ['#b9cfc4', '#90b5a2', '#659a80', '#3b7d5f', '#0f5f40']
 
-do for [kind in 'png pdf'] {
-  eval canvas(kind, 'exit_boundary', 2)
-  set multiplot layout 2,1
+eval page('exit_boundary', 2, 1)
 
-  eval panel('a')
-  set xlabel '{/:Italic x}_1'; set ylabel "{/:Italic x}_1'"
-  set xrange [0.06:0.34]; set xtics 0.04
-  set yrange [-0.3:0.35]; set ytics 0.1
-  set label 2 '{/:Italic S}' at 0.2, 0.1 center front
-  set label 3 "{/:Italic ∂S}:  {/:Italic x}_1' = -10 {/:Italic x}_1 + 1" at 0.083, 0.24 left front
-  set label 4 '(0.1, 0)' at 0.098, -0.02 right front
-  set key at graph 0.97, graph 0.97
-  plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
-    boundary2(x) with lines dt solid lw 1.8 lc rgb '#0f5f40', 0 lt 3, \
-    second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title sprintf('Ω = %g, from rest', omega[1]), \
-    for [n = 1:3] second_at(n) using (of_kind('orbit', column('x'))):'v' with lines lt 1 dt other_dash[n] lw 0.8 title sprintf('Ω = %g', omega[n + 1]), \
-    for [n = 0:3] second_at(n) using (of_kind('stick', column('x'))):'v' with points pt 7 ps 0.9 lc rgb '#12355b' title (n == 0 ? 'mass 2 sticks' : ''), \
-    for [n = 0:3] second_at(n) using (of_kind('release', column('x'))):'v' with points pt 6 ps 1.1 lc rgb '#12355b' title (n == 0 ? 'mass 2 is released' : ''), \
-    '+' using (0.1):(0) with points pt 2 ps 1.1 lc rgb '#202020'
-  unset label
+eval panel('a')
+set xlabel '{/:Italic x}_1'; set ylabel "{/:Italic x}_1'"
+set xrange [0.06:0.34]; set xtics 0.04
+set yrange [-0.3:0.35]; set ytics 0.1
+set label 2 '{/:Italic S}' at 0.2, 0.1 center front
+set label 3 "{/:Italic ∂S}:  {/:Italic x}_1' = -10 {/:Italic x}_1 + 1" at 0.083, 0.24 left front
+set label 4 '(0.1, 0)' at 0.098, -0.02 right front
+set key at graph 0.97, graph 0.97
+plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
+  boundary2(x) with lines dt solid lw 1.8 lc rgb '#0f5f40', 0 lt 3, \
+  second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title sprintf('Ω = %g, from rest', omega[1]), \
+  for [n = 1:3] second_at(n) using (of_kind('orbit', column('x'))):'v' with lines lt 1 dt other_dash[n] lw 0.8 title sprintf('Ω = %g', omega[n + 1]), \
+  for [n = 0:3] second_at(n) using (of_kind('stick', column('x'))):'v' with points pt 7 ps 0.9 lc rgb '#12355b' title (n == 0 ? 'mass 2 sticks' : ''), \
+  for [n = 0:3] second_at(n) using (of_kind('release', column('x'))):'v' with points pt 6 ps 1.1 lc rgb '#12355b' title (n == 0 ? 'mass 2 is released' : ''), \
+  '+' using (0.1):(0) with points pt 2 ps 1.1 lc rgb '#202020'
+unset label
 
-  eval panel('b')
-  set xlabel '{/:Italic x}_2'; set ylabel "{/:Italic x}_2'"
-  set xrange [-0.38:-0.1]; set xtics 0.04
-  set yrange [0:0.25]; set ytics 0.05
-  set label 2 '{/:Italic S} at the release' at -0.28, 0.08 center front
-  set label 3 '{/:Italic ∂S} at the times of the dots' at -0.186, 0.03 right front
-  plot '+' using 1:(boundary1($1, instant(5))):(0) with filledcurves lc rgb '#e9f0ec', \
-    for [n = 1:5] boundary1(x, instant(n)) with lines dt solid lw 1.8 lc rgb shade[n], \
-    first using (column('phase') == settled ? column('x') : NaN):'v' with lines lt 2 dt solid, \
-    for [n = 1:5] first using (near(n, column('x'))):'v' with points pt 7 ps 1.1 lc rgb shade[n], \
-    for [n = 1:4] first using (of_kind(n == 1 ? 'stick' : 'orbit', near(n, column('x')))):(column('v') + 0.014):(time_text(n)) with labels, \
-    first using (of_kind('release', column('phase') == settled ? column('x') + 0.003 : NaN)):(column('v') + 0.004):(time_text(5)) with labels left
-  unset label
-  unset multiplot
-  unset output
-}
+eval panel('b')
+set xlabel '{/:Italic x}_2'; set ylabel "{/:Italic x}_2'"
+set xrange [-0.38:-0.1]; set xtics 0.04
+set yrange [0:0.25]; set ytics 0.05
+set label 2 '{/:Italic S} at the release' at -0.28, 0.08 center front
+set label 3 '{/:Italic ∂S} at the times of the dots' at -0.186, 0.03 right front
+plot '+' using 1:(boundary1($1, instant(5))):(0) with filledcurves lc rgb '#e9f0ec', \
+  for [n = 1:5] boundary1(x, instant(n)) with lines dt solid lw 1.8 lc rgb shade[n], \
+  first using (column('phase') == settled ? column('x') : NaN):'v' with lines lt 2 dt solid, \
+  for [n = 1:5] first using (near(n, column('x'))):'v' with points pt 7 ps 1.1 lc rgb shade[n], \
+  for [n = 1:4] first using (of_kind(n == 1 ? 'stick' : 'orbit', near(n, column('x')))):(column('v') + 0.014):(time_text(n)) with labels, \
+  first using (of_kind('release', column('phase') == settled ? column('x') + 0.003 : NaN)):(column('v') + 0.004):(time_text(5)) with labels left
+unset label

@@ -19,25 +19,20 @@ about(name) = name eq 'before' ? sprintf('turns back at %.2f × 10^{-5}', 1e5 * 
   'released, chatters, sticks again'
 letters = 'abcdef'
 
-do for [kind in 'png pdf'] {
-  eval canvas(kind, 'multi_sliding', 3)
-  set multiplot layout 3,2
-  n = 0
-  do for [name in 'before at after'] {
-    do for [side in 'left right'] {
-      n = n + 1
-      zoom = side eq 'right' && name ne 'after'
-      set title side eq 'left' ? title_of(name) : about(name) offset 0, -0.5
-      set label 1 '('.letters[n:n].')' at graph -0.12, graph 1.06
-      set ylabel zoom ? '10^5 {/:Italic F}_2' : '{/:Italic F}_2'
-      set yrange [-0.2:0.02]; set ytics 0.05
-      set xrange [12:17.5]; set xtics 1
-      if (side eq 'right') { set xrange [13.6:15]; set xtics 0.4; set yrange [-0.016:0.003]; set ytics 0.004 }
-      if (zoom) { set xrange [14.12:14.22]; set xtics 0.02; set yrange [-12:3]; set ytics 3 }
-      plot 0 lt 3, for [phase = 1:3] table(name) using \
-        't':(column('phase') == phase ? (zoom ? 1e5 : 1) * column('F2') : NaN) with lines lt 1
-    }
+eval page('multi_sliding', 3, 2)
+n = 0
+do for [name in 'before at after'] {
+  do for [side in 'left right'] {
+    n = n + 1
+    zoom = side eq 'right' && name ne 'after'
+    set title side eq 'left' ? title_of(name) : about(name) offset 0, -0.5
+    set label 1 '('.letters[n:n].')' at graph -0.12, graph 1.06
+    set ylabel zoom ? '10^5 {/:Italic F}_2' : '{/:Italic F}_2'
+    set yrange [-0.2:0.02]; set ytics 0.05
+    set xrange [12:17.5]; set xtics 1
+    if (side eq 'right') { set xrange [13.6:15]; set xtics 0.4; set yrange [-0.016:0.003]; set ytics 0.004 }
+    if (zoom) { set xrange [14.12:14.22]; set xtics 0.02; set yrange [-12:3]; set ytics 3 }
+    plot 0 lt 3, for [phase = 1:3] table(name) using \
+      't':(column('phase') == phase ? (zoom ? 1e5 : 1) * column('F2') : NaN) with lines lt 1
   }
-  unset multiplot
-  unset output
 }

@@ -14,73 +14,68 @@ set_(flag, value) = column(flag) == 1 ? value : NaN
 both(value) = column('boxes') == 1 && column('text') == 1 ? value : NaN
 name_of(omega) = sprintf('{/*0.8 %.4f}', omega)
 
-do for [kind in 'png pdf'] {
-  eval canvas(kind, 'reconstruction', 4)
-  size = kind eq 'png' ? 0.5 : 0.25
-  set multiplot layout 4,1
-  set tmargin 4.5
+eval page('reconstruction', 4, 1)
+size = 0.5
+set tmargin 4.5
 
-  eval panel('a')
-  set xlabel 'Ω of Figure 2'
-  set ylabel 'lowest {/:Italic x}_2 in 2(b)'
-  set xrange [0.1:0.5]; set xtics 0.05
-  set yrange [-0.25:0.2]; set ytics 0.05
-  set key at graph 1, graph 1.36 right top maxrows 3 samplen 1 spacing 1.05
-  set arrow 1 from 0.3, graph 0 to 0.3, graph 1 nohead lt 3
-  set object 1 rectangle from graph 0, first -0.06 to graph 1, first -0.04 fc rgb band fs solid noborder behind
-  plot scan('2') using 'omega':'lowest_x2_in_b' with points pt 7 ps size lc rgb tried title 'tried', \
-    '' using 'omega':(set_('boxes', column('lowest_x2_in_b'))) with points pt 7 ps 1.2 lc rgb fitting title 'fills the boxes of (a) and (b)', \
-    '' using 'omega':(both(column('lowest_x2_in_b'))) with points pt 6 ps 2 lc rgb '#12355b' title 'and does what the text says', \
-    '' using 'omega':(set_('chosen', column('lowest_x2_in_b'))) with points pt 7 ps 2 lc rgb '#c8442c' title 'chosen', \
-    '' using 'omega':(both(0.105)):(name_of(column('omega'))) with labels rotate by 90 left, \
-    '' using (column('omega') == 0.28 ? column('omega') : NaN):'lowest_x2_in_b' with points pt 2 ps 1.5 lc rgb '#202020' title '0.28'
-  unset arrow
+eval panel('a')
+set xlabel 'Ω of Figure 2'
+set ylabel 'lowest {/:Italic x}_2 in 2(b)'
+set xrange [0.1:0.5]; set xtics 0.05
+set yrange [-0.25:0.2]; set ytics 0.05
+set key at graph 1, graph 1.36 right top maxrows 3 samplen 1 spacing 1.05
+set arrow 1 from 0.3, graph 0 to 0.3, graph 1 nohead lt 3
+set object 1 rectangle from graph 0, first -0.06 to graph 1, first -0.04 fc rgb band fs solid noborder behind
+plot scan('2') using 'omega':'lowest_x2_in_b' with points pt 7 ps size lc rgb tried title 'tried', \
+  '' using 'omega':(set_('boxes', column('lowest_x2_in_b'))) with points pt 7 ps 1.2 lc rgb fitting title 'fills the boxes of (a) and (b)', \
+  '' using 'omega':(both(column('lowest_x2_in_b'))) with points pt 6 ps 2 lc rgb '#12355b' title 'and does what the text says', \
+  '' using 'omega':(set_('chosen', column('lowest_x2_in_b'))) with points pt 7 ps 2 lc rgb '#c8442c' title 'chosen', \
+  '' using 'omega':(both(0.105)):(name_of(column('omega'))) with labels rotate by 90 left, \
+  '' using (column('omega') == 0.28 ? column('omega') : NaN):'lowest_x2_in_b' with points pt 2 ps 1.5 lc rgb '#202020' title '0.28'
+unset arrow
 
-  set tmargin 1.5
-  eval panel('b')
-  set xlabel 'Ω of Figure 5(a)'
-  set ylabel 'lowest displacement'
-  set xrange [0.1:0.3]
-  set yrange [-0.45:0.2]; set ytics 0.1
-  unset key
-  set object 1 rectangle from graph 0, first -0.05 to graph 1, first 0 fc rgb band fs solid noborder behind
-  plot scan('5a') using 'omega':'lowest' with points pt 7 ps size lc rgb tried, \
-    '' using 'omega':(set_('boxes', column('lowest'))) with points pt 7 ps 1.2 lc rgb fitting, \
-    '' using 'omega':(both(column('lowest'))) with points pt 6 ps 2 lc rgb '#12355b', \
-    '' using 'omega':(set_('chosen', column('lowest'))) with points pt 7 ps 2 lc rgb '#c8442c', \
-    '' using 'omega':(both(0.02)):(name_of(column('omega'))) with labels rotate by 90 left
+set tmargin 1.5
+eval panel('b')
+set xlabel 'Ω of Figure 5(a)'
+set ylabel 'lowest displacement'
+set xrange [0.1:0.3]
+set yrange [-0.45:0.2]; set ytics 0.1
+unset key
+set object 1 rectangle from graph 0, first -0.05 to graph 1, first 0 fc rgb band fs solid noborder behind
+plot scan('5a') using 'omega':'lowest' with points pt 7 ps size lc rgb tried, \
+  '' using 'omega':(set_('boxes', column('lowest'))) with points pt 7 ps 1.2 lc rgb fitting, \
+  '' using 'omega':(both(column('lowest'))) with points pt 6 ps 2 lc rgb '#12355b', \
+  '' using 'omega':(set_('chosen', column('lowest'))) with points pt 7 ps 2 lc rgb '#c8442c', \
+  '' using 'omega':(both(0.02)):(name_of(column('omega'))) with labels rotate by 90 left
 
-  eval panel('c')
-  set xlabel 'time at which mass 2 of Figure 5(b) is nearest its stop, where it seems to touch it'
-  set ylabel 'lowest displacement'
-  set xrange [918:922]; set xtics 0.5
-  set yrange [-0.65:0]; set ytics 0.1
-  near(value) = column('gap') <= 0.0009 ? value : NaN
-  beside(value) = abs(column('nearest_time') - 920) < 0.8 && abs(column('lowest') + 0.35) < 0.2 ? near(value) : NaN
-  # These have a neighbour at their right.
-  crowded(omega) = abs(omega - 0.2997) < 5e-5 || abs(omega - 0.3064) < 5e-5
-  set object 1 rectangle from 919.5, -0.4 to 920.5, -0.3 fc rgb band fs solid noborder behind
-  plot scan('5b') using 'nearest_time':(near(column('lowest'))) with points pt 7 ps 1 lc rgb tried, \
-    '' using 'nearest_time':(near(set_('boxes', column('lowest')))) with points pt 7 ps 1.2 lc rgb fitting, \
-    '' using 'nearest_time':(both(column('lowest'))) with points pt 6 ps 2 lc rgb '#12355b', \
-    '' using 'nearest_time':(set_('chosen', column('lowest'))) with points pt 7 ps 2 lc rgb '#c8442c', \
-    '' using (column('nearest_time') - 0.04):(crowded(column('omega')) ? beside(column('lowest')) : NaN):(name_of(column('omega'))) with labels right, \
-    '' using (column('nearest_time') + 0.04):(crowded(column('omega')) ? NaN : beside(column('lowest')) - (abs(column('omega') - 0.2455) < 0.0003 ? 0.03 : 0)):(name_of(column('omega'))) with labels left
+eval panel('c')
+set xlabel 'time at which mass 2 of Figure 5(b) is nearest its stop, where it seems to touch it'
+set ylabel 'lowest displacement'
+set xrange [918:922]; set xtics 0.5
+set yrange [-0.65:0]; set ytics 0.1
+near(value) = column('gap') <= 0.0009 ? value : NaN
+beside(value) = abs(column('nearest_time') - 920) < 0.8 && abs(column('lowest') + 0.35) < 0.2 ? near(value) : NaN
+# These have a neighbour at their right.
+crowded(omega) = abs(omega - 0.2997) < 5e-5 || abs(omega - 0.3064) < 5e-5
+set object 1 rectangle from 919.5, -0.4 to 920.5, -0.3 fc rgb band fs solid noborder behind
+plot scan('5b') using 'nearest_time':(near(column('lowest'))) with points pt 7 ps 1 lc rgb tried, \
+  '' using 'nearest_time':(near(set_('boxes', column('lowest')))) with points pt 7 ps 1.2 lc rgb fitting, \
+  '' using 'nearest_time':(both(column('lowest'))) with points pt 6 ps 2 lc rgb '#12355b', \
+  '' using 'nearest_time':(set_('chosen', column('lowest'))) with points pt 7 ps 2 lc rgb '#c8442c', \
+  '' using (column('nearest_time') - 0.04):(crowded(column('omega')) ? beside(column('lowest')) : NaN):(name_of(column('omega'))) with labels right, \
+  '' using (column('nearest_time') + 0.04):(crowded(column('omega')) ? NaN : beside(column('lowest')) - (abs(column('omega') - 0.2455) < 0.0003 ? 0.03 : 0)):(name_of(column('omega'))) with labels left
 
-  eval panel('d')
-  unset xlabel
-  set ylabel 'ticks from the end of the axis'
-  set xrange [-0.7:axes_records - 0.3]
-  set yrange [-0.45:4]; set ytics 1
-  set key at graph 0.6, graph 0.95 spacing 1.2
-  set xtics rotate by 30 right
-  named = "{/*0.85 %s}"
-  set object 1 rectangle from graph 0, first 0 to graph 1, first 1 fc rgb band fs solid noborder behind
-  plot axes using 0:'ticks_at_lowest':xtic(sprintf(named, strcol('panel').' '.strcol('quantity'))) with points pt 9 ps 1.6 lc rgb '#12355b' title 'lower end', \
-    '' using 0:'ticks_at_highest' with points pt 11 ps 1.6 lc rgb '#c8442c' title 'upper end', \
-    '' using 0:(-0.22):(sprintf('{/*0.65 %s}', strcol('kind'))) with labels
-  set xtics norotate
-  unset object
-  unset multiplot
-  unset output
-}
+eval panel('d')
+unset xlabel
+set ylabel 'ticks from the end of the axis'
+set xrange [-0.7:axes_records - 0.3]
+set yrange [-0.45:4]; set ytics 1
+set key at graph 0.6, graph 0.95 spacing 1.2
+set xtics rotate by 30 right
+named = "{/*0.85 %s}"
+set object 1 rectangle from graph 0, first 0 to graph 1, first 1 fc rgb band fs solid noborder behind
+plot axes using 0:'ticks_at_lowest':xtic(sprintf(named, strcol('panel').' '.strcol('quantity'))) with points pt 9 ps 1.6 lc rgb '#12355b' title 'lower end', \
+  '' using 0:'ticks_at_highest' with points pt 11 ps 1.6 lc rgb '#c8442c' title 'upper end', \
+  '' using 0:(-0.22):(sprintf('{/*0.65 %s}', strcol('kind'))) with labels
+set xtics norotate
+unset object
