@@ -22,7 +22,8 @@
 namespace {
 
 using namespace vibro_impact;
-using figures::Verdict;
+using figures::Rows;
+namespace column = figures::column;
 
 // Six that the paper has, and three that one would cite.
 constexpr std::array<std::string_view, 9> few{
@@ -30,21 +31,11 @@ constexpr std::array<std::string_view, 9> few{
     "border_mass_1_2", "border_mass_1_3", "border_mass_2_4",
     "border_mass_1_1", "DG_Omega",        "grazing_mass_2_figure5b"};
 
-constexpr std::array<std::pair<Verdict, std::string_view>, 3> verdicts{
-    {{Verdict::agrees, "Agrees with the paper, within what its print or plot can tell"},
-     {Verdict::differs, "Differs from the paper, by more than that"},
-     {Verdict::not_in_the_paper, "Not in the paper: library against 50 digits or a formula"}}};
-
-// One number checked, as it is shown.
-struct Row {
-  figures::KeyNumber number;
-  Verdict verdict;
-  std::string computed, in_words, error, allowed, kind;
-  std::string thirty_digits;  // of the reference, where the generator has them
-  bool pass = false;
-};
-
-using Lines = std::vector<std::vector<std::string>>;  // of cells
+// By the word that a verdict begins with.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> verdicts{
+    {{"agrees", "Agrees with the paper, within what its print or plot can tell"},
+     {"differs", "Differs from the paper, by more than that"},
+     {"not", "Not in the paper: library against 50 digits or a formula"}}};
 
 // All digits of a reference, if they are the generator's: a count or a number of the library has
 // fewer.
@@ -66,13 +57,16 @@ std::string shown_tolerance(double tolerance) {
   return tolerance == 0.0 ? "none" : fmt::format("{:.0e}", tolerance);
 }
 
-std::vector<Row> checked_key_numbers(const std::string &folder) {
+// Below the names of the columns, a row of them for every key number; `missed` gets the symbols of
+// those that are farther from their reference than allowed.
+Rows checked_key_numbers(const std::string &folder, std::vector<std::string> &missed) {
   // A number located with 50 digits takes precedence over the library's own of an earlier version.
   figures::References references;
   for (const char *table : {"key_numbers.csv", "located.csv", "bifurcation_points.csv"})
     references.merge(figures::read_references(folder + "/" + table));
   const auto functions = figures::key_numbers();
-  std::vector<Row> rows;
+  Rows rows{{"symbol", "meaning", "printed", "computed", "kind", "thirty_digits", "error",
+             "tolerance", "verdict", "reference_met"}};
   for (const auto &number : figures::read_key_numbers(folder + "/key_number_checks.csv")) {
     const auto reference = references.find(number.symbol);
     const auto function = functions.find(number.symbol);
@@ -80,32 +74,36 @@ std::vector<Row> checked_key_numbers(const std::string &folder) {
       throw std::runtime_error(number.symbol + ": has no reference, or is not computed here");
     const double computed = function->second(), value = reference->second.value,
                  error = std::abs(computed - value);
-    rows.push_back({number, verdict_on(number.printed, computed),
+    const bool pass = error <= number.tolerance;  // false for NaN
+    if (!pass) missed.push_back(number.symbol);
+    rows.push_back({number.symbol, number.meaning, number.printed.words,
                     fmt::format(fmt::runtime("{:" + number.digits + "}"), computed),
-                    in_words(number.printed, computed), shown_error(error, value, number.tolerance),
-                    shown_tolerance(number.tolerance), reference->second.kind,
-                    thirty_digits(reference->second), error <= number.tolerance});  // no NaN
+                    reference->second.kind, thirty_digits(reference->second),
+                    shown_error(error, value, number.tolerance), shown_tolerance(number.tolerance),
+                    in_words(number.printed, computed), pass ? "pass" : "FAIL"});
   }
   return rows;
 }
 
-// The rows with one verdict below their header; how far from the paper is said where they differ.
-Lines lines_of(const std::vector<Row> &rows, Verdict verdict) {
-  const bool differs = verdict == Verdict::differs;
-  Lines lines{{"number", "the paper says", "computed", differs ? "by" : " ", "error", "allowed",
-               "reference", "its thirty digits"}};
-  for (const Row &row : rows)
-    if (row.verdict == verdict)
-      lines.push_back({row.number.meaning, row.number.printed.words, row.computed,
-                       differs ? row.in_words.substr(row.in_words.rfind(' ') + 1) : "", row.error,
-                       row.pass ? row.allowed : row.allowed + " FAILS", row.kind,
-                       row.thirty_digits});
+// The numbers with one verdict, below a header; how far from the paper is said where they differ.
+Rows lines_of(const Rows &numbers, std::string_view verdict) {
+  const bool differs = verdict == "differs";
+  Rows lines{{"number", "the paper says", "computed", differs ? "by" : " ", "error", "allowed",
+              "reference", "its thirty digits"}};
+  for (const auto &row : numbers) {
+    const std::string &words = row[column::verdict];
+    if (words.starts_with(verdict))
+      lines.push_back({row[column::meaning], row[column::printed], row[column::computed],
+                       differs ? words.substr(words.rfind(' ') + 1) : "", row[column::error],
+                       row[column::allowed] + (row[column::met] == "pass" ? "" : " FAILS"),
+                       row[column::kind], row[column::thirty_digits]});
+  }
   return lines;
 }
 
 // Rows of cells below one another, each column but the last as wide as its widest cell; the first
 // two to the left.
-void print_aligned(const Lines &rows) {
+void print_aligned(const Rows &rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto &cells : rows)
     for (std::size_t k = 0; k + 1 < cells.size(); ++k)
@@ -119,12 +117,12 @@ void print_aligned(const Lines &rows) {
   }
 }
 
-void print_text(const std::vector<Row> &rows) {
+void print_text(const Rows &rows) {
   fmt::print(
       "error: against the reference (reference/README.md), rounding where it is below the last "
       "bit; allowed: more fails\n");
   for (const auto &[verdict, title] : verdicts) {
-    Lines lines = lines_of(rows, verdict);
+    Rows lines = lines_of(rows, verdict);
     fmt::print("\n{}: {}\n", title, lines.size() - 1);
     for (auto &cells : lines) cells.resize(6);  // no digits of references
     print_aligned(lines);
@@ -132,7 +130,7 @@ void print_text(const std::vector<Row> &rows) {
 }
 
 // A table of Markdown.
-void print_markdown(const Lines &lines) {
+void print_markdown(const Rows &lines) {
   for (const auto &cells : lines) {
     fmt::print("| {} |\n", fmt::join(cells, " | "));
     if (&cells == &lines.front())
@@ -140,40 +138,31 @@ void print_markdown(const Lines &lines) {
   }
 }
 
-void print_markdown(const std::vector<Row> &rows) {
+void print_key_numbers(const Rows &rows) {
   for (const auto &[verdict, title] : verdicts) {
-    const Lines lines = lines_of(rows, verdict);
+    const Rows lines = lines_of(rows, verdict);
     fmt::print("**{}: {}**\n\n", title, lines.size() - 1);
     print_markdown(lines);
     fmt::print("\n");
   }
 }
 
-void print_few(const std::vector<Row> &rows) {
-  Lines lines{{"number", "the paper says", "computed", "verdict"}};
+void print_few(const Rows &numbers) {
+  Rows lines{{"number", "the paper says", "computed", "verdict"}};
   for (const std::string_view symbol : few)
-    for (const Row &row : rows)
-      if (row.number.symbol == symbol)
-        lines.push_back({row.number.meaning, row.number.printed.words, row.computed, row.in_words});
+    for (const auto &row : numbers)
+      if (row[column::symbol] == symbol)
+        lines.push_back({row[column::meaning], row[column::printed], row[column::computed],
+                         row[column::verdict]});
   print_markdown(lines);
-}
-
-Lines all_of(const std::vector<Row> &rows) {
-  Lines lines{{"symbol", "meaning", "printed", "computed", "kind", "thirty_digits", "error",
-               "tolerance", "verdict", "reference_met"}};
-  for (const Row &row : rows)
-    lines.push_back({row.number.symbol, row.number.meaning, row.number.printed.words, row.computed,
-                     row.kind, row.thirty_digits, row.error, row.allowed, row.in_words,
-                     row.pass ? "pass" : "FAIL"});
-  return lines;
 }
 
 // Every published result beside what the library makes of it; `missed` gets those that are farther
 // from what was printed than their tolerance.
-Lines checked_published_results(const std::vector<published::Result> &results,
-                                std::vector<std::string> &missed) {
-  Lines lines{{"id", "source", "printed", "computed", "difference", "allowed", "limited by",
-               "verdict", "quantity"}};
+Rows checked_published_results(const std::vector<published::Result> &results,
+                               std::vector<std::string> &missed) {
+  Rows lines{{"id", "source", "printed", "computed", "difference", "allowed", "limited by",
+              "verdict", "quantity"}};
   for (const auto &result : results) {
     const double computed = result.compute(), difference = computed - result.value;
     const bool pass = std::abs(difference) <= result.tolerance;  // false for NaN
@@ -187,7 +176,7 @@ Lines checked_published_results(const std::vector<published::Result> &results,
 }
 
 // As a table of the report, every cell in quotes.
-void write_cells(const Lines &lines, const std::string &path) {
+void write_cells(const Rows &lines, const std::string &path) {
   Table table("");
   table.text.clear();
   for (const auto &cells : lines) table.text += fmt::format("\"{}\"\n", fmt::join(cells, "\",\""));
@@ -195,15 +184,14 @@ void write_cells(const Lines &lines, const std::string &path) {
 }
 
 // The last line, and the exit status: 1 when anything is missed.
-int verdict(const std::vector<Row> &rows, std::size_t published, std::vector<std::string> missed) {
-  for (const Row &row : rows)
-    if (!row.pass) missed.push_back(row.number.symbol);
-  const auto count = [&](Verdict kind) { return lines_of(rows, kind).size() - 1; };
+int conclude(const Rows &numbers, std::size_t published, const std::vector<std::string> &missed) {
+  const auto count = [&](std::string_view verdict) {
+    return lines_of(numbers, verdict).size() - 1;
+  };
   const std::string counts = fmt::format(
       "{} key numbers ({} agree with the paper, {} differ from it, {} are not in it) and {} "
       "published results",
-      rows.size(), count(Verdict::agrees), count(Verdict::differs),
-      count(Verdict::not_in_the_paper), published);
+      numbers.size() - 1, count("agrees"), count("differs"), count("not"), published);
   if (missed.empty())
     fmt::print("\nall passed: {}, each within what is allowed of its reference\n", counts);
   else
@@ -224,19 +212,19 @@ int main(int argc, char **argv) {
        {"--few", "Print the table of the README", &nine},
        {"--tables", "Folder for the rows as tables", &tables}},
       [&] {
-        const std::vector<Row> rows = checked_key_numbers(folder);
-        if (markdown) print_markdown(rows);
+        std::vector<std::string> missed;
+        const Rows rows = checked_key_numbers(folder, missed);
+        if (markdown) print_key_numbers(rows);
         if (nine) print_few(rows);
         if (markdown || nine) return 0;
         print_text(rows);
         fmt::print("\nPublished by others (sources: reference/README.md)\n");
-        std::vector<std::string> missed;
-        const Lines published = checked_published_results(published::results(folder), missed);
+        const Rows published = checked_published_results(published::results(folder), missed);
         print_aligned(published);
         if (!tables.empty()) {
-          write_cells(all_of(rows), tables + "/key_numbers_checked.csv");
+          write_cells(rows, tables + "/key_numbers_checked.csv");
           write_cells(published, tables + "/published_checked.csv");
         }
-        return verdict(rows, published.size() - 1, missed);
+        return conclude(rows, published.size() - 1, missed);
       });
 }

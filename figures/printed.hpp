@@ -48,6 +48,22 @@ inline std::string in_words(const Printed &printed, double computed) {
   }
 }
 
+// The columns of key_numbers_checked.csv, a number each.
+namespace column {
+enum : std::size_t {
+  symbol,
+  meaning,
+  printed,
+  computed,
+  kind,
+  thirty_digits,
+  error,
+  allowed,
+  verdict,
+  met
+};
+}  // namespace column
+
 // A row of reference/key_number_checks.csv, the last column of which says why that tolerance.
 struct KeyNumber {
   std::string symbol, meaning;

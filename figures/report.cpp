@@ -16,20 +16,6 @@ using namespace vibro_impact;
 using namespace vibro_impact::figures;
 using std::filesystem::path;
 
-// The columns of key_numbers_checked.csv.
-enum Column : std::size_t {
-  symbol,
-  meaning,
-  printed,
-  computed,
-  kind,
-  digits,
-  error,
-  allowed,
-  verdict,
-  met
-};
-
 constexpr const char *head = R"(<!DOCTYPE html>
 <html lang="en">
 <meta charset="utf-8">
@@ -55,61 +41,6 @@ All quantities are non-dimensional. The paper's text that we have does not give 
 Figures 2, 5(a) and 5(b) nor the stops of Figure 5(c); they are inferred from it and from
 the axes of its plots (figures/README.md).</p>
 )";
-
-// A picture, the rows of the key numbers that belong to it (by the beginnings of their symbols),
-// and what it shows.
-struct Section {
-  const char *title, *picture;
-  std::vector<const char *> symbols;
-  const char *text;
-};
-
-const std::vector<Section> sections{
-    {"The model", "", {"lambda", "xi"}, "The modes of the chain in which nobody sticks."},
-    {"Figure 2: chatter and sticking",
-     "figure2",
-     {"figure2"},
-     "In every forcing period both masses have a complete chatter and a sticking phase."},
-    {"Figure 3: impact velocities against the forcing frequency",
-     "figure3",
-     {"border_mass", "figure3"},
-     "The picture is reproduced; the ends of the intervals, which the paper reads off it, are "
-     "located "
-     "as border orbits, and differ where the table says so."},
-    {"Figure 4: multi-sliding",
-     "figure4",
-     {"figure4", "multi_sliding"},
-     "The hold force on mass 1, which the paper calls F2, over one settled forcing period."},
-    {"Figure 5: pairs of events",
-     "figure5",
-     {"figure5", "grazing"},
-     "(a) Mass 2 hits twice while mass 1 sticks. (b) It turns just short of its stop. (c) It still "
-     "bounces when mass 1 is let go. The dual sticking of which the text speaks in (b) and (c) "
-     "cannot "
-     "be: the force on mass 2, both at rest, is k(s1 - s2), negative in (b) and zero in (c)."},
-    {"Exit boundaries", "exit_boundary", {"exit"}, "Where the sticking phases of either mass end."},
-    {"Table I",
-     "table1",
-     {"DG", "DS", "DI", "GS", "GI"},
-     "A motion for each pair of events; those that need a coincidence are solved for."},
-    {"Figure 3, followed", "figure3_followed", {}, ""},
-    {"Frequencies inferred",
-     "reconstruction",
-     {},
-     "Lowest and highest displacements over the frequency, and the boxes they must lie in."},
-    {"Multi-sliding located", "multi_sliding", {}, ""},
-    {"Bifurcation points", "bifurcations", {}, ""},
-    {"Error against run time", "error_vs_runtime", {}, ""},
-    {"Stiff and extreme cases",
-     "stability",
-     {},
-     "The error of every case, against 50 digits or a closed formula, over its sensitivity."},
-    {"Atlas", "atlas", {}, ""},
-    {"Atlas of the stops", "atlas_stops", {}, ""},
-    {"Curves of bifurcations", "curves", {}, ""},
-    {"The border orbit unfolded", "border_cascade", {}, ""},
-    {"Basins of attraction", "basins", {}, ""},
-    {"A chain of ten masses", "long_chain", {}, ""}};
 
 std::string escaped(const std::string &text) {
   std::string result;
