@@ -119,6 +119,8 @@ void print_aligned(const Rows &rows) {
 
 void print_text(const Rows &rows) {
   fmt::print(
+      "agrees: within half a unit of the last digit printed, or a twentieth of the distance of the "
+      "ticks where a value is read off Figure 3\n"
       "error: against the reference (reference/README.md), rounding where it is below the last "
       "bit; allowed: more fails\n");
   for (const auto &[verdict, title] : verdicts) {
