@@ -43,12 +43,6 @@ inline RecordOptions recorded_in_figure3(int periods) {
   return options;
 }
 
-// The distinct impact velocities of masses 1 and 2 at one frequency, from rest.
-inline std::array<std::vector<double>, 2> impact_velocities(double omega, int periods) {
-  const OrbitRecord record = record_of(paper::figure3(omega), recorded_in_figure3(periods));
-  return {distinct(record.impact_velocities[0]), distinct(record.impact_velocities[1])};
-}
-
 // The tables of a diagram, rows in the order of the frequencies.
 struct Diagram {
   std::array<Table, 2> velocities{Table("omega,v1"), Table("omega,v2")};

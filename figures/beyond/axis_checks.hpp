@@ -16,9 +16,9 @@ namespace vibro_impact::figures {
 inline std::vector<AxisCheck> checks_of_figure3(int count) {
   Range v1, v2;
   for (double omega : frequencies_of_figure3(count)) {
-    const auto velocities = impact_velocities(omega, 40);
-    for (double v : velocities[0]) v1.include(v);
-    for (double v : velocities[1]) v2.include(v);
+    const OrbitRecord record = record_of(paper::figure3(omega), recorded_in_figure3(40));
+    for (double v : distinct(record.impact_velocities[0])) v1.include(v);
+    for (double v : distinct(record.impact_velocities[1])) v2.include(v);
   }
   return {upwards("3(a)", "v1", paper::figure3a_box, v1),
           upwards("3(b)", "v2", paper::figure3b_box, v2)};

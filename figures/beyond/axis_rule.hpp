@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "reference/scenes/paper_scenes.hpp"
 
@@ -23,30 +24,35 @@ struct Range {
   }
 };
 
-// How far inside its axis each extreme of the data lies, in ticks: the rule wants 0 to 1.
-struct TicksInside {
-  double at_lowest, at_highest;
+// One axis of a panel: as printed, and the data it should fill.
+struct AxisCheck {
+  std::string panel, quantity;
+  Range axis;
+  double tick;
+  Range data;
+
+  // How far inside the axis each extreme of the data lies, in ticks.
+  double ticks_at_lowest() const {
+    return (data.lowest - axis.lowest) / tick;
+  }
+  double ticks_at_highest() const {
+    return (axis.highest - data.highest) / tick;
+  }
+  // The rule: from 0 to 1. An extreme on a tick counts for either side of it (see above), to within
+  // the rounding of the data.
+  bool passes() const {
+    constexpr double rounding = 1e-9;  // in ticks
+    const auto within = [](double ticks) { return ticks >= -rounding && ticks <= 1.0 + rounding; };
+    return within(ticks_at_lowest()) && within(ticks_at_highest());
+  }
 };
 
-inline TicksInside ticks_inside(const Range &data, const Range &axis, double tick) {
-  return {(data.lowest - axis.lowest) / tick, (axis.highest - data.highest) / tick};
+inline AxisCheck across(const std::string &panel, const paper::AxisBox &box, const Range &times) {
+  return {panel, "t", {box.from, box.to}, box.tick_across, times};
 }
-
-// The rule. An extreme on a tick counts for either side of it (see above), to within the rounding
-// of the data.
-inline bool fills(const Range &data, const Range &axis, double tick) {
-  constexpr double rounding = 1e-9;  // in ticks
-  const auto within = [](double ticks) { return ticks >= -rounding && ticks <= 1.0 + rounding; };
-  const TicksInside inside = ticks_inside(data, axis, tick);
-  return within(inside.at_lowest) && within(inside.at_highest);
-}
-
-// The ordinate and the abscissa of a panel.
-inline Range ordinate(const paper::AxisBox &box) {
-  return {box.lowest, box.highest};
-}
-inline Range abscissa(const paper::AxisBox &box) {
-  return {box.from, box.to};
+inline AxisCheck upwards(const std::string &panel, const std::string &quantity,
+                         const paper::AxisBox &box, const Range &data) {
+  return {panel, quantity, {box.lowest, box.highest}, box.tick, data};
 }
 
 }  // namespace vibro_impact::figures

@@ -19,21 +19,44 @@ std::vector<double> frequencies(double from, double width, int intervals) {
   return omegas;
 }
 
-// What `read` makes of the motion at every frequency: from rest, and following it upwards and
-// downwards.
+// What `read(scene, state)` makes of the motion at every frequency: from rest, and following it
+// upwards and downwards, from the motion at the frequency before. It may carry the state on by
+// whole periods.
 template <class SceneAt, class Read>
 auto three_ways(const std::vector<double> &omegas, const SceneAt &scene_at, const Read &read) {
-  constexpr int periods = 60;  // at every frequency of a branch
-  const auto up = figures::along_branch(omegas, scene_at, periods, read);
-  auto down = figures::along_branch({omegas.rbegin(), omegas.rend()}, scene_at, periods, read);
-  std::reverse(down.begin(), down.end());
-  auto rest = up;  // all of it written anew
+  constexpr int periods = 60;  // to settle at every frequency of a branch
+  using Values = std::vector<decltype(read(Scene{}, std::declval<MotionState &>()))>;
+  std::array<Values, 3> ways;
+  ways.fill(Values(omegas.size()));
+  auto &[rest, up, down] = ways;
+  const auto follow = [&](auto omega, const auto &last, auto value) {
+    MotionState state = settled(scene_at(*omega), figures::settling);
+    for (; omega != last; ++omega, ++value) {
+      const Scene scene = scene_at(*omega);
+      state = stroboscopic_map(scene, state, periods).state;
+      *value = read(scene, state);
+    }
+  };
+  follow(omegas.begin(), omegas.end(), up.begin());
+  follow(omegas.rbegin(), omegas.rend(), down.rbegin());
   figures::in_parallel(omegas.size(), [&](std::size_t i) {
     const Scene scene = scene_at(omegas[i]);
     MotionState state = settled(scene, figures::settling);
     rest[i] = read(scene, state);
   });
-  return std::array{rest, up, down};
+  return ways;
+}
+
+// The table of points. All numbers in it are computed; the error is the largest of the
+// estimate of the method, the distance between the two methods, and what rounding over one period
+// does to either.
+Table bifurcation_table(const std::vector<figures::BifurcationPoint> &points) {
+  Table table("symbol,value,kind,error,method,check,checked_by");
+  for (const figures::BifurcationPoint &point : points)
+    table.row(point.symbol, point.omega.value, "computed",
+              std::max({point.omega.error, std::abs(point.omega.value - point.check), 2e-15}),
+              point.method, point.check, point.checked_by);
+  return table;
 }
 
 void draw(const std::filesystem::path &output) {
@@ -63,7 +86,7 @@ void draw(const std::filesystem::path &output) {
   progress.advance();
   write(scan, output / "bifurcations_scan.csv");
   write(branches, output / "bifurcations_5b.csv");
-  write(figures::bifurcation_table(points), output / "bifurcations.csv");
+  write(bifurcation_table(points), output / "bifurcations.csv");
 }
 
 }  // namespace

@@ -38,12 +38,10 @@ double scan_to(const std::filesystem::path &file, Trial (*attempt)(double omega)
 
 // `kind`: printed, chosen by the rule, or refused by it.
 void add(Table &table, const std::string &kind, const std::vector<AxisCheck> &checks) {
-  for (const AxisCheck &check : checks) {
-    const TicksInside inside = ticks_inside(check.data, check.axis, check.tick);
+  for (const AxisCheck &check : checks)
     table.row(check.panel, check.quantity, kind, check.axis.lowest, check.axis.highest, check.tick,
-              check.data.lowest, check.data.highest, inside.at_lowest, inside.at_highest,
-              int{check.passes()});
-  }
+              check.data.lowest, check.data.highest, check.ticks_at_lowest(),
+              check.ticks_at_highest(), int{check.passes()});
 }
 
 void draw(const std::filesystem::path &output) {

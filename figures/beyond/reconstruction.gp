@@ -5,17 +5,18 @@ load 'figures/style.gp'
 scan(figure) = data.'/reconstruction_'.figure.'.csv'
 axes = data.'/reconstruction_axes.csv'
 band = '#e9f0ec'
-tried = '#b9cfc4'
-fitting = '#3b7d5f'
+# A frequency tried is drawn once in each of these classes that it is in.
+array meaning[4] = ['tried', 'fills the boxes of (a) and (b)', 'and does what the text says', 'chosen']
+array colour[4] = ['#b9cfc4', '#3b7d5f', '#12355b', '#c8442c']
+array mark[4] = [7, 7, 6, 7]
+array size[4] = [0.6, 1.2, 2, 2]
+is_in(class, value) = class == 1 || (class == 2 ? column('boxes') == 1 : class == 3 ? \
+  column('boxes') == 1 && column('text') == 1 : column('chosen') == 1) ? value : NaN
 stats axes using 'tick' nooutput name 'axes'
 set datafile columnheaders
-# A value where a flag is set.
-set_(flag, value) = column(flag) == 1 ? value : NaN
-both(value) = column('boxes') == 1 && column('text') == 1 ? value : NaN
 name_of(omega) = sprintf('{/*0.8 %.4f}', omega)
 
 eval page('reconstruction', 4, 1)
-size = 0.5
 set tmargin 4.5
 
 eval panel('a')
@@ -26,11 +27,9 @@ set yrange [-0.25:0.2]; set ytics 0.05
 set key at graph 1, graph 1.36 right top maxrows 3 samplen 1 spacing 1.05
 set arrow 1 from 0.3, graph 0 to 0.3, graph 1 nohead lt 3
 set object 1 rectangle from graph 0, first -0.06 to graph 1, first -0.04 fc rgb band fs solid noborder behind
-plot scan('2') using 'omega':'lowest_x2_in_b' with points pt 7 ps size lc rgb tried title 'tried', \
-  '' using 'omega':(set_('boxes', column('lowest_x2_in_b'))) with points pt 7 ps 1.2 lc rgb fitting title 'fills the boxes of (a) and (b)', \
-  '' using 'omega':(both(column('lowest_x2_in_b'))) with points pt 6 ps 2 lc rgb '#12355b' title 'and does what the text says', \
-  '' using 'omega':(set_('chosen', column('lowest_x2_in_b'))) with points pt 7 ps 2 lc rgb '#c8442c' title 'chosen', \
-  '' using 'omega':(both(0.105)):(name_of(column('omega'))) with labels rotate by 90 left, \
+plot for [k = 1:4] scan('2') using 'omega':(is_in(k, column('lowest_x2_in_b'))) \
+    with points pt mark[k] ps size[k] lc rgb colour[k] title meaning[k], \
+  '' using 'omega':(is_in(3, 0.105)):(name_of(column('omega'))) with labels rotate by 90 left, \
   '' using (column('omega') == 0.28 ? column('omega') : NaN):'lowest_x2_in_b' with points pt 2 ps 1.5 lc rgb '#202020' title '0.28'
 unset arrow
 
@@ -42,11 +41,9 @@ set xrange [0.1:0.3]
 set yrange [-0.45:0.2]; set ytics 0.1
 unset key
 set object 1 rectangle from graph 0, first -0.05 to graph 1, first 0 fc rgb band fs solid noborder behind
-plot scan('5a') using 'omega':'lowest' with points pt 7 ps size lc rgb tried, \
-  '' using 'omega':(set_('boxes', column('lowest'))) with points pt 7 ps 1.2 lc rgb fitting, \
-  '' using 'omega':(both(column('lowest'))) with points pt 6 ps 2 lc rgb '#12355b', \
-  '' using 'omega':(set_('chosen', column('lowest'))) with points pt 7 ps 2 lc rgb '#c8442c', \
-  '' using 'omega':(both(0.02)):(name_of(column('omega'))) with labels rotate by 90 left
+plot for [k = 1:4] scan('5a') using 'omega':(is_in(k, column('lowest'))) \
+    with points pt mark[k] ps size[k] lc rgb colour[k], \
+  '' using 'omega':(is_in(3, 0.02)):(name_of(column('omega'))) with labels rotate by 90 left
 
 eval panel('c')
 set xlabel 'time at which mass 2 of Figure 5(b) is nearest its stop, where it seems to touch it'
@@ -56,12 +53,10 @@ set yrange [-0.65:0]; set ytics 0.1
 near(value) = column('gap') <= 0.0009 ? value : NaN
 beside(value) = abs(column('nearest_time') - 920) < 0.8 && abs(column('lowest') + 0.35) < 0.2 ? near(value) : NaN
 # These have a neighbour at their right.
-crowded(omega) = abs(omega - 0.2997) < 5e-5 || abs(omega - 0.3064) < 5e-5
+crowded(omega) = abs(omega - 0.29965) < 1e-4 || abs(omega - 0.3064) < 5e-5
 set object 1 rectangle from 919.5, -0.4 to 920.5, -0.3 fc rgb band fs solid noborder behind
-plot scan('5b') using 'nearest_time':(near(column('lowest'))) with points pt 7 ps 1 lc rgb tried, \
-  '' using 'nearest_time':(near(set_('boxes', column('lowest')))) with points pt 7 ps 1.2 lc rgb fitting, \
-  '' using 'nearest_time':(both(column('lowest'))) with points pt 6 ps 2 lc rgb '#12355b', \
-  '' using 'nearest_time':(set_('chosen', column('lowest'))) with points pt 7 ps 2 lc rgb '#c8442c', \
+plot for [k = 1:4] scan('5b') using 'nearest_time':(near(is_in(k, column('lowest')))) \
+    with points pt mark[k] ps size[k] lc rgb colour[k], \
   '' using (column('nearest_time') - 0.04):(crowded(column('omega')) ? beside(column('lowest')) : NaN):(name_of(column('omega'))) with labels right, \
   '' using (column('nearest_time') + 0.04):(crowded(column('omega')) ? NaN : beside(column('lowest')) - (abs(column('omega') - 0.2455) < 0.0003 ? 0.03 : 0)):(name_of(column('omega'))) with labels left
 

@@ -33,26 +33,6 @@ constexpr Range scanned_of_figure2{0.1, 0.3};
 
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
-// One axis of a panel: as printed, and the data it should fill.
-struct AxisCheck {
-  std::string panel, quantity;
-  Range axis;
-  double tick;
-  Range data;
-
-  bool passes() const {
-    return fills(data, axis, tick);
-  }
-};
-
-inline AxisCheck across(const std::string &panel, const paper::AxisBox &box, const Range &times) {
-  return {panel, "t", abscissa(box), box.tick_across, times};
-}
-inline AxisCheck upwards(const std::string &panel, const std::string &quantity,
-                         const paper::AxisBox &box, const Range &data) {
-  return {panel, quantity, ordinate(box), box.tick, data};
-}
-
 // What a frequency makes of a figure.
 struct Trial {
   double omega;

@@ -6,6 +6,7 @@ set key at graph 0.97, graph 0.95
 set lmargin 8.5
 set rmargin 4.5
 set tmargin 2
+set autoscale xfix
 
 pair_name(kind) = kind eq 'DG' ? 'dual grazing' : kind eq 'DS' ? 'dual sticking' : \
   kind eq 'DI' ? 'double impact' : kind eq 'GS' ? 'grazing-sticking' : \
@@ -17,8 +18,6 @@ pairs = data.'/table1_pairs.csv'
 array lowest[6] = [-1.8, 0.1, -0.05, -1, -0.55, -0.05]
 array highest[6] = [1.0, 0.32, 0.6, 0.6, 0.5, 0.35]
 array step[6] = [0.4, 0.05, 0.1, 0.4, 0.2, 0.1]
-array start[6] = [0, 30, 0, 12, 0, 950]
-array end[6] = [14, 44, 7, 26, 5, 964]
 array every[6] = [2, 2, 1, 2, 1, 2]
 
 shown(kind, value) = strcol('pair') eq kind && strcol('shown') eq kind ? value : NaN
@@ -36,7 +35,7 @@ do for [n = 1:6] {
     set object 1 rectangle from stuck_min, graph 0 to released_min, graph 1 behind fillcolor rgb '#ececec' fillstyle solid noborder
   }
   set title '{/:Bold '.pair.'}  '.pair_name(pair) offset 0, -0.5
-  set xrange [start[n]:end[n]]; set xtics 0.0 + every[n]
+  set xtics 0.0 + every[n]
   set yrange [lowest[n]:highest[n]]; set ytics 0.0 + step[n]
   same = stop1_min == stop2_min
   set label 1 (same ? '{/*0.8 {/:Italic s}_1={/:Italic s}_2}' : '{/*0.8 {/:Italic s}_1}') at graph 1.015, first stop1_min

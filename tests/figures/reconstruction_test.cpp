@@ -14,6 +14,10 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::figures;
 
+bool fills(const Range &data, const Range &axis, double tick) {
+  return AxisCheck{"", "", axis, tick, data}.passes();
+}
+
 TEST(AxisRule, AnAxisEndsAtTheFirstTickBeyondTheData) {
   const Range axis{-0.4, 0.5};
   EXPECT_TRUE(fills({-0.326, 0.45}, axis, 0.1));
@@ -35,10 +39,9 @@ TEST(AxisRule, EveryPrintedAxisIsAWholeNumberOfTicksLong) {
   for (const paper::AxisBox &box :
        {paper::figure2a_box, paper::figure2b_box, paper::figure3a_box, paper::figure3b_box,
         paper::figure4_box, paper::figure5a_box, paper::figure5b_box, paper::figure5c_box})
-    for (const auto &[range, tick] :
-         {std::pair{ordinate(box), box.tick}, std::pair{abscissa(box), box.tick_across}})
-      for (double ticks : {range.lowest / tick, range.highest / tick})
-        EXPECT_NEAR(ticks, std::round(ticks), 1e-9) << range.lowest << ' ' << range.highest;
+    for (const AxisCheck &check : {across("", box, {}), upwards("", "", box, {})})
+      for (double ticks : {check.axis.lowest / check.tick, check.axis.highest / check.tick})
+        EXPECT_NEAR(ticks, std::round(ticks), 1e-9) << check.axis.lowest;
 }
 
 TEST(AxisRule, HoldsWhereTheFrequenciesArePrinted) {
