@@ -71,25 +71,4 @@ int drive(int argc, char **argv, const std::string &purpose,
   });
 }
 
-RunOptions all_visible_chatter() {
-  RunOptions options;
-  options.resolve_chatter = paper::slowest_impact_shown;
-  return options;
-}
-
-SampleRecorder samples_across(const paper::AxisBox &box, double every) {
-  SampleRecorder samples;
-  samples.from = box.from;
-  samples.to = box.to;
-  samples.every = every;
-  return samples;
-}
-
-Table displacement_table(const SampleRecorder &samples) {
-  Table table("t,x1,x2");
-  for (std::size_t i = 0; i < samples.times.size(); ++i)
-    table.row(samples.times[i], samples.displacements[2 * i], samples.displacements[2 * i + 1]);
-  return table;
-}
-
 }  // namespace vibro_impact::figures

@@ -1,4 +1,4 @@
-// What the figure drivers share: the command line, the error exit, displacement tables.
+// What the figure drivers share: the command line and the error exit.
 #pragma once
 
 #include <filesystem>
@@ -31,14 +31,5 @@ int command(int argc, char **argv, const std::string &purpose, const std::vector
 int drive(int argc, char **argv, const std::string &purpose,
           const std::function<void(const std::filesystem::path &)> &draw,
           std::vector<Option> options = {});
-
-// A run shown as displacement against time resolves all chatter that can be seen.
-RunOptions all_visible_chatter();
-
-// Samples both masses across the window of a panel.
-SampleRecorder samples_across(const paper::AxisBox &box, double every);
-
-// The samples of both masses as a table t, x1, x2.
-Table displacement_table(const SampleRecorder &samples);
 
 }  // namespace vibro_impact::figures

@@ -66,18 +66,20 @@ inline void add(Diagram &diagram, double omega, const OrbitRecord &record) {
   orbits.end_row();
 }
 
-// From rest at every frequency.
+// From rest at every frequency. `advance` is called after each of them.
 inline Diagram diagram_from_rest(const std::vector<double> &omegas, const RecordOptions &options,
-                                 const SweepOptions &sweeping) {
+                                 const std::function<void()> &advance) {
   Diagram diagram;
   sweep(
       omegas.size(), [&](std::size_t i) { return record_of(paper::figure3(omegas[i]), options); },
-      [&](std::size_t i, const OrbitRecord &record) { add(diagram, omegas[i], record); }, sweeping);
+      [&](std::size_t i, const OrbitRecord &record) {
+        add(diagram, omegas[i], record);
+        advance();
+      });
   return diagram;
 }
 
-// From where the motion stood at the frequency before; at the first one from rest. `advance` is
-// called after every frequency.
+// From where the motion stood at the frequency before; at the first one from rest.
 inline Diagram diagram_followed(const std::vector<double> &omegas, const RecordOptions &options,
                                 const std::function<void()> &advance) {
   Diagram diagram;

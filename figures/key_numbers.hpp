@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "driver.hpp"
 #include "figures/beyond/bifurcations.hpp"
 #include "figures/beyond/grazing.hpp"
 #include "figures/beyond/table1_scenes.hpp"
+#include "figures/panel.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"

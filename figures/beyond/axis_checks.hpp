@@ -6,7 +6,7 @@
 
 #include "axis_rule.hpp"
 #include "figures/figure3.hpp"
-#include "figures/hold_force.hpp"
+#include "figures/panel.hpp"
 #include "reconstruction.hpp"
 
 namespace vibro_impact::figures {
@@ -37,7 +37,7 @@ inline std::vector<AxisCheck> checks_of_figure4(const std::string &panel, const 
 inline AxisCheck check_of_figure5c() {
   const paper::AxisBox &box = paper::figure5c_box;
   SampleRecorder samples = scan_samples(box);
-  require_complete(simulate(paper::figure5c(), box.to, scan_options(), samples));
+  require_complete(simulate(paper::figure5c(), box.to, all_visible_chatter, samples));
   return upwards("5(c)", "x", box, range_of(samples));
 }
 

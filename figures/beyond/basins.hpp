@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,14 +45,16 @@ inline Attractor attractor_of(const Scene &scene, const OrbitRecord &record) {
   return attractor;
 }
 
-// The attractors met from the points of the grid, each from its scene's initial state.
-inline Basins basins_of(const Grid &grid, const RecordOptions &options,
-                        const SweepOptions &sweeping = {}) {
+// The attractors met from the points of the grid, each from its scene's initial state; `advance` is
+// called after each of them.
+inline Basins basins_of(
+    const Grid &grid, const RecordOptions &options, const std::function<void()> &advance = [] {}) {
   check(grid);
   Basins basins;
   sweep(
       grid.points(), [&](std::size_t point) { return record_of(grid.scene_at(point), options); },
       [&](std::size_t, const OrbitRecord &record) {
+        advance();
         basins.of.push_back(0);
         if (record.period == 0) return;
         const std::vector<double> state = coordinates(record.state);
@@ -65,8 +68,7 @@ inline Basins basins_of(const Grid &grid, const RecordOptions &options,
         }
         ++found->points;
         basins.of.back() = found->met;
-      },
-      sweeping);
+      });
   // By size.
   auto &all = basins.attractors;
   std::stable_sort(all.begin(), all.end(),

@@ -15,16 +15,14 @@ void draw(const std::filesystem::path &output) {
   Progress progress("figure 3, followed", 3.0 * static_cast<double>(omegas.size()));
   RecordOptions options = figures::recorded_in_figure3(40);
   options.lyapunov = true;
-  SweepOptions sweeping;
-  sweeping.progress = [&](std::size_t done) { progress.reach(static_cast<double>(done)); };
-  write(figures::diagram_from_rest(omegas, options, sweeping).orbits,
-        output / "figure3_orbits.csv");
+  const auto advance = [&] { progress.advance(); };
+  write(figures::diagram_from_rest(omegas, options, advance).orbits, output / "figure3_orbits.csv");
   options.lyapunov = false;
   options.settle.longest = 150;          // from nearby
   std::array<figures::Diagram, 2> ways;  // both at once: each goes from frequency to frequency
   figures::in_parallel(ways.size(), [&](std::size_t way) {
     const auto along = way == 0 ? omegas : std::vector<double>(omegas.rbegin(), omegas.rend());
-    ways[way] = figures::diagram_followed(along, options, [&] { progress.advance(); });
+    ways[way] = figures::diagram_followed(along, options, advance);
   });
   write(ways[0].velocities[0], output / "figure3_up.csv");
   write(ways[1].velocities[0], output / "figure3_down.csv");

@@ -2,7 +2,7 @@
 // before, at and just after it.
 #include "bifurcations.hpp"
 #include "figures/driver.hpp"
-#include "figures/hold_force.hpp"
+#include "figures/panel.hpp"
 
 int main(int argc, char **argv) {
   using namespace vibro_impact;

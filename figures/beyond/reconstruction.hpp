@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "axis_rule.hpp"
+#include "figures/panel.hpp"
 #include "figures/parallel.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -64,11 +65,7 @@ inline double scan_step(const paper::AxisBox &box) {
 }
 
 inline SampleRecorder scan_samples(const paper::AxisBox &box) {
-  return {.from = box.from, .to = box.to, .every = scan_step(box)};
-}
-
-inline RunOptions scan_options() {
-  return {.resolve_chatter = paper::slowest_impact_shown};
+  return samples_across(box, scan_step(box));
 }
 
 // Of the given mass, or of both (0).
@@ -137,7 +134,7 @@ inline Trial try_figure2(double omega) {
   const paper::AxisBox &a = paper::figure2a_box, &b = paper::figure2b_box;
   SampleRecorder samples = scan_samples(a), close_up = scan_samples(b);
   EventRecorder events{a.to - 10.0 * Clock(omega).period};
-  require_complete(simulate(scene, a.to, scan_options(), samples, close_up, events));
+  require_complete(simulate(scene, a.to, all_visible_chatter, samples, close_up, events));
 
   int sticks[] = {0, 0};
   for (const Event &event : events.events)
@@ -168,7 +165,7 @@ inline Trial try_figure5a(double omega) {
   const double period = Clock(omega).period;
   SampleRecorder samples = scan_samples(box);
   EventRecorder events{box.from - period};
-  require_complete(simulate(scene, box.to + period, scan_options(), samples, events));
+  require_complete(simulate(scene, box.to + period, all_visible_chatter, samples, events));
 
   const StickingChatter chatter = chatter_in(events.events, 1, box.from, box.to);
   double released = never, last_impact = never;  // of mass 2 while mass 1 sticks
@@ -219,7 +216,7 @@ inline Trial try_figure5b(double omega) {
   const paper::AxisBox &box = paper::figure5b_box;
   SampleRecorder samples = scan_samples(box);
   HighestWhileHeld highest{box.from, box.to, scan_step(box)};
-  require_complete(simulate(scene, box.to, scan_options(), samples, highest));
+  require_complete(simulate(scene, box.to, all_visible_chatter, samples, highest));
 
   const double gap = scene.stops[1].position - highest.place;  // mass 2 nearest its stop
   Trial trial{omega,

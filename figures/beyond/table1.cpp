@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "figures/driver.hpp"
+#include "figures/panel.hpp"
 
 namespace {
 
@@ -33,7 +34,7 @@ void draw(const std::filesystem::path &output) {
     SampleRecorder samples{
         .from = panel.from, .to = panel.to, .every = (panel.to - panel.from) / 4000};
     PressedEventRecorder events{scene, panel.from};
-    require_complete(simulate(scene, panel.to, figures::all_visible_chatter(), samples, events));
+    require_complete(simulate(scene, panel.to, figures::all_visible_chatter, samples, events));
     write(figures::displacement_table(samples), output / fmt::format("table1_{}.csv", name));
     for (const PairedEvents &pair : event_pairs(events.events)) {
       const MotionState at = figures::state_at(scene, pair.from);
