@@ -163,6 +163,19 @@ TEST(Corrections, Figure5cHasNoDualStickingAtLowerFrequencyOrRestitution) {
   }
 }
 
+// Half a period of the damped mass on its own spring, zeta = 0.05, and the decay over it; 1e-12 is
+// a few units in the last place of t.
+TEST(Corrections, Figure5cBouncesOnAtAConstantInterval) {
+  const auto events = vibro_impact::testing::events_of(paper::figure5c(), 920.0, 985.0);
+  const double zeta = 0.05, interval = std::acos(-1.0) / std::sqrt(1.0 - zeta * zeta),
+               ratio = 0.7 * std::exp(-zeta * interval);
+  ASSERT_GE(events.size(), 20u);
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    EXPECT_NEAR(events[i].time - events[i - 1].time, interval, 1e-12);
+    EXPECT_NEAR(events[i].velocity_before / events[i - 1].velocity_before, ratio, 1e-9);
+  }
+}
+
 // Section 3.2, "the region of sticking motions all exist at forcing frequencies < 0.5": mass 1
 // sticks again between 0.632 and about 0.69, every period or every other one, with gaps; mass 2
 // does not.
