@@ -41,29 +41,32 @@ double first_zero(const GuardAt &guard_at, double a, double b, Search search) {
              : tools::toms748_solve(guard_at, left, b, at_a, at_b, to_rounding, evaluations).second;
 }
 
-// Carries `now` to the time `until`, or as far as there is no failure. A method is
-//   void restart(const GapState &now, double at_most)   begin anew, with a first step of at most
-//   std::pair<double, double> next()                    take a step: its ends
-//   Vec at(double time)                                 the state within the step
-// guard(i, y, time) is positive until the next event of mass i + 1, and happens(i), at `now`, makes
-// that event and returns the longest first step behind it.
+// Carries `now`, the state behind the last event, to the time `until`, or as far as there is no
+// failure. A method is
+//   void restart(double at_most)       begin anew at `now`, with a first step of at most
+//   std::pair<double, double> next()   take a step: its ends
+//   Vec at(double tau)                 the state within the step
+// with times counted from `now.time`: of two roundings, that of the time of an event and that of
+// its place, the second then is as small as the flight is short. guard(i, y, time) is positive
+// until the next event of mass i + 1, and happens(i), at `now`, makes that event and returns the
+// longest first step behind it.
 template <class Steps, class Guard, class Happens>
 void follow(Steps &steps, GapState &now, double until, double at_most, const Guard &guard,
             const Happens &happens, std::string &failure, Search search = Search::toms748) try {
   constexpr std::size_t nobody = 2;
-  steps.restart(now, at_most);
+  steps.restart(at_most);
   while (failure.empty() && now.time < until) {
     const auto [from, end] = steps.next();
-    const double to = std::min(end, until);
+    const double left = until - now.time, to = std::min(end, left);
     const int parts = std::max(1, static_cast<int>((to - from) / longest_unseen + 0.5));
     double a = from, event = to;
     std::size_t who = nobody;
     for (int part = 1; part <= parts && who == nobody; ++part) {
       const double b = part == parts ? to : from + (to - from) * part / parts;
-      now.y = steps.at(b);
+      const Vec at_b = steps.at(b);
       for (std::size_t i = 0; i < 2; ++i) {
-        if (guard(i, now.y, b) > 0.0) continue;
-        const auto guard_at = [&](double t) { return guard(i, steps.at(t), t); };
+        if (guard(i, at_b, now.time + b) > 0.0) continue;
+        const auto guard_at = [&](double t) { return guard(i, steps.at(t), now.time + t); };
         const double zero = first_zero(guard_at, a, b, search);
         if (who == nobody || zero < event) {
           event = zero;
@@ -72,11 +75,10 @@ void follow(Steps &steps, GapState &now, double until, double at_most, const Gua
       }
       a = b;
     }
-    now.time = event;
-    if (who == nobody) continue;
+    if (who == nobody && to < left) continue;
     now.y = steps.at(event);
-    const double first_step = happens(who);
-    steps.restart(now, first_step);
+    now.time = who == nobody ? until : now.time + event;
+    if (who != nobody) steps.restart(happens(who));
   }
 } catch (const std::exception &error) {
   failure = error.what();
@@ -86,14 +88,14 @@ void follow(Steps &steps, GapState &now, double until, double at_most, const Gua
 // are not jumped.
 constexpr double beyond_the_flight = 1.1;
 
-// The motion with its impacts, sticks and releases. steps_of(chain, held, work) makes the method.
+// The motion with its impacts, sticks and releases. steps_of(chain, now, work) makes the method.
 template <class StepsOf>
 Result with_events(const Problem &problem, double slowest, const StepsOf &steps_of,
                    Search search = Search::toms748) {
   const TwoMasses chain = two_masses(problem.scene);
   GapState now = gap_state(chain, problem.start);
   Result result;
-  auto steps = steps_of(chain, now.held, result.work);
+  auto steps = steps_of(chain, now, result.work);
   follow(
       steps, now, problem.until, flight_ahead(chain, now),
       [&](std::size_t i, const Vec &y, double t) { return guard(chain, now.held, i, y, t); },
@@ -125,22 +127,23 @@ struct StepLength {
 // A dense-output stepper of Odeint as a method.
 template <class State, class Stepper, class System>
 struct DenseOutput {
+  const GapState &now;
   Stepper stepper;
   System system;
   State between = {};
   StepLength length = {};
 
-  void restart(const GapState &now, double at_most) {
+  void restart(double at_most) {
     std::copy(now.y.begin(), now.y.end(), between.begin());
-    stepper.initialize(between, now.time, length.first(at_most));
+    stepper.initialize(between, 0.0, length.first(at_most));
   }
   std::pair<double, double> next() {
     const auto ends = stepper.do_step(system);
     length.chosen(stepper.current_time_step());
     return ends;
   }
-  Vec at(double time) {
-    stepper.calc_state(time, between);
+  Vec at(double tau) {
+    stepper.calc_state(tau, between);
     Vec y;
     std::copy(between.begin(), between.end(), y.begin());
     return y;

@@ -26,30 +26,31 @@ using UblasMatrix = boost::numeric::ublas::matrix<double>;
 // The right-hand side as Odeint calls it.
 struct System {
   const TwoMasses &chain;
-  const std::array<bool, 2> &held;
+  const GapState &now;
   long long &evaluations;
 
   template <class State>
-  void operator()(const State &y, State &dydt, double t) const {
+  void operator()(const State &y, State &dydt, double tau) const {
     ++evaluations;
-    right_hand_side(chain, held, y, dydt, t);
+    right_hand_side(chain, now.held, y, dydt, now.time + tau);
   }
 };
 
 // Its derivatives by the state and by the time.
 struct Jacobian {
   const TwoMasses &chain;
-  const std::array<bool, 2> &held;
+  const GapState &now;
 
-  void operator()(const UblasVector &, UblasMatrix &jacobi, double t, UblasVector &dfdt) const {
+  void operator()(const UblasVector &, UblasMatrix &jacobi, double tau, UblasVector &dfdt) const {
     jacobi.clear();
-    set_jacobian(chain, held, [&](std::size_t row, std::size_t column, double value) {
+    set_jacobian(chain, now.held, [&](std::size_t row, std::size_t column, double value) {
       jacobi(row, column) = value;
     });
     for (std::size_t i = 0; i < 2; ++i) {
       dfdt[2 * i] = 0.0;
-      dfdt[2 * i + 1] =
-          held[i] ? 0.0 : -chain.equation[i].drive * chain.omega * std::sin(chain.omega * t);
+      dfdt[2 * i + 1] = now.held[i] ? 0.0
+                                    : -chain.equation[i].drive * chain.omega *
+                                          std::sin(chain.omega * (now.time + tau));
     }
   }
 };
@@ -57,8 +58,8 @@ struct Jacobian {
 template <class Stepper>
 Result run_explicit(const Problem &problem, const Stepper &stepper, double tolerance) {
   return with_events(problem, stick_below(tolerance),
-                     [&](const TwoMasses &chain, const std::array<bool, 2> &held, long long &work) {
-                       return DenseOutput<Vec, Stepper, System>{stepper, {chain, held, work}};
+                     [&](const TwoMasses &chain, const GapState &now, long long &work) {
+                       return DenseOutput<Vec, Stepper, System>{now, stepper, {chain, now, work}};
                      });
 }
 
@@ -86,12 +87,12 @@ struct Rodas : default_rosenbrock_coefficients<double> {
 Result rosenbrock(const Problem &problem, double tolerance) {
   const auto stepper = make_dense_output(tolerance, tolerance, rosenbrock4<double, Rodas>());
   using Stepper = std::decay_t<decltype(stepper)>;
-  return with_events(
-      problem, stick_below(tolerance),
-      [&](const TwoMasses &chain, const std::array<bool, 2> &held, long long &work) {
-        const std::pair system(System{chain, held, work}, Jacobian{chain, held});
-        return DenseOutput<UblasVector, Stepper, decltype(system)>{stepper, system, UblasVector(4)};
-      });
+  return with_events(problem, stick_below(tolerance),
+                     [&](const TwoMasses &chain, const GapState &now, long long &work) {
+                       const std::pair system(System{chain, now, work}, Jacobian{chain, now});
+                       return DenseOutput<UblasVector, Stepper, decltype(system)>{
+                           now, stepper, system, UblasVector(4)};
+                     });
 }
 
 // An event within a step is located by repeating the step from its beginning with the trial length.
@@ -106,9 +107,9 @@ struct Fehlberg {
   double from = 0.0, to = 0.0, step = 0.0;
   StepLength length = {};
 
-  void restart(const GapState &now, double at_most) {
-    y_to = now.y;
-    to = now.time;
+  void restart(double at_most) {
+    y_to = system.now.y;
+    to = 0.0;
     step = length.first(at_most);
   }
   std::pair<double, double> next() {
@@ -119,19 +120,20 @@ struct Fehlberg {
     step = length.usual;
     return {from, to};
   }
-  Vec at(double time) {
-    if (time == to) return y_to;
+  Vec at(double tau) {
+    if (tau == from) return y_from;
+    if (tau == to) return y_to;
     Vec y;
-    plain.do_step(system, y_from, from, y, time - from);
+    plain.do_step(system, y_from, from, y, tau - from);
     return y;
   }
 };
 
 Result fehlberg(const Problem &problem, double tolerance) {
   return with_events(problem, stick_below(tolerance),
-                     [&](const TwoMasses &chain, const std::array<bool, 2> &held, long long &work) {
+                     [&](const TwoMasses &chain, const GapState &now, long long &work) {
                        return Fehlberg{make_controlled(tolerance, tolerance, Fehlberg::Stepper()),
-                                       {chain, held, work}};
+                                       {chain, now, work}};
                      });
 }
 

@@ -73,21 +73,21 @@ ClosedForm closed_form(const Scene &scene, const std::array<bool, 2> &held) {
 struct Samples {
   const Scene &scene;
   const TwoMasses &chain;
-  const std::array<bool, 2> &held;
+  const GapState &now;
   long long &evaluations;
   std::map<std::array<bool, 2>, ClosedForm> forms = {};  // of the contact modes met
   const ClosedForm *form = nullptr;
-  double start = 0.0, time = 0.0, step = 0.0;
+  double time = 0.0, step = 0.0;
   std::array<Complex, 2> factor = {};  // of the modes
 
-  void restart(const GapState &now, double at_most) {
-    auto known = forms.find(held);
-    if (known == forms.end()) known = forms.emplace(held, closed_form(scene, held)).first;
+  void restart(double at_most) {
+    auto known = forms.find(now.held);
+    if (known == forms.end()) known = forms.emplace(now.held, closed_form(scene, now.held)).first;
     form = &known->second;
-    start = time = now.time;
+    time = 0.0;
     step = std::min(longest_sample, at_most / samples_per_flight);
     const TwoMassState state = physical_state(chain, now);
-    const Complex turn = std::polar(1.0, chain.omega * start);
+    const Complex turn = std::polar(1.0, chain.omega * now.time);
     for (std::size_t j = 0; j < form->modes.size(); ++j) {
       const auto &[shape, exponent] = form->modes[j];
       double q = 0.0, rate = 0.0;  // of what rings
@@ -110,13 +110,13 @@ struct Samples {
     return {from, time};
   }
 
-  Vec at(double t) {
+  Vec at(double tau) {
     ++evaluations;
-    const Complex turn = std::polar(1.0, chain.omega * t);
+    const Complex turn = std::polar(1.0, chain.omega * (now.time + tau));
     std::array<double, 2> x{}, v{};
     for (std::size_t j = 0; j < form->modes.size(); ++j) {
       const auto &[shape, exponent] = form->modes[j];
-      const Complex q = factor[j] * std::exp(exponent * (t - start)), rate = exponent * q;
+      const Complex q = factor[j] * std::exp(exponent * tau), rate = exponent * q;
       for (std::size_t i = 0; i < 2; ++i) {
         x[i] += shape[i] * q.real();
         v[i] += shape[i] * rate.real();
@@ -124,7 +124,7 @@ struct Samples {
     }
     Vec y{};
     for (std::size_t i = 0; i < 2; ++i) {
-      if (held[i]) continue;
+      if (now.held[i]) continue;
       const Complex steady = form->steady[i] * turn;
       y[2 * i] = chain.side[i] * (chain.stop[i] - x[i] - form->rest[i] - steady.real());
       y[2 * i + 1] = -chain.side[i] * (v[i] - chain.omega * steady.imag());
@@ -136,8 +136,8 @@ struct Samples {
 Result plain_scheme(const Problem &problem, double threshold) {
   return with_events(
       problem, threshold,
-      [&](const TwoMasses &chain, const std::array<bool, 2> &held, long long &work) {
-        return Samples{problem.scene, chain, held, work};
+      [&](const TwoMasses &chain, const GapState &now, long long &work) {
+        return Samples{problem.scene, chain, now, work};
       },
       Search::bisection);
 }

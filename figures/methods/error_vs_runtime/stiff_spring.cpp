@@ -48,16 +48,16 @@ Result integrate(const Problem &problem, double kappa) {
       now.y[2 * i] =
           springs.chain.acceleration(i, now.y, std::cos(springs.chain.omega * now.time)) /
           springs.stiffness[i];
-  const auto system = [&](const Vec &y, Vec &dydt, double t) {
+  const auto system = [&](const Vec &y, Vec &dydt, double tau) {
     ++result.work;
-    right_hand_side(springs.chain, {false, false}, y, dydt, t);
+    right_hand_side(springs.chain, {false, false}, y, dydt, now.time + tau);
     for (std::size_t i = 0; i < 2; ++i)
       if (springs.contact[i])
         dydt[2 * i + 1] -= springs.stiffness[i] * y[2 * i] + springs.damping[i] * y[2 * i + 1];
   };
   const auto stepper = boost::numeric::odeint::make_dense_output(
       1e-3 / kappa, 1e-9, boost::numeric::odeint::runge_kutta_dopri5<Vec>());
-  DenseOutput<Vec, std::decay_t<decltype(stepper)>, decltype(system)> steps{stepper, system};
+  DenseOutput<Vec, std::decay_t<decltype(stepper)>, decltype(system)> steps{now, stepper, system};
   const double first_step = 0.1 / std::sqrt(kappa);
 
   // A contact that has lasted counts as a stick from its beginning, unless it was there at first.
