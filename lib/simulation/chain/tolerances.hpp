@@ -12,7 +12,7 @@ constexpr double stiff = 16.0;             // ratio of rates from which on lanes
 constexpr double rounding = 0x1p-49;      // of a reading, in the sum of the moduli of its terms
 constexpr double lost = 0x1p-60;          // what is lost in the rounding of the rest
 constexpr double wide = 0x1p-10;          // gap in the size of its reading: read off the lanes
-constexpr double narrow = 0x1p-30;        // gap that may still be read off once
+constexpr double narrow = 0x1p-30;        // margin of what stays clear beside a limit
 constexpr double same_instant = 0x1p-46;  // time, in units of the fastest rate
 
 constexpr double max_reach = 2.0;        // rate * span of the longest expansion

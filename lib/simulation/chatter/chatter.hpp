@@ -108,6 +108,7 @@ struct Chatter {
   std::size_t stride = 1;
   ChatterTable table;
   typename State<D>::Lanes pushes, speeds;  // of `others_stay_clear`
+  State<D> responses;                       // of `move_to_limit`, to the impacts to come
 
   bool under_way() const {
     return !impacts.times.empty();

@@ -55,18 +55,19 @@ bool others_stay_clear(Chatter<D> &chatter, const State<D> &state, double left) 
     const Contact<D> &contact = mode.contacts[k];
     const Reading<D> &watched = contact.watched;
     const double jumps = contact.held ? (watched.on_slope.abs() * pushes).sum() : 0.0;
-    // A narrow gap read off the lanes has rounding in it, but no more than the motion itself.
+    // What is read off the lanes has rounding in it, but no more than the motion itself.
     if (!stays_clear(state, contact, watched_now(state, contact), speeds, left, narrow, jumps))
       return false;
   }
   return true;
 }
 
-// Adds to the lanes the responses to impacts with these moments, of orders from `from` to `to`, in
-// units of powers of the span of the path.
+// Adds to the lanes, and to what was added before, the responses to impacts with these moments, of
+// orders from `from` to `to`, in units of powers of the span of the path.
 template <int D>
-void add_responses(State<D> &state, const typename Chatter<D>::Hit &hit, const Expansion &path,
-                   const Weights<D> &flow, const double *moments, int from, int to) {
+void add_responses(State<D> &state, State<D> &sum, const typename Chatter<D>::Hit &hit,
+                   const Expansion &path, const Weights<D> &flow, const double *moments, int from,
+                   int to) {
   const ContactMode<D> &mode = *state.mode;
   for (Eigen::Index i = 0; i < mode.modal_lanes(); ++i) {
     OscillatorState response{0.0, 0.0};
@@ -78,6 +79,8 @@ void add_responses(State<D> &state, const typename Chatter<D>::Hit &hit, const E
     const auto added = lane_after(mode, i, hit.jump_value(i), hit.jump_slope(i), response);
     state.value(i) += added.value;
     state.slope(i) += added.slope;
+    sum.value(i) += added.value;
+    sum.slope(i) += added.slope;
   }
 }
 
@@ -125,22 +128,30 @@ Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit
   return moments;
 }
 
-// Moves the state, just after the latest impact, to the limit, with the masses hit at rest on their
-// stops. Returns an estimate of the error of the responses relative to the jump of the oldest
-// impact used: what its node changes in the moments, as the fastest mode feels it. (Where the mass
-// itself hardly feels that mode, the error of the time of the limit does not show it.)
+// Sets the state to that at the limit, from `before`, just after the latest impact, with the masses
+// hit at rest on their stops. A narrow gap beside them is carried, as on a flight, with the
+// responses on their own: their size is not that of the lanes. Returns an estimate of the error of
+// the responses relative to the jump of the oldest impact used: what its node changes in the
+// moments, as the fastest mode feels it. (Where the mass itself hardly feels that mode, the error
+// of the time of the limit does not show it.)
 template <int D>
-double move_to_limit(const Chatter<D> &chatter, const ChatterLimit &limit, const Scene &scene,
-                     const Clock &clock, Weights<D> &weights, const Expansion &path,
-                     State<D> &state) {
-  const ContactMode<D> &mode = *state.mode;
+double move_to_limit(Chatter<D> &chatter, const ChatterLimit &limit, const Scene &scene,
+                     const Clock &clock, double scene_rate, Weights<D> &weights,
+                     const Expansion &path, const State<D> &before, State<D> &state,
+                     Counters &counters) {
+  const ContactMode<D> &mode = *before.mode;
+  State<D> &responses = chatter.responses;
+  responses.value.setZero(mode.lanes());
+  responses.slope.setZero(mode.lanes());
+  state = before;
   const std::size_t hits = chatter.hits.size(), oldest = chatter.table.nodes[limit.oldest].impact;
   if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);
   move_lanes(state, scene, clock, weights, path, path.span);
   double error = 0.0;
   for (std::size_t j = 0; j < hits; ++j) {
     const Moments moments = extrapolate_moments(chatter, limit, j, path);
-    add_responses(state, chatter.hits[j], path, weights, moments.of.data(), 2, path.order);
+    add_responses(state, responses, chatter.hits[j], path, weights, moments.of.data(), 2,
+                  path.order);
     double sum = 0.0, power = path.power[1];
     for (int n = 2; n <= path.order; ++n)
       sum += std::abs(moments.change[static_cast<std::size_t>(n)]) * (power *= path.power[1] / n);
@@ -150,16 +161,24 @@ double move_to_limit(const Chatter<D> &chatter, const ChatterLimit &limit, const
   for (std::size_t j = 0; j < hits; ++j) {
     const double gap = watched_now(state, mode.contacts[chatter.impacts.contacts[j]]);
     const double moments[2] = {0.0, -gap / path.span};
-    add_responses(state, chatter.hits[j], path, weights, moments, 1, 1);
+    add_responses(state, responses, chatter.hits[j], path, weights, moments, 1, 1);
   }
   tie_decays(state);
   for (const std::size_t k : chatter.impacts.contacts) place_at_stop(state, mode.contacts[k], 0.0);
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact<D> &contact = mode.contacts[k];
-    if (contact.held || chatter.hits_contact(k))
+    if (contact.held || chatter.hits_contact(k)) {
       set_in_flight(state.stops[contact.stop]);
-    else
-      read_gap(state, contact);  // it is clear
+    } else if (is_wide(state, contact)) {
+      read_gap(state, contact);
+    } else {
+      Polynomial gap;
+      read_along(before, k, weights, path, scene_rate, gap, counters);
+      const Jet carried = jet_at(gap, 0, 1.0);
+      const auto &on_lanes = contact.watched.on_value;
+      set_in_flight(state.stops[contact.stop], carried.value + (on_lanes * responses.value).sum(),
+                    carried.slope / path.span + (on_lanes * responses.slope).sum());
+    }
   }
   return error;
 }
