@@ -36,35 +36,27 @@ inline BorderChatter border_chatter_of(const Real &r) {
   return {shrink, number, dnext / dnumber};
 }
 
-/// By how much the chatter of `mass` that is nearest to the border one leaves it: the number above
-/// at the impact at which the mass is taken to stick, without what falls with the flights (from the
-/// impact before), brought back to the start of the chatter by the growth. Filled while a run goes
-/// on.
-struct BorderDistance {
-  const Scene &scene;
-  std::size_t stop;
-  BorderChatter border;
-  std::optional<Real> before = {}, nearest = {}, distance = {};
-
-  Real value() const {
-    if (!distance) throw std::runtime_error("border orbit: no chatter ends in a stick");
-    return *distance;
-  }
-
-  void observe(const Flow &flow, const Real &, const std::vector<Event> &events) {
-    const std::size_t mass = scene.stops[stop].mass;
-    if (events.empty() || events.back().mass != mass || events.back().time != flow.start_time)
-      return;
-    const bool sticks = events.back().kind == Event::Kind::stick;
-    if (!sticks && events.back().kind != Event::Kind::impact) return;
-    const Real speed = abs(sticks ? events.back().velocity_before : events.back().velocity_after);
+/// By how much the chatter at stop `stop` that is nearest to the border one leaves it: the number
+/// above at the impact at which the mass is taken to stick, without what falls with the flights
+/// (from the impact before), brought back to the start of the chatter by the growth. Throws
+/// std::runtime_error if no chatter of the run ends in a stick.
+inline Real border_distance(const Scene &scene, const Run &run, std::size_t stop,
+                            const BorderChatter &border) {
+  const std::size_t mass = scene.stops[stop].mass;
+  std::optional<Real> before, nearest, distance;
+  for (const Piece &piece : run.pieces) {
+    if (piece.events_before == 0) continue;
+    const Event &event = run.events[piece.events_before - 1];
+    if (event.mass != mass || event.kind == Event::Kind::release) continue;
+    const bool sticks = event.kind == Event::Kind::stick;
+    const Real speed = abs(sticks ? event.velocity_before : event.velocity_after);
     const Signal pressing =
-        pressing_signal(scene.chain, scene.stops[stop], motion_at(flow, Real(0)));
+        pressing_signal(scene.chain, scene.stops[stop], motion_at(piece.flow, Real(0)));
     const Real a = pressing.value / scene.chain.masses[mass];
     const Real j = -pressing.rate / scene.chain.masses[mass];
     if (a <= 0 || j <= 0 || speed <= 0) {
       before.reset();
-      return;
+      continue;
     }
     const Real number = a / sqrt(speed * j);
     if (sticks && before && (!nearest || abs(number - border.number) < *nearest)) {
@@ -75,7 +67,9 @@ struct BorderDistance {
     }
     before = number;
   }
-};
+  if (!distance) throw std::runtime_error("border orbit: no chatter ends in a stick");
+  return *distance;
+}
 
 /// The frequency near that of the scene at which a chatter at stop `stop` ends on the border: the
 /// orbit and the frequency are solved for with the chatter followed down to ever lower speeds v,
@@ -86,11 +80,13 @@ inline Located border_frequency(Scene scene, std::size_t stop, int periods, int 
   const BorderChatter border = border_chatter_of(scene.restitution);
   SoughtOrbit orbit =
       orbit_from_rest(std::move(scene), periods, settling, resolution_down_to(floors.front()));
-  const auto distance = [&](const Scene &at) { return BorderDistance{at, stop, border}; };
-  Matrix inverse;
+  const auto distance = [&](const Scene &at, const Run &run) {
+    return border_distance(at, run, stop, border);
+  };
+  SquareMatrix inverse;
   Located located{0, 1};
   for (std::size_t k = 0; k < floors.size(); ++k) {
-    if (k == 1) inverse.clear();  // the derivatives at the first floor are coarse
+    if (k == 1) inverse.resize(0, 0);  // the derivatives at the first floor are coarse
     const Real left_out = pow(floors[k], Real("1.5"));
     const Real step = solve_orbit(orbit, inverse, resolution_down_to(floors[k]), distance, Real(0),
                                   left_out / 100);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -109,15 +110,16 @@ struct Flow {
   Real frequency;
   Vector rest_positions;          // of every mass; used for the resting ones
   std::vector<std::size_t> free;  // the moving masses
-  Matrix shapes;                  // x_free = shapes q, mass-normalised
+  std::shared_ptr<const Eigensystem> eigen;
   std::vector<Mode> modes;
 };
 
 /// The eigensystem of the free masses of each contact mode met so far, by the resting masses: a
 /// large chain is not decomposed again at every event.
-using Eigensystems = std::map<std::vector<bool>, Eigensystem>;
+using Eigensystems = std::map<std::vector<bool>, std::shared_ptr<const Eigensystem>>;
 
-/// Modes of the masses that do not rest: M^-1/2 K M^-1/2 on their rows.
+/// Modes of the masses that do not rest: M^-1/2 K M^-1/2 on their rows. The vectors are
+/// mass-normalised: x_free = vectors q.
 inline Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
                                     const std::vector<std::size_t> &free) {
   const std::size_t size = free.size();
@@ -127,7 +129,11 @@ inline Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
       scaled[i][j] = k[free[i]][free[j]] / sqrt(chain.masses[free[i]] * chain.masses[free[j]]);
     }
   }
-  return jacobi_eigensystem(std::move(scaled));
+  Eigensystem eigen = jacobi_eigensystem(std::move(scaled));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (Real &entry : eigen.vectors[i]) entry /= sqrt(chain.masses[free[i]]);
+  }
+  return eigen;
 }
 
 /// Builds the flow from positions x and velocities v at time t; `resting[p]` says that mass p is
@@ -151,14 +157,11 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
       if (resting[s]) load[i] -= k[p][s] * x[s];
     }
   }
-  auto found = known.find(resting);
-  if (found == known.end())
-    found = known.emplace(resting, free_eigensystem(chain, k, flow.free)).first;
-  const Eigensystem &eigen = found->second;
-  flow.shapes = eigen.vectors;
-  for (std::size_t i = 0; i < size; ++i) {
-    for (Real &entry : flow.shapes[i]) entry /= sqrt(chain.masses[flow.free[i]]);
-  }
+  flow.eigen = known[resting];
+  if (!flow.eigen)
+    known[resting] = flow.eigen =
+        std::make_shared<Eigensystem>(free_eigensystem(chain, k, flow.free));
+  const Matrix &shapes = flow.eigen->vectors;
 
   const Real phase = chain.frequency * t;
   const Real cosine = cos(phase);
@@ -166,7 +169,7 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
   const Real critical = small(40);
   for (std::size_t j = 0; j < size; ++j) {
     Mode mode;
-    mode.lambda = eigen.values[j];
+    mode.lambda = flow.eigen->values[j];
     mode.decay = chain.damping_ratio * mode.lambda / 2;
     const Real discriminant = mode.lambda - mode.decay * mode.decay;
     // Within 1e-40 of critical the two forms differ from the critical one by less than the working
@@ -178,10 +181,10 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
     Real q, dq, constant;
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t p = flow.free[i];
-      mode.forcing += flow.shapes[i][j] * chain.amplitudes[p];
-      constant += flow.shapes[i][j] * load[i];
-      q += flow.shapes[i][j] * chain.masses[p] * x[p];
-      dq += flow.shapes[i][j] * chain.masses[p] * v[p];
+      mode.forcing += shapes[i][j] * chain.amplitudes[p];
+      constant += shapes[i][j] * load[i];
+      q += shapes[i][j] * chain.masses[p] * x[p];
+      dq += shapes[i][j] * chain.masses[p] * v[p];
     }
     const Real omega = chain.frequency;
     const Real detuning = mode.lambda - omega * omega;
@@ -259,10 +262,10 @@ inline Motion motion_at(const Flow &flow, const Real &tau) {
     const Real dddq = -omega * mode.forcing * motion.sine - 2 * mode.decay * ddq - mode.lambda * dq;
     for (std::size_t i = 0; i < flow.free.size(); ++i) {
       const std::size_t p = flow.free[i];
-      motion.x[p] += flow.shapes[i][j] * q;
-      motion.v[p] += flow.shapes[i][j] * dq;
-      motion.a[p] += flow.shapes[i][j] * ddq;
-      motion.jerk[p] += flow.shapes[i][j] * dddq;
+      motion.x[p] += flow.eigen->vectors[i][j] * q;
+      motion.v[p] += flow.eigen->vectors[i][j] * dq;
+      motion.a[p] += flow.eigen->vectors[i][j] * ddq;
+      motion.jerk[p] += flow.eigen->vectors[i][j] * dddq;
     }
   }
   return motion;

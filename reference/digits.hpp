@@ -1,15 +1,15 @@
 // The number type of the whole generator, and thresholds that follow its digits.
 //
-// The same source makes two programs: the folder on the include path, digits_50 or digits_100, says
-// which type Real is.
+// The same source makes two programs: REFERENCE_DIGITS is 50 or 100.
 #pragma once
 
-#include "number.hpp"
-
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
 #include <string>
 
 namespace vibro_impact_reference {
+
+using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<REFERENCE_DIGITS>>;
 
 /// 10^-exponent with 50 digits; the same part of all digits with more.
 inline Real small(int exponent) {

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -57,10 +56,30 @@ struct Event {
   Real velocity_before;
   Real velocity_after;
   std::vector<bool> stuck;  // per mass, after the event
+  Real pressing = 0;        // of a stick that ends a chatter: the force into the stop
 };
 
-/// Called once for every piece of smooth motion with its flow and its duration.
-using FlowObserver = std::function<void(const Flow &, const Real &duration)>;
+/// A piece of smooth motion, and how many events came before it.
+struct Piece {
+  Flow flow;
+  Real duration;
+  std::size_t events_before;
+};
+
+/// What a simulation leaves, in the order of time, and the contact modes it has met.
+struct Run {
+  std::vector<Event> events = {};
+  std::vector<Piece> pieces = {};
+  Eigensystems known = {};
+};
+
+/// When the chatter that ends in this stick is complete, with the flights that the generator leaves
+/// out: they last 2 v / a (1 + r + r^2 + ...), up to the relative change of the acceleration
+/// a over them, which is as small as they are.
+inline Real completion(const Scene &scene, const Event &stick) {
+  const Real acceleration = stick.pressing / scene.chain.masses[stick.mass];
+  return stick.time + 2 * abs(stick.velocity_before) / (acceleration * (1 - scene.restitution));
+}
 
 /// First sampling step: a quarter of the shortest flight about to end, as far as gap, speed and
 /// acceleration tell. The step then doubles from sample to sample, so it soon outgrows a wrong
@@ -136,14 +155,14 @@ inline NextEvents find_next(const Scene &scene, const State &state, const Flow &
 /// Decides who of the masses at rest at the stops `in_question` is held (at_rest.hpp), and records
 /// the sticks and releases that follow.
 inline void decide(const Scene &scene, State &state, const std::vector<std::size_t> &in_question,
-                   Eigensystems &known, std::vector<Event> &events) {
+                   Run &run) {
   std::vector<bool> stuck = stuck_masses(state);
-  decide_at_rest(scene, state, in_question, known);
+  decide_at_rest(scene, state, in_question, run.known);
   for (std::size_t p = 0; p < stuck.size(); ++p) {
     if (stuck[p] == state.stuck_on[p].has_value()) continue;
     stuck[p] = !stuck[p];
-    events.push_back({state.time, p, stuck[p] ? Event::Kind::stick : Event::Kind::release, Real(0),
-                      Real(0), stuck});
+    run.events.push_back({state.time, p, stuck[p] ? Event::Kind::stick : Event::Kind::release,
+                          Real(0), Real(0), stuck});
   }
 }
 
@@ -153,11 +172,10 @@ inline void decide(const Scene &scene, State &state, const std::vector<std::size
 /// fallen; where several hold forces are zero at once, or one of a mass at rest after an impact
 /// without rebound, it is decided by trial.
 inline void apply_events(const Scene &scene, State &state, const std::vector<std::size_t> &stops,
-                         const Resolution &resolution, Eigensystems &known,
-                         std::vector<Event> &events) {
-  const auto record = [&](std::size_t mass, Event::Kind kind, const Real &before,
-                          const Real &after) {
-    events.push_back({state.time, mass, kind, before, after, stuck_masses(state)});
+                         const Resolution &resolution, Run &run) {
+  const auto record = [&](std::size_t mass, Event::Kind kind, const Real &before, const Real &after,
+                          const Real &pressing = Real(0)) {
+    run.events.push_back({state.time, mass, kind, before, after, stuck_masses(state), pressing});
   };
   std::vector<std::size_t> hit, fallen, in_question;
   for (const std::size_t i : stops) {
@@ -181,7 +199,7 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
       const Real before = state.v[p];
       state.v[p] = 0;
       state.stuck_on[p] = i;
-      record(p, Event::Kind::stick, before, Real(0));
+      record(p, Event::Kind::stick, before, Real(0), pressing);
     } else if (pressing < -resolution.pressing_floor) {
       if (state.v[p] == 0) state.stop_start[i] = Start::pulled;  // hit without rebound
     } else if (state.v[p] == 0) {
@@ -213,18 +231,14 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
   if (in_question.size() == 1 && in_question == fallen)
     let_go(fallen.front(), Start::let_go);
   else if (!in_question.empty())
-    decide(scene, state, in_question, known, events);
+    decide(scene, state, in_question, run);
 }
 
 /// The state at t = 0; a mass that starts on a stop hits it, rests on it, or leaves it, as its
 /// speed and the force say; where the force is zero (all at rest, stop at zero) it is decided by
 /// trial.
-inline State initial_state(const Scene &scene, const Resolution &resolution, Eigensystems &known,
-                           std::vector<Event> &events) {
-  const std::size_t n = scene.chain.masses.size();
-  State state{Real(0), scene.initial_positions, scene.initial_velocities,
-              std::vector<std::optional<std::size_t>>(n),
-              std::vector<Start>(scene.stops.size(), Start::apart)};
+inline State initial_state(const Scene &scene, const Resolution &resolution, Run &run) {
+  State state = free_state(scene, Real(0), scene.initial_positions, scene.initial_velocities);
   std::vector<std::size_t> hit, at_rest, in_question;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
     const Stop &stop = scene.stops[i];
@@ -234,7 +248,7 @@ inline State initial_state(const Scene &scene, const Resolution &resolution, Eig
     if (closing > 0) hit.push_back(i);
     if (closing == 0) at_rest.push_back(i);
   }
-  apply_events(scene, state, hit, resolution, known, events);
+  apply_events(scene, state, hit, resolution, run);
   for (const std::size_t i : at_rest) {
     const std::size_t p = scene.stops[i].mass;
     const Real pressing = pressing_now(scene, state, i);
@@ -244,23 +258,21 @@ inline State initial_state(const Scene &scene, const Resolution &resolution, Eig
       state.stop_start[i] = Start::pulled;
     } else {
       state.stuck_on[p] = i;
-      events.push_back({state.time, p, Event::Kind::stick, Real(0), Real(0), stuck_masses(state)});
+      run.events.push_back(
+          {state.time, p, Event::Kind::stick, Real(0), Real(0), stuck_masses(state)});
     }
   }
-  if (!in_question.empty()) decide(scene, state, in_question, known, events);
+  if (!in_question.empty()) decide(scene, state, in_question, run);
   return state;
 }
 
-/// Carries a state on to the end time of the scene and appends every event in order. `known` are
-/// the contact modes met so far.
-inline void advance(const Scene &scene, State &state, Eigensystems &known,
-                    std::vector<Event> &events, const FlowObserver &observe = {},
-                    const Resolution &resolution = {}) {
+/// Carries a state on to the end time of the scene and appends every event and every piece of
+/// motion to the run.
+inline void advance(const Scene &scene, State &state, Run &run, const Resolution &resolution = {}) {
   while (state.time < scene.end_time) {
     const std::vector<bool> stuck = stuck_masses(state);
-    const Flow flow = flow_from(scene.chain, state.time, state.x, state.v, stuck, known);
+    const Flow flow = flow_from(scene.chain, state.time, state.x, state.v, stuck, run.known);
     const NextEvents next = find_next(scene, state, flow, scene.end_time - state.time, resolution);
-    if (observe) observe(flow, next.duration);
     const Motion motion = motion_at(flow, next.duration);
     state.time += next.duration;
     state.x = motion.x;  // resting masses keep their stop's position and zero speed exactly
@@ -268,23 +280,20 @@ inline void advance(const Scene &scene, State &state, Eigensystems &known,
     std::fill(state.stop_start.begin(), state.stop_start.end(), Start::apart);
     state.decided.clear();
     state.decided_for = 0;
+    run.pieces.push_back({flow, next.duration, run.events.size()});
     if (next.stops.empty()) break;
-    apply_events(scene, state, next.stops, resolution, known, events);
+    apply_events(scene, state, next.stops, resolution, run);
   }
 }
 
-/// Simulates a scene from t = 0 to its end time and returns every event in order. Events of several
-/// masses at one instant carry the same time. Throws std::invalid_argument for a scene that breaks
-/// a rule of require_valid, and std::runtime_error if a bounce under a vanishing hold force becomes
-/// too slow for the working precision.
-inline std::vector<Event> simulate(const Scene &scene, const FlowObserver &observe = {},
-                                   const Resolution &resolution = {}) {
-  require_valid(scene);
-  std::vector<Event> events;
-  Eigensystems known;
-  State state = initial_state(scene, resolution, known, events);
-  advance(scene, state, known, events, observe, resolution);
-  return events;
+/// Simulates a scene from t = 0 to its end time. Events of several masses at one instant carry the
+/// same time. Throws std::runtime_error if a bounce under a vanishing hold force becomes too slow
+/// for the working precision.
+inline Run simulate(const Scene &scene, const Resolution &resolution = {}) {
+  Run run;
+  State state = initial_state(scene, resolution, run);
+  advance(scene, state, run, resolution);
+  return run;
 }
 
 }  // namespace vibro_impact_reference

@@ -1,4 +1,4 @@
-// Where a motion, and a hold force, come closest to something: observers of a simulation.
+// Where a motion, and a hold force, come closest to something.
 #pragma once
 
 #include "event_driven.hpp"
@@ -6,16 +6,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 
 namespace vibro_impact_reference {
 
-/// Smallest and largest position of each mass over [from, to], and when the largest is met first,
-/// filled by an observer of simulate.
-/// Extremes are at zeros of the velocity (sampled, then bisected) or where one piece of motion
-/// meets the next.
+/// Smallest and largest position of each mass, and when the largest is met first.
 struct Extremes {
   Vector lowest, highest, highest_at;
 };
+
+inline bool moves(std::size_t mass, const Flow &flow) {
+  return std::find(flow.free.begin(), flow.free.end(), mass) != flow.free.end();
+}
 
 inline void extend_extremes(Extremes &extremes, const Flow &flow, const Real &duration,
                             const Real &from, const Real &to) {
@@ -52,32 +54,44 @@ inline void extend_extremes(Extremes &extremes, const Flow &flow, const Real &du
   }
 }
 
-/// Largest interior local maximum of the hold force on a mass (towards letting go: of -|F|, with
-/// the force's own sign for a lower stop) among the sticking phases that lie after `from`; none if
-/// the force has no such maximum there.
-inline void extend_closest_hold(std::optional<Real> &closest, const Scene &scene,
-                                std::size_t stop_index, const Flow &flow, const Real &duration,
-                                const Real &from) {
-  const Stop &stop = scene.stops[stop_index];
-  const bool free = std::find(flow.free.begin(), flow.free.end(), stop.mass) != flow.free.end();
-  if (free || flow.start_time < from) return;
-  const auto pressing = [&](const Real &tau) {
-    return pressing_signal(scene.chain, stop, motion_at(flow, tau));
-  };
-  const Real step = 2 * acos(Real(-1)) / fastest_rate_at(flow, Real(0)) / 128;
-  Signal at_a = pressing(Real(0));
-  for (Real a = 0; a < duration;) {
-    const Real b = std::min<Real>(a + step, duration);
-    const Signal at_b = pressing(b);
-    if (at_a.rate < 0 && at_b.rate > 0) {  // the pressing is least here
-      const Real turn =
-          bisect([&](const Real &tau) { return pressing(tau).rate < 0; }, a, b, small(36));
-      const Real force = side_sign(stop) * pressing(turn).value;
-      if (!closest || abs(force) < abs(*closest)) closest = force;
+/// The extremes of a motion over [from, to]: at zeros of the velocity (sampled, then bisected) or
+/// where one piece of motion meets the next. `held`: only while this mass rests on its stop.
+inline Extremes extremes(const Run &run, const Real &from, const Real &to,
+                         std::optional<std::size_t> held = {}) {
+  Extremes result;
+  for (const Piece &piece : run.pieces)
+    if (!held || !moves(*held, piece.flow))
+      extend_extremes(result, piece.flow, piece.duration, from, to);
+  return result;
+}
+
+/// How hard a mass is pressed into its stop where that is least inside its sticking phases that
+/// begin after `from`: the local minimum nearest to zero. Throws std::runtime_error if there is
+/// none.
+inline Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const Real &from) {
+  std::optional<Real> least;
+  for (const auto &[flow, duration, events_before] : run.pieces) {
+    if (moves(scene.stops[stop].mass, flow) || flow.start_time < from) continue;
+    const auto pressing = [&, &held = flow](const Real &tau) {
+      return pressing_signal(scene.chain, scene.stops[stop], motion_at(held, tau));
+    };
+    const Real step = 2 * acos(Real(-1)) / fastest_rate_at(flow, Real(0)) / 128;
+    Signal at_a = pressing(Real(0));
+    for (Real a = 0; a < duration;) {
+      const Real b = std::min<Real>(a + step, duration);
+      const Signal at_b = pressing(b);
+      if (at_a.rate < 0 && at_b.rate > 0) {
+        const Real turn =
+            bisect([&](const Real &tau) { return pressing(tau).rate < 0; }, a, b, small(36));
+        const Real value = pressing(turn).value;
+        if (!least || abs(value) < abs(*least)) least = value;
+      }
+      at_a = at_b;
+      a = b;
     }
-    at_a = at_b;
-    a = b;
   }
+  if (!least) throw std::runtime_error("no least force in a sticking phase");
+  return *least;
 }
 
 }  // namespace vibro_impact_reference

@@ -2,13 +2,13 @@
 // beside this file.
 #include "event_driven.hpp"
 #include "extremes.hpp"
+#include "filled_table.hpp"
 #include "key_numbers.hpp"
 #include "located.hpp"
 #include "scenes.hpp"
 #include "work_precision.hpp"
 
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -82,45 +82,12 @@ std::string events_table(const std::vector<Event> &events, std::size_t masses) {
   return columns + event_rows(events, Vector(masses, kept_speed), "");
 }
 
-/// Writes under a temporary name and renames, so that no half-written table is ever seen; an empty
-/// path means stdout.
-void write_table(const std::string &path, const std::string &table) {
-  if (path.empty()) {
-    std::cout << table;
-    return;
-  }
-  const std::string temporary = path + ".partial";
-  {
-    std::ofstream file(temporary);
-    file << table;
-    file.close();
-    if (!file) {
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw std::runtime_error("output '" + path + "': cannot be written");
-    }
-  }
-  std::filesystem::rename(temporary, path);
-}
-
-void report(const std::string &name, const std::vector<Event> &events) {
-  std::size_t impacts = 0, sticks = 0, releases = 0;
-  for (const Event &e : events) {
-    impacts += e.kind == Event::Kind::impact;
-    sticks += e.kind == Event::Kind::stick;
-    releases += e.kind == Event::Kind::release;
-  }
-  std::cerr << name << ": " << impacts << " impacts, " << sticks << " sticks, " << releases
-            << " releases\n";
-}
-
 /// The events of all these cases, one table.
 std::string cases_table(const std::vector<vibro_impact::extremes::Case> &cases) {
   std::string table = std::string("case,") + columns;
   for (const auto &extreme : cases) {
     const Scene scene = in_digits(extreme);
-    const std::vector<Event> events = simulate(scene, {}, resolution_of(extreme));
-    report(scene.name, events);
+    const std::vector<Event> events = simulate(scene, resolution_of(extreme)).events;
     Vector slowest(scene.chain.masses.size());
     for (const Event &e : events) {
       const Real speed = kept_speed * abs(e.velocity_before);
@@ -142,49 +109,35 @@ std::string work_precision_table(bool states) {
   return table;
 }
 
-int run(const std::vector<std::string> &arguments) {
-  if (arguments.empty() || arguments.size() > 2) {
-    std::cerr << "usage: generate <scene> [out.csv]   with scene one of figure2, figure4a, "
-                 "figure4b, figure5a, figure5b, "
-                 "figure5c, key_numbers, located, extremes, degenerate, work_precision_states, "
-                 "work_precision_events\n";
-    return 2;
-  }
-  const std::string path = arguments.size() > 1 ? arguments[1] : "";
-  if (arguments[0] == "key_numbers") {
-    write_table(path, key_numbers_table());
-    return 0;
-  }
-  if (arguments[0] == "located") {
-    write_table(path, located_table());
-    return 0;
-  }
-  if (arguments[0] == "extremes") {
-    write_table(path, cases_table(cases_in_digits()));
-    return 0;
-  }
-  if (arguments[0] == "degenerate") {
-    write_table(path, cases_table(vibro_impact::extremes::degenerate_cases()));
-    return 0;
-  }
-  if (arguments[0] == "work_precision_states" || arguments[0] == "work_precision_events") {
-    write_table(path, work_precision_table(arguments[0] == "work_precision_states"));
-    return 0;
-  }
-  const Scene scene = scene_named(arguments[0]);
-  const std::vector<Event> events = simulate(scene);
-  report(scene.name, events);
-  write_table(path, events_table(events, scene.chain.masses.size()));
-  return 0;
+/// Throws std::invalid_argument if there is no table or scene of that name.
+std::string table_named(const std::string &name) {
+  if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
+  if (name == "located") return filled_table("located.csv", located_numbers());
+  if (name == "extremes") return cases_table(cases_in_digits());
+  if (name == "degenerate") return cases_table(vibro_impact::extremes::degenerate_cases());
+  if (name == "work_precision_states") return work_precision_table(true);
+  if (name == "work_precision_events") return work_precision_table(false);
+  const Scene scene = scene_named(name);
+  return events_table(simulate(scene).events, scene.chain.masses.size());
 }
 
 }  // namespace
 
-int main(int argc, char **argv) {
-  try {
-    return run({argv + 1, argv + argc});
-  } catch (const std::exception &error) {
-    std::cerr << "generate: " << error.what() << '\n';
+int main(int argc, char **argv) try {
+  if (argc != 3) {
+    std::cerr
+        << "usage: generate <table> <out.csv>   with table one of figure2, figure4a, figure4b, "
+           "figure5a, figure5b, figure5c, key_numbers, located, extremes, degenerate, "
+           "work_precision_states, work_precision_events\n";
     return 2;
   }
+  const std::string table = table_named(argv[1]);
+  std::ofstream file(argv[2]);
+  file << table;
+  file.close();
+  if (!file) throw std::runtime_error(std::string("output '") + argv[2] + "': cannot be written");
+  return 0;
+} catch (const std::exception &error) {
+  std::cerr << "generate: " << error.what() << '\n';
+  return 2;
 }

@@ -8,14 +8,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace vibro_impact_reference {
-
-/// What a run over the periods of an orbit shows, in the order of time.
-using Observation =
-    std::function<void(const Flow &, const Real &duration, const std::vector<Event> &events)>;
 
 /// A periodic orbit of a scene that is looked for together with its frequency.
 struct SoughtOrbit {
@@ -29,57 +24,32 @@ inline Real period_at(const Real &frequency) {
   return 2 * acos(Real(-1)) / frequency;
 }
 
-/// By how much the orbit through these unknowns fails to close after its periods.
-inline Vector failure_to_close(const SoughtOrbit &orbit, const Vector &unknowns,
-                               const Resolution &resolution, const Observation &observe) {
-  Scene scene = orbit.scene;
-  const std::size_t n = scene.chain.masses.size();
-  scene.chain.frequency = unknowns.back();
-  const Real period = period_at(unknowns.back());
-  scene.end_time = (orbit.phase + orbit.periods) * period;
-  State state{orbit.phase * period,
-              {unknowns.begin(), unknowns.begin() + static_cast<std::ptrdiff_t>(n)},
-              {unknowns.begin() + static_cast<std::ptrdiff_t>(n), unknowns.end() - 1},
-              std::vector<std::optional<std::size_t>>(n),
-              std::vector<Start>(scene.stops.size(), Start::apart)};
-  Eigensystems known;
-  std::vector<Event> events;
-  advance(
-      scene, state, known, events,
-      [&](const Flow &flow, const Real &duration) { observe(flow, duration, events); }, resolution);
-  Vector failure;
-  for (std::size_t i = 0; i < n; ++i) failure.push_back(state.x[i] - unknowns[i]);
-  for (std::size_t i = 0; i < n; ++i) failure.push_back(state.v[i] - unknowns[n + i]);
-  return failure;
-}
-
 /// The motion from rest after `settling` orbits, as a start: its state in the middle of the longest
 /// stretch without event in which no mass rests on a stop.
 inline SoughtOrbit orbit_from_rest(Scene scene, int periods, int settling,
                                    const Resolution &resolution) {
   const Real period = period_at(scene.chain.frequency);
-  Eigensystems known;
-  std::vector<Event> events;
-  State state = initial_state(scene, resolution, known, events);
+  Run run;
+  State state = initial_state(scene, resolution, run);
   const Real settled = settling * periods * period;
   scene.end_time = settled;
-  advance(scene, state, known, events, {}, resolution);
+  advance(scene, state, run, resolution);
   const State start = state;
-  events.clear();
+  run.events.clear();
   scene.end_time = settled + periods * period;
-  advance(scene, state, known, events, {}, resolution);
+  advance(scene, state, run, resolution);
   Real longest = 0, middle = 0;
-  for (std::size_t i = 0; i + 1 < events.size(); ++i) {
-    const std::vector<bool> &stuck = events[i].stuck;
+  for (std::size_t i = 0; i + 1 < run.events.size(); ++i) {
+    const std::vector<bool> &stuck = run.events[i].stuck;
     if (std::find(stuck.begin(), stuck.end(), true) != stuck.end()) continue;
-    const Real gap = events[i + 1].time - events[i].time;
+    const Real gap = run.events[i + 1].time - run.events[i].time;
     if (gap <= longest) continue;
     longest = gap;
-    middle = (events[i].time + events[i + 1].time) / 2;
+    middle = (run.events[i].time + run.events[i + 1].time) / 2;
   }
   state = start;
   scene.end_time = middle;
-  advance(scene, state, known, events, {}, resolution);
+  advance(scene, state, run, resolution);
   SoughtOrbit orbit{scene, periods, (middle - settled) / period, state.x};
   orbit.unknowns.insert(orbit.unknowns.end(), state.v.begin(), state.v.end());
   orbit.unknowns.push_back(scene.chain.frequency);
@@ -91,23 +61,28 @@ struct Located {
   Real value, error;
 };
 
+/// What a run over the periods of an orbit comes to.
+using Condition = std::function<Real(const Scene &, const Run &)>;
+
 /// Moves the unknowns of an orbit to where it closes and its condition has the value `target`;
-/// returns the last step. condition_of(scene) makes an observer of a run with observe(flow,
-/// duration, events) and value(). `inverse` as in solve().
-template <class ConditionOf>
-Real solve_orbit(SoughtOrbit &orbit, Matrix &inverse, const Resolution &resolution,
-                 const ConditionOf &condition_of, const Real &target, const Real &tolerance) {
+/// returns the last step. `inverse` as in solve().
+inline Real solve_orbit(SoughtOrbit &orbit, SquareMatrix &inverse, const Resolution &resolution,
+                        const Condition &condition, const Real &target, const Real &tolerance) {
   const auto failure = [&](const Vector &unknowns) {
-    Scene at = orbit.scene;
-    at.chain.frequency = unknowns.back();
-    auto condition = condition_of(at);
-    Vector failures = failure_to_close(
-        orbit, unknowns, resolution,
-        [&](const Flow &flow, const Real &duration, const std::vector<Event> &events) {
-          condition.observe(flow, duration, events);
-        });
-    failures.push_back(condition.value() - target);
-    return failures;
+    Scene scene = orbit.scene;
+    scene.chain.frequency = unknowns.back();
+    const Real period = period_at(unknowns.back());
+    scene.end_time = (orbit.phase + orbit.periods) * period;
+    const auto middle = unknowns.begin() + static_cast<std::ptrdiff_t>(unknowns.size() / 2);
+    State state = free_state(scene, orbit.phase * period, {unknowns.begin(), middle},
+                             {middle, unknowns.end() - 1});
+    Run run;
+    advance(scene, state, run, resolution);
+    Vector at_end = state.x;
+    at_end.insert(at_end.end(), state.v.begin(), state.v.end());
+    for (std::size_t i = 0; i < at_end.size(); ++i) at_end[i] -= unknowns[i];
+    at_end.push_back(condition(scene, run) - target);
+    return at_end;
   };
   return solve(failure, orbit.unknowns, inverse, tolerance);
 }

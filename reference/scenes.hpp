@@ -6,7 +6,6 @@
 #include "reference/scenes/paper_scenes.hpp"
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,7 @@ struct Chain {
   Real frequency;                // Omega
 };
 
-enum class Side { upper, lower };
+using vibro_impact::Side;
 
 /// A rigid stop. An upper stop keeps its mass at x <= position, a lower one at x >= position. The
 /// side is explicit: the sign of the position does not tell it, and a stop may sit at zero.
@@ -43,31 +42,6 @@ struct Scene {
   std::vector<Real> initial_velocities;
   Real end_time;
 };
-
-/// Throws std::invalid_argument, naming the rule, if the scene is not one the generator can
-/// simulate.
-inline void require_valid(const Scene &scene) {
-  const auto require = [](bool holds, const char *rule) {
-    if (!holds) throw std::invalid_argument(rule);
-  };
-  const std::size_t n = scene.chain.masses.size();
-  require(n > 0, "masses: at least one is needed");
-  require(scene.chain.stiffnesses.size() == n, "stiffnesses: one per mass is needed");
-  require(scene.chain.amplitudes.size() == n, "amplitudes: one per mass is needed");
-  require(scene.initial_positions.size() == n, "initial positions: one per mass is needed");
-  require(scene.initial_velocities.size() == n, "initial velocities: one per mass is needed");
-  for (const Real &m : scene.chain.masses) require(m > 0, "masses: must be positive");
-  for (const Real &k : scene.chain.stiffnesses) require(k > 0, "stiffnesses: must be positive");
-  require(scene.chain.damping_ratio >= 0, "damping ratio: must not be negative");
-  require(scene.chain.frequency >= 0, "frequency: must not be negative");
-  require(scene.restitution >= 0 && scene.restitution <= 1, "restitution: must lie in [0, 1]");
-  for (const Stop &stop : scene.stops) {
-    require(stop.mass < n, "stop: its mass is not in the chain");
-    const Real gap =
-        (stop.side == Side::upper ? 1 : -1) * (stop.position - scene.initial_positions[stop.mass]);
-    require(gap >= 0, "initial positions: a mass starts behind its stop");
-  }
-}
 
 /// A scene of reference/scenes, which are in double, as the library computes: every number is taken
 /// over exactly, so that 0.1 is the double nearest to 0.1 here, too.
@@ -90,9 +64,8 @@ inline Scene in_digits(const std::string &name, const vibro_impact::Scene &given
               .initial_velocities = digits(given.velocity, n),
               .end_time = Real(until)};
   for (const vibro_impact::Stop &stop : given.stops) {
-    scene.stops.push_back({static_cast<std::size_t>(stop.mass - 1),
-                           stop.side == vibro_impact::Side::upper ? Side::upper : Side::lower,
-                           Real(stop.position)});
+    scene.stops.push_back(
+        {static_cast<std::size_t>(stop.mass - 1), stop.side, Real(stop.position)});
   }
   return scene;
 }

@@ -71,6 +71,12 @@ struct State {
   Real decided_for = 0;
 };
 
+/// No mass rests on a stop, or has just been there.
+inline State free_state(const Scene &scene, const Real &time, const Vector &x, const Vector &v) {
+  return {time, x, v, std::vector<std::optional<std::size_t>>(x.size()),
+          std::vector<Start>(scene.stops.size(), Start::apart)};
+}
+
 inline std::vector<bool> stuck_masses(const State &state) {
   std::vector<bool> stuck;
   for (const auto &stop : state.stuck_on) stuck.push_back(stop.has_value());

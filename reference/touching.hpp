@@ -2,46 +2,12 @@
 // mass that flies past its stop zero (grazing).
 #pragma once
 
-#include "extremes_of_motion.hpp"
 #include "orbit.hpp"
 
-#include <cstddef>
-#include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace vibro_impact_reference {
-
-/// How hard the mass at a stop is pressed where it comes closest to being let go inside its
-/// sticking phase.
-struct LeastPressing {
-  const Scene &scene;
-  std::size_t stop;
-  std::optional<Real> closest = {};
-
-  void observe(const Flow &flow, const Real &duration, const std::vector<Event> &) {
-    extend_closest_hold(closest, scene, stop, flow, duration, Real(0));
-  }
-  Real value() const {
-    if (!closest) throw std::runtime_error("multi-sliding: no least force in a sticking phase");
-    return side_sign(scene.stops[stop]) * *closest;
-  }
-};
-
-/// How far a mass stays below a place.
-struct Clearance {
-  std::size_t mass;
-  Real place;
-  Extremes extremes = {};
-
-  void observe(const Flow &flow, const Real &duration, const std::vector<Event> &) {
-    extend_extremes(extremes, flow, duration, flow.start_time, flow.start_time + duration);
-  }
-  Real value() const {
-    return place - extremes.highest[mass];
-  }
-};
 
 /// The last coordinate of points, as a polynomial in the value that goes with each, at value zero.
 inline Real at_zero(const std::vector<std::pair<Real, Real>> &points) {
@@ -59,16 +25,15 @@ inline Real at_zero(const std::vector<std::pair<Real, Real>> &points) {
 /// which it has ever smaller positive values, by polynomial continuation to zero. An orbit beyond
 /// it is another one, with a phase of sticking or an impact that this one does not have; on this
 /// side everything is smooth. The error: what the last point changes.
-template <class ConditionOf>
-Located touching_frequency(Scene scene, int settling, const ConditionOf &condition_of) {
+inline Located touching_frequency(Scene scene, int settling, const Condition &condition) {
   const Resolution resolution = resolution_down_to(Real("1e-22"));
   SoughtOrbit orbit = orbit_from_rest(std::move(scene), 1, settling, resolution);
-  Matrix inverse;
+  SquareMatrix inverse;
   std::vector<std::pair<Real, Real>> points;
   Located located{0, 1};
   for (const char *target : {"1e-6", "1e-10", "1e-14", "1e-18", "1e-22"}) {
     const Real value(target);
-    const Real step = solve_orbit(orbit, inverse, resolution, condition_of, value, Real("1e-33"));
+    const Real step = solve_orbit(orbit, inverse, resolution, condition, value, Real("1e-33"));
     points.push_back({value, orbit.unknowns.back()});
     const Real zero = at_zero(points);
     located = {zero, abs(zero - located.value) + step};

@@ -41,20 +41,18 @@ struct StretchRun {
 inline StretchRun run(const Stretch &stretch) {
   Scene scene = scene_named(stretch.scene);
   const Resolution resolution;
-  StretchRun result{stretch, {}, {}, {}};
-  Eigensystems known;
-  State state = initial_state(scene, resolution, known, result.events);
+  Run run;
+  State state = initial_state(scene, resolution, run);
   scene.end_time = Real(stretch.from);
-  advance(scene, state, known, result.events);
-  result.events.clear();
+  advance(scene, state, run);
+  run.events.clear();
   for (Real &x : state.x) x = Real(static_cast<double>(x));
   for (Real &v : state.v) v = Real(static_cast<double>(v));
   state.time = scene.end_time;
-  result.start = state;
+  const State start = state;
   scene.end_time = Real(stretch.until);
-  advance(scene, state, known, result.events);
-  result.end = state;
-  return result;
+  advance(scene, state, run);
+  return {stretch, start, state, run.events};
 }
 
 /// Start (exactly doubles) and end (30 digits) of every stretch; held masses as 0 or 1.

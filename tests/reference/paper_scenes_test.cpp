@@ -1,59 +1,20 @@
-// The paper's scenes are written down once, in reference/scenes/paper_scenes.hpp. The 50-digit
-// generator takes them over to the last bit; and where they have to be written once more, in the
-// defaults of the scene runner and in the examples, which users copy, they are the same.
+// The paper's scenes are written down once, in reference/scenes/paper_scenes.hpp. Where they have
+// to be written once more, beside their words in the table of key numbers, in the defaults of the
+// scene runner and in the examples, which users copy, they are the same.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "figures/table_reader.hpp"
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
-#include "reference/scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-
-// Scenes compare member by member; a double made a Real is itself.
-void expect_equal(const Scene &scene, const vibro_impact_reference::Scene &reference) {
-  SCOPED_TRACE(reference.name);
-  const auto &chain = reference.chain;
-  const auto same = [](const std::vector<double> &ours, const auto &theirs) {
-    return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end());
-  };
-  EXPECT_TRUE(same(scene.mass, chain.masses));
-  EXPECT_TRUE(same(scene.stiffness, chain.stiffnesses));
-  EXPECT_TRUE(same(scene.amplitude, chain.amplitudes));
-  const std::vector<double> at_rest(scene.mass.size(), 0.0);
-  EXPECT_TRUE(same(at_rest, reference.initial_positions));
-  EXPECT_TRUE(same(at_rest, reference.initial_velocities));
-  EXPECT_TRUE(scene.displacement.empty() && scene.velocity.empty());
-  EXPECT_EQ(scene.beta, chain.damping_ratio);
-  EXPECT_EQ(scene.omega, chain.frequency);
-  EXPECT_EQ(scene.restitution, reference.restitution);
-  ASSERT_EQ(scene.stops.size(), reference.stops.size());
-  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    const auto &[mass, side, position] = reference.stops[i];
-    EXPECT_EQ(scene.stops[i].mass, static_cast<int>(mass) + 1);
-    EXPECT_EQ(scene.stops[i].side == Side::upper, side == vibro_impact_reference::Side::upper);
-    EXPECT_EQ(scene.stops[i].position, position);
-  }
-}
-
-TEST(PaperScenes, AreTakenOverByTheFiftyDigitGenerator) {
-  ASSERT_EQ(paper::named_scenes().size(), 6u);
-  for (const auto &[name, scene, until] : paper::named_scenes()) {
-    expect_equal(scene, vibro_impact_reference::scene_named(name));
-    EXPECT_EQ(vibro_impact_reference::scene_named(name).end_time, until);
-  }
-  EXPECT_THROW(vibro_impact_reference::scene_named("figure6"), std::invalid_argument);
-}
 
 void expect_equal(const Scene &scene, const Scene &other) {
   EXPECT_EQ(scene.mass, other.mass);
@@ -72,12 +33,8 @@ void expect_equal(const Scene &scene, const Scene &other) {
 }
 
 // The words for these numbers stand in a table, and the numbers beside them.
-TEST(PaperScenes, AreThoseOfTheTableOfStatedNumbers) {
-  const std::string path = REFERENCE_DIR "/stated.csv";
-  std::ifstream file = figures::opened(path);
-  std::map<std::string, double> stated;
-  for (const auto &row : figures::read_rows(file, path, 5))
-    stated[row[0]] = figures::number_in(path, row[1]);
+TEST(PaperScenes, AreThoseOfTheTableOfKeyNumbers) {
+  const auto stated = figures::read_references(REFERENCE_DIR "/key_numbers.csv");
   using namespace paper;
   const Scene two = figure2(), a = figure5a(), b = figure5b(), c = figure5c();
   std::map<std::string, double> expected{{"m", two.mass[0]},
@@ -118,7 +75,7 @@ TEST(PaperScenes, AreThoseOfTheTableOfStatedNumbers) {
   box("figure5c", figure5c_box, "x");
   for (const auto &[symbol, value] : expected) {
     ASSERT_EQ(stated.count(symbol), 1u) << symbol;
-    EXPECT_EQ(stated[symbol], value) << symbol;
+    EXPECT_EQ(stated.at(symbol).value, value) << symbol;
   }
 }
 

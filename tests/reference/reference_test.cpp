@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 #include "figures/event_tables.hpp"
 #include "figures/methods/event_comparison.hpp"
@@ -14,16 +13,7 @@ namespace {
 
 using namespace vibro_impact;
 
-struct PaperRun {
-  const char *name;
-  Scene scene;
-  double until;
-};
-
-// What the test's name shows of a parameter.
-void PrintTo(const PaperRun &run, std::ostream *out) {
-  *out << run.name;
-}
+using PaperRun = paper::NamedScene;
 
 // 1e-10 in time: what the suite promises. Measured: below 6e-12 (Figure 4, where the distance to
 // the multi-sliding point is 4e-5 in force and the motion is that much more sensitive), 3e-13
@@ -33,8 +23,7 @@ constexpr double time_tolerance = 1e-10;
 // The tables end a chatter at a speed of 1e-6; the fastest impact of a mass that chatters lies
 // between 0.1 and 1.
 figures::Differences differences(const PaperRun &run, const std::vector<Event> &events) {
-  const auto reference =
-      figures::read_event_table(std::string(REFERENCE_DIR "/") + run.name + "_events.csv");
+  const auto reference = figures::read_event_table(REFERENCE_DIR "/" + run.name + "_events.csv");
   EXPECT_GT(reference.size(), 100u);
   return compare(
       figures::as_truth(events), reference, run.scene,
@@ -60,18 +49,12 @@ TEST_P(PaperScenes, AgreeEventForEventHoweverChatterIsResolved) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Figures, PaperScenes,
-                         ::testing::Values(PaperRun{"figure2", paper::figure2(), 750.0},
-                                           PaperRun{"figure4a", paper::figure4a(), 750.0},
-                                           PaperRun{"figure4b", paper::figure4b(), 750.0},
-                                           PaperRun{"figure5a", paper::figure5a(), 964.0},
-                                           PaperRun{"figure5b", paper::figure5b(), 930.0},
-                                           PaperRun{"figure5c", paper::figure5c(), 1000.0}),
-                         [](const auto &run) { return std::string(run.param.name); });
+INSTANTIATE_TEST_SUITE_P(Figures, PaperScenes, ::testing::ValuesIn(paper::named_scenes()),
+                         [](const auto &run) { return run.param.name; });
 
 // The comparison itself: an event taken away, added, moved or in another contact mode is found.
 TEST(EventTables, AMissingASpuriousAMovedAndAnEventInAnotherModeAreFound) {
-  const PaperRun run{"figure2", paper::figure2(), 750.0};
+  const PaperRun run = paper::scene_named("figure2");
   const std::vector<Event> events = vibro_impact::testing::events_of(run.scene, 0.0, run.until);
   // A release: an impact late in a chatter may lie beyond a limit, and so be missing rightly.
   const auto k = std::find_if(events.begin() + 100, events.end(),
