@@ -13,7 +13,7 @@ namespace vibro_impact::runner {
 
 namespace {
 
-constexpr std::string_view kind = "vibro-impact state ", version = "3\n";
+constexpr std::string_view kind = "vibro-impact state ", version = "4\n";
 
 // The text before the checksum, which fits.
 std::string checked(std::istream &file) {

@@ -73,7 +73,7 @@ TEST_F(Runner, TheSceneOfASavedStateIsNotToBeChanged) {
     EXPECT_NE(result.err.find(wrong), std::string::npos) << result.err;
   }
   EXPECT_EQ(files(), std::vector<std::string>{"x.state"});
-  EXPECT_EQ(contents(folder / "x.state").substr(0, 21), "vibro-impact state 3\n");
+  EXPECT_EQ(contents(folder / "x.state").substr(0, 21), "vibro-impact state 4\n");
 }
 
 // The text with the line that begins with `key` replaced, under a checksum that fits.

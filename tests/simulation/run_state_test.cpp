@@ -1,5 +1,5 @@
 // The state of a run as text: what `save` writes, `load` gives back, and a text that is damaged or
-// contradicts itself or its scene is refused with one line.
+// of another scene is refused with one line.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -32,7 +32,7 @@ TEST(RunState, ARunSavedAndLoadedAnywhereGoesOnBitForBit) {
     const std::string text = save(state);
     state = load(scene, text);
     ASSERT_EQ(save(state), text);
-    inside += text.find("chatter_times 0") != text.npos;
+    inside += whole.events[k].falling > 0;
   }
   const Outcome last = resume(scene, state, 60.0, {}, parts);
   EXPECT_EQ(times_of(parts), times_of(whole));
@@ -53,13 +53,7 @@ std::string refusal(const Call &call) {
   return "";
 }
 
-// The text with the line that begins with `key` replaced.
-std::string with_line(const std::string &text, const std::string &key, const std::string &line) {
-  const std::size_t begin = key.empty() ? 0 : text.find("\n" + key) + 1;
-  return text.substr(0, begin) + line + text.substr(text.find('\n', begin));
-}
-
-TEST(RunState, ATextThatIsDamagedOrContradictsItselfIsRefused) {
+TEST(RunState, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
   const Scene scene = paper::figure2();
   EventRecorder events;
   simulate(scene, 38.0, {}, events);
@@ -69,44 +63,32 @@ TEST(RunState, ATextThatIsDamagedOrContradictsItselfIsRefused) {
   const double between = (events.events[k - 1].time + events.events[k].time) / 2;
   const std::string good = save(simulate(scene, between).resume);
   ASSERT_EQ(refusal([&] { load(scene, good); }), "");
-  for (std::size_t length = 0; length < good.size(); ++length)
-    ASSERT_NE(refusal([&] { load(scene, good.substr(0, length)); }), "") << length;
-  const std::pair<std::string, const char *> cases[] = {
-      {"", "line 1: cut short"},
-      {good + "more\n", "something follows its last line"},
-      {with_line(good, "", "vibro-impact run state 9"), "'vibro-impact run state"},
-      {with_line(good, "instant", "instant 0.5 0"), "'0.5' is not a number of its kind"},
-      {with_line(good, "instant", "instant 0"), "line 2: fewer numbers than expected"},
-      {with_line(good, "instant", "instant 0 0 0"), "line 2: more than expected"},
-      {with_line(good, "instant", "instant -1 0"), "period -1"},
-      {with_line(good, "instant", "instant 0 1"), "the forcing has another phase"},
-      {with_line(good, "held", "held 0 2"), "mass 2 held as 2"},
-      {with_line(good, "held", "held 1 1"), "it has no such stop"},
-      {with_line(good, "held", "held 0"), "the contact mode of 1 masses"},
-      {with_line(good, "values", "values 1"), "1 and 4 modal coordinates given"},
-      {with_line(good, "values", "values 1 inf 0 0"), "not finite"},
-      {with_line(good, "stops", "stops 0 0.04 0 1 2 0 0 0 0.4 0 0 0 0 0 0 0"), "2 zeros"},
-      {with_line(good, "stops", "stops 0 0.04 0 0 0 0 -1 0 0.4 0 0 0 0 0 0 0"), "the latest at -1"},
-      {with_line(good, "stops", "stops 0 0.04 0 0 0 0 1 -1 0.4 0 0 0 0 0 0 0"), "-1 falling"},
-      {with_line(good, "stops", "stops 0 0.04 0 0 0 0 0 0 0.2 0 0 0 0 0 0 0"),
-       "gap = 0.2 at stop 2"},
-      {with_line(good, "stops", "stops 0 0 0 0 0 0 0 0"), "1 stops given, the scene has 2"},
-      {with_line(good, "next_flight", "next_flight -1"), "next flight -1"},
-      {with_line(good, "next_flight", "next_flight nan"), "next flight nan"},
-      {with_line(good, "clear", "clear 2"), "2 is neither 0 nor 1"},
-      {with_line(good, "window", "window 0 0 -1"), "-1 impacts"},
-      {with_line(good, "window", "window 99 0 0"), "counted from a later time"},
-      {with_line(good, "chatter_contacts", "chatter_contacts 7"), "no free mass comes to"},
-      {with_line(good, "chatter_times", "chatter_times"), "the impacts of a chatter"},
-      {with_line(good, "chatter_jumps", "chatter_jumps -1"), "the impacts of a chatter"},
-      {with_line(good, "chatter_flight", "chatter_flight 1 -1"), "the impacts of a chatter"},
-      {with_line(good, "chatter_nodes", "chatter_nodes 1 1"), "fewer numbers"},
-      {with_line(good, "chatter_nodes", "chatter_nodes 1 1 99"), "the impacts of a chatter"},
+  const auto refused = [&](const std::string &text) {
+    const std::string why = refusal([&] { load(scene, text); });
+    return why.find("cut short or changed") != why.npos && why.find('\n') == why.npos;
   };
-  for (const auto &[text, names] : cases) {
-    const std::string refused = refusal([&] { load(scene, text); });
-    EXPECT_NE(refused.find(names), std::string::npos) << names << ": '" << refused << "'\n" << text;
-    EXPECT_EQ(refused.find('\n'), std::string::npos);
+  for (std::size_t length = 0; length < good.size(); ++length)
+    ASSERT_TRUE(refused(good.substr(0, length))) << length;
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    std::string changed = good;
+    changed[at] = changed[at] == '7' ? '8' : '7';
+    ASSERT_TRUE(refused(changed)) << at;
+  }
+  EXPECT_TRUE(refused(good + "more\n"));
+
+  Scene one = scene, faster = scene, moved = scene, three = scene;
+  one.stops.pop_back();
+  faster.omega *= 1.01;
+  moved.stops[1].position += 0.01;
+  three.mass.push_back(1.0);
+  three.stiffness.push_back(1.0);
+  three.amplitude.push_back(0.0);
+  for (const auto &[other, names] : {std::pair{one, "2 stops given, the scene has 1"},
+                                     {faster, "the forcing has another phase"},
+                                     {moved, "at stop 2"},
+                                     {three, "the contact mode of 2 masses"}}) {
+    const std::string why = refusal([&] { load(other, good); });
+    EXPECT_NE(why.find(names), why.npos) << names << ": '" << why << "'";
   }
   EXPECT_NE(refusal([&] { save({}); }), "");
   EXPECT_NE(refusal([&] { resume(scene, {}, 1.0); }), "");

@@ -56,13 +56,12 @@ class RunState {
   std::shared_ptr<const Numbers> numbers_;
 };
 
-// The state as text: lines of ASCII that end in line feeds, with every number in the digits that
-// give it back bit for bit.
+// The state as text: a line with a checksum, then numbers, one a line, in the digits that give them
+// back bit for bit.
 std::string save(const RunState &state);
 
-// The state of a run of `scene` from what `save` wrote. Throws std::invalid_argument, with one line
-// that says what is wrong where, for a text that is damaged or contradicts itself or the scene. A
-// digit that has changed in a way that makes sense is not noticed: keep a checksum beside a file.
+// The state of a run of `scene` from what `save` wrote. Throws std::invalid_argument, with one
+// line, for a text that was cut short or changed, and for one that contradicts the scene.
 RunState load(const Scene &scene, std::string_view text);
 
 // Why a run ended: it reached its time, a recorder was done, or it was given up.

@@ -1,58 +1,31 @@
 #include "run_state.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace vibro_impact {
 
 namespace {
 
-// The text of a state, line by line: written, or read where there is a text to read.
+// The numbers of a state as text, one a line: written, or read back in the same order.
 struct Lines {
   bool reads = false;
-  std::string text = {};
-  int number = 0;              // of the current line
-  std::string_view rest = {};  // of the text; of the current line while it is read
+  std::string text = {};       // written
+  std::string_view rest = {};  // to be read
 
-  template <class... Pieces>
-  void require_line(bool holds, const Pieces &...pieces) const {
-    require(holds, "state of a run, line ", number, ": ", pieces...);
-  }
-  template <class... Values>
-  void line(std::string_view key, Values &...values) {
-    ++number;
-    if (!reads) {
-      text += key;
-      (pass(values), ...);
-      text.push_back('\n');
-      return;
-    }
-    const std::size_t end = rest.find('\n');
-    require_line(end != rest.npos, "cut short");
-    const std::string_view after = rest.substr(end + 1);
-    rest = rest.substr(0, end);
-    const bool found =
-        rest.starts_with(key) && (rest.size() == key.size() || rest[key.size()] == ' ');
-    require_line(found, "'", key, "' expected, not '", rest.substr(0, 40), "'");
-    rest.remove_prefix(key.size());
-    (pass(values), ...);
-    require_line(rest.empty(), "more than expected");
-    rest = after;
-  }
   template <class Number>
   void pass(Number &value) {
     if (!reads) {
-      text.push_back(' ');
-      return append(text, value);
+      append(text, value);
+      return text.push_back('\n');
     }
-    require_line(!rest.empty(), "fewer numbers than expected");
-    const std::string_view word = rest.substr(1, rest.find(' ', 1) - 1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    require_line(error == std::errc() && end == word.data() + word.size(), "'", word.substr(0, 40),
-                 "' is not a number of its kind");
-    rest.remove_prefix(1 + word.size());
+    const std::size_t end = std::min(rest.find('\n'), rest.size() - 1);
+    std::from_chars(rest.data(), rest.data() + end, value);
+    rest.remove_prefix(end + 1);
   }
   void pass(bool &value) {
     int as_number = value ? 1 : 0;
     pass(as_number);
-    require_line(as_number == 0 || as_number == 1, as_number, " is neither 0 nor 1");
     value = as_number == 1;
   }
   void pass(AtStop &at) {
@@ -65,27 +38,28 @@ struct Lines {
   }
   template <class Value>
   void pass(std::vector<Value> &values) {
-    while (reads && !rest.empty()) pass(values.emplace_back());
-    if (!reads)
-      for (Value &value : values) pass(value);
+    std::size_t size = values.size();
+    pass(size);
+    values.resize(size);
+    for (Value &value : values) pass(value);
   }
-  void pass_state(RunState::Numbers &state) {
-    line("vibro-impact run state 2");
-    line("instant", state.now.cycle, state.now.phase);
-    line("held", state.held);
-    line("values", state.value);
-    line("slopes", state.slope);
-    line("stops", state.stops);
-    line("next_flight", state.next_flight);
-    line("clear", state.clear);
-    line("window", state.window_start.cycle, state.window_start.phase, state.impacts_in_window);
-    line("chatter_contacts", state.chatter.contacts);
-    line("chatter_times", state.chatter.times);
-    line("chatter_jumps", state.chatter.jumps);
-    line("chatter_flight", state.chatter.flight, state.chatter.since);
-    line("chatter_nodes", state.nodes);
+  void pass(RunState::Numbers &state) {
+    pass(state.now.cycle), pass(state.now.phase);
+    pass(state.held), pass(state.value), pass(state.slope), pass(state.stops);
+    pass(state.next_flight), pass(state.clear);
+    pass(state.window_start.cycle), pass(state.window_start.phase), pass(state.impacts_in_window);
+    pass(state.chatter.contacts), pass(state.chatter.times), pass(state.chatter.jumps);
+    pass(state.chatter.flight), pass(state.chatter.since), pass(state.nodes);
   }
 };
+
+// The line above these numbers, with a checksum of them (FNV-1a): against slips, not malice.
+std::string heading(std::string_view numbers) {
+  std::uint64_t checksum = 14695981039346656037U;
+  for (const char c : numbers)
+    checksum = (checksum ^ static_cast<unsigned char>(c)) * std::uint64_t{1099511628211U};
+  return line("vibro-impact run state 3, checksum ", checksum, "\n");
+}
 
 }  // namespace
 
@@ -101,16 +75,17 @@ const Held &RunState::held() const {
 std::string save(const RunState &state) {
   RunState::Numbers numbers = state.numbers();
   Lines lines;
-  lines.pass_state(numbers);
-  return lines.text;
+  lines.pass(numbers);
+  return heading(lines.text) + lines.text;
 }
 
 RunState load(const Scene &scene, std::string_view text) {
   check(scene);
+  const std::string_view rest = text.substr(std::min(text.find('\n'), text.size() - 1) + 1);
+  require(!text.empty() && text == heading(rest) + std::string(rest),
+          "state of a run: cut short or changed, or not saved by this version");
   RunState::Numbers numbers;
-  Lines lines{.reads = true, .rest = text};
-  lines.pass_state(numbers);
-  require(lines.rest.empty(), "state of a run: something follows its last line");
+  Lines{.reads = true, .rest = rest}.pass(numbers);
   check_place(scene, numbers.now, numbers.held);
   if (has_four_lanes(scene))
     state_in(numbers, scene, build_contact_mode<4>(scene, numbers.held));
@@ -136,33 +111,6 @@ void check_place(const Scene &scene, const Instant &instant, const Held &held) {
                                         }),
             "start: mass ", i + 1, " held as ", static_cast<int>(held[i]),
             ": it has no such stop (0 free, 1 upper, -1 lower)");
-}
-
-void check_numbers(const RunState::Numbers &from) {
-  for (const AtStop &at : from.stops) {
-    const bool finite = std::isfinite(at.gap + at.speed + at.leading + at.last_speed);
-    const bool fits = at.decided ? at.gap == 0.0 && at.speed == 0.0 && !at.below_rounding
-                                 : at.zeros == 0 && at.leading == 0.0;
-    require(finite && fits && at.gap >= 0.0 && at.zeros >= 0 && at.leading >= 0.0,
-            "state: gap = ", at.gap, ", speed = ", at.speed, ", ", at.zeros, " zeros before ",
-            at.leading, " at a stop: not those of a run");
-    require(at.falling >= 0 && at.last_speed >= 0.0, "state: ", at.falling,
-            " falling impacts, the latest at ", at.last_speed, ": not those of a run");
-  }
-  require(from.next_flight >= 0.0 && from.impacts_in_window >= 0, "state: next flight ",
-          from.next_flight, ", ", from.impacts_in_window, " impacts: not those of a run");
-  require(!(from.now < from.window_start), "state: impacts are counted from a later time");
-  const ChatterImpacts &chatter = from.chatter;
-  const std::vector<ChatterTable::Node> &nodes = from.nodes;
-  bool fits = chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
-              chatter.contacts.empty() == chatter.times.empty() &&
-              nodes.empty() == chatter.times.empty() && nodes.size() <= max_chatter_nodes &&
-              chatter.since >= 0.0 && std::is_sorted(chatter.times.begin(), chatter.times.end());
-  for (const double jump : chatter.jumps) fits = fits && jump > 0.0;
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    fits = fits && nodes[k].impact < chatter.times.size() && nodes[k].x > 0.0 &&
-           (k == 0 || (nodes[k].x < nodes[k - 1].x && nodes[k - 1].impact < nodes[k].impact));
-  require(fits, "state: the impacts of a chatter that are not those of a run");
 }
 
 }  // namespace vibro_impact

@@ -36,15 +36,11 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
 // are held at stops that exist.
 void check_place(const Scene &scene, const Instant &instant, const Held &held);
 
-// Throws std::invalid_argument where the numbers contradict each other.
-void check_numbers(const RunState::Numbers &from);
-
-// The state in this mode. Throws std::invalid_argument where it contradicts itself or the scene.
+// The state in this mode. Throws std::invalid_argument where it contradicts the scene.
 template <int D>
 State<D> state_in(const RunState::Numbers &from, const Scene &scene, const ContactMode<D> &mode) {
   using Lanes = typename State<D>::Lanes;
   const auto lanes = static_cast<std::size_t>(mode.lanes());
-  check_numbers(from);
   require(from.value.size() == lanes && from.slope.size() == lanes, "state: ", from.value.size(),
           " and ", from.slope.size(), " modal coordinates given, the contact mode ",
           contact_mode_name(from.held), " has ", lanes);
@@ -52,8 +48,6 @@ State<D> state_in(const RunState::Numbers &from, const Scene &scene, const Conta
           " stops given, the scene has ", scene.stops.size());
   const State<D> state{from, &mode, Eigen::Map<const Lanes>(from.value.data(), mode.lanes()),
                        Eigen::Map<const Lanes>(from.slope.data(), mode.lanes())};
-  require(std::isfinite(state.value.sum() + state.slope.sum()),
-          "state: modal coordinates that are not finite");
   State<D> forced = state;
   set_forcing(forced, scene);
   require((forced.value - state.value).abs().sum() < wide,
