@@ -3,13 +3,24 @@
 namespace vibro_impact::comparison {
 
 Methods all_methods() {
-  const std::vector<Method> of_cvode = cvode(), of_siconos = siconos();
   Methods all;
-  for (const auto &family :
-       {this_library(), plain_event_driven(), odeint(), of_cvode, of_siconos, stiff_spring()})
+  const auto add = [&](const std::vector<Method> &family) {
     all.methods.insert(all.methods.end(), family.begin(), family.end());
-  if (of_cvode.empty()) all.left_out.emplace_back("CVODE (SUNDIALS)");
-  if (of_siconos.empty()) all.left_out.emplace_back("Siconos");
+  };
+  add(this_library());
+  add(plain_event_driven());
+  add(odeint());
+#ifdef WITH_CVODE
+  add(cvode());
+#else
+  all.left_out.emplace_back("CVODE (SUNDIALS)");
+#endif
+#ifdef WITH_SICONOS
+  add(siconos());
+#else
+  all.left_out.emplace_back("Siconos");
+#endif
+  add(stiff_spring());
   return all;
 }
 

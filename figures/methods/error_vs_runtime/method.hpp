@@ -85,7 +85,7 @@ struct Method {
   Result (*run)(const Problem &problem, double setting);
 };
 
-// The families, one file each. A family whose package was not found at build time is empty.
+// The families, one file each. cvode and siconos are built if their packages are found.
 std::vector<Method> this_library();
 std::vector<Method> plain_event_driven();
 std::vector<Method> odeint();
