@@ -32,17 +32,8 @@ std::string contact_mode(const std::vector<bool> &stuck) {
   return mode.empty() ? "-" : mode;
 }
 
-std::string kind_name(Event::Kind kind) {
-  switch (kind) {
-    case Event::Kind::impact:
-      return "impact";
-    case Event::Kind::stick:
-      return "stick";
-    case Event::Kind::release:
-      return "release";
-  }
-  return "";
-}
+/// By Event::Kind.
+constexpr const char *kind_names[] = {"impact", "stick", "release"};
 
 /// Which events go to the table. Before a stick, the impacts of that mass slower than `slowest`
 /// (per mass) are left out, back to the first faster one or to the first event of another mass: an
@@ -69,9 +60,9 @@ std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (!keep[i]) continue;
     const Event &e = events[i];
-    table << lead << e.time.str(30) << ',' << e.mass + 1 << ',' << kind_name(e.kind) << ','
-          << e.velocity_before.str(30) << ',' << e.velocity_after.str(30) << ','
-          << contact_mode(e.stuck) << '\n';
+    table << lead << e.time.str(30) << ',' << e.mass + 1 << ','
+          << kind_names[static_cast<int>(e.kind)] << ',' << e.velocity_before.str(30) << ','
+          << e.velocity_after.str(30) << ',' << contact_mode(e.stuck) << '\n';
   }
   return table.str();
 }
