@@ -15,8 +15,8 @@ terminal(width, height) = kind eq 'png' ? \
   sprintf("pdfcairo size %gcm,%gcm %s fontscale 0.45 pointscale 0.4", 0.01 * width, 0.01 * height, font)
 opened(name, width, height) = sprintf("set terminal %s; set output '%s/%s.%s'", \
                                       terminal(width, height), data, name, kind)
-canvas(kind, name, rows) = opened(name, 1400, 100 + 560 * rows)
-page(name, rows, columns) = canvas(kind, name, rows).sprintf("; set multiplot layout %d,%d", rows, columns)
+canvas(name, rows) = opened(name, 1400, 100 + 560 * rows)
+page(name, rows, columns) = canvas(name, rows).sprintf("; set multiplot layout %d,%d", rows, columns)
 
 set linetype 1 linecolor rgb '#12355b' linewidth 1.4 dashtype solid    # mass 1
 set linetype 2 linecolor rgb '#c8442c' linewidth 1.4 dashtype (9, 5)   # mass 2

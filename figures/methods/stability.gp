@@ -15,64 +15,62 @@ per_impact(name) = column(name) / (column('impacts') > 0 ? column('impacts') : 1
 # eval rules(x1, x2) draws the lines between the groups.
 rules(x1, x2) = sprintf("last = ''; plot table using (%g):(opens(strcol('group')) ? row($0) + 0.5 : NaN):(%g):(0) with vectors nohead linecolor rgb '#a0a0a0' linewidth 0.8 notitle", x1, x2 - x1)
 
-do for [kind in 'png pdf'] {
-  eval canvas(kind, 'stability', 4.4)
-  set multiplot
-  set key autotitle columnhead samplen 1 maxrows 2 right top
-  set yrange [-cases + 0.3 : 0.7]
-  set tmargin at screen 0.945
-  set bmargin at screen 0.045
-  set ytics scale 0
-  set logscale x
+eval canvas('stability', 4.4)
+set multiplot
+set key autotitle columnhead samplen 1 maxrows 2 right top
+set yrange [-cases + 0.3 : 0.7]
+set tmargin at screen 0.945
+set bmargin at screen 0.045
+set ytics scale 0
+set logscale x
 
-  # Errors. The open circle is what a rounding of the start may become.
-  set lmargin at screen 0.31
-  set rmargin at screen 0.66
-  set xrange [0.05:4e9]
-  set xtics ('≤ 0.1' 0.1, '10^2' 1e2, '10^4' 1e4, '10^6' 1e6, '10^8' 1e8)
-  set grid x linetype 3
-  set xlabel 'error of event times / rounding'
-  set key at screen 0.66, screen 0.985
-  plot table using (shown(column('conditioning'))):(row($0)):ytic(strcol('case')) \
-      with points pointtype 6 pointsize 1 linecolor rgb '#9a9a9a' title 'sensitivity to the start', \
-    '' using (shown(column('time_error') / epsilon)):(row($0)) \
-      with points pointtype 7 pointsize 1 linetype 1 title 'error', \
-    '' using (strcol('verdict') eq 'pass' ? NaN : shown(column('time_error') / epsilon)):(row($0)) \
-      with points pointtype 2 pointsize 2 linetype 2 notitle  # a failed case is crossed out
-  set format y ''
-  unset xlabel
-  eval rules(0.05, 4e9)
+# Errors. The open circle is what a rounding of the start may become.
+set lmargin at screen 0.31
+set rmargin at screen 0.66
+set xrange [0.05:4e9]
+set xtics ('≤ 0.1' 0.1, '10^2' 1e2, '10^4' 1e4, '10^6' 1e6, '10^8' 1e8)
+set grid x linetype 3
+set xlabel 'error of event times / rounding'
+set key at screen 0.66, screen 0.985
+plot table using (shown(column('conditioning'))):(row($0)):ytic(strcol('case')) \
+    with points pointtype 6 pointsize 1 linecolor rgb '#9a9a9a' title 'sensitivity to the start', \
+  '' using (shown(column('time_error') / epsilon)):(row($0)) \
+    with points pointtype 7 pointsize 1 linetype 1 title 'error', \
+  '' using (strcol('verdict') eq 'pass' ? NaN : shown(column('time_error') / epsilon)):(row($0)) \
+    with points pointtype 2 pointsize 2 linetype 2 notitle  # a failed case is crossed out
+set format y ''
+unset xlabel
+eval rules(0.05, 4e9)
 
-  # Work.
-  set lmargin at screen 0.675
-  set rmargin at screen 0.845
-  set xrange [0.07:2e3]
-  set xtics ('≤ 0.1' 0.1, '10' 10, '10^3' 1e3)
-  set xlabel 'per impact'
-  set key at screen 0.93, screen 0.985
-  plot table using (shown(per_impact('expansions'))):(row($0)) \
-      with points pointtype 5 pointsize 0.9 linetype 1 title 'expansions', \
-    '' using (shown(per_impact('root_iterations'))):(row($0)) \
-      with points pointtype 4 pointsize 0.9 linetype 2 title 'root iterations'
-  unset xlabel
-  eval rules(0.07, 2e3)
+# Work.
+set lmargin at screen 0.675
+set rmargin at screen 0.845
+set xrange [0.07:2e3]
+set xtics ('≤ 0.1' 0.1, '10' 10, '10^3' 1e3)
+set xlabel 'per impact'
+set key at screen 0.93, screen 0.985
+plot table using (shown(per_impact('expansions'))):(row($0)) \
+    with points pointtype 5 pointsize 0.9 linetype 1 title 'expansions', \
+  '' using (shown(per_impact('root_iterations'))):(row($0)) \
+    with points pointtype 4 pointsize 0.9 linetype 2 title 'root iterations'
+unset xlabel
+eval rules(0.07, 2e3)
 
-  # The names of the groups.
-  set lmargin at screen 0.85
-  set rmargin at screen 0.999
-  unset logscale
-  unset border
-  unset xtics
-  unset ytics
-  unset grid
-  set xrange [0:1]
-  last = ''
-  plot table using (0.02):(opens(strcol('group')) ? row($0) : NaN):(strcol('group')) \
-    with labels left notitle
-  unset multiplot
-  unset output
-  set border
-  set xtics
-  set ytics
-  set format y '%h'
-}
+# The names of the groups.
+set lmargin at screen 0.85
+set rmargin at screen 0.999
+unset logscale
+unset border
+unset xtics
+unset ytics
+unset grid
+set xrange [0:1]
+last = ''
+plot table using (0.02):(opens(strcol('group')) ? row($0) : NaN):(strcol('group')) \
+  with labels left notitle
+unset multiplot
+unset output
+set border
+set xtics
+set ytics
+set format y '%h'
