@@ -45,6 +45,8 @@ TEST(Refusals, OfForcesAndModes) {
       {[&] { pressing_force_rate(scene, none, start()); }, "mass = 5: the chain has"},
       {[&] { pressing_force_rate(scene, nowhere, start()); }, "at nan: must be finite"},
       {[&] { pressing_force_rate(scene, scene.stops[0], start(two_values)); }, "3 values given"},
+      {[&] { least_pressing_force(scene, start(), none); }, "mass = 5: the chain has"},
+      {[&] { least_gap(scene, start(), on_no_side); }, "side = 9: must be lower (-1) or"},
   });
 }
 
