@@ -111,7 +111,8 @@ TEST_F(Runner, ADamagedStateIsRefused) {
       {with_line(good, "--stop", "--stop=3:upper:0.1\n"), "stop on mass 3"},
       {with_line(good, "time", ""), "'time' expected"},
       {with_line(good, "time", "time x\n"), "'x' is not a number"},
-      {with_line(good, "held", "held 0\n"), "contact mode"},
+      {with_line(good, "vibro-impact run", "vibro-impact run state 3, checksum 1\n"),
+       "cut short or changed"},
       {good.substr(0, good.size() - 3) + "zz\n", "the checksum does not fit"},
   };
   for (const auto &[text, names] : cases) {
