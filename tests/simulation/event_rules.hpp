@@ -1,5 +1,4 @@
-// What holds along every run: no penetration, hold forces that press, and what one event allows the
-// next one to be.
+// What one event of a run allows the next one to be.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,36 +12,6 @@
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::testing {
-
-// Deepest penetration, most negative pressing force and whether what is held stands exactly at a
-// stop, over dense samples.
-struct Watch {
-  const Scene *scene;
-  double until, every;
-  std::size_t asked = 0;
-  double penetration = 0.0, pull = 0.0, size = 0.0;
-  bool finite = true, exact = true;
-
-  double next_time() const {
-    return sample_time(0.0, until, every, asked);
-  }
-  void sample(const Moment &moment) {
-    ++asked;
-    for (int i = 1; i <= scene->masses(); ++i) {
-      const double x = moment.displacement(i);
-      size = std::max(size, std::abs(x));
-      exact = exact && (std::isnan(moment.hold_force(i)) ||
-                        std::any_of(scene->stops.begin(), scene->stops.end(),
-                                    [&](const Stop &s) { return s.mass == i && s.position == x; }));
-    }
-    for (const Stop &stop : scene->stops) {
-      const double x = moment.displacement(stop.mass), force = moment.hold_force(stop.mass);
-      finite = finite && std::isfinite(x);
-      penetration = std::max(penetration, sign(stop.side) * (x - stop.position));
-      if (!std::isnan(force) && x == stop.position) pull = std::max(pull, -sign(stop.side) * force);
-    }
-  }
-};
 
 // What one event allows the next one to be: time never falls; only a free mass has impacts and
 // sticks, so that every stick is followed by its release before the next impact of that mass; only
@@ -60,13 +29,17 @@ struct EventRules {
   std::vector<Event> events = {};
   std::string broken = {};
 
-  void event(const Event &event, const Moment &) {
+  void event(const Event &event, const Moment &moment) {
     events.push_back(event);
     if (!broken.empty()) return;
     if (const char *fault = fault_of(event))
       broken =
           fmt::format("{}: {} of mass {} at {}", fault, name(event.kind), event.mass, event.time);
     last = event.time;
+    for (const Stop &stop : scene.stops)
+      if (told[static_cast<std::size_t>(stop.mass - 1)] == static_cast<signed char>(stop.side) &&
+          moment.displacement(stop.mass) != stop.position)
+        broken = "held off its stop";
   }
 
  private:

@@ -1,11 +1,11 @@
 // No event is missed, and none is told too early or too late: a witness, which carries the motion
-// between the events of a run in extended precision, looks at every stop closely.
+// between the events of a run in extended precision, looks at every stop closely. (In random
+// motion: random_scenes_test.)
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "random_scenes.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 #include "tests/events.hpp"
 #include "witness.hpp"
@@ -19,57 +19,6 @@ Witness witness_of(const Scene &scene, double until) {
   Witness witness(scene);
   witness.close(require_complete(simulate(scene, until, all_impacts, witness)).state);
   return witness;
-}
-
-// Of all that a witness may find, relative to the motion; see there. 2e-13: some hundred flights,
-// each rounded to the digits of displacements and of times up to fifty or so.
-void expect_no_fault(const Witness &witness) {
-  const Real tolerance = 2e-13L * std::max<Real>(1, witness.size);
-  EXPECT_LE(witness.deepest, tolerance);
-  EXPECT_LE(witness.weakest, tolerance);
-  EXPECT_LE(witness.off_the_stop, tolerance);
-  EXPECT_LE(witness.off_in_speed, tolerance);
-  EXPECT_LE(witness.not_zero, tolerance);
-  EXPECT_LE(witness.displaced, tolerance);
-}
-
-// Two to four masses in motion with stops on some of them, near and far: undamped, damped, and so
-// that modes split in two decays.
-Scene moving(unsigned seed) {
-  Draw draw{std::mt19937(seed)};
-  Scene scene;
-  const int masses = 2 + static_cast<int>(draw.below(3));
-  for (int i = 1; i <= masses; ++i) {
-    scene.mass.push_back(draw.uniform(0.5, 2.0));
-    scene.stiffness.push_back(draw.uniform(0.5, 2.0));
-    scene.amplitude.push_back(draw.uniform(-0.5, 0.5));
-    scene.displacement.push_back(draw.uniform(-0.4, 0.0));
-    scene.velocity.push_back(draw.uniform(-0.4, 0.4));
-    if (i == 1 || draw.one_in(2))
-      scene.stops.push_back({i, Side::upper, draw.one_in(3) ? 0.0 : draw.spread(0.01, 3.0)});
-    if (draw.one_in(4)) scene.stops.push_back({i, Side::lower, -draw.uniform(0.4, 2.0)});
-  }
-  scene.beta = seed % 3 == 0 ? 0.0 : draw.uniform(0.0, seed % 3 == 1 ? 0.3 : 5.0);
-  scene.omega = draw.uniform(0.1, 1.0);
-  const double restitutions[] = {0.0, 0.3, 0.6, 0.9, 0.95};
-  scene.restitution = restitutions[draw.below(5)];
-  return scene;
-}
-
-TEST(NoEventMissed, InRandomMotion) {
-  long long flights = 0, near_misses = 0, releases = 0;
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE(seed);
-    const Scene scene = moving(seed);
-    const Witness witness = witness_of(scene, 40.0);
-    expect_no_fault(witness);
-    flights += witness.flights;
-    near_misses += witness.near_misses;
-    releases += witness.releases;
-  }
-  EXPECT_GT(flights, 5000);
-  EXPECT_GT(near_misses, 200);
-  EXPECT_GT(releases, 300);
 }
 
 // The time of the first event of this kind, at which the run ends.

@@ -1,5 +1,5 @@
 // Random scenes, seeded, what rounding does to them, and the same scene seen otherwise: mirrored,
-// in other units, as a command.
+// in other units.
 #pragma once
 
 #include <fmt/format.h>
@@ -159,16 +159,22 @@ inline double rounding_of_frequencies(const Scene &scene) {
   return 2.0 * std::numeric_limits<double>::epsilon() * (stiffest / softest);
 }
 
+// The forcing is known to epsilon of the sum of its amplitudes.
+inline double rounding_of_forcing(const Scene &scene) {
+  double force = 0.0;
+  for (const double a : scene.amplitude) force += std::abs(a);
+  return std::numeric_limits<double>::epsilon() * force;
+}
+
 // Displacements are known to epsilon times the steady response, whose static bound this is: all
 // forces on a chain of all the links' compliances. Next to a resonance the response may be 32 times
 // as large before the library no longer splits it off. The rigid-body mode of a free chain has no
 // steady response.
 inline double rounding_of_steady_response(const Scene &scene) {
-  double force = 0.0, compliance = 0.0;
-  for (const double a : scene.amplitude) force += std::abs(a);
+  double compliance = 0.0;
   for (const double k : scene.stiffness)
     if (k > 0.0) compliance += 1.0 / k;
-  return std::numeric_limits<double>::epsilon() * force * compliance;
+  return rounding_of_forcing(scene) * compliance;
 }
 
 // Mirror image: x -> -x; of an event likewise.
@@ -216,21 +222,6 @@ inline bool same(const Event &a, const Event &b) {
          a.time == b.time && a.velocity_before == b.velocity_before &&
          a.velocity_after == b.velocity_after && a.falling == b.falling &&
          a.by_a_jump == b.by_a_jump && a.held == b.held;
-}
-
-// The scene as a command line of the runner.
-inline std::string command_of(const Scene &scene, double until) {
-  std::string text = fmt::format(
-      "vibro-impact run --masses {} --mass {} --stiffness {} --beta {} --amplitude {} --omega {} "
-      "--restitution {} --initial-displacement {} --initial-velocity {} --until {}",
-      scene.masses(), fmt::join(scene.mass, ","), fmt::join(scene.stiffness, ","), scene.beta,
-      fmt::join(scene.amplitude, ","), scene.omega, scene.restitution,
-      fmt::join(scene.displacement, ","), fmt::join(scene.velocity, ","), until);
-  for (const Stop &stop : scene.stops) {
-    text += fmt::format(" --stop {}:{}:{}", stop.mass, name(stop.side), stop.position);
-    if (stop.restitution) text += fmt::format(":{}", *stop.restitution);
-  }
-  return text + (scene.stops.empty() ? " --stop none" : "");
 }
 
 }  // namespace vibro_impact::testing

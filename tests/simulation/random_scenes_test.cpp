@@ -1,7 +1,8 @@
-// Properties that must hold in every scene, tried on random ones: no penetration, hold forces that
-// press, what an event allows the next one to be, bounded work, the energy balance, a first chatter
-// limit where all impacts lead; and, bit for bit, the run while it is sampled, in two parts, in a
-// mirror, in other units and beside others on other threads.
+// Properties that must hold in every scene, tried on random ones: every flight where a witness
+// takes it, no stop passed and no hold force that pulls on the way, what an event allows the next
+// one to be, bounded work, a first chatter limit where all impacts lead; and, bit for bit, the run
+// while it is sampled, in two parts, in a mirror, in other units and beside others on other
+// threads.
 //
 // With an argument, `random_scenes_test N [first seed]` tries N scenes of each distribution (`make
 // random-scenes`).
@@ -23,31 +24,35 @@ struct Distribution {
   Scene (*draw)(unsigned seed);
   double radians;          // length of a run, at most, in those of the fastest mode
   long long most_impacts;  // per forcing period
+  double share;            // of the motion, that a flight may be off from a witness
 };
 
-constexpr Distribution ordinary{"ordinary", random_scene, 1e9, 20000};
-constexpr Distribution extreme{"extreme", extreme_scene, 3000.0, 2000};
-constexpr Distribution degenerate{"degenerate", degenerate_scene, 200.0, 2000};
+constexpr Distribution ordinary{"ordinary", random_scene, 1e9, 20000, 2e-13};
+constexpr Distribution extreme{"extreme", extreme_scene, 3000.0, 2000, 1e-11};
+constexpr Distribution degenerate{"degenerate", degenerate_scene, 200.0, 2000, 2e-13};
 
 int try_scenes(const Distribution &distribution, unsigned first, int count) {
-  int failed = 0, given_up = 0, balanced = 0;
+  int failed = 0, given_up = 0;
+  long long near_misses = 0, releases = 0;
   for (int k = 0; k < count; ++k) {
     const unsigned seed = first + static_cast<unsigned>(k);
     const Scene scene = distribution.draw(seed);
     const double until = run_length(scene, distribution.radians);
-    const Verdict verdict = try_scene(scene, until, distribution.most_impacts, seed);
+    const Verdict verdict =
+        try_scene(scene, until, distribution.most_impacts, distribution.share, seed);
     given_up += verdict.gave_up;
-    balanced += verdict.balanced;
+    near_misses += verdict.near_misses;
+    releases += verdict.releases;
     if (verdict.broken.empty()) continue;
     ++failed;
-    fmt::print("{} seed {}: {}\n  {}\n", distribution.name, seed, verdict.broken,
-               command_of(scene, until));
+    fmt::print("{} seed {}: {}\n", distribution.name, seed, verdict.broken);
     std::fflush(stdout);
   }
   fmt::print(
-      "{} {} scenes, {} broke a property, {} ended at the limit of impacts, the energy of {} "
-      "accounted for\n",
-      count, distribution.name, failed, given_up, balanced);
+      "{} {} scenes, {} broke a property, {} ended at the limit of impacts; seen by the witness: "
+      "{} "
+      "near misses, {} releases\n",
+      count, distribution.name, failed, given_up, near_misses, releases);
   return failed;
 }
 
@@ -88,17 +93,21 @@ TEST(ExtremeScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
 
 // Masses at rest at one position were held by the rounding of it (499, 2401), or held again for no
 // time as two forces came to zero at one instant (1606); masses at rest beside a held one were off
-// by the rounding of the whole chain, which counted as motion (2705, 5841, 13584).
+// by the rounding of the whole chain, which counted as motion (2705, 5841, 13584); the state of a
+// run whose motion had died down to 1e-40 was refused as if its gaps contradicted it (1236, 1565,
+// 2513).
 TEST(DegenerateScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
-  for (const unsigned seed : {499u, 1606u, 2401u, 2705u, 5841u, 13584u})
+  for (const unsigned seed : {499u, 1236u, 1565u, 1606u, 2401u, 2513u, 2705u, 5841u, 13584u})
     EXPECT_EQ(try_scenes(degenerate, seed, 1), 0);
 }
 
 // A motion that dies down to 3e-321, where other units round an impact into it (703549); a mass
 // that leaves its stop as another hits, of which the resumed run made one chatter (17920); light
-// neighbours in fast motion, of which the extrapolated moments knew too little (11744, 14640).
+// neighbours in fast motion, of which the extrapolated moments knew too little (11744, 14640); a
+// chain that has died down to rounding on a stop without static force, held and freed once a span
+// or so, which piled up at one instant (10179).
 TEST(RandomScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
-  for (const unsigned seed : {11744u, 14640u, 17920u, 703549u})
+  for (const unsigned seed : {10179u, 11744u, 14640u, 17920u, 703549u})
     EXPECT_EQ(try_scenes(ordinary, seed, 1), 0);
 }
 
@@ -129,22 +138,20 @@ TEST(RandomScenes, GiveTheSameBitsSideBySide) {
   }
 }
 
-// The balance is sharp: with r + 1e-6 in the losses it fails wherever the impacts that lose energy
-// carry enough of it, which is nearly everywhere.
-TEST(EnergyBalance, NoticesARestitutionOffByAMillionth) {
-  int asked = 0, with_losses = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+// The witness is sharp: a first link stiffer by a billionth does not pass, but where it hardly
+// moves.
+TEST(Witness, NoticesALinkOffByABillionth) {
+  int noticed = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
     const Scene scene = random_scene(seed);
-    if (scene.restitution < 0.01 || scene.stops.empty()) continue;
-    ++with_losses;
-    const double until = run_length(scene, 1e9);
-    const Balance balance = energy_balance(scene, until, 1e-6);
-    if (!balance.known || balance.noticed < 3.0 * balance.tolerance) continue;
-    ++asked;
-    EXPECT_GT(balance.imbalance, balance.tolerance) << "seed " << seed;
-    EXPECT_NEAR(balance.imbalance, balance.noticed, 0.1 * balance.noticed) << "seed " << seed;
+    Scene other = scene;
+    other.stiffness[0] *= 1.0 + 1e-9;
+    const double until = run_length(scene, 100.0);
+    Witness witness = witness_of(scene, until);
+    witness.close(simulate(other, until, {.resolve_chatter = 0.0}, witness).state);
+    noticed += witness.apart() > 1e-11 * witness.size();
   }
-  EXPECT_GT(asked, with_losses / 2);
+  EXPECT_GE(noticed, 15);
 }
 
 }  // namespace

@@ -5,151 +5,213 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
-#include "energy_balance.hpp"
+#include "mode_motion.hpp"
+#include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::testing {
 
-// A recorder. From event to event it moves on from the state the run had, and holds the next event
-// against what it sees; `scene` must outlive it. For runs that resolve all impacts: of those that a
-// chatter limit leaves out it knows nothing.
-struct Witness {
-  const Scene &scene;
-  double radians = 0.05;     // of the fastest mode, from look to look
-  EnergyAudit audit{scene};  // carries the motion
-  Real rate = std::max(std::sqrt(largest_eigenvalue_bound(scene)), scene.omega);
-
-  Real size = 0;          // of the displacements
+// A recorder. From event to event it moves on from the state the run had, and holds the next event,
+// and the state there, against what it sees. Every flight being right and every impact obeying its
+// law, so is the energy of the run. `scene` must outlive it. For runs that resolve all impacts: of
+// those that a chatter limit leaves out it knows nothing.
+class Witness {
+ public:
+  // The worst that was seen; infinite where a number was none.
   Real deepest = 0;       // beyond a stop, between events
   Real weakest = 0;       // hold force that pulls, between events
   Real off_the_stop = 0;  // gap at an impact
   Real off_in_speed = 0;  // of the speed of an impact
   Real not_zero = 0;      // hold force at a release that no impact has caused
-  Real displaced = 0;     // any mass, at an event
-  long long flights = 0, looks = 0, releases = 0;
+  long long flights = 0, releases = 0;
   long long near_misses = 0;  // dips that end within a hundredth of a stop, or of its force
 
-  explicit Witness(const Scene &of) : scene(of) {
+  // Looks about every `radians` of the fastest mode.
+  explicit Witness(const Scene &of, Real radians = 0.05L) : Witness(of, start_of(of), radians) {
   }
-  Witness(const Scene &of, const MotionState &start) : scene(of) {
-    audit.since = start.instant;
-    audit.held = start.held;
-    for (std::size_t i = 0; i < start.held.size(); ++i) {
-      audit.account.x(static_cast<Eigen::Index>(i)) = start.displacement[i];
-      audit.account.v(static_cast<Eigen::Index>(i)) = start.velocity[i];
-    }
+  Witness(const Scene &of, const MotionState &start, Real radians = 0.05L)
+      : scene_(of), radians_(radians), since_(start.instant), held_(start.held) {
+    held_.resize(of.mass.size(), 0);
+    flown_ = told_ = motion_of(start);
+    greatest_ = energy(told_);
   }
 
   void event(const Event &event, const Moment &moment) {
-    look_on(event.instant);
-    audit.move_to(event.instant);
+    fly_to(event.instant);
     const auto i = static_cast<Eigen::Index>(event.mass - 1);
-    const Stop &stop = scene.stops[event.stop];
+    const Stop &stop = scene_.stops[event.stop];
     if (event.kind == EventKind::impact) {
-      off_the_stop = std::max(off_the_stop, std::abs(gap(stop, audit.account)));
-      off_in_speed = std::max(off_in_speed, std::abs(audit.account.v(i) - event.velocity_before));
-    } else if (event.kind == EventKind::release && !event.by_a_jump) {
+      note(off_the_stop, std::abs(gap(stop, flown_)));
+      note(off_in_speed, std::abs(flown_.v(i) - event.velocity_before));
+      flown_.v(i) = event.velocity_after;
+    } else if (event.kind == EventKind::stick) {
+      flown_.v(i) = 0;
+    } else if (!event.by_a_jump) {
       ++releases;
-      not_zero = std::max(not_zero, std::abs(press(stop, audit.account, event.instant.phase)));
+      note(not_zero, std::abs(press(stop, flown_, event.instant.phase)));
     }
-    const RealVector expected = audit.account.x;
-    audit.take_over([&](int mass) { return moment.displacement(mass); },
-                    [&](int mass) { return moment.velocity(mass); });
-    displaced = std::max(displaced, (audit.account.x - expected).cwiseAbs().maxCoeff());
-    audit.held = event.held;
+    for (Eigen::Index k = 0; k < flown_.x.size(); ++k) {
+      told_.x(k) = moment.displacement(static_cast<int>(k) + 1);
+      told_.v(k) = moment.velocity(static_cast<int>(k) + 1);
+    }
+    held_ = event.held;
   }
   // Looks on to the end of the run.
   void close(const MotionState &end) {
-    look_on(end.instant);
-    audit.move_to(end.instant);
-    for (std::size_t i = 0; i < end.held.size(); ++i)
-      displaced = std::max(
-          displaced, std::abs(audit.account.x(static_cast<Eigen::Index>(i)) - end.displacement[i]));
+    fly_to(end.instant);
+    told_ = motion_of(end);
+    compare();
+  }
+
+  // In the energy norm, the root of kinetic and elastic energy: the largest difference of the state
+  // of the run from where a flight, and the impacts at its end, had taken it.
+  double apart() const {
+    return static_cast<double>(std::sqrt(apart_));
+  }
+  // Likewise the motion: all that took part. The library carries it as its deviation from the
+  // steady response, so that this counts too.
+  double size() const {
+    return static_cast<double>(std::sqrt(greatest_ + steady_));
+  }
+  // Likewise neighbours as far apart as any mass has been from zero.
+  double stretch() const {
+    Real stiffness = 0;
+    for (const double k : scene_.stiffness) stiffness += k;
+    return static_cast<double>(std::sqrt(stiffness / 2) * farthest_);
+  }
+  double farthest() const {
+    return static_cast<double>(farthest_);
   }
 
  private:
-  static Real gap(const Stop &stop, const EnergyAccount &at) {
+  struct Motion {
+    RealVector x, v;
+  };
+
+  const Scene &scene_;
+  Real radians_;
+  Clock clock_{scene_.omega};
+  Real rate_ = std::max(std::sqrt(largest_eigenvalue_bound(scene_)), scene_.omega);
+  std::map<Held, FreeModes> modes_;
+  Instant since_;
+  Held held_;
+  Motion flown_;  // where the latest flight has led, with the events told of since
+  Motion told_;   // the state of the run there
+  Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
+
+  static void note(Real &worst, Real value) {
+    if (!(value <= worst)) worst = std::isnan(value) ? INFINITY : value;
+  }
+  static Motion motion_of(const MotionState &state) {
+    const auto real = [](const std::vector<double> &values) -> RealVector {
+      const auto n = static_cast<Eigen::Index>(values.size());
+      return Eigen::Map<const Eigen::VectorXd>(values.data(), n).cast<Real>();
+    };
+    return {real(state.displacement), real(state.velocity)};
+  }
+  // Kinetic and elastic.
+  Real energy(const Motion &at) const {
+    Real sum = 0;
+    for (Eigen::Index i = 0; i < at.x.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const Real stretch = at.x(i) - (i > 0 ? at.x(i - 1) : 0);
+      sum += (scene_.stiffness[k] * stretch * stretch + scene_.mass[k] * at.v(i) * at.v(i)) / 2;
+    }
+    return sum;
+  }
+  static Real gap(const Stop &stop, const Motion &at) {
     return sign(stop.side) * (stop.position - at.x(stop.mass - 1));
   }
   // The force on a mass at rest that presses it into its stop.
-  Real press(const Stop &stop, const EnergyAccount &at, Real phase) const {
+  Real press(const Stop &stop, const Motion &at, Real phase) const {
     const Eigen::Index i = stop.mass - 1;
     const auto links = [&](const RealVector &x, Real here) {
-      Real sum = scene.stiffness[static_cast<std::size_t>(i)] * ((i > 0 ? x(i - 1) : 0) - here);
+      Real sum = scene_.stiffness[static_cast<std::size_t>(i)] * ((i > 0 ? x(i - 1) : 0) - here);
       if (i + 1 < x.size())
-        sum += scene.stiffness[static_cast<std::size_t>(i + 1)] * (x(i + 1) - here);
+        sum += scene_.stiffness[static_cast<std::size_t>(i + 1)] * (x(i + 1) - here);
       return sum;
     };
-    Real sum = links(at.x, stop.position) + scene.beta * links(at.v, 0);
-    if (!scene.amplitude.empty())
-      sum += scene.amplitude[static_cast<std::size_t>(i)] * std::cos(scene.omega * phase);
+    Real sum = links(at.x, stop.position) + scene_.beta * links(at.v, 0);
+    if (!scene_.amplitude.empty())
+      sum += scene_.amplitude[static_cast<std::size_t>(i)] * std::cos(scene_.omega * phase);
     return sign(stop.side) * sum;
   }
 
-  // The flight from the latest event on.
-  struct Flight {
-    const Scene &scene;
-    const EnergyAudit &audit;
-    const FreeModes &basis;
-    RealVector q = basis.inverse * audit.account.x, v = basis.inverse * audit.account.v;
-    std::vector<std::vector<Exponential>> parts = {};
+  void compare() {
+    note(apart_, energy({told_.x - flown_.x, told_.v - flown_.v}));
+  }
 
-    Flight(const Scene &of, EnergyAudit &from) : scene(of), audit(from), basis(from.basis_now()) {
-      for (Eigen::Index j = 0; j < q.size(); ++j) {
-        const Real lambda = basis.lambda(j);
-        parts.push_back({});
-        if (lambda > 0)
-          parts.back() = parts_of(scene, lambda, basis.force(j), audit.since.phase,
-                                  {q(j) - basis.pull(j) / lambda, v(j)});
-      }
-    }
-    EnergyAccount after(Real t) const {
-      RealVector at = q, speed = v;
-      for (Eigen::Index j = 0; j < q.size(); ++j) {
-        const Real lambda = basis.lambda(j);
-        Place place = lambda > 0 ? place_after(parts[static_cast<std::size_t>(j)], t)
-                                 : rigid_body_after(scene, basis.force(j), audit.since.phase, t,
-                                                    {q(j), v(j)});
-        at(j) = place.at + (lambda > 0 ? basis.pull(j) / lambda : 0);
+  // The flight from the state told of on.
+  struct Flight {
+    const FreeModes &basis;
+    const Motion from;
+    const Held &held;
+    std::vector<ModeMotion> modes = {};
+
+    Motion after(Real t) const {
+      const auto n = static_cast<Eigen::Index>(modes.size());
+      RealVector at(n), speed(n);
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const Place place = modes[static_cast<std::size_t>(j)].after(t);
+        at(j) = place.at;
         speed(j) = place.speed;
       }
-      EnergyAccount there;
-      there.x = basis.shape * at;
-      there.v = basis.shape * speed;
+      Motion there{basis.shape * at, basis.shape * speed};
       for (Eigen::Index i = 0; i < there.x.size(); ++i)
-        if (audit.held[static_cast<std::size_t>(i)] != 0) there.x(i) = audit.account.x(i);
+        if (held[static_cast<std::size_t>(i)] != 0) there.x(i) = from.x(i);
       return there;
     }
   };
-  // Looks at all stops up to the next event: none may have been passed before. Where three looks
-  // show a dip, its lowest point is looked for.
-  void look_on(const Instant &next) {
-    const Real t = elapsed(audit.since, next, audit.clock);
+  Flight take_off() {
+    auto known = modes_.find(held_);
+    if (known == modes_.end()) known = modes_.emplace(held_, free_modes(scene_, held_)).first;
+    const FreeModes &basis = known->second;
+    Flight flight{basis, told_, held_};
+    const RealVector q = basis.inverse * told_.x, v = basis.inverse * told_.v;
+    Real steady = 0;
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      const Real lambda = basis.lambda(j);
+      flight.modes.emplace_back(scene_, lambda, basis.force(j), basis.pull(j), since_.phase,
+                                Place{q(j), v(j)});
+      const ModeMotion &mode = flight.modes.back();
+      steady += std::max(lambda, mode.omega * mode.omega) * std::norm(mode.steady) / 2 +
+                lambda * mode.rest * mode.rest / 2;
+    }
+    steady_ = std::max(steady_, steady);
+    return flight;
+  }
+
+  // Up to the next event: no stop may have been passed before. Where three looks show a dip, its
+  // lowest point is looked for.
+  void fly_to(const Instant &next) {
+    const Real t = elapsed(since_, next, clock_);
     if (!(t > 0)) return;
-    const Flight flight(scene, audit);
-    const int steps = 4 + static_cast<int>(std::min<Real>(1e6, t * rate / radians));
-    const std::size_t stops = scene.stops.size();
-    const auto watched = [&](std::size_t k, const EnergyAccount &at, Real s) {
-      const Stop &stop = scene.stops[k];
-      const bool held = audit.held[static_cast<std::size_t>(stop.mass - 1)] != 0;
-      return held ? press(stop, at, audit.since.phase + s) : gap(stop, at);
-    };
-    std::vector<std::array<Real, 3>> last(stops);
+    compare();
+    const Flight flight = take_off();
     ++flights;
-    for (int n = 0; n <= steps; ++n, ++looks) {
+    const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
+    const auto watched = [&](std::size_t k, const Motion &at, Real s) {
+      const Stop &stop = scene_.stops[k];
+      return held_at(stop) ? press(stop, at, since_.phase + s) : gap(stop, at);
+    };
+    std::vector<std::array<Real, 3>> last(scene_.stops.size());
+    for (int n = 0; n <= steps; ++n) {
       const Real s = t * n / steps;
-      const EnergyAccount at = flight.after(s);
-      size = std::max(size, at.x.cwiseAbs().maxCoeff());
-      for (std::size_t k = 0; k < stops; ++k) {
-        if (across(k)) continue;
+      flown_ = flight.after(s);
+      greatest_ = std::max(greatest_, energy(flown_));
+      farthest_ = std::max(farthest_, flown_.x.cwiseAbs().maxCoeff());
+      for (std::size_t k = 0; k < scene_.stops.size(); ++k) {
+        if (across(scene_.stops[k])) continue;
+        Real &worst = held_at(scene_.stops[k]) ? weakest : deepest;
         auto &[first, second, third] = last[k];
-        first = second, second = third, third = watched(k, at, s);
-        note(k, third);
+        first = second, second = third, third = watched(k, flown_, s);
+        note(worst, -third);
         const Real bend = first - 2 * second + third;
         if (n < 2 || !(second <= first && second <= third && second < bend)) continue;
         Real from = s - 2 * t / steps, to = s;
-        for (int third_off = 0; third_off < 40; ++third_off) {
+        for (int cut = 0; cut < 40; ++cut) {
           const Real left = from + (to - from) / 3, right = to - (to - from) / 3;
           const bool rises =
               watched(k, flight.after(left), left) < watched(k, flight.after(right), right);
@@ -157,22 +219,17 @@ struct Witness {
         }
         const Real lowest = watched(k, flight.after(from), from);
         near_misses += lowest > 0 && lowest < 0.01L;
-        note(k, lowest);
+        note(worst, -lowest);
       }
     }
+    since_ = next;
   }
   bool held_at(const Stop &stop) const {
-    return audit.held[static_cast<std::size_t>(stop.mass - 1)] ==
-           static_cast<signed char>(stop.side);
+    return held_[static_cast<std::size_t>(stop.mass - 1)] == static_cast<signed char>(stop.side);
   }
   // A stop across from the one its mass is held at.
-  bool across(std::size_t k) const {
-    const Stop &stop = scene.stops[k];
-    return audit.held[static_cast<std::size_t>(stop.mass - 1)] != 0 && !held_at(stop);
-  }
-  void note(std::size_t k, Real value) {
-    Real &worst = held_at(scene.stops[k]) ? weakest : deepest;
-    worst = std::max(worst, -value);
+  bool across(const Stop &stop) const {
+    return held_[static_cast<std::size_t>(stop.mass - 1)] != 0 && !held_at(stop);
   }
 };
 
