@@ -44,7 +44,6 @@ template <int D>
 void run_on(Run<D> &run) {
   State<D> &state = run.state;
   while (!run.over) {
-    run.at_end.now = run.end;
     run.flight.weights = &weights_of(run.flight.all_weights, *state.mode);
     const double remaining = elapsed(state.now, run.end, run.clock);
     if (state.clear && (state.mode->contacts.empty() || stays_clear_for_ever(state, run.scene)))
@@ -76,6 +75,7 @@ void run_on(Run<D> &run) {
     for (const RecorderRef &ref : run.recorders)
       if (!ref.event && !ref.sample) ask_whether_done(run, ref);
   }
+  // Unless that is a sample, whose time is earlier, a run that ends early ends where it is.
   if (run.ending != Ending::reached && !(run.at_end.now < run.end)) run.at_end = state;
 }
 
@@ -87,11 +87,13 @@ void look_inside(Run<D> &run, const Instant &then) {
   const Counters counters = run.counters;
   const bool ends_inside = end < then;
   if (!ends_inside) run.end = then;
+  run.at_end.now = run.end;
   run.silent = true;
   run_on(run);
   run.silent = false;
   run.over = ends_inside || run.ending != Ending::reached;
   run.end = end;
+  if (!run.over) run.at_end.now = end;
   std::swap(run.state, run.before);
   std::swap(run.chatter, run.chatter_before);
   const long long evaluations = run.counters.modal_evaluations;
@@ -163,7 +165,7 @@ template <int D>
 Outcome run_lanes(const Scene &scene, const Start &start, double until, const RunOptions &options,
                   std::span<const RecorderRef> recorders) {
   Run<D> run{scene, options, recorders};
-  run.end = instant_at(until, run.clock);
+  run.end = run.at_end.now = instant_at(until, run.clock);
   if (start.motion != nullptr)
     start_from(run, *start.motion);
   else
