@@ -144,22 +144,6 @@ TEST(FirstRoot, OfCoefficientsOfAnySize) {
   EXPECT_GT(found, 500);
 }
 
-TEST(FirstRoot, ADipPassedDoesNotHideTheNext) {
-  for (double second : {0.35, 0.4, 0.6, 0.9}) {
-    const Coefficients clear = {0.09L + 1e-9L, -0.6L, 1.0L};  // (u - 0.3)^2 + 1e-9
-    const long double at = second;
-    const Coefficients crossed = {at * at - 1e-8L, -2.0L * at, 1.0L};  // roots at 1e-4 about it
-    const auto root = first(rounded(times(clear, crossed)));
-    ASSERT_TRUE(root) << second;
-    // The rounding of the coefficients and of their sum, of the size of the terms there, over the
-    // slope, 2e-4 (second - 0.3)^2.
-    const double size = (0.3 + second) * (0.3 + second) * (4.0 * second * second);
-    const double slope = 2e-4 * (second - 0.3) * (second - 0.3);
-    const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * size;
-    EXPECT_NEAR(root->at, second - 1e-4, rounding / slope) << second;
-  }
-}
-
 // (u - 1/2)^2 + d: rounding of its value is 1.1e-16 (half an epsilon of the sum of its terms, 1).
 TEST(FirstRoot, DecidesGrazingOfADipDownTo1e15) {
   for (double missed : {1e-15, 1e-12, 1e-6, 1e-2}) {

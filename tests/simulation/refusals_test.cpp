@@ -117,7 +117,7 @@ TEST(Refusals, OfStarts) {
   });
 }
 
-// What else a state may be is in run_state_test.
+// What else a state may be is in resume_test.
 TEST(Refusals, OfStatesOfAnotherScene) {
   const RunState state = simulate(paper::figure2(), 50.0).resume;
   Scene unforced = paper::figure2(), with_one_stop = unforced;

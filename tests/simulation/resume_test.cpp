@@ -1,8 +1,11 @@
 // A run that ended, wherever that was, goes on: in full from the state of the run, to rounding from
-// its motion.
+// its motion; a state as text that is damaged or of another scene is refused.
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
@@ -13,34 +16,47 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
 
-// Ends the run at the n-th event.
-struct FirstEvents {
-  std::size_t wanted;
-  std::vector<double> times = {};
-
-  void event(const Event &event, const Moment &) {
-    times.push_back(event.time);
+// Ends the run at an event.
+struct NextEvent {
+  bool met = false;
+  void event(const Event &, const Moment &) {
+    met = true;
   }
   bool done() const {
-    return times.size() >= wanted;
+    return met;
   }
 };
 
-// Wherever a recorder ends it, also in the middle of a chatter and of an instant.
-TEST(Resume, ARunThatARecorderEndsGoesOnAsIfItHadNot) {
+// In parts that end between two events and, by a recorder, at one, so in every chatter too; the
+// state goes through text and back.
+TEST(Resume, ARunInPartsSavedAndLoadedGoesOnBitForBit) {
   const Scene scene = paper::figure2();
-  FirstEvents all{100000};
-  simulate(scene, 100.0, {}, all);
-  ASSERT_GT(all.times.size(), 100u);
-  for (std::size_t n = 1; n < all.times.size(); n += 3) {
-    FirstEvents first{n}, rest{100000};
-    const Outcome stopped = simulate(scene, 100.0, {}, first);
-    EXPECT_EQ(stopped.ending, Ending::stopped);
-    EXPECT_EQ(stopped.time, first.times.back());
-    resume(scene, stopped.resume, 100.0, {}, rest);
-    first.times.insert(first.times.end(), rest.times.begin(), rest.times.end());
-    EXPECT_EQ(first.times, all.times) << n;
+  EventRecorder whole, parts;
+  const Outcome outcome = simulate(scene, 100.0, {}, whole);
+  ASSERT_GT(whole.events.size(), 100u);
+  RunState state = simulate(scene, 0.0, {}, parts).resume;
+  int inside = 0;  // a chatter
+  for (std::size_t k = 1; k < whole.events.size(); ++k) {
+    const double before = whole.events[k - 1].time, here = whole.events[k].time;
+    state = resume(scene, state, (before + here) / 2, {}, parts).resume;
+    const std::string text = save(state);
+    state = load(scene, text);
+    ASSERT_EQ(save(state), text);
+    inside += whole.events[k].falling > 0;
+    NextEvent next;
+    const Outcome part = resume(scene, state, 100.0, {}, parts, next);
+    EXPECT_EQ(part.ending, Ending::stopped);
+    EXPECT_EQ(part.time, here);
+    state = part.resume;
   }
+  const Outcome last = resume(scene, state, 100.0, {}, parts);
+  ASSERT_EQ(parts.events.size(), whole.events.size());
+  for (std::size_t k = 0; k < parts.events.size(); ++k)
+    EXPECT_EQ(parts.events[k].time, whole.events[k].time);
+  EXPECT_EQ(last.state.displacement, outcome.state.displacement);
+  EXPECT_EQ(last.state.velocity, outcome.state.velocity);
+  EXPECT_EQ(save(last.resume), save(outcome.resume));
+  EXPECT_GT(inside, 20);
 }
 
 // Keeps the first sample from a time on, and asks for the end there.
@@ -92,6 +108,58 @@ TEST(Resume, AMotionGoesOnFromAnyInstantFreeOrHeld) {
       EXPECT_NEAR(found[i].time, expected[i].time, 1e-11) << t;
   }
   EXPECT_GE(held, 5);
+}
+
+// What `load` or another call says of it, or "" where it takes it.
+template <class Call>
+std::string refusal(const Call &call) {
+  try {
+    call();
+  } catch (const std::invalid_argument &error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
+  const Scene scene = paper::figure2();
+  EventRecorder events;
+  simulate(scene, 38.0, {}, events);
+  // Half way between two impacts of a chatter.
+  std::size_t k = 0;
+  while (events.events[k].falling < 4) ++k;
+  const double between = (events.events[k - 1].time + events.events[k].time) / 2;
+  const std::string good = save(simulate(scene, between).resume);
+  ASSERT_EQ(refusal([&] { load(scene, good); }), "");
+  const auto refused = [&](const std::string &text) {
+    const std::string why = refusal([&] { load(scene, text); });
+    return why.find("cut short or changed") != why.npos && why.find('\n') == why.npos;
+  };
+  for (std::size_t length = 0; length < good.size(); ++length)
+    ASSERT_TRUE(refused(good.substr(0, length))) << length;
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    std::string changed = good;
+    changed[at] = changed[at] == '7' ? '8' : '7';
+    ASSERT_TRUE(refused(changed)) << at;
+  }
+  EXPECT_TRUE(refused(good + "more\n"));
+
+  Scene one = scene, faster = scene, moved = scene, three = scene;
+  one.stops.pop_back();
+  faster.omega *= 1.01;
+  moved.stops[1].position += 0.01;
+  three.mass.push_back(1.0);
+  three.stiffness.push_back(1.0);
+  three.amplitude.push_back(0.0);
+  for (const auto &[other, names] : {std::pair{one, "2 stops given, the scene has 1"},
+                                     {faster, "the forcing has another phase"},
+                                     {moved, "at stop 2"},
+                                     {three, "the contact mode of 2 masses"}}) {
+    const std::string why = refusal([&] { load(other, good); });
+    EXPECT_NE(why.find(names), why.npos) << names << ": '" << why << "'";
+  }
+  EXPECT_NE(refusal([&] { save({}); }), "");
+  EXPECT_NE(refusal([&] { resume(scene, {}, 1.0); }), "");
 }
 
 }  // namespace
