@@ -88,26 +88,6 @@ void expect_the_same_beside_the_chatter(const Told &told, const Told &truth) {
   }
 }
 
-// Damped and not, with modes split in two decays, and off resonance by a billionth.
-std::vector<std::pair<double, double>> kinds() {
-  const Scene any = Pressed(0.0, 0.2, 0.7).scene;
-  const double resonant = std::sqrt(natural_modes(any, {0, 0, 0}).lambda[1]) * (1.0 + 1e-9);
-  return {{0.0, 0.2}, {0.1, 0.2}, {0.5, 0.3}, {2.0, 0.2}, {30.0, 0.2}, {0.0, resonant}};
-}
-
-TEST(Chatter, TheLimitIsWhereAllImpactsLead) {
-  for (const auto &[beta, omega] : kinds())
-    for (const double r : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-      SCOPED_TRACE(::testing::Message() << beta << " " << omega << " " << r);
-      const Pressed at(beta, omega, r);
-      const double until = accumulation(at) + 0.01;
-      if (!(until < 20.0)) continue;
-      const Told told = run(at, until), truth = run(at, until, all_impacts);
-      EXPECT_LT(told.outcome.counters.impacts, truth.outcome.counters.impacts);
-      expect_the_same_beside_the_chatter(told, truth);
-    }
-}
-
 // The third mass is put where its free motion is at a time before, or after, the accumulation of
 // the impacts, as near as one likes: there it arrives, and no sooner is the chatter over.
 TEST(Chatter, GoesOnUpToWhereAMassArrives) {

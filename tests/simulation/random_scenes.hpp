@@ -134,6 +134,27 @@ inline Scene degenerate_scene(unsigned seed) {
   return scene;
 }
 
+// Two to five masses pressed onto their stops that have just left them, so that all chatter at
+// once, some a thousand times as fast as others; each by its own restitution, up to 0.99.
+inline Scene chattering_scene(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = 2 + static_cast<int>(draw.below(4));
+  for (int i = 1; i <= masses; ++i) {
+    const double stop = draw.uniform(0.0, 1.0);
+    scene.mass.push_back(draw.uniform(0.5, 2.0));
+    scene.stiffness.push_back(draw.uniform(0.5, 2.0));
+    scene.amplitude.push_back(draw.uniform(3.0, 6.0));
+    scene.displacement.push_back(stop);
+    scene.velocity.push_back(-draw.spread(1e-5, 1e-2));
+    scene.stops.push_back(
+        {i, Side::upper, stop, draw.one_in(2) ? draw.uniform(0.9, 0.99) : draw.uniform(0.1, 0.9)});
+  }
+  scene.beta = draw.one_in(2) ? 0.0 : draw.uniform(0.0, 1.0);
+  scene.omega = 0.1;
+  return scene;
+}
+
 // The rate of the fastest mode is at most this (Gershgorin).
 inline double frequency_bound(const Scene &scene) {
   return std::sqrt(largest_eigenvalue_bound(scene));
