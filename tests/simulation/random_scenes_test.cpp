@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <vector>
 
 #include "scene_properties.hpp"
@@ -141,33 +140,6 @@ TEST(DegenerateScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
 TEST(RandomScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
   for (const unsigned seed : {10179u, 11744u, 14640u, 17920u, 703549u})
     EXPECT_EQ(try_scenes(ordinary, seed, 1), 0);
-}
-
-// Runs share nothing: many of them at once, on four threads, give the bits of one after another.
-TEST(RandomScenes, GiveTheSameBitsSideBySide) {
-  struct Record {
-    std::vector<Event> events;
-    Outcome outcome;
-  };
-  constexpr std::size_t count = 120;
-  const auto run_of = [](std::size_t k) -> Record {
-    const Scene scene = random_scene(static_cast<unsigned>(k) + 1);
-    EventRecorder recorder;
-    const Outcome outcome =
-        simulate(scene, run_length(scene, 1e9), {.max_impacts_per_period = 1000}, recorder);
-    return {recorder.events, outcome};
-  };
-  std::vector<Record> alone, beside(count);
-  for (std::size_t k = 0; k < count; ++k) alone.push_back(run_of(k));
-#pragma omp parallel for num_threads(4) schedule(dynamic, 1)
-  for (std::size_t k = 0; k < count; ++k) beside[k] = run_of(k);
-  for (std::size_t k = 0; k < count; ++k) {
-    EXPECT_EQ(difference(alone[k].events, alone[k].outcome, beside[k].events, beside[k].outcome),
-              "")
-        << "scene " << k + 1;
-    EXPECT_EQ(
-        std::memcmp(&alone[k].outcome.counters, &beside[k].outcome.counters, sizeof(Counters)), 0);
-  }
 }
 
 // The witness is sharp: a first link stiffer by a billionth does not pass, but where it hardly
