@@ -1,7 +1,10 @@
-// What the paper's text says of Figure 3 beside the key numbers (`check`), the corrections and the
-// axis boxes (reconstruction_test).
+// What the paper's text says of Figures 3 and 5(b) beside the key numbers (`check`), the
+// corrections and the axis boxes (reconstruction_test).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "figures/figure3.hpp"
@@ -12,6 +15,10 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
+
+// Event times are compared with computed ones to 1e-9. The library keeps them to about 1e-12 of a
+// unit of time per forcing period; what is guarded here is the motion, not the last digits.
+constexpr double same_time = 1e-9;
 
 // Chatter resolved as far as Figure 3 shows impacts.
 const RunOptions shown{.resolve_chatter = paper::slowest_impact_shown};
@@ -53,6 +60,59 @@ TEST(Figure3, EqualVelocitiesCountOnce) {
   EXPECT_EQ(figures::distinct({-0.1, -0.2, -0.1 * (1.0 + 1e-9), -0.2}),
             (std::vector{-0.2, -0.1 * (1.0 + 1e-9)}));
   EXPECT_EQ(figures::distinct({1e-4, 1.001e-4}).size(), 2u);
+}
+
+TEST(Figure3, IncompleteChatterFallsButNotToZero) {
+  for (double omega : {0.31, 0.385}) {
+    const double period = Clock(omega).period, from = 150 * period;
+    const auto impacts =
+        select(events_of(paper::figure3(omega), from, from + period, shown), EventKind::impact, 1);
+    ASSERT_GE(impacts.size(), 5u) << omega;
+    double slowest = 1.0;
+    for (const Event &impact : impacts) slowest = std::min(slowest, -impact.velocity_before);
+    EXPECT_LT(slowest, 0.01) << omega;
+    EXPECT_GT(slowest, paper::slowest_impact_shown) << omega;
+  }
+}
+
+// The rows of a table below its header, without the last cell.
+std::vector<std::string> rows_of(const Table &table) {
+  std::vector<std::string> rows;
+  std::istringstream stream(table.text);
+  for (std::string row; std::getline(stream, row);) rows.push_back(row.substr(0, row.rfind(',')));
+  rows.erase(rows.begin());
+  return rows;
+}
+
+// Where motions coexist, what is found depends on where it came from: followed upwards and
+// downwards, impacts and periods are the same at most frequencies, but not at all.
+TEST(Figure3, FollowedBothWaysThereAreMotionsThatCoexist) {
+  std::vector<double> omegas = figures::frequencies_of_figure3(181);
+  RecordOptions options = figures::recorded_in_figure3(5);
+  options.settle.longest = 100;
+  const auto up = rows_of(figures::diagram_followed(omegas, options, [] {}).orbits);
+  std::reverse(omegas.begin(), omegas.end());
+  auto down = rows_of(figures::diagram_followed(omegas, options, [] {}).orbits);
+  std::reverse(down.begin(), down.end());
+  ASSERT_EQ(up.size(), 181u);
+  ASSERT_EQ(down.size(), 181u);
+  int different = 0;
+  for (std::size_t i = 0; i < up.size(); ++i) different += up[i] != down[i] ? 1 : 0;
+  EXPECT_GT(different, 0);
+  EXPECT_LT(different, 90);
+}
+
+// The next frequency of four digits lies above the grazing (0.29952): mass 2 reaches its stop.
+TEST(Figure5b, AboveTheGrazingMassTwoReachesItsStop) {
+  const paper::AxisBox &box = paper::figure5b_box;
+  Scene scene = paper::figure5b();
+  scene.omega = 0.2996;
+  const auto touches = select(events_of(scene, box.from, box.to), EventKind::impact, 2);
+  ASSERT_EQ(touches.size(), 1u);
+  // Computed, when this was the scene of the figure.
+  EXPECT_NEAR(touches[0].time, 919.59421797950667662, same_time);
+  EXPECT_NEAR(touches[0].velocity_before, 0.01104678322719986233, same_time);
+  EXPECT_EQ(contact_mode_name(touches[0].held), "1");
 }
 
 }  // namespace
