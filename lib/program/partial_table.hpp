@@ -14,8 +14,8 @@
 #include <string>
 #include <string_view>
 
-#include "checksum.hpp"
 #include "output.hpp"
+#include "vibro_impact/checksum.hpp"
 
 namespace vibro_impact::runner {
 

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <sstream>
 
-#include "checksum.hpp"
 #include "refuse.hpp"
 #include "scene_options.hpp"
 #include "values.hpp"
+#include "vibro_impact/checksum.hpp"
 
 namespace vibro_impact::runner {
 

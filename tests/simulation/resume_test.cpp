@@ -10,6 +10,7 @@
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/events.hpp"
+#include "vibro_impact/checksum.hpp"
 
 namespace {
 
@@ -143,6 +144,14 @@ TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
     ASSERT_TRUE(refused(changed)) << at;
   }
   EXPECT_TRUE(refused(good + "more\n"));
+  // Under a checksum that fits: no numbers, too few, too many, a list that cannot be so long.
+  const std::string body = good.substr(good.find('\n') + 1);
+  for (const std::string &other : {std::string(), body.substr(0, body.find('\n') + 1), body + "1\n",
+                                   std::string("0\n0\n9999999999999\n")}) {
+    Checksum checksum;
+    checksum.add(other);
+    EXPECT_TRUE(refused("vibro-impact run state 3, checksum " + checksum.text() + "\n" + other));
+  }
 
   Scene one = scene, faster = scene, moved = scene, three = scene;
   one.stops.pop_back();

@@ -1,13 +1,11 @@
-// The checksum of a file of text.
+// The checksum of a text that is kept in a file: of the state of a run, of the rows of a sweep.
 #pragma once
-
-#include <fmt/format.h>
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace vibro_impact::runner {
+namespace vibro_impact {
 
 // FNV-1a: no defence against malice, but against a slip of an editor or a disk.
 struct Checksum {
@@ -17,9 +15,13 @@ struct Checksum {
     for (const char c : text)
       value = (value ^ static_cast<unsigned char>(c)) * std::uint64_t{1099511628211U};
   }
+  // In 16 hexadecimal digits.
   std::string text() const {
-    return fmt::format("{:016x}", value);
+    std::string digits;
+    for (int shift = 60; shift >= 0; shift -= 4)
+      digits.push_back("0123456789abcdef"[(value >> shift) & 15U]);
+    return digits;
   }
 };
 
-}  // namespace vibro_impact::runner
+}  // namespace vibro_impact

@@ -1,11 +1,16 @@
 #include "run_state.hpp"
 
 #include <algorithm>
-#include <cstdint>
+
+#include "vibro_impact/checksum.hpp"
 
 namespace vibro_impact {
 
 namespace {
+
+void require_whole(bool holds) {
+  require(holds, "state of a run: cut short or changed, or not saved by this version");
+}
 
 // The numbers of a state as text, one a line: written, or read back in the same order.
 struct Lines {
@@ -19,7 +24,8 @@ struct Lines {
       append(text, value);
       return text.push_back('\n');
     }
-    const std::size_t end = std::min(rest.find('\n'), rest.size() - 1);
+    const std::size_t end = rest.find('\n');
+    require_whole(end != rest.npos);
     std::from_chars(rest.data(), rest.data() + end, value);
     rest.remove_prefix(end + 1);
   }
@@ -40,6 +46,7 @@ struct Lines {
   void pass(std::vector<Value> &values) {
     std::size_t size = values.size();
     pass(size);
+    require_whole(!reads || size <= rest.size());
     values.resize(size);
     for (Value &value : values) pass(value);
   }
@@ -53,12 +60,11 @@ struct Lines {
   }
 };
 
-// The line above these numbers, with a checksum of them (FNV-1a): against slips, not malice.
+// The line above these numbers.
 std::string heading(std::string_view numbers) {
-  std::uint64_t checksum = 14695981039346656037U;
-  for (const char c : numbers)
-    checksum = (checksum ^ static_cast<unsigned char>(c)) * std::uint64_t{1099511628211U};
-  return line("vibro-impact run state 3, checksum ", checksum, "\n");
+  Checksum checksum;
+  checksum.add(numbers);
+  return line("vibro-impact run state 3, checksum ", checksum.text(), "\n");
 }
 
 }  // namespace
@@ -82,10 +88,11 @@ std::string save(const RunState &state) {
 RunState load(const Scene &scene, std::string_view text) {
   check(scene);
   const std::string_view rest = text.substr(std::min(text.find('\n'), text.size() - 1) + 1);
-  require(!text.empty() && text == heading(rest) + std::string(rest),
-          "state of a run: cut short or changed, or not saved by this version");
+  require_whole(!text.empty() && text == heading(rest) + std::string(rest));
   RunState::Numbers numbers;
-  Lines{.reads = true, .rest = rest}.pass(numbers);
+  Lines lines{.reads = true, .rest = rest};
+  lines.pass(numbers);
+  require_whole(lines.rest.empty());
   check_place(scene, numbers.now, numbers.held);
   if (has_four_lanes(scene))
     state_in(numbers, scene, build_contact_mode<4>(scene, numbers.held));
