@@ -171,4 +171,34 @@ TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
   EXPECT_NE(refusal([&] { resume(scene, {}, 1.0); }), "");
 }
 
+// One number after another replaced, under a checksum that fits: refused, or a state that a run
+// goes on from without looking beyond what is stored (the sanitizers watch).
+TEST(Resume, FromNumbersThatContradictEachOtherLeadsNowhereElse) {
+  const Scene scene = paper::figure2();
+  EventRecorder events;
+  simulate(scene, 38.0, {}, events);
+  std::size_t k = 0;
+  while (events.events[k].falling < 4) ++k;
+  const double between = (events.events[k - 1].time + events.events[k].time) / 2;
+  const std::string good = save(simulate(scene, between).resume);
+  int refused = 0, taken = 0;
+  for (std::size_t at = good.find('\n') + 1; at < good.size(); at = good.find('\n', at) + 1)
+    for (const char *number : {"-1", "0", "3", "1e300", "nan", "2000000000"}) {
+      std::string numbers = good.substr(good.find('\n') + 1);
+      const std::size_t here = at - (good.size() - numbers.size());
+      numbers.replace(here, numbers.find('\n', here) - here, number);
+      Checksum checksum;
+      checksum.add(numbers);
+      const std::string text =
+          "vibro-impact run state 3, checksum " + checksum.text() + "\n" + numbers;
+      SCOPED_TRACE(::testing::Message() << number << " in place of the number at " << here);
+      const std::string why = refusal(
+          [&] { resume(scene, load(scene, text), 40.0, {.max_impacts_per_period = 1000}); });
+      EXPECT_EQ(why.find('\n'), why.npos);
+      ++(why.empty() ? taken : refused);
+    }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(taken, 50);
+}
+
 }  // namespace

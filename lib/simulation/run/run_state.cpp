@@ -1,6 +1,7 @@
 #include "run_state.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "vibro_impact/checksum.hpp"
 
@@ -94,11 +95,38 @@ RunState load(const Scene &scene, std::string_view text) {
   lines.pass(numbers);
   require_whole(lines.rest.empty());
   check_place(scene, numbers.now, numbers.held);
+  check_numbers(numbers);
   if (has_four_lanes(scene))
     state_in(numbers, scene, build_contact_mode<4>(scene, numbers.held));
   else
     state_in(numbers, scene, build_contact_mode<any_lanes>(scene, numbers.held));
   return RunState(std::make_shared<const RunState::Numbers>(std::move(numbers)));
+}
+
+void check_numbers(const RunState::Numbers &numbers) {
+  const auto finite = [](const auto &values) {
+    return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+  };
+  const ChatterImpacts &chatter = numbers.chatter;
+  require(finite(numbers.value) && finite(numbers.slope) && finite(chatter.times) &&
+              finite(chatter.jumps),
+          "state: numbers that are not finite");
+  for (const AtStop &stop : numbers.stops) {
+    require(stop.gap >= 0.0 && std::isfinite(stop.gap) && std::isfinite(stop.speed), "state: gap ",
+            stop.gap, " with speed ", stop.speed, ": must be non-negative and finite");
+    require(stop.zeros >= 0 && stop.falling >= 0, "state: ", stop.zeros, " zeros of a force after ",
+            stop.falling, " falling impacts: must be non-negative");
+    require(stop.leading >= 0.0 && stop.last_speed >= 0.0, "state: leading force ", stop.leading,
+            " after an impact at ", stop.last_speed, ": must be non-negative");
+  }
+  require(chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
+              (chatter.times.empty() || !numbers.nodes.empty()),
+          "state: ", chatter.times.size(), " impacts of a chatter at ", chatter.contacts.size(),
+          " stops with ", chatter.jumps.size(), " jumps and ", numbers.nodes.size(), " nodes");
+  for (const ChatterTable::Node &node : numbers.nodes)
+    require(node.impact < chatter.times.size() && node.x > 0.0,
+            "state: node of a chatter at impact ", node.impact, " of ", chatter.times.size(),
+            ", with a flight of ", node.x);
 }
 
 void check_place(const Scene &scene, const Instant &instant, const Held &held) {
