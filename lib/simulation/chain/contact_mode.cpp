@@ -104,17 +104,22 @@ Reading<D> press_reading(const Scene &scene, const ContactMode<D> &mode, const S
   using Eigen::Index;
   const auto p = static_cast<std::size_t>(stop.mass - 1);
   const double sigma = sign(stop.side);
+  // A coordinate j of all masses, as the force on this one sees it: itself at rest at `here`.
+  const auto beside = [&](double here, const auto &row_of) {
+    return [&, here](std::size_t j) { return j == p ? here : row_of(static_cast<Index>(j)); };
+  };
+  const auto none = [](std::size_t) { return 0.0; };
+  const auto at = [&](Index j) { return mode.equilibrium(j); };
   Reading<D> press;
-  press.offset = sigma * link_force(scene, p, stop.position, [&](std::size_t j) {
-                   return mode.equilibrium(static_cast<Index>(j));
-                 });
+  press.offset = sigma * force_on(scene, p, beside(stop.position, at), none, 0.0);
   press.on_value.setZero(mode.lanes());
-  for (Index lane = 0; lane < mode.lanes(); ++lane)
-    press.on_value(lane) = sigma * link_force(scene, p, 0.0, [&](std::size_t j) {
-                             return mode.shape(static_cast<Index>(j), lane);
-                           });
-  press.on_slope = scene.beta * press.on_value;
-  if (scene.forced()) press.on_value(mode.lanes() - 2) += sigma * amplitude_on(scene, p);
+  press.on_slope.setZero(mode.lanes());
+  for (Index lane = 0; lane < mode.lanes(); ++lane) {
+    const auto shape = [&](Index j) { return mode.shape(j, lane); };
+    const double cosine = scene.forced() && lane == mode.lanes() - 2 ? 1.0 : 0.0;
+    press.on_value(lane) = sigma * force_on(scene, p, beside(0.0, shape), none, cosine);
+    press.on_slope(lane) = sigma * force_on(scene, p, none, beside(0.0, shape), 0.0);
+  }
   return press;
 }
 

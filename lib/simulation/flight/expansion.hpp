@@ -16,7 +16,7 @@ namespace vibro_impact {
 // powers of rate * span.
 struct Expansion {
   double span = 0.0, rate = 0.0;
-  int order = 0;
+  int order = 0;  // 0: no series, any time in closed form
   detail::Powers power{};
 };
 
@@ -181,7 +181,7 @@ void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, Weights
   const Eigen::Index modal = mode.modal_lanes();
   const std::complex<double> before =
       mode.any_resonant ? std::complex(state.value(modal), state.value(modal + 1)) : 0.0;
-  if (!(x <= max_reach)) {
+  if (path.order == 0 || !(x <= max_reach)) {
     const typename State<D>::Lanes value = state.value, slope = state.slope;
     flow(mode, value, slope, tau, state.value, state.slope);
   } else {

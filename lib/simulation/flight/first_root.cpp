@@ -88,16 +88,12 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
   if (first > p.order) return std::nullopt;  // identically zero: it never leaves, never returns
   const double *c = p.coefficient.data() + first;
   if (c[0] < 0.0) return Root{0.0, first == 0 ? c[1] : first == 1 ? c[0] : 0.0};
-  // Most are dismissed by the sum of the negative coefficients, others by nested minima, which are
-  // tighter; a polynomial that ends below zero needs neither.
-  const detail::Extremes extremes = detail::extremes_of(p, first);
-  if (extremes.lowest > 0.0 ||
-      (extremes.end > 0.0 && detail::lower_bound(p, first, [](int) { return 1.0; }) > 0.0)) {
+  if (detail::lower_bound(p, first, [](int) { return 1.0; }) > 0.0) {
     ++counters.roots_dismissed;
     return std::nullopt;
   }
-  const detail::Bounds bounds = detail::bounds_of(p, first);
-  const bool large = !(c[0] + std::abs(c[1]) + bounds.bend < squares_overflow);
+  const double most_bent = 2.0 * detail::derivative_bound(p, first, 2);  // |p''|
+  const bool large = !(c[0] + std::abs(c[1]) + most_bent < squares_overflow);
   if (c[0] < squares_underflow || large) {
     Polynomial other;
     if (const double scale = rescale(p, other); scale != 1.0) {
@@ -105,9 +101,10 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
       if (root) root->slope /= scale;
       return root;
     }
-    if (!std::isfinite(bounds.bend)) return std::nullopt;  // the run is given up for such motion
+    if (!std::isfinite(most_bent)) return std::nullopt;  // the run is given up for such motion
   }
   ++counters.roots_searched;
+  const double fifth = detail::derivative_bound(p, first, 5);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double reach = 1.0, growth = 4.0, curvature = -1.0, twist = -1.0;  // not known yet
   double u = 0.0, last_newton = std::numeric_limits<double>::infinity();
@@ -125,9 +122,9 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
   while (true) {
     // Kantorovich, with a margin of two: p' varies by less than half of itself over twice Newton's
     // step, so that the root ahead is the only one there.
-    const double bent = bounds.bend * std::abs(at.value), square = at.slope * at.slope;
+    const double bent = most_bent * std::abs(at.value), square = at.slope * at.slope;
     if (at.slope < 0.0 && bent <= 0.25 * square) {
-      const SeriesStep to = series_step(at, bent / square, bounds.fifth);
+      const SeriesStep to = series_step(at, bent / square, fifth);
       const bool stalled =  // by rounding
           !(std::abs(to.newton) < 0.5 * last_newton) &&
           std::abs(at.value) <= 32.0 * epsilon * size_at(p, first, u);
@@ -146,7 +143,7 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
     if (curvature < 0.0) bound_within(1.0);
     double step = at.value <= 0.0 ? 0.0 : safe_step(at.value, at.slope, curvature);
     if (at.value > 0.0 && at.second > 0.0 && steps >= 2) {
-      if (twist < 0.0) twist = detail::twist_bound(p, first);
+      if (twist < 0.0) twist = 6.0 * detail::derivative_bound(p, first, 3);
       step = std::max(step, convex_step(at, twist));
     }
     if (step <= 1e-6 * u) {

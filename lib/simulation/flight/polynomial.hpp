@@ -68,45 +68,12 @@ inline void set_powers(Powers &powers, double x, int order) {
   }
 }
 
-// The value at 1, and a lower bound on [0, 1] for c_0 > 0: c_0 and all negative coefficients. Those
-// are summed by themselves: as a difference of all terms and their moduli they would be lost in the
-// rounding of larger ones.
-struct Extremes {
-  double end, lowest;
-};
-
-inline Extremes extremes_of(const Polynomial &p, int first) {
-  const double *c = p.coefficient.data() + first;
-  Packet sum = Packet::Zero(), negative = sum;
-  for (int n = 0; n <= p.order - first; n += 4) {
-    sum += packet(c + n);
-    negative += packet(c + n).min(0.0);
-  }
-  return {sum.sum(), c[0] + negative.sum()};
-}
-
-// Upper bounds on [0, 1] of derivatives.
-struct Bounds {
-  double bend;   // |p''|
-  double fifth;  // |p^(5)| / 5!
-};
-
-inline Bounds bounds_of(const Polynomial &p, int first) {
-  const double *c = p.coefficient.data() + first;
-  Packet bend = Packet::Zero(), fifth = bend;
-  for (int n = 0; n <= p.order - first; n += 4) {
-    const Packet at = packet(c + n).abs();
-    bend += binomials(2, n) * at;
-    fifth += binomials(5, n) * at;
-  }
-  return {2.0 * bend.sum(), fifth.sum()};
-}
-
-inline double twist_bound(const Polynomial &p, int first) {  // of |p'''|
+// Upper bound on [0, 1] of |p^(k)| / k!.
+inline double derivative_bound(const Polynomial &p, int first, std::size_t k) {
   const double *c = p.coefficient.data() + first;
   Packet sum = Packet::Zero();
-  for (int n = 0; n <= p.order - first; n += 4) sum += binomials(3, n) * packet(c + n).abs();
-  return 6.0 * sum.sum();
+  for (int n = 0; n <= p.order - first; n += 4) sum += binomials(k, n) * packet(c + n).abs();
+  return sum.sum();
 }
 
 // Lower bound on [0, 1] of sum_{n >= first} weight(n) c_n u^(n - first): nested minima.

@@ -10,8 +10,7 @@ namespace vibro_impact {
 template <int D>
 void end_undisturbed(Run<D> &run, double remaining) {
   Expansion &path = run.flight.path;
-  path.span = remaining;
-  path.rate = std::numeric_limits<double>::infinity();  // beyond any series
+  path = {.span = remaining};
   sample_flight(run, remaining);
   if (run.over) return;
   run.at_end = run.state;

@@ -40,10 +40,11 @@ std::size_t decide_by_order(const Scene &scene, double phase, double rate, Quest
     };
     // The same of error bounds: -E_i in place of x_i adds up what the difference takes off.
     const auto error_of = [&](std::size_t i) {
-      const auto bound = [&](const std::vector<double> &errors) {
-        return link_force(scene, i, -errors[i], [&](std::size_t j) { return errors[j]; });
+      const auto bound = [i](const std::vector<double> &errors, double unit) {
+        return
+            [&errors, i, unit](std::size_t j) { return unit * (j == i ? -errors[j] : errors[j]); };
       };
-      return bound(at.x_error) + scene.beta * rate * bound(at.v_error);
+      return force_on(scene, i, bound(at.x_error, 1.0), bound(at.v_error, rate), 0.0);
     };
     const auto set_acceleration = [&](std::size_t i, double force, double error) {
       at.a[i] = force / (scene.mass[i] * rate * rate);
