@@ -3,6 +3,9 @@
 // the counters beside them say what that took.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -110,6 +113,48 @@ void undisturbed(benchmark::State &state) {
   show(state, counters, 1);
 }
 
+// What 100,000 forcing periods, impact by impact, do to the phase, in periods: that of the events
+// of the settled motion of Figure 2, in the last period against the hundredth.
+void long_run(benchmark::State &state) {
+  const Scene scene = paper::figure2();
+  const Clock clock(scene.omega);
+  double apart = 0.0;
+  for (auto _ : state) {
+    const auto events_of_period = [&](long long cycle) {
+      EventRecorder recorder{.from = time_of({cycle, 0.0}, clock)};
+      simulate(scene, time_of({cycle + 1, 0.0}, clock), {}, recorder);
+      return recorder.events;
+    };
+    const std::vector<Event> early = events_of_period(100), late = events_of_period(100'000);
+    if (early.size() != late.size()) return state.SkipWithError("the motion has not settled");
+    for (std::size_t i = 0; i < early.size(); ++i)
+      apart = std::max(apart, std::abs(late[i].instant.phase - early[i].instant.phase));
+  }
+  state.counters["phase error"] = apart / clock.period;
+}
+
+// The same of the centre of mass of a forced free chain: x = f (1 - cos(Omega t)) / Omega^2, read
+// once a period a quarter of it after its beginning, where x' = f / Omega.
+void long_run_of_a_free_chain(benchmark::State &state) {
+  Scene scene = paper::figure2();
+  scene.stiffness[0] = 0.0;
+  scene.stops = {{1, Side::upper, 1e3}};  // never reached, always looked at
+  const double pull = 0.25, period = Clock(scene.omega).period;
+  double apart = 0.0;
+  for (auto _ : state) {
+    SampleRecorder recorder{.from = 0.25 * period, .to = 1e5 * period, .every = period};
+    simulate(scene, 1e5 * period, {}, recorder);
+    for (std::size_t i = 0; i < recorder.times.size(); ++i) {
+      const double x = (recorder.displacements[2 * i] + recorder.displacements[2 * i + 1]) / 2.0;
+      const Instant at = instant_at(recorder.times[i], Clock(scene.omega));
+      const double exact =
+          pull * (1.0 - std::cos(scene.omega * at.phase)) / scene.omega / scene.omega;
+      apart = std::max(apart, std::abs(x - exact) / (pull / scene.omega));
+    }
+  }
+  state.counters["phase error"] = apart / period;
+}
+
 // A diagram like Figure 3, per frequency, on as many threads as the argument says: `periods` are
 // the forcing periods integrated until a motion has settled, of 400.
 void diagram(benchmark::State &state) {
@@ -137,6 +182,8 @@ BENCHMARK(sample)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 BENCHMARK(stroboscopic_derivative)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 BENCHMARK(diagram)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK(undisturbed)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK(long_run)->Iterations(1);
+BENCHMARK(long_run_of_a_free_chain)->Iterations(1);
 
 }  // namespace
 
