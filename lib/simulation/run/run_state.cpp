@@ -27,7 +27,11 @@ struct Lines {
     }
     const std::size_t end = rest.find('\n');
     require_whole(end != rest.npos);
-    std::from_chars(rest.data(), rest.data() + end, value);
+    const auto [read, error] = std::from_chars(rest.data(), rest.data() + end, value);
+    require_whole(error == std::errc() && read == rest.data() + end &&
+                  !std::isnan(static_cast<double>(value)));
+    if constexpr (std::integral<Number> && !std::same_as<Number, signed char>)
+      require_whole(value >= 0);  // all that counts; a mass may be held at its lower stop, as -1
     rest.remove_prefix(end + 1);
   }
   void pass(bool &value) {
@@ -95,7 +99,7 @@ RunState load(const Scene &scene, std::string_view text) {
   lines.pass(numbers);
   require_whole(lines.rest.empty());
   check_place(scene, numbers.now, numbers.held);
-  check_numbers(numbers);
+  check_chatter(numbers.chatter, numbers.nodes);
   if (has_four_lanes(scene))
     state_in(numbers, scene, build_contact_mode<4>(scene, numbers.held));
   else
@@ -103,30 +107,14 @@ RunState load(const Scene &scene, std::string_view text) {
   return RunState(std::make_shared<const RunState::Numbers>(std::move(numbers)));
 }
 
-void check_numbers(const RunState::Numbers &numbers) {
-  const auto finite = [](const auto &values) {
-    return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-  };
-  const ChatterImpacts &chatter = numbers.chatter;
-  require(finite(numbers.value) && finite(numbers.slope) && finite(chatter.times) &&
-              finite(chatter.jumps),
-          "state: numbers that are not finite");
-  for (const AtStop &stop : numbers.stops) {
-    require(stop.gap >= 0.0 && std::isfinite(stop.gap) && std::isfinite(stop.speed), "state: gap ",
-            stop.gap, " with speed ", stop.speed, ": must be non-negative and finite");
-    require(stop.zeros >= 0 && stop.falling >= 0, "state: ", stop.zeros, " zeros of a force after ",
-            stop.falling, " falling impacts: must be non-negative");
-    require(stop.leading >= 0.0 && stop.last_speed >= 0.0, "state: leading force ", stop.leading,
-            " after an impact at ", stop.last_speed, ": must be non-negative");
-  }
+void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes) {
   require(chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
-              (chatter.times.empty() || !numbers.nodes.empty()),
+              (chatter.times.empty() || !nodes.empty()),
           "state: ", chatter.times.size(), " impacts of a chatter at ", chatter.contacts.size(),
-          " stops with ", chatter.jumps.size(), " jumps and ", numbers.nodes.size(), " nodes");
-  for (const ChatterTable::Node &node : numbers.nodes)
-    require(node.impact < chatter.times.size() && node.x > 0.0,
-            "state: node of a chatter at impact ", node.impact, " of ", chatter.times.size(),
-            ", with a flight of ", node.x);
+          " stops with ", chatter.jumps.size(), " jumps and ", nodes.size(), " nodes");
+  for (const ChatterTable::Node &node : nodes)
+    require(node.impact < chatter.times.size(), "state: a node of a chatter at impact ",
+            node.impact, " of ", chatter.times.size());
 }
 
 void check_place(const Scene &scene, const Instant &instant, const Held &held) {

@@ -36,9 +36,9 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
 // are held at stops that exist.
 void check_place(const Scene &scene, const Instant &instant, const Held &held);
 
-// Throws std::invalid_argument where the numbers of a state, which a checksum guards against slips
-// only, contradict each other: none of them may lead the run beyond what it has stored.
-void check_numbers(const RunState::Numbers &numbers);
+// Throws std::invalid_argument unless there are as many jumps as impacts, and nodes among these: a
+// checksum guards against slips only.
+void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes);
 
 // The state in this mode. Throws std::invalid_argument where it contradicts the scene.
 template <int D>
