@@ -21,6 +21,13 @@ void end_undisturbed(Run<D> &run, double remaining) {
   run.over = true;
 }
 
+// The longest span up to this one that is added to the phase without rounding. The motion of a long
+// flight would run ahead of its time by the rounding of every step, the same one for hundreds.
+inline double as_added(double phase, double span) {
+  const double end = phase + span, added = end - phase;
+  return added <= span ? added : std::nextafter(end, phase) - phase;
+}
+
 // The span of the next expansion, unless the run has to be given up.
 template <int D>
 double choose_span(Run<D> &run, double rate) {
@@ -33,7 +40,7 @@ double choose_span(Run<D> &run, double rate) {
     give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ",
                       time_of(state.now, run.clock), ", given up"));
   // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
-  return std::min(longest, std::max(state.next_flight, lost * longest));
+  return std::min(as_added(state.now.phase, longest), std::max(state.next_flight, lost * longest));
 }
 
 // Runs on to the end, or until a recorder is done or the run has to be given up. The state it
