@@ -56,8 +56,8 @@ TEST(ChatterByParameters, OfABouncingBallIsThatOfTheClosedForm) {
     const MotionState start = start_of(ball);
     TangentRecorder tangents(ball, start, Matrix(2, by.size()), {.by = by, .events = true});
     const Outcome end = simulate(ball, 100.0, {}, tangents);
-    tangents.finish(end.state.instant);
-    const EventChange first = tangents.events().front(), last = tangents.events().back();
+    const ChangesAtEnd at_end = tangents.finish(end.state.instant);
+    const EventChange first = at_end.events.front(), last = at_end.events.back();
     ASSERT_EQ(last.event.kind, EventKind::stick);
     const double fall = std::sqrt(2.0 * 1.25 * 2.0 / 3.0), whole = (1.0 + r) / (1.0 - r);
     const double rest = fall * whole, speed = std::sqrt(2.0 * 1.25 * 3.0 / 2.0);
@@ -75,7 +75,7 @@ TEST(ChatterByParameters, OfABouncingBallIsThatOfTheClosedForm) {
     EXPECT_NEAR(first.velocity_before[1], speed / 2.5, 2e-15);
     EXPECT_NEAR(first.velocity_before[2], speed / 6.0, 2e-15);
     // Held, it moves with its stop and by nothing else.
-    EXPECT_EQ(tangents.tangent().values, (std::vector<double>{0, 1, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(at_end.changes.values, (std::vector<double>{0, 1, 0, 0, 0, 0, 0, 0}));
   }
 }
 

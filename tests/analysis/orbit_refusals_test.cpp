@@ -122,6 +122,10 @@ TEST(Refusals, OfOrbits) {
   const auto far = [](MotionState &at) {
     at.instant.cycle = std::numeric_limits<long long>::max();
   };
+  const auto finish = [](TangentRecorder &tangents, const MotionState &at) {
+    const Outcome end = simulate_from(scene, at, 10.0, {}, tangents);
+    tangents.finish(end.state.instant);
+  };
   const auto short_of_one = [](MotionState &at) { at.displacement.pop_back(); };
   expect_refused({
       {[&] { time_after(unforced, start(), 1); }, "omega = 0: a stroboscopic map needs a forcing"},
@@ -146,6 +150,18 @@ TEST(Refusals, OfOrbits) {
          TangentRecorder(scene, start(), Matrix(4, 1), {.by = {{}, {}}});
        },
        "columns: 1"},
+      {[&] {
+         TangentRecorder tangents(scene, start(), Matrix(4, 1));
+         finish(tangents, start());
+         finish(tangents, start());
+       },
+       "tangents: an event after the end"},
+      {[&] {
+         TangentRecorder tangents(scene, start(), Matrix(4, 1));
+         finish(tangents, start());
+         tangents.finish({0, 10.0});
+       },
+       "tangents: finished already"},
       {[] { orbit_change(scene, {}, {}); }, "orbit: has not converged"},
   });
 }

@@ -222,8 +222,8 @@ TEST(MapByParameters, CostsNothingWhereItIsNotAskedFor) {
   EXPECT_EQ(plain.counters.expansions, with_parameters.counters.expansions);
   EXPECT_TRUE(plain.by_parameters.values.empty());
   TangentRecorder tangents(of.scene, of.at, Matrix(4, 1));
-  simulate_from(of.scene, of.at, 60.0, {}, tangents);
-  EXPECT_TRUE(tangents.events().empty());
+  const Outcome end = simulate_from(of.scene, of.at, 60.0, {}, tangents);
+  EXPECT_TRUE(tangents.finish(end.state.instant).events.empty());
 }
 
 TEST(MapByParameters, RefusesWhatHasNoDerivative) {

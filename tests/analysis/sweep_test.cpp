@@ -207,10 +207,9 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       {counts({EventKind::impact, 99, 0, false}, 1), "stop 99: the scene has 2 stops"},
       {counts({EventKind::stick, 2, 0, false}, 1), "stop 2"},
       {counts({EventKind::impact, 0, 0, false}, 0), "periods = 0"},
-      {[&] { greatest_exponent({}, 0.0); }, "duration = 0"},
-      {[&] { greatest_exponent({}, NAN); }, "duration = nan"},
-      {[&] { GrowthRecorder(unforced, start); }, "omega = 0"},
-      {[&] { GrowthRecorder(good, MotionState{}); }, ""},
+      {[&] { mean_growth(unforced, start, 100); }, "omega = 0"},
+      {[&] { mean_growth(good, start, 0); }, "periods = 0"},
+      {[&] { mean_growth(good, MotionState{}, 100); }, "displacement: 0 values"},
   };
   for (const Call &bad : calls) try {
       bad.call();

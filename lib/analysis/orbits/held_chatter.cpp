@@ -131,10 +131,10 @@ class HeldChatter {
     TangentRecorder tangents(scene_, at_, columns_, {.by = by_, .events = true});
     at_ =
         require_complete(simulate_from(scene_, at_, until, options, tangents, recorders...)).state;
-    tangents.finish(at_.instant);
-    columns_ = tangents.tangent();
+    const ChangesAtEnd at_end = tangents.finish(at_.instant);
+    columns_ = at_end.changes;
     std::vector<EventChange> impacts;
-    for (const EventChange &change : tangents.events())
+    for (const EventChange &change : at_end.events)
       if (change.event.kind == EventKind::impact && change.event.stop == curve_.stop)
         impacts.push_back(change);
     return impacts;

@@ -17,25 +17,17 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-// The changes of the motion, told to `recorder`, that go with the changes of the orbit.
-TangentRecorder along(const Scene &scene, const PeriodicOrbit &orbit, const OrbitChange &change,
-                      bool events) {
-  return TangentRecorder(scene, orbit.state, change.state, {.by = change.by, .events = events});
+// The changes of the motion up to `until`, a time, that go with the changes of the orbit.
+ChangesAtEnd along(const Scene &scene, const PeriodicOrbit &orbit, const OrbitChange &change,
+                   double until, const RunOptions &options = {}, bool events = false) {
+  TangentRecorder tangents(scene, orbit.state, change.state, {.by = change.by, .events = events});
+  return tangents.finish(
+      require_complete(simulate_from(scene, orbit.state, until, options, tangents)).state.instant);
 }
 
-// The state of the orbit at `until`, a time, and its changes.
-struct Moved {
-  PlainMotion motion;
-  Eigen::MatrixXd changes;
-};
-
-Moved moved_to(const Scene &scene, const PeriodicOrbit &orbit, const OrbitChange &change,
-               const MotionState &at) {
-  TangentRecorder tangents = along(scene, orbit, change, false);
-  const double until = time_of(at.instant, Clock(scene.omega));
-  tangents.finish(
-      require_complete(simulate_from(scene, orbit.state, until, {}, tangents)).state.instant);
-  return {{view(at.displacement), view(at.velocity)}, view(tangents.tangent())};
+Eigen::MatrixXd changes_at(const Scene &scene, const PeriodicOrbit &orbit,
+                           const OrbitChange &change, const Instant &at) {
+  return view(along(scene, orbit, change, time_of(at, Clock(scene.omega))).changes);
 }
 
 // One in the entries of the parameters that are the position of this stop.
@@ -77,13 +69,9 @@ OrbitChange orbit_change(const Scene &scene, const PeriodicOrbit &orbit,
     change(free, Eigen::all) = matrix.partialPivLu().solve(change(free, Eigen::all)).eval();
   if (!change.allFinite())
     throw std::runtime_error("orbit: a Floquet multiplier is 1, it has no derivative");
-  OrbitChange result{by, matrix_of(change), {}, image.differentiable, image.chatter_error};
-  TangentRecorder tangents = along(scene, orbit, result, true);
+  OrbitChange result{by, matrix_of(change), {}, image.differentiable};
   const double until = time_after(scene, orbit.state, orbit.periods);
-  tangents.finish(
-      require_complete(simulate_from(scene, orbit.state, until, options, tangents)).state.instant);
-  result.events = tangents.events();
-  result.chatter_error = std::max(result.chatter_error, tangents.chatter_error());
+  result.events = along(scene, orbit, result, until, options, true).events;
   return result;
 }
 
@@ -104,9 +92,9 @@ std::optional<ValueChange> least_gap_change(const Scene &scene, const PeriodicOr
   const PeriodicOrbit counted = from_zero(orbit);
   const auto least = least_gap(scene, counted.state, stop);
   if (!least) return std::nullopt;
-  const Moved moved = moved_to(scene, counted, change, least->at);
+  const Eigen::MatrixXd moved = changes_at(scene, counted, change, least->at.instant);
   return value_change(least->value, sign(stop.side) * (stop_change(scene, change.by, stop) -
-                                                       moved.changes.row(stop.mass - 1)));
+                                                       moved.row(stop.mass - 1)));
 }
 
 std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
@@ -116,11 +104,13 @@ std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
   const PeriodicOrbit counted = from_zero(orbit);
   const auto least = least_pressing_force(scene, counted.state, stop);
   if (!least) return std::nullopt;
-  const Moved moved = moved_to(scene, counted, change, least->at);
+  const MotionState &at = least->at;
+  const Eigen::MatrixXd moved = changes_at(scene, counted, change, at.instant);
   return value_change(
       least->value,
       sign(stop.side) * force_change(scene, change.by, static_cast<std::size_t>(stop.mass - 1),
-                                     least->at.instant.phase, moved.motion, moved.changes));
+                                     at.instant.phase, {view(at.displacement), view(at.velocity)},
+                                     moved));
 }
 
 ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter> &by,

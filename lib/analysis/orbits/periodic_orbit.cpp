@@ -64,12 +64,9 @@ Iterate evaluate(const Scene &scene, const MotionState &at, int periods,
 void accept(PeriodicOrbit &orbit, const MotionState &at, const Iterate &iterate) {
   const StroboscopicImage &image = iterate.image;
   orbit.state = at;
-  orbit.derivative = image.derivative;
   orbit.multipliers = floquet_multipliers(image.derivative, at.held);
   orbit.error = largest_component(iterate.step);
   orbit.differentiable = image.differentiable;
-  orbit.chatter_error = image.chatter_error;
-  orbit.counters = image.counters;
 }
 
 void move(MotionState &at, const Eigen::VectorXd &step) {
@@ -126,15 +123,15 @@ StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const Moti
   RunOptions closer = options;
   closer.chatter_tolerance *= tangents_to_motion;
   const Outcome end = simulate_from(scene, start, until, closer, tangents);
-  tangents.finish(require_complete(end).state.instant);
+  const ChangesAtEnd at_end = tangents.finish(require_complete(end).state.instant);
   StroboscopicImage image{end.state,
                           Matrix(2 * n, 2 * n),
                           Matrix(2 * n, by.size()),
-                          tangents.differentiable(),
-                          tangents.chatter_error(),
+                          at_end.differentiable,
+                          at_end.chatter_error,
                           end.counters};
   image.state.instant = start.instant;
-  const Matrix tangent = tangents.tangent();
+  const Matrix &tangent = at_end.changes;
   for (std::size_t i = 0; i < 2 * n; ++i) {
     for (std::size_t k = 0; k < free.size(); ++k) image.derivative(i, free[k]) = tangent(i, k);
     for (std::size_t k = 0; k < by.size(); ++k)

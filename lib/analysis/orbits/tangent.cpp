@@ -115,31 +115,18 @@ TangentRecorder::TangentRecorder(const Scene &scene, const MotionState &start,
 }
 
 TangentRecorder::~TangentRecorder() = default;
-TangentRecorder::TangentRecorder(TangentRecorder &&) noexcept = default;
-TangentRecorder &TangentRecorder::operator=(TangentRecorder &&) noexcept = default;
 
 void TangentRecorder::event(const Event &event, const Moment &moment) {
+  require(tangents_ != nullptr, "tangents: an event after the end");
   tangents_->event(event, moment);
 }
 
-void TangentRecorder::finish(const Instant &end) {
-  tangents_->finish(end);
-}
-
-Matrix TangentRecorder::tangent() const {
-  return matrix_of(tangents_->changes);
-}
-
-bool TangentRecorder::differentiable() const {
-  return tangents_->differentiable;
-}
-
-double TangentRecorder::chatter_error() const {
-  return tangents_->chatter_error;
-}
-
-const std::vector<EventChange> &TangentRecorder::events() const {
-  return tangents_->told;
+ChangesAtEnd TangentRecorder::finish(const Instant &end) {
+  require(tangents_ != nullptr, "tangents: finished already");
+  const auto at_end = std::exchange(tangents_, nullptr);
+  at_end->finish(end);
+  return {matrix_of(at_end->changes), at_end->differentiable, at_end->chatter_error,
+          std::move(at_end->told)};
 }
 
 }  // namespace vibro_impact

@@ -1,12 +1,14 @@
 #include "vibro_impact/analysis/lyapunov.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "simulation/for_analysis.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
+#include "vibro_impact/analysis/tangent.hpp"
 
 namespace vibro_impact {
 
@@ -39,77 +41,94 @@ double length_of(const Matrix &column) {
   return largest * std::sqrt(sum);
 }
 
+class GrowthRecorder {
+ public:
+  GrowthRecorder(const Scene &scene, const MotionState &start)
+      : scene_(scene),
+        clock_(scene.omega),
+        started_(start.instant),
+        next_{start.instant.cycle + periods_between, start.instant.phase},
+        held_(start.held),
+        block_begin_(start.instant) {
+    // A change in all directions that the masses are free to go.
+    const std::size_t n = scene.mass.size();
+    Matrix column(2 * n, 1);
+    for (std::size_t i = 0; i < 2 * n && i % n < held_.size(); ++i)
+      column(i, 0) = held_[i % n] == 0 ? 1.0 : 0.0;
+    follow(start, std::move(column));
+    logarithm_ = 0.0;
+  }
+
+  void event(const Event &event, const Moment &moment) {
+    held_ = event.held;
+    in_chatter_ = event.kind == EventKind::impact && event.falling > 0;
+    tangents_->event(event, moment);
+  }
+
+  double next_time() const {
+    return time_of(next_, clock_);
+  }
+
+  void sample(const Moment &moment) {
+    if (in_chatter_) {  // as a section may be in every period: at another phase
+      next_ = later(next_, clock_.period / 32.0, clock_);
+      return;
+    }
+    next_.cycle += periods_between;
+    const MotionState at = state_at(moment, held_);
+    follow(at, tangents_->finish(at.instant).changes);
+    if (at.instant.cycle - block_begin_.cycle >= block_length) end_block(at.instant);
+  }
+
+  bool done() const {
+    return sign_is_certain_;
+  }
+
+  Growth finish(const Instant &end) {
+    logarithm_ += std::log(length_of(tangents_->finish(end).changes));
+    return {logarithm_ / elapsed(started_, end, clock_), sign_is_certain_,
+            end.cycle - started_.cycle};
+  }
+
+ private:
+  const Scene &scene_;
+  Clock clock_;
+  Instant started_, next_;
+  Held held_;
+  bool in_chatter_ = false;  // tangents of a chatter are extrapolated from all of its impacts
+  double logarithm_ = 0.0;
+  std::optional<TangentRecorder> tangents_ = {};
+  Instant block_begin_;
+  double before_block_ = 0.0;        // the logarithm there
+  std::vector<double> blocks_ = {};  // growth per forcing period of each
+  bool sign_is_certain_ = false;
+
+  // Enters the length of the column in the sum, and goes on with length 1.
+  void follow(const MotionState &from, Matrix column) {
+    const double length = length_of(column);
+    logarithm_ += std::log(length);
+    if (length > 0.0)
+      for (double &value : column.values) value /= length;
+    tangents_.emplace(scene_, from, column);
+  }
+
+  void end_block(const Instant &now) {
+    const double periods = elapsed(block_begin_, now, clock_) / clock_.period;
+    blocks_.push_back((logarithm_ - before_block_) / periods);
+    block_begin_ = now;
+    before_block_ = logarithm_;
+    sign_is_certain_ = is_certain(blocks_);
+  }
+};
+
 }  // namespace
 
-double greatest_exponent(const std::vector<std::complex<double>> &multipliers, double duration) {
-  require(duration > 0.0 && std::isfinite(duration), "duration = ", duration,
-          ": must be positive and finite");
-  double largest = 0.0;
-  for (const std::complex<double> &mu : multipliers) largest = std::max(largest, std::abs(mu));
-  return std::log(largest) / duration;
-}
-
-GrowthRecorder::GrowthRecorder(const Scene &scene, const MotionState &start)
-    : scene_(scene),
-      clock_(scene.omega),
-      started_(start.instant),
-      next_{start.instant.cycle + periods_between, start.instant.phase},
-      held_(start.held),
-      block_begin_(start.instant) {
-  require(scene.omega > 0.0, "omega = ", scene.omega,
-          ": the growth of tangents is told by forcing periods");
-  // A change in all directions that the masses are free to go.
-  const std::size_t n = scene.mass.size();
-  Matrix column(2 * n, 1);
-  for (std::size_t i = 0; i < 2 * n && i % n < held_.size(); ++i)
-    column(i, 0) = held_[i % n] == 0 ? 1.0 : 0.0;
-  follow(start, std::move(column));
-  logarithm_ = 0.0;
-}
-
-// Enters the length of the column in the sum, and goes on with length 1.
-void GrowthRecorder::follow(const MotionState &from, Matrix column) {
-  const double length = length_of(column);
-  logarithm_ += std::log(length);
-  if (length > 0.0)
-    for (double &value : column.values) value /= length;
-  tangents_.emplace(scene_, from, column);
-}
-
-void GrowthRecorder::event(const Event &event, const Moment &moment) {
-  held_ = event.held;
-  in_chatter_ = event.kind == EventKind::impact && event.falling > 0;
-  tangents_->event(event, moment);
-}
-
-double GrowthRecorder::next_time() const {
-  return time_of(next_, clock_);
-}
-
-void GrowthRecorder::sample(const Moment &moment) {
-  if (in_chatter_) {  // as a section may be in every period: at another phase
-    next_ = later(next_, clock_.period / 32.0, clock_);
-    return;
-  }
-  next_.cycle += periods_between;
-  const MotionState at = state_at(moment, held_);
-  tangents_->finish(at.instant);
-  follow(at, tangents_->tangent());
-  if (at.instant.cycle - block_begin_.cycle >= block_length) end_block(at.instant);
-}
-
-void GrowthRecorder::end_block(const Instant &now) {
-  const double periods = elapsed(block_begin_, now, clock_) / clock_.period;
-  blocks_.push_back((logarithm_ - before_block_) / periods);
-  block_begin_ = now;
-  before_block_ = logarithm_;
-  sign_is_certain_ = is_certain(blocks_);
-}
-
-void GrowthRecorder::finish(const Instant &end) {
-  tangents_->finish(end);
-  logarithm_ += std::log(length_of(tangents_->tangent()));
-  exponent_ = logarithm_ / elapsed(started_, end, clock_);
+Growth mean_growth(const Scene &scene, const MotionState &start, int longest,
+                   const RunOptions &options) {
+  const double until = time_after(scene, start, longest);
+  GrowthRecorder growth(scene, start);
+  const Outcome end = simulate_from(scene, start, until, options, growth);
+  return growth.finish(require_complete(end).state.instant);
 }
 
 }  // namespace vibro_impact

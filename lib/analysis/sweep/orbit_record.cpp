@@ -1,6 +1,8 @@
 #include "vibro_impact/analysis/orbit_record.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <utility>
 
 #include "simulation/for_analysis.hpp"
@@ -44,17 +46,14 @@ std::optional<double> exponent_of(const Scene &scene, const OrbitRecord &record,
     work.with_tangents += record.period;
     const StroboscopicImage image =
         stroboscopic_map_and_derivative(scene, start, record.period, run);
-    return greatest_exponent(floquet_multipliers(image.derivative, start.held),
-                             record.period * Clock(scene.omega).period);
+    const auto multipliers = floquet_multipliers(image.derivative, start.held);
+    return std::log(multipliers.empty() ? 0.0 : std::abs(multipliers.front())) /
+           (record.period * Clock(scene.omega).period);
   }
-  GrowthRecorder growth(scene, start);
-  const double until = time_after(scene, start, most_averaged);
-  const Instant end =
-      require_complete(simulate_from(scene, start, until, run, growth)).state.instant;
-  growth.finish(end);
-  work.with_tangents += end.cycle - start.instant.cycle;
-  if (!growth.sign_is_certain()) return std::nullopt;
-  return growth.exponent();
+  const Growth growth = mean_growth(scene, start, most_averaged, run);
+  work.with_tangents += growth.periods;
+  if (!growth.sign_is_certain) return std::nullopt;
+  return growth.exponent;
 }
 
 std::vector<EventPair> pairs_of(const Scene &scene, const OrbitRecord &record,
@@ -79,7 +78,6 @@ OrbitRecord record_within(const Scene &scene, const MotionState &start, int long
   SettledMotion motion = settle(scene, start, settling);
   OrbitRecord record;
   record.period = motion.period;
-  record.to_come = motion.to_come;
   record.counters = motion.counters;
   work.settling += motion.periods_run;
   if (motion.period == 0 || options.impact_velocities)

@@ -32,7 +32,6 @@ struct RecordWork {
 
 struct OrbitRecord {
   int period = 0;                  // forcing periods; 0: none
-  double to_come = 0.0;            // as in SettledMotion
   EventCounts counts;              // over one period, or RecordOptions::counted forcing periods
   std::optional<double> lyapunov;  // if asked for, and decided
   std::vector<EventPair> pairs;    // each once, in the order of Table I; if asked for

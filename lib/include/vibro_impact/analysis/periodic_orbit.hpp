@@ -32,8 +32,8 @@ struct StroboscopicImage {
   MotionState state;           // n periods later, cycle count as at the start
   Matrix derivative;           // 2N x 2N; rows and columns of held masses are zero
   Matrix by_parameters;        // 2N x parameters, at a fixed phase of the section
-  bool differentiable = true;  // see TangentRecorder
-  double chatter_error = 0.0;  // see TangentRecorder
+  bool differentiable = true;  // see ChangesAtEnd
+  double chatter_error = 0.0;  // see ChangesAtEnd
   Counters counters;
 };
 
@@ -75,15 +75,12 @@ struct PeriodicOrbit {
   int periods = 1;
   MotionState state;                              // at the section
   std::vector<std::complex<double>> multipliers;  // Floquet multipliers, largest modulus first
-  Matrix derivative;                              // of the map, as in StroboscopicImage
   bool converged = false;                         // false: the rest describes the best iterate
   std::string why_not;                            // ... and why, in one line
   std::vector<double> residuals;  // largest component of P(z) - z, one per map evaluation
   double error = 0.0;             // estimated error of `state`: the size of the next Newton step
   bool differentiable = true;
-  double chatter_error = 0.0;
-  Counters counters;         // of the last map evaluation
-  long long expansions = 0;  // of all of them: the cost of the search
+  long long expansions = 0;  // of all map evaluations: the cost of the search
 
   bool stable() const {
     return multipliers.empty() || std::abs(multipliers.front()) < 1.0;

@@ -58,6 +58,17 @@ struct EventChange {
   std::vector<double> time, velocity_before;
 };
 
+// What has become of the changes by the end of a run.
+struct ChangesAtEnd {
+  Matrix changes;  // 2N x columns; rows of held masses are zero, but for the change of their stop
+  // False when the motion met an event at which its state is not differentiable: impacts of several
+  // masses at one instant, grazing, a mass coming to rest at its stop without chatter.
+  bool differentiable = true;
+  // Largest estimated error of a chatter limit of the changes, relative to the changes there.
+  double chatter_error = 0.0;
+  std::vector<EventChange> events;  // if TangentOptions::events asks for them, in their order
+};
+
 class TangentRecorder {
  public:
   // `start` is the state the run starts from, `columns` (2N x any number, rows x_1 .. x_N, x_1' ..
@@ -67,24 +78,12 @@ class TangentRecorder {
   TangentRecorder(const Scene &scene, const MotionState &start, const Matrix &columns,
                   const TangentOptions &options = {});
   ~TangentRecorder();
-  TangentRecorder(TangentRecorder &&) noexcept;
-  TangentRecorder &operator=(TangentRecorder &&) noexcept;
 
   void event(const Event &event, const Moment &moment);
 
-  // Brings the tangents to the end of the run. To be called once, after the run.
-  void finish(const Instant &end);
-
-  // The changes at the last event, or at the end: 2N x columns. Rows of held masses are zero, but
-  // for the change of their stop.
-  Matrix tangent() const;
-  // False when the motion met an event at which its state is not differentiable: impacts of several
-  // masses at one instant, grazing, a mass coming to rest at its stop without chatter.
-  bool differentiable() const;
-  // Largest estimated error of a chatter limit of the tangents, relative to the tangents there.
-  double chatter_error() const;
-  // What TangentOptions::events asks for, in the order of the events.
-  const std::vector<EventChange> &events() const;
+  // Carries the changes to the end of the run: once, after it. Throws std::invalid_argument, as
+  // `event` does, for a recorder that has finished.
+  ChangesAtEnd finish(const Instant &end);
 
  private:
   struct Tangents;
