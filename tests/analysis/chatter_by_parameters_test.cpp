@@ -34,6 +34,7 @@ TEST(ChatterByParameters, DoesNotDependOnWhereChatterIsCarriedToItsLimit) {
                               late = stroboscopic_map_and_derivative(scene, at, 1,
                                                                      {.resolve_chatter = 1e-6}, by);
       EXPECT_LT(largest_difference(early.by_parameters, late.by_parameters), 1e-13) << r;
+      EXPECT_LT(largest_difference(early.derivative, late.derivative), 1e-11) << r;
       EXPECT_LT(early.chatter_error, 1e-11) << r;
     }
 }

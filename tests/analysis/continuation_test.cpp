@@ -68,14 +68,6 @@ TEST(FollowCurve, IsGivenUpWhereTheCorrectorFindsNothing) {
   EXPECT_GE(curve.points.back().at.x, 0.0);
 }
 
-TEST(FollowCurve, RefusesWhatMeansNothing) {
-  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {1.0, 1.0, 0.0, 1.0}, 1), std::invalid_argument);
-  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 1.0, 0.0, 1.0}, 1), std::invalid_argument);
-  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 3.0, -1.0, 1.0}, 0), std::invalid_argument);
-  EXPECT_THROW(follow_curve(on_ellipse, on_axis, {0.0, 3.0, -1.0, 1.0}, 1, {.step = 0.0}),
-               std::invalid_argument);
-}
-
 // Behind x = 0.5003 the orbit has other events, or twice the period: the curve ends there.
 TEST(FollowCurve, EndsWhereTheEventsOrThePeriodChange) {
   for (const bool by_period : {false, true}) {
@@ -131,19 +123,6 @@ TEST(BifurcationCurves, StartOnTheEdgesOfSticking) {
     ++edges;
   }
   EXPECT_EQ(edges, 11);
-}
-
-// Dual sticking at the frequencies of Figures 5(b) and (c) begins where s1 = s2: the force on mass
-// 2 at rest beside mass 1 at rest is k2 (s1 - s2). Counted, to the width of the bisection.
-TEST(BifurcationCurves, DualStickingBeginsWhereTheStopsAreAlike) {
-  for (const Scene &panel : {paper::figure5b(), paper::figure5c()}) {
-    const auto sticks = [&](double s1) {
-      Scene scene = with(with(panel, parameter_named("stop1"), s1), parameter_named("stop2"), 0.2);
-      const MotionState at = at_quiet_phase(scene, settled(scene, 100));
-      return shortest_phase(events_after(scene, at, 2), 2) ? 1 : 0;
-    };
-    EXPECT_NEAR(bisect(sticks, 0.15, 0.25, 1e-8).above, 0.2, 1e-7);
-  }
 }
 
 // The direction of a curve is that of the derivatives of what is zero on it: against the secant of

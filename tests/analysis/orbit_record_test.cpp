@@ -12,26 +12,6 @@ namespace {
 
 using namespace vibro_impact;
 
-EventMark impact(std::size_t stop, int falling) {
-  return {EventKind::impact, stop, falling, false};
-}
-
-TEST(EventCounts, ACompleteChatterGoesOnOverTheEndOfThePeriods) {
-  const Scene scene = paper::figure2();
-  const EventMark stick{EventKind::stick, 0, 0, false}, release{EventKind::release, 0, 0, false};
-  // At stop 1 a chatter that begins near the end and completes near the beginning; at stop 2 one
-  // that falls, and ends in flight.
-  const std::vector<EventMark> marks = {impact(0, 2), stick,        impact(1, 0),
-                                        impact(1, 1), release,      impact(1, 2),
-                                        impact(0, 0), impact(0, 0), impact(0, 1)};
-  const EventCounts counts = counts_of(scene, marks, 1, false);
-  EXPECT_EQ(counts.impacts, (std::vector{1, 3}));
-  EXPECT_EQ(counts.sticks, (std::vector{1, 0}));
-  EXPECT_EQ(counts.chatters, (std::vector{1, 0}));
-  EXPECT_FALSE(counts.dual_sticking);
-  EXPECT_TRUE(counts_of(scene, marks, 1, true).dual_sticking);
-}
-
 TEST(Record, OnlyWhatIsAskedForIsComputed) {
   const Scene settling = paper::figure3(0.55), chaotic = paper::figure3(0.69);
   RecordOptions plain;
@@ -40,7 +20,8 @@ TEST(Record, OnlyWhatIsAskedForIsComputed) {
   EXPECT_EQ(bare.work.with_tangents, 0);
   EXPECT_FALSE(bare.lyapunov.has_value());
   EXPECT_TRUE(bare.impact_velocities.empty());
-  EXPECT_EQ(bare.counters.modal_evaluations, bare.work.settling) << "one look at every section";
+  const SettledMotion motion = settle(settling, start_of(settling));
+  EXPECT_EQ(motion.counters.modal_evaluations, motion.periods_run) << "one look at every section";
   EXPECT_EQ(none.period, 0);
   EXPECT_EQ(none.work.recorded, plain.counted);
   EXPECT_EQ(none.work.with_tangents, 0);

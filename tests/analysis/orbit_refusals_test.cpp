@@ -39,23 +39,22 @@ TEST(Refusals, OfForcesAndModes) {
        "held = 9: must be -1, 0 or 1"},
       {[&] { acceleration(scene, start(two_values)); }, "velocity: 3 values given"},
       {[&] { acceleration({}, start()); }, "masses = 0"},
-      {[&] { pressing_force(scene, none, start()); }, "mass = 5: the chain has masses 1 to 2"},
+      {[&] { pressing_force(scene, none, start()); }, "mass 5: the chain has masses 1 to 2"},
       {[&] { pressing_force(scene, on_no_side, start()); }, "side = 9: must be lower (-1) or"},
       {[&] { pressing_force(scene, nowhere, start()); }, "at nan: must be finite"},
-      {[&] { pressing_force_rate(scene, none, start()); }, "mass = 5: the chain has"},
+      {[&] { pressing_force_rate(scene, none, start()); }, "mass 5: the chain has"},
       {[&] { pressing_force_rate(scene, nowhere, start()); }, "at nan: must be finite"},
       {[&] { pressing_force_rate(scene, scene.stops[0], start(two_values)); }, "3 values given"},
-      {[&] { least_pressing_force(scene, start(), none); }, "mass = 5: the chain has"},
+      {[&] { least_pressing_force(scene, start(), none); }, "mass 5: the chain has"},
       {[&] { least_gap(scene, start(), on_no_side); }, "side = 9: must be lower (-1) or"},
   });
 }
 
 TEST(Refusals, OfParameters) {
-  Scene mine = scene;
   using Kind = Parameter::Kind;
   expect_refused({
-      {[&] {
-         value_of(mine, {Kind{99}, 1});
+      {[] {
+         get(scene, {Kind{99}, 1});
        },
        "kind of parameter = 99: there are kinds 0 to 8"},
       {[] {
@@ -82,10 +81,12 @@ TEST(Refusals, OfParameters) {
          with(scene, {Kind::omega, 1}, 0.1);
        },
        "omega1: no such number of it"},
-      {[] { parameter_named("mass0"); }, "parameter 'mass0': must be omega"},
-      {[] { parameter_named(""); }, "parameter '': must be omega"},
-      {[] { parameter_named("mass99999999999"); }, "parameter 'mass99999999999': must be"},
   });
+  for (const char *word : {"", "Omega", "omega1", "beta2", "stop", "stop0", "stop01", "stop-1",
+                           "stop1x", "mass", "1", "stop99999999999", "restitution0"})
+    expect_refused({{[&] { parameter_named(word); }, "': must be omega"}});
+  for (const char *word : {"stop3", "restitution3", "amplitude3", "mass3", "velocity3"})
+    expect_refused({{[&] { get(scene, parameter_named(word)); }, "3: the "}});
 }
 
 TEST(Refusals, OfWhatIsLocated) {
@@ -106,7 +107,7 @@ TEST(Refusals, OfWhatIsLocated) {
       {[&] { zero_from_one_side(line, nan, 1.0); }, "from nan to 1: must be two finite numbers"},
       {[&] { zero_from_one_side(line, 1.0, 1.0); }, "from 1 to 1: must be two finite numbers"},
       {[] { zero_from_one_side({}, 2.0, 1.0); }, "f: no function given"},
-      {[] { sticking_phases(scene, 3, 1, 1); }, "mass = 3: the chain has masses 1 to 2"},
+      {[] { sticking_phases(scene, 3, 1, 1); }, "mass 3: the chain has masses 1 to 2"},
       {[] { sticking_phases(scene, 1, -1, 1); }, "settling = -1: must be non-negative"},
       {[] { sticking_phases(scene, 1, 1, 0); }, "periods = 0: must be at least 1"},
       {[] { sticking_phases(scene, 1, most, most); }, "more than an int can count"},
@@ -125,6 +126,12 @@ TEST(Refusals, OfOrbits) {
   const auto finish = [](TangentRecorder &tangents, const MotionState &at) {
     const Outcome end = simulate_from(scene, at, 10.0, {}, tangents);
     tangents.finish(end.state.instant);
+  };
+  using Kind = Parameter::Kind;
+  const auto by = [](const Scene &of, const Parameter &parameter, std::size_t columns = 1) {
+    return [of, parameter, columns] {
+      TangentRecorder(of, start(), Matrix(4, columns), {.by = {parameter}});
+    };
   };
   const auto short_of_one = [](MotionState &at) { at.displacement.pop_back(); };
   expect_refused({
@@ -146,10 +153,11 @@ TEST(Refusals, OfOrbits) {
        },
        "derivative: 3 x 4 values given"},
       {[&] { TangentRecorder(scene, start(), Matrix(3, 1)); }, "columns"},
-      {[&] {
-         TangentRecorder(scene, start(), Matrix(4, 1), {.by = {{}, {}}});
-       },
-       "columns: 1"},
+      {by(scene, {}, 0), "columns: 0 given, fewer than the 1 parameters"},
+      {by(scene, {Kind::displacement, 1}), "displacement1: a change of the start"},
+      {by(scene, {Kind::velocity, 2}), "velocity2: a change of the start"},
+      {by(scene, {Kind::stop, 3}), "stop3: the scene has 2 stops"},
+      {by(unforced, {}), "omega = 0: changes at a fixed phase need a forcing period"},
       {[&] {
          TangentRecorder tangents(scene, start(), Matrix(4, 1));
          finish(tangents, start());
@@ -163,6 +171,28 @@ TEST(Refusals, OfOrbits) {
        },
        "tangents: finished already"},
       {[] { orbit_change(scene, {}, {}); }, "orbit: has not converged"},
+  });
+}
+
+TEST(Refusals, OfCurves) {
+  const BifurcationCurve nowhere{Bifurcation::grazing, scene, {}, {Parameter::Kind::beta}, 9, 1};
+  const auto follow = [](const PlaneBox &box, int direction, const FollowOptions &options = {}) {
+    const CurvePoint at{{2.0, 0.0}, {1.0, 0.0}, 0.0, {}};
+    return [=] { follow_curve({}, at, box, direction, options); };
+  };
+  const PlaneBox good{0.0, 3.0, -1.0, 1.0};
+  expect_refused({
+      {[&] { corrector_of(nowhere); }, "stop 9: the scene has 2 stops"},
+      {[&] {
+         point_of(nowhere, {}, {1.0, 0.0}, start());
+       },
+       "stop 9: the scene has 2 stops"},
+      {follow({1.0, 1.0, 0.0, 1.0}, 1), "box from (1, 0) to (1, 1): must not be empty"},
+      {follow({0.0, 1.0, 0.0, 1.0}, 1), "start (2, 0): outside the box"},
+      {follow(good, 0), "direction = 0: must be 1 or -1"},
+      {follow(good, 1), "corrector: no function given"},
+      {follow(good, 1, {.step = 0.0}), "steps from 1e-06 to 0: must be positive"},
+      {follow(good, 1, {.turn = 0.0}), "turn = 0: must be positive"},
   });
 }
 

@@ -61,12 +61,4 @@ TEST(Parameter, RestitutionOfAStopIsItsOwn) {
   EXPECT_EQ(get(both, parameter_named("restitution2")), 0.25);
 }
 
-TEST(Parameter, RefusesWhatTheSceneDoesNotHave) {
-  for (const char *word : {"", "Omega", "omega1", "beta2", "stop", "stop0", "stop01", "stop-1",
-                           "stop1x", "stop99999999999", "mass", "1", "restitution0"})
-    EXPECT_THROW(parameter_named(word), std::invalid_argument) << word;
-  for (const char *word : {"stop3", "restitution3", "amplitude3", "mass3", "velocity3"})
-    EXPECT_THROW(get(paper::figure2(), parameter_named(word)), std::invalid_argument) << word;
-}
-
 }  // namespace

@@ -1,29 +1,34 @@
 #include "vibro_impact/analysis/bifurcation_curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "change_flow.hpp"
 #include "curve_kinds.hpp"
-#include "fits.hpp"
 #include "motion_state.hpp"
-#include "vibro_impact/analysis/orbit_change.hpp"
+#include "tolerances.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
+void require_stop_of(const BifurcationCurve &curve) {
+  require(curve.stop < curve.scene.stops.size(), "stop ", curve.stop, ": the scene has ",
+          curve.scene.stops.size(), " stops");
+}
+
 double product(const PlanePoint &a, const PlanePoint &b) {
   return a.x * b.x + a.y * b.y;
 }
 
-// The least number of periods, a divisor of those of the orbit, after which it is where it was:
-// sections of one orbit are no nearer to each other than 1e-6.
+// The least number of periods, a divisor of those of the orbit, after which it is where it was.
 int least_period(const Scene &scene, const MotionState &at, int periods) {
-  constexpr double apart = 1e-6;
   for (int n = 1; n < periods; ++n) {
     if (periods % n != 0) continue;
     const MotionState end = stroboscopic_map(scene, at, n).state;
-    if ((view(coordinates(end)) - view(coordinates(at))).cwiseAbs().maxCoeff() < apart) return n;
+    if ((view(coordinates(end)) - view(coordinates(at))).cwiseAbs().maxCoeff() < sections_apart)
+      return n;
   }
   return periods;
 }
@@ -48,11 +53,16 @@ std::ptrdiff_t count_in(const BifurcationCurve &curve, const EventSequence &even
   return std::count(events.begin(), events.end(), std::pair(kind, curve.stop));
 }
 
+struct Reading {
+  double value = 0.0;
+  CurvePoint point;
+};
+
 // The least pressing force, or gap, where it is positive. Nothing where the orbit does not stick,
 // or hit, as often as that of `beside`, if there is one.
-std::optional<Condition> least_value(const BifurcationCurve &curve, const PlanePoint &at,
-                                     const Scene &from, const MotionState &seed,
-                                     const EventSequence *beside) {
+std::optional<Reading> least_value(const BifurcationCurve &curve, const PlanePoint &at,
+                                   const Scene &from, const MotionState &seed,
+                                   const EventSequence *beside) {
   const Scene scene = curve.at(at);
   const auto orbit = orbit_in(scene, from, seed, curve.periods);
   if (!orbit) return std::nullopt;
@@ -66,35 +76,34 @@ std::optional<Condition> least_value(const BifurcationCurve &curve, const PlaneP
                          ? least_gap_change(scene, *orbit, change, stop)
                          : least_pressing_force_change(scene, *orbit, change, stop);
   if (!least || !(least->value > 0.0)) return std::nullopt;
-  return Condition{
-      least->value, {least->by[0], least->by[1]}, orbit->state, 0.0, std::move(events)};
+  return Reading{least->value,
+                 {at, {least->by[0], least->by[1]}, 0.0, orbit->state, 0.0, 1, std::move(events)}};
 }
 
 // Multi-sliding and grazing: on the line through `guess`, from the side where the value is
 // positive, the direction `side` of `across`; from a motion of scene `from`. Each step goes most of
-// the way left, the last 1e-10 by the derivative.
+// the way left, the last by the derivative.
 std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const PlanePoint &guess,
                                         const PlanePoint &across, const Scene &from,
                                         const MotionState &start, double side,
                                         const EventSequence *beside) {
-  constexpr double near = 1e-10, farthest = 2e-3;
   double s = 0.0;
-  std::optional<Condition> reading = least_value(curve, guess, from, start, beside);
-  for (double margin = 1e-9; !reading && margin < farthest; margin *= 8.0) {
+  std::optional<Reading> reading = least_value(curve, guess, from, start, beside);
+  for (double margin = first_margin; !reading && margin < last_margin; margin *= 8.0) {
     s = side * margin;
     reading = least_value(curve, moved(guess, across, s), from, start, beside);
   }
   for (int step = 0; reading && step < 30; ++step) {
-    const double way = reading->value / product(reading->gradient, across);
+    const double way = reading->value / product(reading->point.gradient, across);
     if (!std::isfinite(way)) return std::nullopt;
-    if (std::abs(way) <= near)
-      return point_from(curve, moved(guess, across, s - way), moved(guess, across, s), *reading,
-                        way * way);
-    const Scene here = curve.at(moved(guess, across, s));
-    std::optional<Condition> next;
-    double part = 1.0 - std::max(1.0 / 30.0, 0.5 * near / std::abs(way));
+    if (std::abs(way) <= by_derivative)
+      return point_from(curve, moved(guess, across, s - way), reading->point, way * way);
+    const Scene here = curve.at(reading->point.at);
+    std::optional<Reading> next;
+    double part = 1.0 - std::max(1.0 / 30.0, 0.5 * by_derivative / std::abs(way));
     for (int halving = 0; halving < 6 && !next; ++halving, part /= 2.0) {
-      next = least_value(curve, moved(guess, across, s - part * way), here, reading->state, beside);
+      next = least_value(curve, moved(guess, across, s - part * way), here, reading->point.state,
+                         beside);
       if (next) s -= part * way;
     }
     reading = next;
@@ -103,6 +112,26 @@ std::optional<CurvePoint> from_one_side(const BifurcationCurve &curve, const Pla
 }
 
 }  // namespace
+
+ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter> &by,
+                                 const EventChange &one, const EventChange &next) {
+  const double r = law_of(scene, scene.stops[one.event.stop]).at_rest();
+  const BorderChatter border = border_chatter(r);
+  // (3 - s) (1 - s)^2 = r (3 - 2 s) differentiated; the ratio is (1 - s)^2.
+  const double q = border.press_ratio, s = border.flight;
+  const double by_r = 2.0 * q * (3.0 - 2.0 * s) / (q * q + 2.0 * (3.0 - s) * q - 2.0 * r);
+  const double ratio = next.event.velocity_before / one.event.velocity_before;
+  ValueChange excess{ratio - border.speed_ratio, {}};
+  const std::size_t first = one.velocity_before.size() - by.size();
+  for (std::size_t k = 0; k < one.velocity_before.size(); ++k) {
+    const bool of_stop = k >= first && is_of_stop(scene, by[k - first],
+                                                  Parameter::Kind::restitution, one.event.stop);
+    excess.by.push_back((next.velocity_before[k] - ratio * one.velocity_before[k]) /
+                            one.event.velocity_before -
+                        (of_stop ? by_r : 0.0));
+  }
+  return excess;
+}
 
 EventSequence sequence_of(const BifurcationCurve &curve, const std::vector<Event> &events,
                           const Chatter *on_border) {
@@ -134,30 +163,26 @@ EventSequence sequence_of(const BifurcationCurve &curve, const std::vector<Event
   return least;
 }
 
-CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
-                      const Condition &reading, double error) {
-  const Scene scene = curve.at(read);
+CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, CurvePoint reading,
+                      double error) {
+  const Scene scene = curve.at(reading.at);
   const double period = Clock(scene.omega).period;
-  CurvePoint point{at, reading.gradient, error, at_quiet_phase(scene, reading.state)};
-  point.period = least_period(scene, point.state, curve.periods);
-  point.events = reading.events;
-  double later = point.state.instant.phase - reading.state.instant.phase;
+  CurvePoint point = std::move(reading);
+  point.at = at;
+  point.error = error;
+  double later = -point.state.instant.phase;
+  point.state = at_quiet_phase(scene, point.state);
+  later += point.state.instant.phase;
   if (later < 0.0) later += period;
-  point.time = reading.time - later;
+  point.period = least_period(scene, point.state, curve.periods);
+  point.time -= later;
   if (point.time < 0.0) point.time += curve.periods * period;
   return point;
 }
 
 const char *name(Bifurcation bifurcation) {
-  switch (bifurcation) {
-    case Bifurcation::multi_sliding:
-      return "multi-sliding";
-    case Bifurcation::border_orbit:
-      return "border orbit";
-    case Bifurcation::grazing:
-      break;
-  }
-  return "grazing";
+  constexpr std::array names{"multi-sliding", "border orbit", "grazing"};
+  return names.at(static_cast<std::size_t>(bifurcation));
 }
 
 Scene BifurcationCurve::at(const PlanePoint &point) const {
@@ -165,6 +190,7 @@ Scene BifurcationCurve::at(const PlanePoint &point) const {
 }
 
 Corrector corrector_of(const BifurcationCurve &curve) {
+  require_stop_of(curve);
   return [curve](const PlanePoint &guess, const PlanePoint &across,
                  const CurvePoint &neighbour) -> std::optional<CurvePoint> {
     try {
@@ -181,8 +207,7 @@ Corrector corrector_of(const BifurcationCurve &curve) {
 
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoint &guess,
                                    const PlanePoint &across, const MotionState &seed, double time) {
-  require(curve.stop < curve.scene.stops.size(), "stop ", curve.stop, ": the scene has ",
-          curve.scene.stops.size(), " stops");
+  require_stop_of(curve);
   if (curve.what == Bifurcation::border_orbit)
     return by_held_chatter(curve, guess, across,
                            {.at = guess, .gradient = {}, .state = seed, .time = time});

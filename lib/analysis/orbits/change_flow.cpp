@@ -82,10 +82,8 @@ Eigen::MatrixXd next_term(const Scene &scene, const Held &held, double tau, int 
 // and made of these.
 int order_for(double reach) {
   constexpr int highest = 20;  // enough for a reach of 1
-  constexpr double below_rounding = 0x1p-60;
   int order = 3;
-  for (double size = 1.0; order < highest && size > below_rounding; ++order)
-    size *= reach / (order + 1);
+  for (double size = 1.0; order < highest && size > lost; ++order) size *= reach / (order + 1);
   return order;
 }
 

@@ -1,6 +1,7 @@
 #include "vibro_impact/analysis/continuation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "simulation/for_analysis.hpp"
@@ -74,19 +75,8 @@ PlanePoint PlaneBox::along(const PlanePoint &gradient) const {
 }
 
 const char *name(CurveEnd end) {
-  switch (end) {
-    case CurveEnd::box:
-      return "leaves the box";
-    case CurveEnd::events:
-      return "events change";
-    case CurveEnd::closed:
-      return "closed";
-    case CurveEnd::most:
-      return "most points";
-    case CurveEnd::lost:
-      break;
-  }
-  return "lost";
+  constexpr std::array names{"leaves the box", "events change", "lost", "closed", "most points"};
+  return names.at(static_cast<std::size_t>(end));
 }
 
 FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, const PlaneBox &box,
@@ -98,6 +88,7 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
   require(options.least_step > 0.0 && options.least_step <= options.step, "steps from ",
           options.least_step, " to ", options.step, ": must be positive and in this order");
   require(options.turn > 0.0, "turn = ", options.turn, ": must be positive");
+  require(corrector != nullptr, "corrector: no function given");
   FollowedCurve curve{{start}, CurveEnd::lost};
   const auto ended = [&curve](CurveEnd end) {
     curve.end = end;

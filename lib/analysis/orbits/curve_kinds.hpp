@@ -4,17 +4,9 @@
 
 #include "vibro_impact/analysis/bifurcation_curve.hpp"
 #include "vibro_impact/analysis/border_orbit.hpp"
+#include "vibro_impact/analysis/orbit_change.hpp"
 
 namespace vibro_impact {
-
-// What is zero on the curve, at a point beside it.
-struct Condition {
-  double value = 0.0;
-  PlanePoint gradient;
-  MotionState state;
-  double time = 0.0;
-  EventSequence events;
-};
 
 // The time at the same angle of the forcing in another scene.
 inline double same_angle(double time, const Scene &from, const Scene &to) {
@@ -26,11 +18,18 @@ inline double same_angle(double time, const Scene &from, const Scene &to) {
 EventSequence sequence_of(const BifurcationCurve &curve, const std::vector<Event> &events,
                           const Chatter *on_border = nullptr);
 
-// A reading at `read`, very near, made a point of the curve, at a section far from events.
-CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, const PlanePoint &read,
-                      const Condition &reading, double error);
+// What was read very near, at a place where the orbit is, made a point of the curve, at a section
+// far from events.
+CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, CurvePoint reading,
+                      double error);
 
-// Border orbits (border_curve.cpp): orbit and place on the line together, by Newton's method from a
+// What is zero on a border orbit: by how much the ratio of the speeds of two consecutive impacts of
+// a chatter exceeds that of a border orbit. Its last by.size() derivatives are by these parameters,
+// the ones before by what the others of the changes go with.
+ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter> &by,
+                                 const EventChange &one, const EventChange &next);
+
+// Border orbits (held_chatter.cpp): orbit and place on the line together, by Newton's method from a
 // motion near the border orbit; `from.at` is that of its scene.
 std::optional<CurvePoint> by_held_chatter(const BifurcationCurve &curve, const PlanePoint &guess,
                                           const PlanePoint &across, const CurvePoint &from);

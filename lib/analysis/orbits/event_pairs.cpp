@@ -6,18 +6,13 @@
 #include <tuple>
 
 #include "motion_state.hpp"
-#include "simulation/for_analysis.hpp"
+#include "tolerances.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// A mass pulled off by a force of 0.1 meets a stop that is 1e-15 short of its turning point at a
-// speed of 1e-8 and a time 1e-7 off: grazing cannot be told from impact more sharply than that in
-// double precision.
-constexpr double simultaneous = 1e-6, slow = 1e-6, pulled_off = 1e-9;
 
 // A sticking phase of one mass, and a contact that either grazes or hits.
 struct HeldPhase {
@@ -66,8 +61,8 @@ std::vector<TimedContact> timed_contacts(const std::vector<PressedEvent> &events
   std::vector<TimedContact> contacts;
   for (const auto &[event, press] : events)
     if (event.kind == EventKind::impact)
-      contacts.push_back(
-          {event.mass, event.time, std::abs(event.velocity_before) <= slow && press < -pulled_off});
+      contacts.push_back({event.mass, event.time,
+                          std::abs(event.velocity_before) <= slow_contact && press < -pulled_off});
   return contacts;
 }
 

@@ -5,8 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "fits.hpp"
-#include "simulation/for_analysis.hpp"
+#include "motion_state.hpp"
 
 namespace vibro_impact {
 
@@ -21,13 +20,13 @@ auto of(const std::vector<double> &values) {
   return [&values](std::size_t j) { return values[j]; };
 }
 
-// The force that presses the mass of this stop, at rest there, into it beside the others.
-double pressing(const Scene &scene, const Stop &stop, std::vector<double> x, std::vector<double> v,
-                double phase) {
-  const std::size_t p = index_of(stop);
-  x[p] = stop.position;
-  v[p] = 0.0;
-  return sign(stop.side) * force_on(scene, p, of(x), of(v), std::cos(scene.omega * phase));
+// The motion with the mass of this stop at rest there.
+MotionState resting(const Scene &scene, const Stop &stop, MotionState at) {
+  require_stop(scene, stop);
+  require_fits(scene, at);
+  at.displacement[index_of(stop)] = stop.position;
+  at.velocity[index_of(stop)] = 0.0;
+  return at;
 }
 
 }  // namespace
@@ -68,19 +67,16 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &at) {
 }
 
 double pressing_force(const Scene &scene, const Stop &stop, const MotionState &at) {
-  require_stop(scene, stop);
-  require_fits(scene, at);
-  return pressing(scene, stop, at.displacement, at.velocity, at.instant.phase);
+  const auto &[instant, x, v, held] = resting(scene, stop, at);
+  return sign(stop.side) *
+         force_on(scene, index_of(stop), of(x), of(v), std::cos(scene.omega * instant.phase));
 }
 
 double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &at) {
-  require_stop(scene, stop);
-  require_fits(scene, at);
+  // The neighbours are pulled by the mass as it stands at its stop.
+  const MotionState with_it = resting(scene, stop, at);
   const std::size_t p = index_of(stop);
-  MotionState resting = at;  // the neighbours are pulled by the mass as it stands at its stop
-  resting.displacement[p] = stop.position;
-  resting.velocity[p] = 0.0;
-  const std::vector<double> a = acceleration(scene, resting);
+  const std::vector<double> a = acceleration(scene, with_it);
   const double links = link_force(scene, p, 0.0, of(at.velocity)),
                dampers = scene.beta * link_force(scene, p, 0.0, of(a)),
                forcing =

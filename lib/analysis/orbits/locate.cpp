@@ -10,22 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "fits.hpp"
+#include "simulation/for_analysis.hpp"
+#include "tolerances.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
 namespace {
-
-struct StickCounter {
-  int mass;
-  double from;
-  int sticks = 0;
-
-  void event(const Event &event, const Moment &) {
-    if (event.kind == EventKind::stick && event.mass == mass && event.time >= from) ++sticks;
-  }
-};
 
 void require_interval(double below, double above) {
   require(std::isfinite(below) && std::isfinite(above) && below < above, "interval from ", below,
@@ -63,16 +54,18 @@ double inverse_interpolation(const std::vector<Point> &points, double origin) {
 int sticking_phases(const Scene &scene, int mass, int settling, int periods,
                     const RunOptions &options) {
   check(scene);
-  require_mass(scene, mass);
+  require_mass(mass, scene.masses());
   require(settling >= 0, "settling = ", settling, ": must be non-negative");
   require(periods >= 1, "periods = ", periods, ": must be at least 1");
   require(periods <= std::numeric_limits<int>::max() - settling, "settling = ", settling,
           " and periods = ", periods, ": more than an int can count");
   const MotionState start = start_of(scene);
-  StickCounter counter{mass, time_of({settling, 0.0}, Clock(scene.omega))};
+  EventRecorder told{time_of({settling, 0.0}, Clock(scene.omega))};
   require_complete(
-      simulate_from(scene, start, time_after(scene, start, settling + periods), options, counter));
-  return counter.sticks;
+      simulate_from(scene, start, time_after(scene, start, settling + periods), options, told));
+  return static_cast<int>(std::count_if(
+      told.events.begin(), told.events.end(),
+      [mass](const Event &event) { return event.kind == EventKind::stick && event.mass == mass; }));
 }
 
 Change bisect(const std::function<int(double)> &count, double below, double above, double width) {
@@ -103,8 +96,6 @@ Located zero(const std::function<double(double)> &f, double below, double above)
   // By the signs: a product of the two may underflow.
   require((at_below <= 0.0 && at_above >= 0.0) || (at_below >= 0.0 && at_above <= 0.0),
           "f = ", at_below, " at ", below, " and ", at_above, " at ", above, ": no change of sign");
-  if (at_below == 0.0) return {below, 0.0};
-  if (at_above == 0.0) return {above, 0.0};
   std::uintmax_t steps = 100;
   const auto [a, b] =
       boost::math::tools::toms748_solve(std::cref(f), below, above, at_below, at_above,
@@ -125,7 +116,7 @@ Located zero_from_one_side(const std::function<double(double)> &f, double far, d
     const double estimate = inverse_interpolation(points, near);
     root = {estimate, std::abs(estimate - root.value)};
     const double distance = estimate - last.x;
-    if (step > 2 && std::abs(distance) < 1e-10 * std::abs(estimate)) break;
+    if (step > 2 && std::abs(distance) < one_sided * std::abs(estimate)) break;
     const double next = estimate - distance / 8;
     points.push_back({next, f(next)});
   }

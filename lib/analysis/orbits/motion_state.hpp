@@ -1,10 +1,57 @@
-// The state of a motion as the analysis takes it, from a moment of a run or by its coordinates.
+// The state of a motion as the analysis takes it: what must hold of it and of a stop, from a moment
+// of a run, by its coordinates; vectors and matrices of the public headers as Eigen sees them.
 #pragma once
 
-#include "eigen_views.hpp"
+#include <Eigen/Core>
+#include <vector>
+
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/hold_force.hpp"
 
 namespace vibro_impact {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+inline Eigen::Map<const Eigen::VectorXd> view(const std::vector<double> &values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+inline Eigen::Map<const RowMajor> view(const Matrix &matrix) {
+  return {matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
+          static_cast<Eigen::Index>(matrix.columns)};
+}
+
+inline Matrix matrix_of(const Eigen::MatrixXd &from) {
+  Matrix matrix(static_cast<std::size_t>(from.rows()), static_cast<std::size_t>(from.cols()));
+  Eigen::Map<RowMajor>(matrix.values.data(), from.rows(), from.cols()) = from;
+  return matrix;
+}
+
+// Of a stop that the scene need not contain.
+inline void require_stop(const Scene &scene, const Stop &stop) {
+  check(scene);
+  require_mass(stop.mass, scene.masses());
+  require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
+          ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
+  require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
+          ": must be finite");
+}
+
+inline void require_held(const Scene &scene, const Held &held) {
+  require(held.size() == scene.mass.size(), "held: ", held.size(), " values given, the chain has ",
+          scene.mass.size(), " masses");
+  for (const int how : held) require(how >= -1 && how <= 1, "held = ", how, ": must be -1, 0 or 1");
+}
+
+// Of what is worked out from a state itself; a run checks its start.
+inline void require_fits(const Scene &scene, const MotionState &at) {
+  const std::size_t n = scene.mass.size();
+  require(at.displacement.size() == n, "displacement: ", at.displacement.size(),
+          " values given, the chain has ", n, " masses");
+  require(at.velocity.size() == n, "velocity: ", at.velocity.size(),
+          " values given, the chain has ", n, " masses");
+  require_held(scene, at.held);
+}
 
 inline MotionState state_at(const Moment &moment, const Held &held) {
   MotionState at{moment.instant, {}, {}, held};

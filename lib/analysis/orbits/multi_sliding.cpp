@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "change_flow.hpp"
-#include "fits.hpp"
 #include "motion_state.hpp"
-#include "simulation/for_analysis.hpp"
+#include "tolerances.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
@@ -77,7 +76,7 @@ MotionState flown(const Scene &scene, const MotionState &from, double time) {
 // Where the rate is largest between two nodes at which it is negative, if there: a minimum and a
 // maximum may lie between them.
 std::optional<double> largest_between(const std::function<double(double)> &rate, double length) {
-  const double step = 1e-3 * length;
+  const double step = curvature_step * length;
   const auto bend = [&](double time) { return rate(time + step) - rate(time); };
   if (!(bend(0.0) > 0.0 && bend(length - step) < 0.0)) return std::nullopt;
   return zero(bend, 0.0, length - step).value + 0.5 * step;

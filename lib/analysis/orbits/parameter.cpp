@@ -13,27 +13,26 @@ namespace {
 using Kind = Parameter::Kind;
 
 struct Word {
-  Kind kind;
   std::string_view word;
   bool bare, indexed;  // may stand without an index, with one
 };
 
-constexpr std::array<Word, 9> words{{{Kind::omega, "omega", true, false},
-                                     {Kind::beta, "beta", true, false},
-                                     {Kind::restitution, "restitution", true, true},
-                                     {Kind::stop, "stop", false, true},
-                                     {Kind::amplitude, "amplitude", false, true},
-                                     {Kind::mass, "mass", false, true},
-                                     {Kind::stiffness, "stiffness", false, true},
-                                     {Kind::displacement, "displacement", false, true},
-                                     {Kind::velocity, "velocity", false, true}}};
+// In the order of the kinds.
+constexpr std::array<Word, 9> words{{{"omega", true, false},
+                                     {"beta", true, false},
+                                     {"restitution", true, true},
+                                     {"stop", false, true},
+                                     {"amplitude", false, true},
+                                     {"mass", false, true},
+                                     {"stiffness", false, true},
+                                     {"displacement", false, true},
+                                     {"velocity", false, true}}};
 
 const Word &word_of(const Parameter &parameter) {
-  const auto *const found = std::find_if(
-      words.begin(), words.end(), [&](const Word &word) { return word.kind == parameter.kind; });
-  require(found != words.end(), "kind of parameter = ", static_cast<int>(parameter.kind),
+  const auto kind = static_cast<std::size_t>(parameter.kind);
+  require(kind < words.size(), "kind of parameter = ", static_cast<int>(parameter.kind),
           ": there are kinds 0 to ", words.size() - 1);
-  return *found;
+  return words[kind];
 }
 
 bool has_form(const Word &word, int index) {
@@ -56,30 +55,7 @@ Stop &stop_of(Scene &scene, const Parameter &parameter) {
   return scene.stops[static_cast<std::size_t>(parameter.index - 1)];
 }
 
-}  // namespace
-
-std::string name(const Parameter &parameter) {
-  const Word &word = word_of(parameter);
-  return parameter.index == 0 ? std::string(word.word) : line(word.word, parameter.index);
-}
-
-Parameter parameter_named(std::string_view name) {
-  const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
-  int index = 0;
-  const auto [end, error] =
-      std::from_chars(name.data() + letters, name.data() + name.size(), index);
-  const bool whole =
-      letters == name.size() || (error == std::errc() && end == name.data() + name.size() &&
-                                 index > 0 && name[letters] != '0');
-  for (const Word &word : words)
-    if (whole && word.word == name.substr(0, letters) && has_form(word, index))
-      return {word.kind, index};
-  throw std::invalid_argument(
-      line("parameter '", name,
-           "': must be omega, beta, restitution, or, with the number of a mass, link or stop, "
-           "restitution1, stop1, amplitude1, mass1, stiffness1, displacement1, velocity1"));
-}
-
+// The scalar itself, written out in the scene.
 double &value_of(Scene &scene, const Parameter &parameter) {
   require(
       has_form(word_of(parameter), parameter.index), name(parameter), ": ",
@@ -109,6 +85,30 @@ double &value_of(Scene &scene, const Parameter &parameter) {
       break;
   }
   return of_mass(scene.velocity, scene, parameter);
+}
+
+}  // namespace
+
+std::string name(const Parameter &parameter) {
+  const Word &word = word_of(parameter);
+  return parameter.index == 0 ? std::string(word.word) : line(word.word, parameter.index);
+}
+
+Parameter parameter_named(std::string_view name) {
+  const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
+  int index = 0;
+  const auto [end, error] =
+      std::from_chars(name.data() + letters, name.data() + name.size(), index);
+  const bool whole =
+      letters == name.size() || (error == std::errc() && end == name.data() + name.size() &&
+                                 index > 0 && name[letters] != '0');
+  for (std::size_t kind = 0; kind < words.size(); ++kind)
+    if (whole && words[kind].word == name.substr(0, letters) && has_form(words[kind], index))
+      return {static_cast<Kind>(kind), index};
+  throw std::invalid_argument(
+      line("parameter '", name,
+           "': must be omega, beta, restitution, or, with the number of a mass, link or stop, "
+           "restitution1, stop1, amplitude1, mass1, stiffness1, displacement1, velocity1"));
 }
 
 double get(const Scene &scene, const Parameter &parameter) {

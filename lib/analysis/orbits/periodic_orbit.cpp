@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fits.hpp"
 #include "motion_state.hpp"
+#include "tolerances.hpp"
 #include "vibro_impact/analysis/tangent.hpp"
 
 namespace vibro_impact {
@@ -24,18 +24,8 @@ MotionState moved_into(const Scene &scene, MotionState guess) {
   return guess;
 }
 
-// The rows and columns of the free coordinates.
-Eigen::MatrixXd on_free(const Matrix &derivative, const std::vector<std::size_t> &free) {
-  return view(derivative)(free, free);
-}
-
 double largest_component(const Eigen::VectorXd &vector) {
   return vector.size() == 0 ? 0.0 : vector.cwiseAbs().maxCoeff();
-}
-
-// The coordinates of `to` minus those of `from`.
-Eigen::VectorXd difference(const MotionState &to, const MotionState &from) {
-  return view(coordinates(to)) - view(coordinates(from));
 }
 
 // One iterate of Newton's method: the map there, P(z) - z, and the step to the next iterate.
@@ -51,27 +41,13 @@ Iterate evaluate(const Scene &scene, const MotionState &at, int periods,
   if (iterate.image.state.held != at.held) return iterate;
   const std::vector<std::size_t> free = free_coordinates(at.held);
   const auto unknowns = static_cast<Eigen::Index>(free.size());
-  iterate.residual = difference(iterate.image.state, at)(free);
-  const Eigen::MatrixXd derivative = on_free(iterate.image.derivative, free);
+  iterate.residual = (view(coordinates(iterate.image.state)) - view(coordinates(at)))(free);
+  const Eigen::MatrixXd derivative = view(iterate.image.derivative)(free, free);
   iterate.usable = iterate.residual.allFinite() && derivative.allFinite();
   if (!iterate.usable || unknowns == 0) return iterate;
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(unknowns, unknowns) - derivative;
   iterate.step = matrix.partialPivLu().solve(iterate.residual);
   return iterate;
-}
-
-// Enters an iterate as the orbit found so far.
-void accept(PeriodicOrbit &orbit, const MotionState &at, const Iterate &iterate) {
-  const StroboscopicImage &image = iterate.image;
-  orbit.state = at;
-  orbit.multipliers = floquet_multipliers(image.derivative, at.held);
-  orbit.error = largest_component(iterate.step);
-  orbit.differentiable = image.differentiable;
-}
-
-void move(MotionState &at, const Eigen::VectorXd &step) {
-  Eigen::Index k = 0;
-  for (const std::size_t row : free_coordinates(at.held)) coordinate(at, row) += step(k++);
 }
 
 // True when every free mass stands clear of its stops.
@@ -106,10 +82,6 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
           "start: period ", start.instant.cycle, ": must lie in [0, 2^53]");
   return time_of({start.instant.cycle + periods, start.instant.phase}, Clock(scene.omega));
 }
-
-// The changes by restitution are extrapolated in lower orders of the time left than the motion is,
-// and want some three impacts more: their limits are asked for that much closer.
-constexpr double tangents_to_motion = 0.01;
 
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options,
@@ -178,7 +150,7 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
           " values given, the chain has ", size, " coordinates and velocities");
   const std::vector<std::size_t> free = free_coordinates(held);
   if (free.empty()) return {};
-  const Eigen::MatrixXd map = on_free(derivative, free);
+  const Eigen::MatrixXd map = view(derivative)(free, free);
   require(map.allFinite(), "derivative: all values must be finite");
   const Eigen::VectorXcd found = Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues();
   std::vector<std::complex<double>> multipliers(found.begin(), found.end());
@@ -213,7 +185,10 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
       return ended(line("iterate ", iteration, ": the map or its derivative is not finite"));
     if (size < best) {
       best = size;
-      accept(orbit, at, iterate);
+      orbit.state = at;
+      orbit.multipliers = floquet_multipliers(iterate.image.derivative, at.held);
+      orbit.error = largest_component(iterate.step);
+      orbit.differentiable = iterate.image.differentiable;
     }
     const double scale = std::max(1.0, largest_component(view(coordinates(at))));
     orbit.converged = size <= options.tolerance * scale;
@@ -223,7 +198,9 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
                         options.tolerance * scale));
     if (!iterate.step.allFinite())
       return ended(line("iterate ", iteration, ": a Floquet multiplier is 1, no step leads on"));
-    move(at, iterate.step);
+    Eigen::Index k = 0;
+    for (const std::size_t row : free_coordinates(at.held))
+      coordinate(at, row) += iterate.step(k++);
     if (!admissible(scene, at))
       return ended(line("iterate ", iteration + 1, ": a mass is beyond its stop"));
   }

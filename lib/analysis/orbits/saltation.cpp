@@ -6,6 +6,7 @@
 #include "motion_state.hpp"
 #include "tangent_limit.hpp"
 #include "tangents.hpp"
+#include "tolerances.hpp"
 
 namespace vibro_impact {
 
@@ -13,14 +14,12 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-constexpr std::size_t most_nodes = 16;
-
 // The impacts of a chatter from one that is taken into account to the next. Where the speeds fall
-// slowly, some are left out: nodes closer together than a factor of 0.81 amplify rounding.
+// slowly, some are left out: nodes closer together amplify rounding.
 long long stride_of(const ImpactLaw &law) {
   const double r = law.at_rest();
-  if (!(r > 0.81 && r < 1.0)) return 1;
-  return static_cast<long long>(std::ceil(std::log(0.81) / std::log(r)));
+  if (!(r > tangent_node_ratio && r < 1.0)) return 1;
+  return static_cast<long long>(std::ceil(std::log(tangent_node_ratio) / std::log(r)));
 }
 
 }  // namespace
@@ -116,7 +115,7 @@ void TangentRecorder::Tangents::extend_sequence(const Event &impact, const Row &
   if (impact.falling == 0 || sequence.nodes.empty() || sequence.stop != impact.stop)
     sequence = {impact.stop};
   if (sequence.impacts++ % stride_of(law_of(scene, scene.stops[impact.stop])) != 0) return;
-  if (sequence.nodes.size() == most_nodes) sequence.nodes.erase(sequence.nodes.begin());
+  if (sequence.nodes.size() == most_tangent_nodes) sequence.nodes.erase(sequence.nodes.begin());
   // As if the mass stuck here and now.
   const auto mass = static_cast<std::size_t>(impact.mass - 1);
   Held resting = held;
@@ -138,13 +137,11 @@ Row TangentRecorder::Tangents::time_left(const Event &impact, const PlainMotion 
   const Stop &stop = scene.stops[impact.stop];
   const double sigma = sign(stop.side), r = law_of(scene, stop).at_rest();
   const auto p = static_cast<std::size_t>(impact.mass - 1);
-  const MotionState resting{
-      at.instant, at.displacement, {at_rest.velocity.begin(), at_rest.velocity.end()}, held};
-  const double press = pressing_force(scene, stop, resting);
+  const double press = pressing_force(scene, stop, at);
   if (!(press > 0.0 && r < 1.0)) return 0.0 * dt;
   const Row by_press =
       sigma * force_change(scene, options.by, p, impact.instant.phase, at_rest, moved) +
-      pressing_force_rate(scene, stop, resting) * dt;
+      pressing_force_rate(scene, stop, at) * dt;
   const Row by_speed = -sigma * changes.row(masses() + impact.mass - 1);
   const double speed = -sigma * impact.velocity_after;
   const double left = 2.0 * scene.mass[p] * speed / (press * (1.0 - r));

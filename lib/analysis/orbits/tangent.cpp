@@ -1,23 +1,13 @@
 #include <utility>
 
-#include "fits.hpp"
 #include "motion_state.hpp"
 #include "tangents.hpp"
+#include "tolerances.hpp"
 
 namespace vibro_impact {
 
-namespace {
-
-using Kind = Parameter::Kind;
-
-bool same(const Instant &a, const Instant &b) {
-  return a.cycle == b.cycle && a.phase == b.phase;
-}
-
-}  // namespace
-
 void TangentRecorder::Tangents::event(const Event &event, const Moment &moment) {
-  if (!group.empty() && !same(group.front().instant, event.instant)) close();
+  if (!group.empty() && group.front().instant < event.instant) close();
   if (group.empty()) carry_to(event.instant);
   at = state_at(moment, held);
   if (group.empty()) velocity_before = at.velocity;
@@ -35,23 +25,23 @@ void TangentRecorder::Tangents::finish(const Instant &end) {
   carry_to(end);
 }
 
-// One in the columns of the parameters of this kind that belong to the stop.
-Row TangentRecorder::Tangents::explicit_change(Kind kind, std::size_t stop) const {
+// One in the columns of the parameters that are meant.
+template <class Meant>
+Row TangentRecorder::Tangents::ones(const Meant &meant) const {
   Row change = Row::Zero(changes.cols());
-  for (std::size_t k = 0; k < options.by.size(); ++k) {
-    if (is_of_stop(scene, options.by[k], kind, stop))
+  for (std::size_t k = 0; k < options.by.size(); ++k)
+    if (meant(options.by[k]))
       change(changes.cols() - parameters() + static_cast<Eigen::Index>(k)) = 1.0;
-  }
   return change;
 }
 
-// One in the column of this parameter, if it is asked for.
+// Of this kind, and of the stop.
+Row TangentRecorder::Tangents::explicit_change(Parameter::Kind kind, std::size_t stop) const {
+  return ones([&](const Parameter &by) { return is_of_stop(scene, by, kind, stop); });
+}
+
 Row TangentRecorder::Tangents::column_of(const Parameter &parameter) const {
-  Row change = Row::Zero(changes.cols());
-  for (std::size_t k = 0; k < options.by.size(); ++k)
-    if (options.by[k] == parameter)
-      change(changes.cols() - parameters() + static_cast<Eigen::Index>(k)) = 1.0;
-  return change;
+  return ones([&](const Parameter &by) { return by == parameter; });
 }
 
 // A held mass moves with its stop.
@@ -59,7 +49,7 @@ void TangentRecorder::Tangents::hold(Eigen::MatrixXd &columns, const Held &mode)
   for (std::size_t s = 0; s < scene.stops.size(); ++s) {
     const auto row = static_cast<Eigen::Index>(scene.stops[s].mass - 1);
     if (!holds(scene.stops[s], mode)) continue;
-    columns.row(row) = explicit_change(Kind::stop, s);
+    columns.row(row) = explicit_change(Parameter::Kind::stop, s);
     columns.row(masses() + row).setZero();
   }
 }
@@ -68,9 +58,8 @@ void TangentRecorder::Tangents::hold(Eigen::MatrixXd &columns, const Held &mode)
 // mass beside the others.
 void TangentRecorder::Tangents::carry_all(const Held &mode, const Instant &from, double tau,
                                           PlainMotion &with, Eigen::MatrixXd &columns) {
-  constexpr double shortest = 0.5;  // of the fastest rate
   const auto &of_mode = modes.enter(unforced, mode, counters);
-  if (of_mode.fastest * tau < shortest)
+  if (of_mode.fastest * tau < short_flight)
     return carry(scene, options.by, mode, from.phase, tau, with, columns);
   Eigen::MatrixXd by_start = columns.leftCols(columns.cols() - parameters()),
                   by_parameters = columns.rightCols(parameters());

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
@@ -41,7 +42,8 @@ std::vector<double> Grid::values(std::size_t point) const {
 Scene Grid::scene_at(std::size_t point) const {
   Scene at = scene;
   const std::vector<double> there = values(point);
-  for (std::size_t k = 0; k < axes.size(); ++k) value_of(at, axes[k].parameter) = there[k];
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    at = with(std::move(at), axes[k].parameter, there[k]);
   return at;
 }
 
@@ -63,7 +65,8 @@ void check(const Grid &grid) {
     Scene scene = grid.scene;
     for (std::size_t k = 0; k < grid.axes.size(); ++k) {
       const Axis &axis = grid.axes[k];
-      value_of(scene, axis.parameter) = axis.value((corner >> k) % 2 == 0 ? 0 : axis.count - 1);
+      const std::size_t end = (corner >> k) % 2 == 0 ? 0 : axis.count - 1;
+      scene = with(std::move(scene), axis.parameter, axis.value(end));
     }
     check(scene);
     require(scene.omega > 0.0, "omega = ", scene.omega, ": a sweep needs a forcing period");
@@ -81,10 +84,6 @@ std::string listed(double sum) {
       text += abbreviation(all_event_pairs[k]);
     }
   return text.empty() ? "-" : text;
-}
-
-std::size_t columns(const Scene &scene, const RecordOptions &records) {
-  return 2 * scene.mass.size() + 2 + records.lyapunov + records.pairs;
 }
 
 }  // namespace
@@ -115,7 +114,7 @@ Table sweep_table(const Grid &grid, const RecordOptions &records) {
 
 void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::size_t point,
              std::span<const double> row) {
-  const std::size_t wanted = columns(grid.scene, records);
+  const std::size_t wanted = 2 * grid.scene.mass.size() + 2 + records.lyapunov + records.pairs;
   require(row.empty() || row.size() == wanted, "a row of ", row.size(), " numbers: the table has ",
           wanted, " columns beside the parameters");
   for (const double value : grid.values(point)) table.cell(value);

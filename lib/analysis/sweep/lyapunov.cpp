@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/orbits/motion_state.hpp"
+#include "analysis/orbits/tolerances.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 #include "vibro_impact/analysis/tangent.hpp"
 
@@ -14,15 +15,7 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr long long periods_between = 8;  // two scalings: no change leaves double precision by then
-
-// When the sign of a mean growth is no chance: of 160 points of the atlas that do not settle within
-// 200 periods a mean over 40 has the wrong sign at 11, against 2,000 periods; this one at 1 (a
-// chaotic transient of 1,750 periods), with 12 not certain after 1,000 periods.
-constexpr long long block_length = 40;  // forcing periods
-constexpr std::size_t least_blocks = 4;
-constexpr double least_ratio = 4.0;  // of the mean to its standard error
-
+// Whether the sign of a mean growth is no chance.
 bool is_certain(const std::vector<double> &blocks) {
   if (blocks.size() < least_blocks) return false;
   const auto count = static_cast<double>(blocks.size());
@@ -47,7 +40,7 @@ class GrowthRecorder {
       : scene_(scene),
         clock_(scene.omega),
         started_(start.instant),
-        next_{start.instant.cycle + periods_between, start.instant.phase},
+        next_{start.instant.cycle + rescaled_after, start.instant.phase},
         held_(start.held),
         block_begin_(start.instant) {
     // A change in all directions that the masses are free to go.
@@ -74,7 +67,7 @@ class GrowthRecorder {
       next_ = later(next_, clock_.period / 32.0, clock_);
       return;
     }
-    next_.cycle += periods_between;
+    next_.cycle += rescaled_after;
     const MotionState at = state_at(moment, held_);
     follow(at, tangents_->finish(at.instant).changes);
     if (at.instant.cycle - block_begin_.cycle >= block_length) end_block(at.instant);

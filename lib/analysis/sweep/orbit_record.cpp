@@ -5,6 +5,8 @@
 #include <complex>
 #include <utility>
 
+#include "analysis/orbits/tolerances.hpp"
+#include "event_counts.hpp"
 #include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/lyapunov.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
@@ -13,18 +15,15 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr int most_averaged = 1000;  // forcing periods, until the sign of the exponent is certain
-
 // The motion goes on from where it settled for as many periods as are recorded.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                const RecordOptions &options, OrbitRecord &record, RecordWork &work) {
-  const Instant from = motion.state.instant;
-  const double begin = time_of(from, Clock(scene.omega)),
+  const double begin = time_of(motion.state.instant, Clock(scene.omega)),
                until = time_after(scene, motion.state, periods);
   RunOptions run = options.settle.run;
-  EventMarks marks{from};
+  EventRecorder events{begin};
   std::vector<ImpactSpeedRecorder> speeds;
-  std::vector<RecorderRef> recorders{recorder_ref(marks)};
+  std::vector<RecorderRef> recorders{recorder_ref(events)};
   if (options.impact_velocities) {
     run.resolve_chatter = std::min(run.resolve_chatter, options.slowest);
     for (int mass = 1; mass <= scene.masses(); ++mass) speeds.push_back({mass, begin});
@@ -32,7 +31,7 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   }
   require_complete(resume_seen(scene, motion.resume, until, run, recorders));
   work.recorded += periods;
-  record.counts = counts_of(scene, marks.marks, periods, dual_sticking(motion.state.held));
+  record.counts = counts_of(scene, events.events, periods, motion.state.held);
   for (ImpactSpeedRecorder &speed : speeds)
     record.impact_velocities.push_back(std::move(speed.velocities));
 }
@@ -78,7 +77,6 @@ OrbitRecord record_within(const Scene &scene, const MotionState &start, int long
   SettledMotion motion = settle(scene, start, settling);
   OrbitRecord record;
   record.period = motion.period;
-  record.counters = motion.counters;
   work.settling += motion.periods_run;
   if (motion.period == 0 || options.impact_velocities)
     record_on(scene, motion, motion.period > 0 ? motion.period : options.counted, options, record,

@@ -1,13 +1,13 @@
 #include "vibro_impact/analysis/settle.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "simulation/for_analysis.hpp"
+#include "analysis/orbits/tolerances.hpp"
+#include "event_counts.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
@@ -17,10 +17,6 @@ namespace {
 constexpr int largest_period = 10'000;  // that can be looked for: all states are kept
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-
-// Distances below this, relative to the state, are what rounding and the limits of chatter make of
-// a motion that repeats exactly.
-constexpr double repeats = 1e-12;
 
 // The distances of one period p, section by section.
 struct Contraction {
@@ -50,28 +46,8 @@ struct Contraction {
 struct Section {
   std::vector<double> z = {};  // displacements, velocities
   Held held = {};
-  std::vector<EventMark> marks = {};
+  std::vector<Event> events = {};
 };
-
-bool chatters(const Scene &scene, std::size_t stop) {
-  return law_of(scene, scene.stops[stop]).at_rest() > 0.0;
-}
-
-// The events of the marks but for the impacts of complete chatters, from a motion that repeats.
-template <class Take>
-void pass_events(const Scene &scene, const std::vector<EventMark> &marks, Take &&take) {
-  // Backwards, and twice: who of the last impacts belongs to a chatter is seen at the beginning.
-  std::vector<char> completing(scene.stops.size(), 0);
-  for (const bool telling : {false, true})
-    for (std::size_t k = marks.size(); k-- > 0;) {
-      const EventMark &mark = marks[k];
-      const bool of_chatter = mark.kind == EventKind::impact && completing[mark.stop] != 0;
-      if (mark.kind == EventKind::stick) completing[mark.stop] = chatters(scene, mark.stop) ? 1 : 0;
-      if (mark.kind == EventKind::release || (mark.kind == EventKind::impact && mark.falling == 0))
-        completing[mark.stop] = 0;
-      if (telling && !of_chatter) take(mark);
-    }
-}
 
 // A recorder that compares the sections.
 class Sections {
@@ -92,7 +68,7 @@ class Sections {
 
   void event(const Event &event, const Moment &) {
     held_ = event.held;
-    marks_.push_back({event.kind, event.stop, event.falling, dual_sticking(held_)});
+    events_.push_back(event);
   }
 
   double next_time() const {
@@ -106,27 +82,23 @@ class Sections {
     const double scale = amplitude(latest(0).z, rest_);
     for (int p = 1; p <= options_.most && p < taken_; ++p)
       contractions_[index(p - 1)].add(index(taken_), distance(p), repeats * scale);
-    if (options_.ends_transient || taken_ > options_.longest) judge();
+    judge();
   }
 
   bool done() const {
     return period_ > 0 || taken_ > options_.longest;
   }
 
-  int periods_run() const {
-    return taken_ - 1;
-  }
   void tell(SettledMotion &motion) const {
     const std::size_t n = scene_.mass.size();
     const Section &now = latest(0);
     motion.period = period_;
-    motion.periods_run = periods_run();
+    motion.periods_run = taken_ - 1;
     motion.to_come = to_come_;
     const auto middle = now.z.begin() + static_cast<std::ptrdiff_t>(n);
     motion.state = {
         section_at(taken_ - 1), {now.z.begin(), middle}, {middle, now.z.end()}, now.held};
-    if (period_ > 0)
-      motion.counts = counts_of(scene_, marks_of(period_, 0), period_, dual_sticking(now.held));
+    if (period_ > 0) motion.counts = counts_of(scene_, events_of(period_, 0), period_, now.held);
   }
 
  private:
@@ -140,7 +112,7 @@ class Sections {
   Held held_;
   std::vector<double> rest_;            // all coordinates zero
   std::vector<double> frequency_ = {};  // of each mass between neighbours that stand still
-  std::vector<EventMark> marks_ = {};   // since the latest section
+  std::vector<Event> events_ = {};      // since the latest section
   std::vector<Section> sections_ = {};  // the latest, by number modulo their size
   std::vector<Contraction> contractions_ = {};
 
@@ -159,8 +131,8 @@ class Sections {
     Section &section = sections_[index(taken_++) % sections_.size()];
     section.z = std::move(z);
     section.held = held_;
-    std::swap(section.marks, marks_);
-    marks_.clear();
+    std::swap(section.events, events_);
+    events_.clear();
   }
 
   // A sample is asked for by its time, which is the section's to the rounding of a long time only:
@@ -194,24 +166,23 @@ class Sections {
   }
 
   // The events of `p` periods, `back` periods ago.
-  std::vector<EventMark> marks_of(int p, int back) const {
-    std::vector<EventMark> marks;
+  std::vector<Event> events_of(int p, int back) const {
+    std::vector<Event> events;
     for (int k = p; k-- > 0;) {
-      const std::vector<EventMark> &of = latest(back + k).marks;
-      marks.insert(marks.end(), of.begin(), of.end());
+      const std::vector<Event> &of = latest(back + k).events;
+      events.insert(events.end(), of.begin(), of.end());
     }
-    return marks;
+    return events;
   }
 
   // Of the last p periods and the p before: after the same sticks and releases the contact modes
   // are the same, too.
   bool same_events(int p) const {
-    std::array<std::vector<std::pair<EventKind, std::size_t>>, 2> events;
-    for (const int part : {0, 1})
-      pass_events(scene_, marks_of(p, part * p), [&](const EventMark &mark) {
-        events[index(part)].emplace_back(mark.kind, mark.stop);
-      });
-    return events[0] == events[1];
+    const auto same = [](const Event &a, const Event &b) {
+      return a.kind == b.kind && a.stop == b.stop;
+    };
+    return std::ranges::equal(without_chatters(scene_, events_of(p, 0)),
+                              without_chatters(scene_, events_of(p, p)), same);
   }
 
   void settle_on(int period, int shown_by) {
@@ -226,11 +197,11 @@ class Sections {
       for (int q = 1; q < p; ++q) {
         if (p % q != 0) continue;
         const double apart = distance(q);
-        if (apart <= 10.0 * options_.tolerance && same_events(q)) {
+        if (apart <= same_section * options_.tolerance && same_events(q)) {
           return settle_on(q, p);
         }
         // Sections of one orbit are not so near each other, but at a period doubling.
-        if (apart <= 1e4 * options_.tolerance) return;
+        if (apart <= not_decided * options_.tolerance) return;
       }
       return settle_on(p, p);
     }
@@ -238,34 +209,6 @@ class Sections {
 };
 
 }  // namespace
-
-bool dual_sticking(const Held &held) {
-  return std::count_if(held.begin(), held.end(), [](signed char h) { return h != 0; }) > 1;
-}
-
-void EventMarks::event(const Event &event, const Moment &) {
-  if (event.instant < from) return;
-  marks.push_back({event.kind, event.stop, event.falling, dual_sticking(event.held)});
-}
-
-EventCounts counts_of(const Scene &scene, const std::vector<EventMark> &marks, int periods,
-                      bool dual_at_start) {
-  check(scene);
-  require(periods >= 1, "periods = ", periods, ": must be at least 1");
-  for (const EventMark &mark : marks)
-    require(mark.stop < scene.stops.size(), "an event at stop ", mark.stop, ": the scene has ",
-            scene.stops.size(), " stops");
-  const std::vector<int> none(scene.mass.size(), 0);
-  EventCounts counts{periods, none, none, none, dual_at_start};
-  for (const EventMark &mark : marks) counts.dual_sticking = counts.dual_sticking || mark.dual;
-  pass_events(scene, marks, [&](const EventMark &mark) {
-    const auto mass = static_cast<std::size_t>(scene.stops[mark.stop].mass - 1);
-    if (mark.kind == EventKind::impact) ++counts.impacts[mass];
-    if (mark.kind == EventKind::stick) ++counts.sticks[mass];
-    if (mark.kind == EventKind::stick && chatters(scene, mark.stop)) ++counts.chatters[mass];
-  });
-  return counts;
-}
 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
   require(options.longest >= 1 && options.longest <= most_periods_run,

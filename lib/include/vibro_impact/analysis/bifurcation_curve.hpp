@@ -31,7 +31,8 @@ struct BifurcationCurve {
 // What finds the points of the curve. A multi-sliding and a grazing are approached from the side
 // where the phase is whole, or the stop not touched, because the motion is another on the other
 // side: `error` is that of the last, linear, step. A border orbit is a zero for every depth of the
-// chatter, and converges with it to rounding.
+// chatter, and converges with it to rounding. Throws std::invalid_argument for a stop that the
+// scene does not have.
 Corrector corrector_of(const BifurcationCurve &curve);
 
 // A first point of the curve on the line through `guess` in direction `across`, which points to

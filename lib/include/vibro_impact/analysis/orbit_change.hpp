@@ -28,11 +28,6 @@ struct OrbitChange {
 OrbitChange orbit_change(const Scene &scene, const PeriodicOrbit &orbit,
                          const std::vector<Parameter> &by, const RunOptions &options = {});
 
-// The section predicted to first order where parameter number k (from 0) of `change` is greater by
-// `step`: a guess for find_periodic_orbit in that scene.
-MotionState predicted(const Scene &scene, const PeriodicOrbit &orbit, const OrbitChange &change,
-                      std::size_t k, double step);
-
 // A value and its derivatives by the parameters of an OrbitChange.
 struct ValueChange {
   double value = 0.0;
@@ -47,12 +42,5 @@ std::optional<ValueChange> least_gap_change(const Scene &scene, const PeriodicOr
 std::optional<ValueChange> least_pressing_force_change(const Scene &scene,
                                                        const PeriodicOrbit &orbit,
                                                        const OrbitChange &change, const Stop &stop);
-
-// What is zero on a border orbit: by how much the ratio of the speeds of two consecutive impacts of
-// a chatter exceeds that of a border orbit. Its last by.size() derivatives are by these parameters,
-// the ones before by what the others of the changes go with. Throws std::invalid_argument unless
-// both are impacts at one stop of which the restitution lies in (0, 1), and of as many changes.
-ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter> &by,
-                                 const EventChange &one, const EventChange &next);
 
 }  // namespace vibro_impact

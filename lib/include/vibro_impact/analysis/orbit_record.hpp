@@ -41,7 +41,6 @@ struct OrbitRecord {
   MotionState state;  // where the motion settled, or stood after the full length: at the phase of
                       // the start, cycle count zero
   RecordWork work;
-  Counters counters;  // of the settling
 };
 
 // The record of the motion from `start`, or from the initial state of the scene. The Lyapunov

@@ -37,15 +37,12 @@ std::string name(const Parameter &parameter);
 // The parameter of that name. Throws std::invalid_argument for any other text.
 Parameter parameter_named(std::string_view name);
 
-// The scalar itself. Where the scene leaves it out it is written out first with the value it stands
-// for: an empty vector becomes zeros, a stop's restitution that of the scene. Throws
-// std::invalid_argument for an index that the scene does not have.
-double &value_of(Scene &scene, const Parameter &parameter);
-
-// Its value.
+// Its value. Throws std::invalid_argument for an index that the scene does not have.
 double get(const Scene &scene, const Parameter &parameter);
 
-// The scene with another value of it. What the scene as a whole must fulfil is left to `check`.
+// The scene with another value of it. Where the scene leaves it out it is written out first with
+// the value it stands for: an empty vector becomes zeros, a stop's restitution that of the scene.
+// Throws as `get` does; what the scene as a whole must fulfil is left to `check`.
 Scene with(Scene scene, const Parameter &parameter, double value);
 
 }  // namespace vibro_impact

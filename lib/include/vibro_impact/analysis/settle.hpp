@@ -31,26 +31,6 @@ struct SettleOptions {
   int longest = 400;         // forcing periods after which the motion counts as not settling, >= 1
   int most = 8;              // largest period looked for, >= 1
   double tolerance = 1e-10;  // of what is still to come, > 0; non-dimensional
-  bool ends_transient = true;  // false: the full length is run, and judged at its end
-};
-
-// True where two masses or more are held.
-bool dual_sticking(const Held &held);
-
-// An event without its time.
-struct EventMark {
-  EventKind kind = EventKind::impact;
-  std::size_t stop = 0;  // index in Scene::stops
-  int falling = 0;       // as in Event
-  bool dual = false;     // two masses or more are held after it
-};
-
-// A recorder of the events from `from` on as marks.
-struct EventMarks {
-  Instant from = {};
-  std::vector<EventMark> marks = {};
-
-  void event(const Event &event, const Moment &);
 };
 
 // What happens in some whole periods, per mass.
@@ -61,12 +41,6 @@ struct EventCounts {
   std::vector<int> chatters;   // complete ones: sticks that end impacts of restitution > 0
   bool dual_sticking = false;  // two masses or more are held at some time
 };
-
-// The counts of `marks`, which are those of `periods` periods of a motion that repeats with them (a
-// chatter under way at the end goes on at the beginning). `dual_at_start`: two masses or more are
-// held there.
-EventCounts counts_of(const Scene &scene, const std::vector<EventMark> &marks, int periods,
-                      bool dual_at_start);
 
 struct SettledMotion {
   int period = 0;        // forcing periods; 0: not settled
