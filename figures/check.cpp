@@ -17,7 +17,7 @@
 #include "key_numbers.hpp"
 #include "printed.hpp"
 #include "published.hpp"
-#include "table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace {
 

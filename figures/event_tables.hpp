@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "reference/scenes/true_event.hpp"
-#include "table_reader.hpp"
+#include "reference/table_reader.hpp"
 #include "vibro_impact/record.hpp"
 
 namespace vibro_impact::figures {

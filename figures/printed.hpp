@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace vibro_impact::figures {
 

@@ -16,7 +16,7 @@
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/published_scenes.hpp"
-#include "table_reader.hpp"
+#include "reference/table_reader.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

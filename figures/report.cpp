@@ -10,7 +10,7 @@
 
 #include "driver.hpp"
 #include "printed.hpp"
-#include "table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace {
 

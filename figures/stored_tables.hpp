@@ -12,7 +12,7 @@
 #include <string>
 
 #include "platform.hpp"
-#include "table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace vibro_impact::figures {
 

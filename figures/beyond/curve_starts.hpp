@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"

@@ -13,7 +13,7 @@
 
 #include "figures/driver.hpp"
 #include "figures/platform.hpp"
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace {
 

@@ -134,7 +134,7 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
   Outcome outcome;
   const std::vector<TrueEvent> events = detail::events_of(scene, extreme, &outcome);
   result.counters = outcome.counters;
-  const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events();
+  const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events;
   result.differences = extreme.truth == Truth::grazing
                            ? compare_grazing(events, truth, scene)
                            : compare(events, truth, scene, {.period = result.period});

@@ -1,11 +1,10 @@
-// The extreme scenes: one per row of the stability figure, each with what it is compared with.
+// What an extreme case is: a row of the stability figure, its scene and what that is compared with;
+// and scenes, with one number or other left open, that several programs share.
 //
 // Included by the drivers, the tests and the 50-digit generator (which takes nothing but these
 // numbers from the project), so that a scene is written down once.
 #pragma once
 
-#include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,7 +31,7 @@ struct Case {
   Scene scene;
   double until = 0.0;
   Truth truth = Truth::digits;
-  std::function<std::vector<TrueEvent>()> events = {};  // the formula; none with `digits`
+  std::vector<TrueEvent> events = {};  // of the formula; none with `digits`
   double from = 0.0;  // events before this are not compared (they are counted)
   // Speed at which the generator ends a chatter. Its flight is v^2 / a high and must stand above
   // the 50 digits of the displacement; what is left out lasts some v / a.
@@ -95,14 +94,6 @@ inline Scene long_chain(int n, double restitution) {
   scene.stops = {{1, Side::lower, -0.1}, {2, Side::upper, 0.25}, {n, Side::upper, 0.0}};
   scene.velocity.assign(static_cast<std::size_t>(n), 0.0);
   scene.velocity.back() = -0.2;
-  return scene;
-}
-
-// Starts on the stops of Figure 2's chain: displacements and velocities of both masses.
-inline Scene started(double x1, double v1, double x2, double v2, double restitution = 0.7) {
-  Scene scene = figure2_with(restitution);
-  scene.displacement = {x1, x2};
-  scene.velocity = {v1, v2};
   return scene;
 }
 

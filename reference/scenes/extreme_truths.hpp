@@ -1,6 +1,7 @@
 // Exact motions for the extreme scenes: closed formulas, summed in extended precision.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 #include "extreme_scenes.hpp"
@@ -95,8 +96,7 @@ inline std::vector<TrueEvent> touches(Extended first, double until) {
 // v = -2 Omega F sin(theta) / (1 - r), and F (cos(theta) + kappa sin(theta)) = s with
 // kappa = (1 + r) / (1 - r) Omega cot(T/2).
 struct PeriodicImpact {
-  Extended time, velocity;  // t* in [0, T), v
-  Extended x0, v0;          // state at t = 0
+  Extended time = 0.0L, velocity = 0.0L;  // t* in [0, T), v
 };
 
 inline PeriodicImpact periodic_impact(double amplitude, double omega_of_forcing, double r,
@@ -108,15 +108,11 @@ inline PeriodicImpact periodic_impact(double amplitude, double omega_of_forcing,
   const Extended middle = std::atan2(kappa, 1.0L);
   const Extended width = std::acos(s / (f * std::sqrt(1.0L + kappa * kappa)));
   // Of the two phases the one with the greater impact speed belongs to the stable motion here.
-  PeriodicImpact best{};
+  PeriodicImpact best;
   for (const Extended theta : {middle + width, middle - width}) {
     const Extended v = -2.0L * omega * f * std::sin(theta) / (1.0L - r);
     if (v <= best.velocity) continue;
-    const Extended b = -(1.0L + r) * v / 2.0L, a = b * cotangent;
-    const Extended time = std::fmod(std::fmod(theta / omega, period) + period, period);
-    const Extended tau = period - time;
-    best = {time, v, f + a * std::cos(tau) + b * std::sin(tau),
-            -a * std::sin(tau) + b * std::cos(tau)};
+    best = {std::fmod(std::fmod(theta / omega, period) + period, period), v};
   }
   return best;
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "figures/beyond/curves.hpp"
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "figures/beyond/table1_scenes.hpp"
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 #include "greatest_common_press.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"

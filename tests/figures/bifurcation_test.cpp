@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "figures/beyond/grazing.hpp"
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace {
 

@@ -89,7 +89,7 @@ TEST(Grazing, LeavesTheMotionAsItWas) {
     ++touched;
     const MotionState end = simulate(extreme.scene, extreme.until).state;
     const double x0 = extreme.scene.displacement[0];
-    const double shift = 1.7 * blur * static_cast<double>(extreme.events().size());
+    const double shift = 1.7 * blur * static_cast<double>(extreme.events.size());
     EXPECT_NEAR(std::hypot(end.displacement[0], end.velocity[0]), 1.0, 1e-12) << extreme.name;
     EXPECT_NEAR(end.displacement[0], x0 * std::cos(extreme.until), shift) << extreme.name;
     EXPECT_NEAR(end.velocity[0], -x0 * std::sin(extreme.until), shift) << extreme.name;

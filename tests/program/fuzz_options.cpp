@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "figures/event_tables.hpp"
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 #include "program/options.hpp"
 #include "program/state_file.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
 #include "reference/scenes/paper_scenes.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "figures/event_tables.hpp"
-#include "figures/table_reader.hpp"
+#include "reference/table_reader.hpp"
 #include "method.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/record.hpp"
