@@ -75,8 +75,7 @@ drawn-%: configured-figures
 error-vs-runtime: configured-figures
 	$(make_target) error_vs_runtime
 	@OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 build/bin/error_vs_runtime --output build/figures
-	@gnuplot -e "data='build/figures'" figures/methods/error_vs_runtime.gp
-	@echo "drawn: build/figures/error_vs_runtime.png"
+	@$(MAKE) drawn-error_vs_runtime
 
 # What a fresh machine does not have; CMake looks for them again.
 peers:

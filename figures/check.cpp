@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,14 +36,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> verdicts{
      {"differs", "Differs from the paper, by more than that"},
      {"not", "Not in the paper: library against 50 digits or a formula"}}};
 
-// All digits of a reference, if they are the generator's: a count or a number of the library has
-// fewer.
-std::string thirty_digits(const figures::Reference &reference) {
-  const std::string mantissa = reference.digits.substr(0, reference.digits.find('e'));
-  const auto digits =
-      std::count_if(mantissa.begin(), mantissa.end(), [](char c) { return c >= '0' && c <= '9'; });
-  return digits >= 28 ? reference.digits : "";  // trailing zeros are not written
-}
+constexpr const char *what_the_words_mean =
+    "agrees: within half a unit of the last digit printed, or a twentieth of the distance of the "
+    "ticks where a value is read off Figure 3\n"
+    "error: against the reference (reference/README.md), rounding where it is below the last bit; "
+    "allowed: more fails\n";
 
 // The error of a double, which an error smaller than its last bit is not.
 std::string shown_error(double error, double value, double tolerance) {
@@ -65,8 +61,8 @@ Rows checked_key_numbers(const std::string &folder, std::vector<std::string> &mi
   for (const char *table : {"key_numbers.csv", "located.csv", "bifurcation_points.csv"})
     references.merge(figures::read_references(folder + "/" + table));
   const auto functions = figures::key_numbers();
-  Rows rows{{"symbol", "meaning", "printed", "computed", "kind", "thirty_digits", "error",
-             "tolerance", "verdict", "reference_met"}};
+  Rows rows{{"symbol", "meaning", "printed", "computed", "kind", "digits", "error", "tolerance",
+             "verdict", "reference_met"}};
   for (const auto &number : figures::read_key_numbers(folder + "/key_number_checks.csv")) {
     const auto reference = references.find(number.symbol);
     const auto function = functions.find(number.symbol);
@@ -78,9 +74,9 @@ Rows checked_key_numbers(const std::string &folder, std::vector<std::string> &mi
     if (!pass) missed.push_back(number.symbol);
     rows.push_back({number.symbol, number.meaning, number.printed.words,
                     fmt::format(fmt::runtime("{:" + number.digits + "}"), computed),
-                    reference->second.kind, thirty_digits(reference->second),
+                    reference->second.kind, reference->second.digits,
                     shown_error(error, value, number.tolerance), shown_tolerance(number.tolerance),
-                    in_words(number.printed, computed), pass ? "pass" : "FAIL"});
+                    number.printed.verdict(computed), pass ? "pass" : "FAIL"});
   }
   return rows;
 }
@@ -89,63 +85,39 @@ Rows checked_key_numbers(const std::string &folder, std::vector<std::string> &mi
 Rows lines_of(const Rows &numbers, std::string_view verdict) {
   const bool differs = verdict == "differs";
   Rows lines{{"number", "the paper says", "computed", differs ? "by" : " ", "error", "allowed",
-              "reference", "its thirty digits"}};
+              "reference", "its digits"}};
   for (const auto &row : numbers) {
     const std::string &words = row[column::verdict];
     if (words.starts_with(verdict))
       lines.push_back({row[column::meaning], row[column::printed], row[column::computed],
                        differs ? words.substr(words.rfind(' ') + 1) : "", row[column::error],
                        row[column::allowed] + (row[column::met] == "pass" ? "" : " FAILS"),
-                       row[column::kind], row[column::thirty_digits]});
+                       row[column::kind], row[column::digits]});
   }
   return lines;
 }
 
-// Rows of cells below one another, each column but the last as wide as its widest cell; the first
-// two to the left.
-void print_aligned(const Rows &rows) {
+// A table of Markdown, every column as wide as its widest cell.
+void print_table(const Rows &rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto &cells : rows)
-    for (std::size_t k = 0; k + 1 < cells.size(); ++k)
-      widths[k] = std::max(widths[k], cells[k].size());
+    for (std::size_t k = 0; k < cells.size(); ++k) widths[k] = std::max(widths[k], cells[k].size());
   for (const auto &cells : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      line += k < 2 ? fmt::format("{:<{}}  ", cells[k], widths[k])
-                    : fmt::format("{:>{}}  ", cells[k], widths[k]);
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    for (std::size_t k = 0; k < cells.size(); ++k) fmt::print("| {:<{}} ", cells[k], widths[k]);
+    fmt::print("|\n");
+    if (&cells != &rows.front()) continue;
+    for (const std::size_t width : widths) fmt::print("|{:-<{}}", "", width + 2);
+    fmt::print("|\n");
   }
 }
 
-void print_text(const Rows &rows) {
-  fmt::print(
-      "agrees: within half a unit of the last digit printed, or a twentieth of the distance of the "
-      "ticks where a value is read off Figure 3\n"
-      "error: against the reference (reference/README.md), rounding where it is below the last "
-      "bit; allowed: more fails\n");
+// A table for every verdict, of the first columns.
+void print_key_numbers(const Rows &rows, std::size_t columns) {
   for (const auto &[verdict, title] : verdicts) {
     Rows lines = lines_of(rows, verdict);
-    fmt::print("\n{}: {}\n", title, lines.size() - 1);
-    for (auto &cells : lines) cells.resize(6);  // no digits of references
-    print_aligned(lines);
-  }
-}
-
-// A table of Markdown.
-void print_markdown(const Rows &lines) {
-  for (const auto &cells : lines) {
-    fmt::print("| {} |\n", fmt::join(cells, " | "));
-    if (&cells == &lines.front())
-      fmt::print("|{}\n", fmt::join(std::vector<std::string>(cells.size(), "---|"), ""));
-  }
-}
-
-void print_key_numbers(const Rows &rows) {
-  for (const auto &[verdict, title] : verdicts) {
-    const Rows lines = lines_of(rows, verdict);
-    fmt::print("**{}: {}**\n\n", title, lines.size() - 1);
-    print_markdown(lines);
-    fmt::print("\n");
+    for (auto &cells : lines) cells.resize(columns);
+    fmt::print("\n**{}: {}**\n\n", title, lines.size() - 1);
+    print_table(lines);
   }
 }
 
@@ -156,7 +128,7 @@ void print_few(const Rows &numbers) {
       if (row[column::symbol] == symbol)
         lines.push_back({row[column::meaning], row[column::printed], row[column::computed],
                          row[column::verdict]});
-  print_markdown(lines);
+  print_table(lines);
 }
 
 // Every published result beside what the library makes of it; `missed` gets those that are farther
@@ -216,13 +188,14 @@ int main(int argc, char **argv) {
       [&] {
         std::vector<std::string> missed;
         const Rows rows = checked_key_numbers(folder, missed);
-        if (markdown) print_key_numbers(rows);
+        if (markdown) print_key_numbers(rows, 8);
         if (nine) print_few(rows);
         if (markdown || nine) return 0;
-        print_text(rows);
+        fmt::print("{}", what_the_words_mean);
+        print_key_numbers(rows, 6);  // without the digits of the references
         fmt::print("\nPublished by others (sources: reference/README.md)\n");
         const Rows published = checked_published_results(published::results(folder), missed);
-        print_aligned(published);
+        print_table(published);
         if (!tables.empty()) {
           write_cells(rows, tables + "/key_numbers_checked.csv");
           write_cells(published, tables + "/published_checked.csv");

@@ -8,7 +8,6 @@
 #include <exception>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 namespace vibro_impact::figures {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/true_event.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/table_reader.hpp"
 #include "vibro_impact/record.hpp"
 

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "figures/beyond/bifurcations.hpp"
+#include "figures/beyond/curve_starts.hpp"
 #include "figures/beyond/grazing.hpp"
 #include "figures/beyond/table1_scenes.hpp"
 #include "figures/panel.hpp"
@@ -40,18 +39,16 @@ inline Line exit_boundary_of_mass_2() {
   ReleasePoints points;
   for (double omega : {0.25, 0.26, 0.27, 0.28, 0.29, 0.3, 0.32, 0.34, 0.36, 0.4})
     require_complete(simulate(paper::stops_of_different_sign(omega), 200.0, {}, points));
-  double mean_x = 0.0, mean_v = 0.0, xx = 0.0, xv = 0.0;
   const auto n = static_cast<double>(points.x.size());
+  double x = 0.0, v = 0.0, xx = 0.0, xv = 0.0;  // means
   for (std::size_t i = 0; i < points.x.size(); ++i) {
-    mean_x += points.x[i] / n;
-    mean_v += points.v[i] / n;
+    x += points.x[i] / n;
+    v += points.v[i] / n;
+    xx += points.x[i] * points.x[i] / n;
+    xv += points.x[i] * points.v[i] / n;
   }
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    xx += (points.x[i] - mean_x) * (points.x[i] - mean_x);
-    xv += (points.x[i] - mean_x) * (points.v[i] - mean_v);
-  }
-  const double slope = xv / xx;
-  return {slope, mean_v - slope * mean_x};
+  const double slope = (xv - x * v) / (xx - x * x);
+  return {slope, v - slope * x};
 }
 
 // Events of a paper scene up to `until`.
@@ -78,48 +75,12 @@ inline double first_time(const std::vector<Event> &events, EventKind kind, int m
   return std::nan("");
 }
 
-// The highest (`sense` 1) or the lowest (-1) displacement of a mass in the window of a panel, among
-// samples every 1e-4.
-inline double extreme(const Scene &scene, std::size_t mass, double sense,
-                      const paper::AxisBox &box) {
+// The displacements of a mass in the window of a panel, among samples every 1e-4.
+inline Range range_in(const Scene &scene, int mass, const paper::AxisBox &box) {
   SampleRecorder samples = samples_across(box, 1e-4);
   require_complete(simulate(scene, samples.to, {}, samples));
-  double most = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = mass - 1; i < samples.displacements.size(); i += 2)
-    most = std::max(most, sense * samples.displacements[i]);
-  return sense * most;
+  return range_of(samples, mass);
 }
-
-// The greatest hold force on mass 1 in the last ten periods to `until` (negative: it is pressed).
-inline double hold_force_peak(const Scene &scene, double until) {
-  HoldForceRecorder hold;
-  hold.from = until - 10.0 * Clock(scene.omega).period;
-  hold.to = until;
-  hold.every = 1e-4;
-  require_complete(simulate(scene, until, {}, hold));
-  // The ends of a phase are at zero by definition: only points well inside count.
-  double peak = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 200; i + 200 < hold.rows.size(); ++i)
-    if (hold.rows[i - 200].phase == hold.rows[i + 200].phase &&
-        hold.rows[i].force > hold.rows[i - 200].force &&
-        hold.rows[i].force > hold.rows[i + 200].force)
-      peak = std::max(peak, hold.rows[i].force);
-  return peak;
-}
-
-// A bifurcation point: the one change of the sticking count of `mass` in [below, above].
-struct Bracketed {
-  const char *symbol;
-  int mass;
-  double below, above;
-};
-constexpr Bracketed bifurcation_points[] = {
-    {"multi_sliding_mass_1", 1, 0.256, 0.2561}, {"border_mass_1_1", 1, 0.2574, 0.2575},
-    {"multi_sliding_mass_2", 2, 0.268, 0.2682}, {"border_mass_2_1", 2, 0.2684, 0.2685},
-    {"border_mass_1_2", 1, 0.2965, 0.2966},     {"border_mass_1_3", 1, 0.3309, 0.331},
-    {"border_mass_2_2", 2, 0.367, 0.36701},     {"border_mass_1_4", 1, 0.36782, 0.367822},
-    {"border_mass_2_3", 2, 0.40382, 0.40383},   {"border_mass_1_6", 1, 0.40383, 0.40384},
-    {"border_mass_1_7", 1, 0.4642, 0.4643},     {"border_mass_2_4", 2, 0.4747, 0.4748}};
 
 inline std::map<std::string, std::function<double()>> key_numbers() {
   using namespace paper;
@@ -142,8 +103,8 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
   const auto first = [](const Scene &scene, EventKind kind, int mass, const AxisBox &box) {
     return [=] { return first_time(events_of(scene, box.to), kind, mass, box.from); };
   };
-  const auto lowest = [](const Scene &scene, std::size_t mass, const AxisBox &box) {
-    return [=] { return extreme(scene, mass, -1.0, box); };
+  const auto lowest = [](const Scene &scene, int mass, const AxisBox &box) {
+    return [=] { return range_in(scene, mass, box).lowest; };
   };
   // How often a mass comes to rest while the other one is held.
   const auto dual_sticks = [](const Scene &scene, const AxisBox &box) {
@@ -165,14 +126,20 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
       {"figure2_sticks", number_of(EventKind::stick)},
       {"figure2_releases", number_of(EventKind::release)},
       {"figure2_x2_min", lowest(figure2(), 2, figure2a_box)},
-      {"figure2_x1_max", [] { return extreme(figure2(), 1, 1.0, figure2a_box); }},
+      {"figure2_x1_max", [] { return range_in(figure2(), 1, figure2a_box).highest; }},
       {"figure2b_x2_min", lowest(figure2(), 2, figure2b_box)},
       {"figure2b_chatter_start", first(figure2(), EventKind::impact, 2, figure2b_box)},
       {"figure2b_chatter_end", first(figure2(), EventKind::stick, 2, figure2b_box)},
       {"figure4a_sticks_of_mass_1", sticks_of_mass_1(figure4a())},
       {"figure4b_sticks_of_mass_1", sticks_of_mass_1(figure4b())},
       {"figure3_sticks_of_mass_1_at_0_65", sticks_of_mass_1(paper::figure3(0.65))},
-      {"figure4a_hold_force_peak", [] { return hold_force_peak(figure4a(), 750.0); }},
+      {"figure4a_hold_force_peak",
+       [] {  // negative: mass 1 is pressed into a lower stop
+         const Scene scene = figure4a();
+         const MotionState orbit =
+             orbit_near(scene, at_quiet_phase(scene, settled(scene, 60)), 1, {});
+         return -least_pressing_force(scene, orbit, scene.stops[0]).value().value;
+       }},
       {"figure5a_stick_time", first(figure5a(), EventKind::stick, 1, figure5a_box)},
       {"figure5a_impacts_while_stuck",
        [] {
@@ -206,11 +173,8 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
       {"GI_s2", stop(grazing_impact, 2)},
       {"DS_from", [] { return dual_sticking().time; }},
   };
-  for (const Bracketed &point : bifurcation_points)
-    functions[point.symbol] = [point] {
-      const auto changes = changes_between(point.mass, point.below, point.above);
-      return locate(changes.at(0), point.mass).back().omega.value;
-    };
+  for (const CurveStart &start : starts_in_frequency())
+    functions[start.name] = [start] { return started(start).point.at.x; };
   return functions;
 }
 

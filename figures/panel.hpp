@@ -2,6 +2,8 @@
 // (the paper's F2, Eq. 20) over one settled forcing period.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
@@ -15,6 +17,24 @@ inline const RunOptions all_visible_chatter{.resolve_chatter = paper::slowest_im
 // Samples both masses across the window of a panel.
 inline SampleRecorder samples_across(const paper::AxisBox &box, double every) {
   return {.from = box.from, .to = box.to, .every = every};
+}
+
+struct Range {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+};
+
+// The displacements of the given mass, or of both (0).
+inline Range range_of(const SampleRecorder &samples, int mass = 0) {
+  Range range;
+  for (std::size_t i = 0; i < samples.displacements.size(); ++i)
+    if (mass == 0 || static_cast<int>(i % 2) == mass - 1) range.include(samples.displacements[i]);
+  return range;
 }
 
 // The samples of both masses as a table t, x1, x2.

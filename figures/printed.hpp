@@ -24,29 +24,14 @@ struct Printed {
   std::string words = {};
   double from = 0.0, to = 0.0;
 
-  double value() const {
-    return std::isinf(to) ? from : 0.5 * (from + to);
+  // The verdict on what is computed; a number that differs, by how much from what is printed.
+  std::string verdict(double computed) const {
+    if (words.empty()) return "not in the paper";
+    if (computed >= from && computed <= to) return "agrees with the paper";
+    const double value = std::isinf(to) ? from : 0.5 * (from + to);
+    return fmt::format("differs from the paper by {:+.2g}", computed - value);
   }
 };
-
-enum class Verdict { agrees, differs, not_in_the_paper };
-
-inline Verdict verdict_on(const Printed &printed, double computed) {
-  if (printed.words.empty()) return Verdict::not_in_the_paper;
-  return computed >= printed.from && computed <= printed.to ? Verdict::agrees : Verdict::differs;
-}
-
-// In words; a number that differs, by how much from what is printed.
-inline std::string in_words(const Printed &printed, double computed) {
-  switch (verdict_on(printed, computed)) {
-    case Verdict::agrees:
-      return "agrees with the paper";
-    case Verdict::differs:
-      return fmt::format("differs from the paper by {:+.2g}", computed - printed.value());
-    default:
-      return "not in the paper";
-  }
-}
 
 // The columns of key_numbers_checked.csv, a number each.
 namespace column {
@@ -56,7 +41,7 @@ enum : std::size_t {
   printed,
   computed,
   kind,
-  thirty_digits,
+  digits,
   error,
   allowed,
   verdict,

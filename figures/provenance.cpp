@@ -47,7 +47,7 @@ void store(const path &folder, const path &stored) {
   const Rules rules = read_rules(stored / "rules.csv");
   for (const auto &entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(".csv") && rule_for(rules, name).compared)
+    if (name.ends_with(".csv") && rule_for(rules, name).tolerance)
       save(extract_of(stored, name), extract(entry, rule_for(rules, name).until));
   }
   save(stored / "SHA256SUMS", manifest_of(folder));
@@ -72,12 +72,12 @@ bool compare(const path &folder, const path &stored, const std::vector<std::stri
       ++same;
     } else if (!std::filesystem::exists(folder / name)) {
       why = "is missing";
-    } else if (!rule.compared) {
+    } else if (!rule.tolerance) {
       ++not_compared;
     } else {
       why =
-          difference(extract(folder / name, rule.until), extract_of(stored, name), rule.tolerance);
-      if (why.empty()) fmt::print("{}: the same within {:.0e}\n", name, rule.tolerance);
+          difference(extract(folder / name, rule.until), extract_of(stored, name), *rule.tolerance);
+      if (why.empty()) fmt::print("{}: the same within {:.0e}\n", name, *rule.tolerance);
       near += why.empty() ? 1 : 0;
     }
     if (!why.empty()) fmt::print("{}: {}\n", name, why);

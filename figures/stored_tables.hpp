@@ -17,10 +17,11 @@
 namespace vibro_impact::figures {
 
 // How the numbers of a table may differ between platforms: by `tolerance` times their size, near
-// zero by a tenth of it, where the first column is at most `until`; or the table is not compared.
+// zero by a tenth of it, where the first column is at most `until`. No tolerance: the table is not
+// compared.
 struct Rule {
-  double tolerance = 0.0, until = std::numeric_limits<double>::infinity();
-  bool compared = true;
+  std::optional<double> tolerance = {};
+  double until = std::numeric_limits<double>::infinity();
 };
 
 // The rules by the beginning of a table's name; the longest that fits applies.
@@ -30,8 +31,7 @@ inline Rules read_rules(const std::filesystem::path &path) {
   Rules rules;
   for (const auto &cells : read_rows(path.string(), 4)) {
     Rule &rule = rules[cells[0]];
-    rule.compared = cells[1] != "not compared";
-    if (rule.compared) rule.tolerance = number_in(path.string(), cells[1]);
+    if (cells[1] != "not compared") rule.tolerance = number_in(path.string(), cells[1]);
     if (!cells[2].empty()) rule.until = number_in(path.string(), cells[2]);
   }
   return rules;

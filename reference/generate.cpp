@@ -1,10 +1,11 @@
 // Writes the reference tables: the events of the paper's scenes and its key numbers. See README.md
 // beside this file.
 #include "event_driven.hpp"
-#include "extremes.hpp"
 #include "filled_table.hpp"
 #include "key_numbers.hpp"
 #include "located.hpp"
+#include "reference/scenes/degenerate_cases.hpp"
+#include "reference/scenes/extreme_cases.hpp"
 #include "scenes.hpp"
 #include "work_precision.hpp"
 
@@ -73,12 +74,16 @@ std::string events_table(const std::vector<Event> &events, std::size_t masses) {
   return columns + event_rows(events, Vector(masses, kept_speed), "");
 }
 
-/// The events of all these cases, one table.
+/// The events of those of these cases whose truth is the generator's, one table.
 std::string cases_table(const std::vector<vibro_impact::extremes::Case> &cases) {
   std::string table = std::string("case,") + columns;
   for (const auto &extreme : cases) {
-    const Scene scene = in_digits(extreme);
-    const std::vector<Event> events = simulate(scene, resolution_of(extreme)).events;
+    if (extreme.truth != vibro_impact::extremes::Truth::digits) continue;
+    Resolution resolution;
+    resolution.speed_floor = Real(extreme.slowest_impact);
+    resolution.hopeless_speed = resolution.speed_floor * Real("1e-4");
+    const Scene scene = in_digits(extreme.name, extreme.scene, extreme.until);
+    const std::vector<Event> events = simulate(scene, resolution).events;
     Vector slowest(scene.chain.masses.size());
     for (const Event &e : events) {
       const Real speed = kept_speed * abs(e.velocity_before);
@@ -104,7 +109,7 @@ std::string work_precision_table(bool states) {
 std::string table_named(const std::string &name) {
   if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
   if (name == "located") return filled_table("located.csv", located_numbers());
-  if (name == "extremes") return cases_table(cases_in_digits());
+  if (name == "extremes") return cases_table(vibro_impact::extremes::all_cases());
   if (name == "degenerate") return cases_table(vibro_impact::extremes::degenerate_cases());
   if (name == "work_precision_states") return work_precision_table(true);
   if (name == "work_precision_events") return work_precision_table(false);

@@ -1,7 +1,7 @@
 // Zeros of what is sampled along a motion: brackets and bisection, nothing else.
 #pragma once
 
-#include "digits.hpp"
+#include "scenes.hpp"
 
 #include <optional>
 

@@ -6,7 +6,6 @@
 #include <boost/multiprecision/eigen.hpp>
 
 #include <Eigen/LU>
-#include <cstddef>
 #include <functional>
 #include <stdexcept>
 

@@ -6,23 +6,11 @@
 // printed axis says between which two ticks the extreme of the data lies.
 #pragma once
 
-#include <algorithm>
-#include <limits>
 #include <string>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "figures/panel.hpp"
 
 namespace vibro_impact::figures {
-
-struct Range {
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
-
-  void include(double value) {
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
-};
 
 // One axis of a panel: as printed, and the data it should fill.
 struct AxisCheck {

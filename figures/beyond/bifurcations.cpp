@@ -7,7 +7,6 @@
 #include "bifurcations.hpp"
 
 #include "figures/driver.hpp"
-#include "grazing.hpp"
 
 namespace {
 

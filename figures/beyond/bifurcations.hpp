@@ -9,14 +9,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "curves.hpp"
-#include "figures/bifurcation_point.hpp"
 #include "figures/parallel.hpp"
+#include "grazing.hpp"
 
 namespace vibro_impact::figures {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/table_reader.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/table_reader.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -1,5 +1,5 @@
-// The grazing of mass 2 in the scene of Figure 5(b), and the motion with impacts that lives on
-// beside the one without.
+// What a bifurcation point is; the grazing of mass 2 in the scene of Figure 5(b), and the motion
+// with impacts that lives on beside the one without.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,11 +9,23 @@
 #include <string>
 #include <vector>
 
-#include "figures/bifurcation_point.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
 namespace vibro_impact::figures {
+
+// A bifurcation point found in two ways.
+struct BifurcationPoint {
+  std::string symbol;
+  Located omega;
+  std::string method;
+  double check = 0.0;  // the same by bisection on a count of events
+  std::string checked_by;
+};
+
+// Forcing periods left out before the motion from rest counts as settled, and those then counted
+// over: sticking motions of period 1, 2 and 4 give the same count in every window.
+constexpr int settling = 150, counted = 4;
 
 inline Scene figure5b_at(double omega) {
   Scene scene = paper::figure5b();

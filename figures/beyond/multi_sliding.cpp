@@ -13,15 +13,12 @@ int main(int argc, char **argv) {
         const auto found = figures::multi_sliding(changes.at(0), 1);
         if (!found)
           throw std::runtime_error("no multi-sliding bifurcation between 0.256 and 0.2561");
-        const double before = 0.256, at = found->value, after = 0.2561;
         Table omegas("omega,error,checked_by_counting");
-        omegas.row(at, found->error, changes.front().below);
+        omegas.row(found->value, found->error, changes.front().below);
         write(omegas, output / "multi_sliding.csv");
-        write(figures::hold_force(paper::stops_of_different_sign(before)),
-              output / "multi_sliding_before.csv");
-        write(figures::hold_force(paper::stops_of_different_sign(at)),
-              output / "multi_sliding_at.csv");
-        write(figures::hold_force(paper::stops_of_different_sign(after)),
-              output / "multi_sliding_after.csv");
+        for (const auto &[when, omega] :
+             {std::pair{"before", 0.256}, {"at", found->value}, {"after", 0.2561}})
+          write(figures::hold_force(paper::stops_of_different_sign(omega)),
+                output / fmt::format("multi_sliding_{}.csv", when));
       });
 }

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "axis_checks.hpp"
 #include "figures/driver.hpp"
 
 namespace {

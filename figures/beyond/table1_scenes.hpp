@@ -9,10 +9,7 @@
 // The numbers that are not solved for stand in reference/scenes/pair_scenes.hpp.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "reference/scenes/pair_scenes.hpp"

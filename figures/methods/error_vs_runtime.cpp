@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <ctime>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -70,12 +69,6 @@ void try_out(Trial &trial) {
   }
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 Table table_of(const std::vector<Trial> &trials) {
   Table table(
       "problem,method,setting,error_time,error_state,median_us_per_period,low,high,"
@@ -83,11 +76,12 @@ Table table_of(const std::vector<Trial> &trials) {
   for (const Trial &trial : trials) {
     const auto [low, high] =
         std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
+    const double median = boost::math::statistics::median(std::vector(trial.microseconds));
     std::string failure = trial.errors.failure;
     std::replace(failure.begin(), failure.end(), ',', ';');
     table.row(trial.problem->name, figures::in_quotes(trial.method->name), trial.setting,
-              trial.errors.time, trial.errors.state, median(trial.microseconds), *low, *high,
-              trial.result.work, trial.result.impacts, figures::in_quotes(failure));
+              trial.errors.time, trial.errors.state, median, *low, *high, trial.result.work,
+              trial.result.impacts, figures::in_quotes(failure));
   }
   return table;
 }

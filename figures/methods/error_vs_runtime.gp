@@ -31,55 +31,44 @@ here(p, m) = strcol("problem") eq p && strcol("method") eq m
 good(p, m, x, y) = here(p, m) && strlen(strcol("failure")) == 0 ? drawn(y) : NaN
 bad(p, m) = here(p, m) && strlen(strcol("failure")) > 0 ? top : NaN
 
-do for [kind in 'png pdf'] {
-  rows = words(problems)
-  height = 0.92 / rows  # of a panel; the key has the rest
-  if (kind eq 'png') {
-    set terminal pngcairo size 1700,2500 font 'Liberation Serif,20' linewidth 2
-  } else {
-    set terminal pdfcairo size 17cm,25cm font 'Liberation Serif,9'
+rows = words(problems)
+height = 0.92 / rows  # of a panel; the key has the rest
+font = "font 'Liberation Serif,20'"
+eval opened('error_vs_runtime', 1700, 2500)
+set multiplot
+do for [n = 1:rows] {
+  p = word(problems, n)
+  do for [column in 'median_us_per_period rhs_or_expansions'] {
+    set origin column eq 'rhs_or_expansions' ? 0.5 : 0.0, 1.0 - height * n
+    set size 0.5, height
+    set xlabel column eq 'rhs_or_expansions' ? 'work (evaluations, steps or expansions)' : 'microseconds of processor time per forcing period'
+    set ylabel 'error of event times'
+    set label 1 word(titles, n) at graph 0.0, graph 1.06
+    unset key
+    plot for [k = 1:words(methods)] table \
+        using (column(column)):(good(p, word(methods, k), column(column), column('error_time'))) \
+        with linespoints pointtype int(word(points, k)) pointsize 0.9 linewidth 1.2 \
+        dashtype solid linecolor rgb word(colours, k), \
+      for [k = 1:words(methods)] table \
+        using (column(column)):(good(p, word(methods, k), 0, column('error_time'))): \
+          (column(column eq 'rhs_or_expansions' ? column : 'low')): \
+          (column(column eq 'rhs_or_expansions' ? column : 'high')) \
+        with xerrorbars pointtype 0 linewidth 0.8 dashtype solid linecolor rgb word(colours, k), \
+      for [k = 1:words(methods)] table \
+        using (column(column)):(bad(p, word(methods, k))) \
+        with points pointtype 2 pointsize 1.2 linecolor rgb word(colours, k)
   }
-  set output data.'/error_vs_runtime.'.kind
-  set multiplot
-  do for [n = 1:rows] {
-    p = word(problems, n)
-    do for [column in 'median_us_per_period rhs_or_expansions'] {
-      set origin column eq 'rhs_or_expansions' ? 0.5 : 0.0, 1.0 - height * n
-      set size 0.5, height
-      set xlabel column eq 'rhs_or_expansions' ? 'work (evaluations, steps or expansions)' : 'microseconds of processor time per forcing period'
-      set ylabel 'error of event times'
-      set label 1 word(titles, n) at graph 0.0, graph 1.06
-      unset key
-      plot for [k = 1:words(methods)] table \
-          using (column(column)):(good(p, word(methods, k), column(column), column('error_time'))) \
-          with linespoints pointtype int(word(points, k)) pointsize 0.9 linewidth 1.2 \
-          dashtype solid linecolor rgb word(colours, k), \
-        for [k = 1:words(methods)] table \
-          using (column(column)):(good(p, word(methods, k), 0, column('error_time'))): \
-            (column(column eq 'rhs_or_expansions' ? column : 'low')): \
-            (column(column eq 'rhs_or_expansions' ? column : 'high')) \
-          with xerrorbars pointtype 0 linewidth 0.8 dashtype solid linecolor rgb word(colours, k), \
-        for [k = 1:words(methods)] table \
-          using (column(column)):(bad(p, word(methods, k))) \
-          with points pointtype 2 pointsize 1.2 linecolor rgb word(colours, k)
-    }
-  }
-  # The key has a panel of its own.
-  unset label 1; unset xlabel; unset ylabel; unset tics; unset border; unset grid
-  set key center center maxrows 5 spacing 1.2 samplen 2
-  set tmargin 0; set bmargin 0
-  set origin 0.0, 0.0
-  set size 1.0, 0.08
-  if (strlen(missing) > 0) { set label 2 "not installed (make peers):\n".missing at screen 0.005, 0.052 left font 'Liberation Serif,'.(kind eq 'png' ? 17 : 8) textcolor rgb '#c8442c' noenhanced }
-  plot for [k = 1:words(methods)] NaN with linespoints pointtype int(word(points, k)) \
-      pointsize 0.9 linewidth 1.2 dashtype solid linecolor rgb word(colours, k) \
-      title (strstrt(missing, word(word(methods, k), 1)) > 0 ? '' : word(methods, k)) noenhanced, \
-    NaN with points pointtype 2 pointsize 1.2 linecolor rgb '#202020' title 'failed (at the upper edge)'
-  unset multiplot
-  unset output
-  set border linewidth 0.7 linecolor rgb '#202020'
-  set tics nomirror out scale 0.6
-  set xtics 10; set ytics 1e3
-  set tmargin 2.2; set bmargin 3.2
-  set grid xtics ytics
 }
+# The key has a panel of its own.
+unset label 1; unset xlabel; unset ylabel; unset tics; unset border; unset grid
+set key center center maxrows 5 spacing 1.2 samplen 2
+set tmargin 0; set bmargin 0
+set origin 0.0, 0.0
+set size 1.0, 0.08
+if (strlen(missing) > 0) { set label 2 "not installed (make peers):\n".missing at screen 0.005, 0.052 left font 'Liberation Serif,17' textcolor rgb '#c8442c' noenhanced }
+plot for [k = 1:words(methods)] NaN with linespoints pointtype int(word(points, k)) \
+    pointsize 0.9 linewidth 1.2 dashtype solid linecolor rgb word(colours, k) \
+    title (strstrt(missing, word(word(methods, k), 1)) > 0 ? '' : word(methods, k)) noenhanced, \
+  NaN with points pointtype 2 pointsize 1.2 linecolor rgb '#202020' title 'failed (at the upper edge)'
+unset multiplot
+unset output

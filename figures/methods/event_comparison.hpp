@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/true_event.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::figures {

@@ -70,7 +70,3 @@ plot table using (0.02):(opens(strcol('group')) ? row($0) : NaN):(strcol('group'
   with labels left notitle
 unset multiplot
 unset output
-set border
-set xtics
-set ytics
-set format y '%h'

@@ -9,7 +9,22 @@
 #include <vector>
 
 #include "paper_scenes.hpp"
-#include "true_event.hpp"
+
+namespace vibro_impact::figures {
+
+// An event as it truly happens, of the 50-digit generator or of a closed formula: at cycle T + time
+// with T the forcing period, a time that is known better than a double could hold after 1e6
+// periods.
+struct TrueEvent {
+  long long cycle = 0;
+  double time = 0.0;
+  int mass = 1;
+  std::string event;  // impact, stick, release
+  double velocity_before = 0.0;
+  std::string contact_mode;  // after it: `-`, `1`, `1+2`
+};
+
+}  // namespace vibro_impact::figures
 
 namespace vibro_impact::extremes {
 
@@ -32,7 +47,7 @@ struct Case {
   double until = 0.0;
   Truth truth = Truth::digits;
   std::vector<TrueEvent> events = {};  // of the formula; none with `digits`
-  double from = 0.0;  // events before this are not compared (they are counted)
+  double from = 0.0;                   // events before this are not compared (they are counted)
   // Speed at which the generator ends a chatter. Its flight is v^2 / a high and must stand above
   // the 50 digits of the displacement; what is left out lasts some v / a.
   double slowest_impact = 1e-20;

@@ -229,18 +229,14 @@ TEST(Verdicts, TheTableSaysWhatThePrintCanTell) {
 }
 
 TEST(Verdicts, FollowFromThat) {
-  using namespace figures;
-  const Printed value{"0.382", 0.3815, 0.3825}, count{"dual sticking", 1.0, HUGE_VAL},
-      read{"about 0.35", 0.3475, 0.3525};
-  EXPECT_EQ(verdict_on(value, 0.38197), Verdict::agrees);
-  EXPECT_EQ(verdict_on(value, 0.38251), Verdict::differs);
-  EXPECT_EQ(verdict_on(value, 0.38149), Verdict::differs);
-  EXPECT_EQ(verdict_on({"it grazes", 0.0, 0.0}, 7.5e-5), Verdict::differs);
-  EXPECT_EQ(verdict_on(count, 0.0), Verdict::differs);
-  EXPECT_EQ(verdict_on(count, 3.0), Verdict::agrees);
-  EXPECT_EQ(verdict_on({}, 1.0), Verdict::not_in_the_paper);
-  EXPECT_EQ(in_words(read, 0.33098), "differs from the paper by -0.019");
-  EXPECT_EQ(in_words(count, 0.0), "differs from the paper by -1");
+  const std::string agrees = "agrees with the paper", differs = "differs from the paper by ";
+  const figures::Printed value{"0.382", 0.3815, 0.3825}, count{"dual sticking", 1.0, HUGE_VAL};
+  EXPECT_EQ(value.verdict(0.38197), agrees);
+  EXPECT_EQ(value.verdict(0.38251), differs + "+0.00051");
+  EXPECT_EQ(value.verdict(0.38149), differs + "-0.00051");
+  EXPECT_EQ(count.verdict(0.0), differs + "-1");
+  EXPECT_EQ(count.verdict(3.0), agrees);
+  EXPECT_EQ(figures::Printed().verdict(1.0), "not in the paper");
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "figures/beyond/axis_checks.hpp"
 #include "figures/beyond/reconstruction.hpp"
 
 namespace {

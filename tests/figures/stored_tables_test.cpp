@@ -64,7 +64,7 @@ TEST_F(StoredTables, FollowTheRuleOfTheLongestNameThatFits) {
                          "figure3,1e-6,0.5,\"chaos, then\"\nfigure3b,not compared,,b\n"));
   EXPECT_EQ(rule_for(rules, "figure2.csv").tolerance, 1e-9);
   EXPECT_EQ(rule_for(rules, "figure3a.csv").until, 0.5);
-  EXPECT_FALSE(rule_for(rules, "figure3b.csv").compared);
+  EXPECT_FALSE(rule_for(rules, "figure3b.csv").tolerance);
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <map>
 #include <string>
 
-#include "reference/table_reader.hpp"
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/table_reader.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 
 #include "vibro_impact/scene.hpp"
 
-// Of record.hpp, which is C++20. problem.cpp checks that these are its values.
+// Of record.hpp, which is C++20. method.cpp checks that these are its values.
 namespace vibro_impact {
 enum class EventKind;
 }

@@ -6,7 +6,6 @@
 // ln^2 r) gives the coefficient of restitution r in the limit of a stiff spring. The model has no
 // events: an impact is the beginning of a contact, a stick one that lasts, a release its end. Its
 // error is of the order of the duration of a contact, pi sqrt(m / kappa).
-#include <fmt/format.h>
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>

@@ -39,34 +39,27 @@ Result run_with(const Problem &problem, const RunOptions &options) {
   return result;
 }
 
-Result with_chatter_limit(const Problem &problem, double tolerance) {
-  RunOptions options;
-  options.chatter_tolerance = tolerance;
-  options.flight_tolerance = std::max(0.1 * tolerance, options.flight_tolerance);
-  return run_with(problem, options);
-}
-
-// Every impact resolved, until what is left of a chatter lies below rounding. There is nothing to
-// sweep: flow and roots are exact to rounding.
-Result without_chatter_limit(const Problem &problem, double) {
-  RunOptions options;
-  options.resolve_chatter = 0.0;
-  return run_with(problem, options);
-}
-
 }  // namespace
 
 std::vector<Method> this_library() {
-  return {{"this library",
-           "tolerance of the chatter limit, ten times that of a flight",
-           "expansions",
-           {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
-           with_chatter_limit},
-          {"this library (every impact)",
-           "none",
-           "expansions",
-           {std::numeric_limits<double>::epsilon()},
-           without_chatter_limit}};
+  return {
+      {"this library",
+       "tolerance of the chatter limit, ten times that of a flight",
+       "expansions",
+       {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
+       [](const Problem &problem, double tolerance) {
+         RunOptions options;
+         options.chatter_tolerance = tolerance;
+         options.flight_tolerance = std::max(0.1 * tolerance, options.flight_tolerance);
+         return run_with(problem, options);
+       }},
+      // Until what is left of a chatter lies below rounding. There is nothing to sweep: flow and
+      // roots are exact to rounding.
+      {"this library (every impact)",
+       "none",
+       "expansions",
+       {std::numeric_limits<double>::epsilon()},
+       [](const Problem &problem, double) { return run_with(problem, {.resolve_chatter = 0.0}); }}};
 }
 
 }  // namespace vibro_impact::comparison

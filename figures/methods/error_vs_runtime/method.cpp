@@ -1,3 +1,4 @@
+#include "method.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +10,8 @@
 #include <numbers>
 
 #include "figures/event_tables.hpp"
-#include "reference/table_reader.hpp"
-#include "method.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/table_reader.hpp"
 #include "vibro_impact/record.hpp"
 
 namespace vibro_impact::comparison {
@@ -116,6 +116,28 @@ Errors errors_of(const Result &result, const Problem &problem) {
   }
   if (!std::isfinite(state)) return {nan, nan, "the state at the end is not finite"};
   return {worst, state, {}};
+}
+
+Methods all_methods() {
+  Methods all;
+  const auto add = [&](const std::vector<Method> &family) {
+    all.methods.insert(all.methods.end(), family.begin(), family.end());
+  };
+  add(this_library());
+  add(plain_event_driven());
+  add(odeint());
+#ifdef WITH_CVODE
+  add(cvode());
+#else
+  all.left_out.emplace_back("CVODE (SUNDIALS)");
+#endif
+#ifdef WITH_SICONOS
+  add(siconos());
+#else
+  all.left_out.emplace_back("Siconos");
+#endif
+  add(stiff_spring());
+  return all;
 }
 
 }  // namespace vibro_impact::comparison
