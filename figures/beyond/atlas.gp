@@ -35,6 +35,7 @@ class_of(part) = part == 1 ? of_period(column('period'), column('lyapunov')) : \
 noted(c) = (strstrt(seen, sprintf(' %d ', c)) > 0 ? 0 : (seen = seen.sprintf(' %d ', c)), c)
 in_key(c) = strstrt(seen, sprintf(' %d ', c)) > 0
 violet = '#cc79a7'
+set style textbox opaque fillcolor rgb '#ffffff' noborder margins 0.3, 0.1
 
 do for [picture in 'atlas atlas_stops'] {
   first = picture eq 'atlas' ? 1 : 3
@@ -62,8 +63,8 @@ do for [picture in 'atlas atlas_stops'] {
         for [unused in k == 1 && part == 2 && curves_drawn ? 'yes' : ''] NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'curves of bifurcations', \
         '+' using (k < 3 ? 0.25 + 0.45 * column(0) / 99 : NaN):(k == 1 ? 0.7 : 0.5) with lines dt (6, 4) lw 1.6 lc rgb violet title (k < 3 ? 'Figure 3' : ''), \
         scenes using (marked_in(plane[k], column('x'))):'y' with points pt 6 ps 1.6 lw 2 lc rgb '#202020' notitle, \
-        scenes using (strcol('figure') eq '4' ? marked_in(plane[k], column('x')) : NaN):'y':'figure' with labels offset -1, -0.9 right notitle, \
-        scenes using (strcol('figure') eq '4' ? NaN : marked_in(plane[k], column('x'))):'y':'figure' with labels offset 1, -0.9 left notitle, \
+        scenes using (strcol('figure') eq '4' ? marked_in(plane[k], column('x')) : NaN):'y':'figure' with labels boxed offset -1, -0.9 right notitle, \
+        scenes using (strcol('figure') eq '4' ? NaN : marked_in(plane[k], column('x'))):'y':'figure' with labels boxed offset 1, -0.9 left notitle, \
         for [c = first_of(part):last_of(part)] NaN with points pt 5 ps 2.4 lc rgb colour[c] title (in_key(c) ? meaning[c] : '')
     }
   }

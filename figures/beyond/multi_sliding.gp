@@ -26,7 +26,7 @@ do for [name in 'before at after'] {
     n = n + 1
     zoom = side eq 'right' && name ne 'after'
     set title side eq 'left' ? title_of(name) : about(name) offset 0, -0.5
-    set label 1 '('.letters[n:n].')' at graph -0.12, graph 1.06
+    set label 1 '('.letters[n:n].')' at graph -0.2, graph 1.06
     set ylabel zoom ? '10^5 {/:Italic F}_2' : '{/:Italic F}_2'
     set yrange [-0.2:0.02]; set ytics 0.05
     set xrange [12:17.5]; set xtics 1

@@ -183,28 +183,4 @@ TEST(ZeroFromOneSide, NeverStepsAcross) {
   EXPECT_EQ(across, 0);
 }
 
-TEST(PressingForce, AtThePeakOfFigure4aEqualsTheReference) {
-  const Scene scene = paper::figure4a();
-  const MotionState seed = at_quiet_phase(scene, settled(scene, 60));
-  const auto least = least_pressing_force(scene, orbit_near(scene, seed, 1, {}), scene.stops[0]);
-  ASSERT_TRUE(least.has_value());
-  // The 50-digit generator: 4.4585327530e-05 at the best of its samples in time (the peak is flat).
-  EXPECT_NEAR(least->value, 4.4585327530179651567e-05, 1e-12);
-}
-
-// Nothing shared with the library: 50 digits, orbit and frequency solved for together. What is left
-// is the library's rounding over a period, divided by how fast the force, the gap or the ratio of
-// the impact speeds changes with the frequency: 1e-14.
-TEST(BifurcationPoints, AgreeWithTheFiftyDigits) {
-  int compared = 0;
-  for (const auto &[symbol, located] : read_references(REFERENCE_DIR "/located.csv")) {
-    if (!symbol.starts_with("multi_sliding") && !symbol.starts_with("border") &&
-        !symbol.starts_with("grazing"))
-      continue;
-    EXPECT_NEAR(stored(symbol), located.value, 1e-14) << symbol;
-    ++compared;
-  }
-  EXPECT_EQ(compared, 13);
-}
-
 }  // namespace
