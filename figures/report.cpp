@@ -33,15 +33,16 @@ constexpr const char *head = R"(<!DOCTYPE html>
   th, td { text-align: left; padding: .15rem .5rem .15rem 0; border-bottom: 1px solid #e4e4e4;
            vertical-align: top; font-variant-numeric: tabular-nums; }
   .agrees { color: #1d6b3a; } .differs, .FAIL { color: #b3261e; } pre { overflow-x: auto; }
+  @media (max-width: 30rem) { table { font-size: .64rem; } th, td { padding-right: .2rem; } }
   @media print { body { font-size: 10pt; max-width: none; } tr, img { break-inside: avoid; } }
 </style>
 <h1>Reproduction report</h1>
 <p>D. J. Wagg, <cite>Multiple nonsmooth events in multi-degree-of-freedom vibro-impact
 systems</cite>, Nonlinear Dynamics 43 (2006) 137-148,
 <a href="https://doi.org/10.1007/s11071-006-0757-7">doi 10.1007/s11071-006-0757-7</a>.
-All quantities are non-dimensional. The paper's text that we have does not give Omega of
-Figures 2, 5(a) and 5(b) nor the stops of Figure 5(c); they are inferred from it and from
-the axes of its plots (figures/README.md).</p>
+All quantities are non-dimensional. The text of the paper that we have gives neither Omega of
+Figures 2, 5(a) and 5(b) nor the stops of Figure 5(c); they are inferred from that text and
+from the axes of the plots (figures/README.md).</p>
 )";
 
 std::string escaped(const std::string &text) {
@@ -105,9 +106,9 @@ std::string page(const path &folder, const std::string &sections) {
       "<p>Of {} key numbers <strong class=agrees>{} agree with the paper</strong>, within what its "
       "print or plot can tell (half a unit of the last digit printed; a twentieth of the distance "
       "of the ticks where a value is read off Figure 3), <strong class=differs>{} differ from "
-      "it</strong>, and <strong>{} are not in it</strong>. {} of {} are within what is allowed of "
-      "their references, from 50 digits or formulas; of {} results that others have published, "
-      "{}.</p>\n",
+      "it</strong>, and <strong>{} are not in it</strong>. Within tolerance of their references, "
+      "50 "
+      "digits or formulas, are {} of {}; of {} results that others have published, {} are.</p>\n",
       keys.size(), verdicts("agrees"), verdicts("differs"), verdicts("not"),
       count(keys, "pass", column::met), keys.size(), others.size(), count(others, "pass", 7));
   for (const auto &section : read_rows(sections, 4)) {
