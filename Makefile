@@ -130,7 +130,8 @@ fuzz:
 	@cmake -S . -B build/fuzz -DCMAKE_CXX_COMPILER=clang++ -DVIBRO_IMPACT_FUZZ=ON >build/fuzz.log 2>&1 || { cat build/fuzz.log; exit 2; }
 	@cmake --build build/fuzz -j $(jobs)
 	@build/fuzz/bin/fuzz_options -max_total_time=$(seconds) -timeout=10 -max_len=600 -print_final_stats=1 \
-	  -dict=tests/fuzz_options.dict -artifact_prefix=build/fuzz/found/ build/fuzz/corpus tests/fuzz_inputs
+	  -dict=tests/program/fuzz_options.dict \
+	  -artifact_prefix=build/fuzz/found/ build/fuzz/corpus tests/program/fuzz_inputs
 
 pictures: figures beyond
 	@mkdir -p figures/pictures
