@@ -3,18 +3,15 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <initializer_list>
 
 namespace vibro_impact::runner {
 
 namespace {
 
-// A signal finds its way to the program through variables like these and no others.
-volatile std::sig_atomic_t came = 0, heard = 0;
+// A signal finds its way to the program through a variable like this and no other.
+volatile std::sig_atomic_t came = 0;
 
 constexpr unsigned patience = 2;  // seconds
-
-constexpr auto signals = {SIGINT, SIGTERM, SIGHUP};
 
 void set(int signal, void (*handler)(int)) {
   struct sigaction action = {};
@@ -23,26 +20,29 @@ void set(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
+// The first signal is remembered; the second, or the alarm, ends the program by the first.
 void remember(int number) {
+  if (came != 0) {
+    set(came, SIG_DFL);
+    raise(came);
+    return;
+  }
   came = number;
-  for (const int signal : signals) set(signal, SIG_DFL);
-  set(SIGALRM, [](int) {
-    if (heard == 0) raise(came);
-  });
   alarm(patience);
 }
 
 }  // namespace
 
 void remember_signals() {
-  for (const int signal : signals) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction now = {};
     if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) set(signal, remember);
   }
+  set(SIGALRM, remember);
 }
 
 int signal_that_came() {
-  if (came != 0) heard = 1;
+  if (came != 0) alarm(0);
   return came;
 }
 

@@ -7,11 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "interrupt.hpp"
-#include "options.hpp"
+#include "commands.hpp"
 #include "output.hpp"
-#include "run_command.hpp"
-#include "sweep_command.hpp"
 
 namespace {
 
@@ -39,7 +36,7 @@ int main(int argc, char **argv) {
     if (request.sweep) {
       run_sweep(*request.sweep, processes);
     } else if (speaks && answer) {
-      Output out({"standard output", "-"});
+      Output out("-");
       out.write(*answer);
       out.complete();
     } else if (speaks) {

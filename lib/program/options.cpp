@@ -1,106 +1,182 @@
 #include "options.hpp"
 
+#include <fmt/ranges.h>
+
+#include <cmath>
+
 #include "refuse.hpp"
 #include "scene_options.hpp"
-#include "values.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
 
 constexpr const char *purpose =
-    "Simulates a chain of masses with rigid stops under harmonic forcing.\n"
-    "All quantities are non-dimensional. Masses are counted from 1; the link of mass i joins it "
-    "to\n"
-    "mass i - 1 (mass 1 to the ground). A single value stands for all masses; a list has one "
-    "value\n"
-    "per mass, separated by commas. The defaults are those of Wagg (2006), Figure 2 (its omega is\n"
-    "reconstructed, not printed).";
+    R"(Simulates a chain of masses with rigid stops under harmonic forcing.
+All quantities are non-dimensional. Masses are counted from 1; the link of mass i joins it to
+mass i - 1 (mass 1 to the ground). A single value stands for all masses; a list has one value
+per mass, separated by commas. The defaults are those of Wagg (2006), Figure 2 (its omega is
+reconstructed, not printed).)";
 
-constexpr const char *example =
-    "Example:\n"
-    "  vibro-impact run --omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from "
-    "700\n"
-    "    --events events.csv --samples samples.csv --every 0.01 --resolve-chatter 1e-4 --plot "
-    "run.png\n"
-    "Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick "
-    "or\n"
-    "release; contact_mode lists the stuck masses after the event (-, 1, 2, 1+2).\n"
-    "In two parts, the tables of the second going on where those of the first end:\n"
-    "  vibro-impact run --until 700 --events first.csv --save-state at700.state\n"
-    "  vibro-impact run --resume at700.state --until 750 --events second.csv\n"
-    "Ctrl-C ends a run early: its tables hold what came before, and --save-state what --resume "
-    "goes\n"
-    "on from.\n"
-    "Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input, 130 "
-    "ended\n"
-    "by Ctrl-C (128 + the number of the signal).";
+constexpr const char *run_footer = R"(Example:
+  vibro-impact run --omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from 700
+    --events events.csv --samples samples.csv --every 0.01 --resolve-chatter 1e-4 --plot run.png
+Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick or
+release; contact_mode lists the stuck masses after the event (-, 1, 2, 1+2).
+In two parts, the tables of the second going on where those of the first end:
+  vibro-impact run --until 700 --events first.csv --save-state at700.state
+  vibro-impact run --resume at700.state --until 750 --events second.csv
+Ctrl-C ends a run early: its tables hold what came before, and --save-state what --resume goes
+on from.
+Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input, 130 ended
+by Ctrl-C (128 + the number of the signal).)";
 
-void add_run_options(CLI::App &run, Request &request) {
-  option(run, "--until", request.until, "TIME", "End of the run, > 0")->check(positive_number());
+constexpr const char *sweep_footer = R"(Example, on two machines or one:
+  vibro-impact sweep --vary omega=0.25:0.7:901 --vary restitution=0.1:0.9:81 --table atlas.csv
+  mpirun -n 4 vibro-impact sweep --vary stop1=-0.4:-0.2:101 --table stops.csv --resume
+The points are those of nested loops, the first range outermost. Columns: the parameters;
+period (in forcing periods, 0: none up to --max-period); sticks and impacts of every mass per
+forcing period (a mean over the period, or over --counted; impacts of a complete chatter,
+infinitely many, are not counted); dual_sticking (1: two masses are held at some time);
+lyapunov (greatest Lyapunov exponent, per unit of time; empty: its sign is not certain); pairs
+(DG, DS, DI, GS, GI, SI or -).
+A point at which the run is given up has empty cells. The table does not depend on the
+number of threads or processes. Until it is complete its rows stand in FILE.partial, from
+which --resume goes on.
+Exit status: 0 done, 1 a file could not be written, 2 bad input, 130 ended by Ctrl-C.)";
+
+const CLI::Range up_to_a_million(1, 1'000'000);
+const CLI::Range any_count(1LL, 1'000'000'000'000'000LL);
+
+void add_run_options(CLI::App &run, Request &request, const SceneOptions &scene) {
+  option(run, "--until", request.until, "TIME", "End of the run, > 0");
   option(run, "--from", request.from, "TIME",
-         "Start of both tables; the run itself starts at t = 0")
-      ->check(number_from(0.0));
+         "Start of both tables; the run itself starts at t = 0");
   option(run, "--every", request.every, "TIME",
-         "Interval between samples, > 0, counted from --from")
-      ->check(positive_number());
-  option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output")
-      ->check(file_name());
+         "Interval between samples, > 0, counted from --from");
+  option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output");
   option(run, "--samples", request.samples, "FILE",
-         "Displacements time,x1,x2,... (CSV); - for standard output")
-      ->check(file_name());
+         "Displacements time,x1,x2,... (CSV); - for standard output");
   option(run, "--plot", request.plot, "FILE",
          "Picture of the displacements, stops, impacts and sticking from --from on, by\n"
-         "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first")
-      ->check(file_name());
+         "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first");
   option(run, "--save-state", request.save_state, "FILE",
-         "The scene and the state at the end of the run, for --resume")
-      ->check(file_name());
-  option(run, "--resume", request.resume, "FILE",
-         "Go on from a saved state, with its scene: options of the scene cannot be\n"
-         "given. The tables hold what comes after it; for those of one whole run,\n"
-         "give the other options as before")
-      ->check(file_name());
-  run.add_option("--resolve-chatter", request.options.resolve_chatter,
-                 "Resolve and record every chatter impact faster than this; below it a\n"
-                 "complete chatter may be carried to its limit. Default: as soon as the\n"
-                 "limit is certain; 0: resolve until below rounding")
-      ->type_name("SPEED")
-      ->check(number_from(0.0));
+         "The scene and the state at the end of the run, for --resume");
+  CLI::Option *resume =
+      option(run, "--resume", request.resume, "FILE",
+             "Go on from a saved state, with its scene: options of the scene cannot be\n"
+             "given. The tables hold what comes after it; for those of one whole run,\n"
+             "give the other options as before");
+  for (CLI::Option *of_scene : scene.all) resume->excludes(of_scene);
+  option(run, "--resolve-chatter", request.options.resolve_chatter, "SPEED",
+         "Resolve and record every chatter impact faster than this; below it a\n"
+         "complete chatter may be carried to its limit. Default: as soon as the\n"
+         "limit is certain; 0: resolve until below rounding")
+      ->default_str("");
   option(run, "--max-impacts", request.options.max_impacts_per_period, "N",
          "Give up beyond this many impacts in one forcing period")
-      ->check(whole_number(1e15));
+      ->check(any_count);
   run.add_flag("--progress", request.progress,
                "Say how far the run is and how long it still takes, on standard error, also where\n"
                "that is no terminal");
 }
 
 void check_run(const Request &request) {
-  if (!(request.from <= request.until))
+  if (!(request.until > 0.0 && std::isfinite(request.until)))
+    refuse("--until {}: must be positive and finite", request.until);
+  if (!(request.from >= 0.0 && request.from <= request.until))
     refuse("--from {}: must lie between 0 and --until {}", request.from, request.until);
+  if (!(request.every > 0.0 && std::isfinite(request.every)))
+    refuse("--every {}: must be positive and finite", request.every);
   // Sample times that rounding makes equal would never come to an end.
   if (!request.samples.empty() && !(request.until + request.every > request.until))
     refuse("--every {}: too short for double precision to tell samples at --until {} apart",
            request.every, request.until);
+  if (!(request.options.resolve_chatter >= 0.0))
+    refuse("--resolve-chatter {}: must be non-negative", request.options.resolve_chatter);
+}
+
+void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::string> &ranges) {
+  SettleOptions &settle = request.records.settle;
+  request.records.lyapunov = true;
+  option(sweep, "--vary", ranges, "RANGE",
+         "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
+         "restitution, or restitution2 (of a stop), stop1 (its position),\n"
+         "amplitude2, mass1, stiffness1, displacement1, velocity1");
+  option(sweep, "--table", request.table, "FILE", "The table (CSV)")->required();
+  sweep.add_flag("--resume", request.resume,
+                 "Go on with what a sweep that was ended left of --table");
+  option(sweep, "--threads", request.threads, "N",
+         "Threads of the process, of the first one under mpirun. Default: one per\n"
+         "processor")
+      ->default_str("")
+      ->check(CLI::Range(1, 1024));
+  option(sweep, "--longest", settle.longest, "N",
+         "Forcing periods after which a motion counts as not settling")
+      ->check(up_to_a_million);
+  option(sweep, "--counted", request.records.counted, "N",
+         "Forcing periods over which such a motion is recorded after that")
+      ->check(up_to_a_million);
+  option(sweep, "--max-period", settle.most, "N", "Largest period looked for")
+      ->check(CLI::Range(1, 1000));
+  option(sweep, "--tolerance", settle.tolerance, "NUMBER",
+         "Of what is still to come when a motion counts as settled");
+  option(sweep, "--max-impacts", settle.run.max_impacts_per_period, "N",
+         "Give up a point beyond this many impacts in one forcing period")
+      ->check(any_count);
+  sweep.add_flag_callback(
+      "--no-lyapunov", [&request] { request.records.lyapunov = false; },
+      "Leave out the Lyapunov exponent");
+  sweep.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
+  sweep.add_flag("--progress", request.progress,
+                 "Show progress and time left also where standard error is no terminal");
+}
+
+// The version and the options given, but for those that the table does not depend on. The order of
+// --vary alone counts: it is that of the loops.
+std::string definition_of(const CLI::App &sweep) {
+  std::string text = VIBRO_IMPACT_VERSION;
+  for (const CLI::Option *option : sweep.get_options()) {
+    const std::string name = option->get_name();
+    if (name == "--table" || name == "--resume" || name == "--threads" || name == "--progress")
+      continue;
+    for (const std::string &value : option->results()) text += fmt::format(" {}={}", name, value);
+  }
+  return text;
+}
+
+// What CLI11 says of a command line that it does not take, in words that name the rule.
+[[noreturn]] void refuse_as(const CLI::ParseError &error, const CLI::App &app) {
+  const std::string said = error.what(), kind = error.get_name();
+  if (!app.remaining(true).empty()) refuse("not expected: {}", fmt::join(app.remaining(true), " "));
+  if (kind == "ArgumentMismatch")
+    refuse("{}: {}", said.substr(0, said.find(':')),
+           said.find("At Most") < said.size() ? "may be given once" : "needs a value");
+  if (kind == "ConversionError") refuse("{}: must be a number", said);
+  if (kind == "ExcludesError")
+    refuse("{}: the scene stands in the saved state and cannot be changed", said);
+  refuse("{}", said);
 }
 
 }  // namespace
 
 std::optional<std::string> parse(int argc, char **argv, Request &request) {
   SceneOptions scene;
+  SweepRequest swept;
+  std::vector<std::string> ranges;
   CLI::App app(purpose, "vibro-impact");
-  app.footer(example);
+  app.footer(run_footer);
   app.set_version_flag("--version", "vibro-impact " VIBRO_IMPACT_VERSION);
   app.require_subcommand(1);
-  CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
-  run.footer(example);
+  CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables"),
+           &sweep =
+               *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
+  run.footer(run_footer);
   add_scene_options(run, scene);
-  add_run_options(run, request);
-  SweepOptionsOf of_sweep;
-  CLI::App &sweep =
-      *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
-  add_sweep_options(sweep, of_sweep);
-
+  add_run_options(run, request, scene);
+  sweep.footer(sweep_footer);
+  add_scene_options(sweep, scene);
+  add_sweep_options(sweep, swept, ranges);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion &version) {
@@ -110,23 +186,22 @@ std::optional<std::string> parse(int argc, char **argv, Request &request) {
       if (command->parsed()) return fmt::format("{}\n\n{}", purpose, command->help(app.get_name()));
     return app.help();
   } catch (const CLI::ParseError &error) {
-    refuse("{}", error.what());
+    refuse_as(error, app);
   }
 
-  if (sweep.parsed()) {
-    request.sweep = sweep_of(sweep, of_sweep);
-    return std::nullopt;
-  }
-  check_run(request);
-  if (request.resume.empty()) {
-    request.scene = scene_of(scene);
-    request.scene_text = text_of(scene);
-    return std::nullopt;
-  }
-  for (const CLI::Option *of_scene : scene.all)
-    if (of_scene->count() > 0)
-      refuse("{}: the scene comes from --resume {} and cannot be changed", of_scene->get_name(),
-             request.resume);
+  if (run.parsed()) check_run(request);
+  if (!request.resume.empty()) return std::nullopt;
+  request.scene = scene_of(scene);
+  request.scene_text = text_of(scene);
+  if (run.parsed()) return std::nullopt;
+  if (ranges.empty()) refuse("sweep: needs a range --vary parameter=from:to:count");
+  if (!(swept.records.settle.tolerance > 0.0))
+    refuse("--tolerance {}: must be positive", swept.records.settle.tolerance);
+  swept.grid.scene = request.scene;
+  for (const std::string &range : ranges) swept.grid.axes.push_back(axis_of(range));
+  check(swept.grid);
+  swept.definition = definition_of(sweep);
+  request.sweep = std::move(swept);
   return std::nullopt;
 }
 

@@ -4,10 +4,19 @@
 #include <optional>
 #include <string>
 
-#include "sweep_options.hpp"
+#include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::runner {
+
+struct SweepRequest {
+  Grid grid = {};
+  RecordOptions records = {};
+  int threads = 0;  // 0: all
+  std::string table;
+  bool resume = false, progress = false;
+  std::string definition = {};  // everything that the table depends on, in one line
+};
 
 // One run, or a sweep, as the user asked for it; an empty path means that the file is not wanted.
 struct Request {
@@ -22,7 +31,8 @@ struct Request {
 
 // Reads the command line into `request`, and no file; returns the text that --help and --version
 // ask for instead of a run.
-// Throws std::invalid_argument with one line, that of `check` for a scene that makes no sense.
+// Throws std::invalid_argument with one line, that of `check` for a scene or a grid that makes no
+// sense.
 std::optional<std::string> parse(int argc, char **argv, Request &request);
 
 }  // namespace vibro_impact::runner

@@ -4,33 +4,24 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace vibro_impact::runner {
 
-// A file name given with an option.
-struct Named {
-  std::string option, path;
-};
-
-// Where such a file goes. Throws std::invalid_argument for what cannot be written; makes no file.
+// Where a file of that name goes. Throws std::invalid_argument for what cannot be written; makes no
+// file.
 struct Destination {
   std::string path;
   bool standard = false;  // standard output
   bool direct = false;    // that, a device, a pipe or an open file: renaming would replace it
 
-  explicit Destination(const Named &file);
+  explicit Destination(const std::string &name);
 };
-
-// Throws std::invalid_argument when two of the files would go to the same place, or one over
-// `read`, which is read before: a new state alone may replace it.
-void require_apart(const std::vector<Named> &written, const Named &read);
 
 class Output {
  public:
   // Opens the file, beside its name until it is whole. Throws std::invalid_argument when that
-  // fails.
-  explicit Output(const Named &file);
+  // fails, also because another of the program's files goes there.
+  explicit Output(const std::string &name);
   // What has not been put in place by now is removed.
   ~Output();
   Output(const Output &) = delete;

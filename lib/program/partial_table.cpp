@@ -11,21 +11,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "output.hpp"
 #include "refuse.hpp"
 
 namespace vibro_impact::runner {
 
-namespace {
-
-constexpr std::string_view kind = "vibro-impact sweep 2";
-
-}  // namespace
-
 PartialTable::PartialTable(std::string path, const std::string &definition,
                            const std::string &header, bool resume)
     : path_(std::move(path)),
-      definition_(fmt::format("{} {}\n", kind, definition)),
       header_(header),
+      head_(fmt::format("vibro-impact sweep 2 {}\n{}", definition, header)),
       file_(nullptr, std::fclose) {
   if (!resume && std::filesystem::exists(path_))
     refuse(
@@ -40,36 +35,34 @@ PartialTable::PartialTable(std::string path, const std::string &definition,
   read([](std::string_view) {});
   if (ftruncate(descriptor, static_cast<off_t>(size_)) != 0)
     refuse("{}: cannot be written: {}", path_, std::strerror(errno));
-  if (size_ == 0) append(definition_ + header_);
+  if (size_ == 0) append(head_);
 }
 
-// The file under that name is the one that is open, and as long as it was left.
+// The open file still has its name, and is as long as it was left.
 bool PartialTable::is_ours() const {
-  struct stat open = {}, named = {};
-  return fstat(fileno(file_.get()), &open) == 0 && stat(path_.c_str(), &named) == 0 &&
-         open.st_ino == named.st_ino && open.st_dev == named.st_dev &&
+  struct stat open = {};
+  return fstat(fileno(file_.get()), &open) == 0 && open.st_nlink > 0 &&
          open.st_size >= static_cast<off_t>(size_);
+}
+
+void PartialTable::require_kept(bool kept) const {
+  if (!kept)
+    throw std::runtime_error(fmt::format("{}: was removed or cut while the sweep ran", path_));
 }
 
 // Hands on the header and the rows that stand there whole, and counts them.
 void PartialTable::read(const std::function<void(std::string_view)> &take) {
-  const std::string head = definition_ + header_;
   checksum_ = {};
   points_ = size_ = 0;
   std::ifstream file(path_, std::ios::binary);
-  std::string start(head.size(), '\0');
+  std::string start(head_.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
-  if (!start.starts_with(kind.substr(0, start.size())))
-    refuse("{}: is not the rows of a sweep", path_);
-  if (!head.starts_with(start))
-    refuse(
-        "{}: another sweep was ended there: the scene, the ranges, what is recorded and the "
-        "version "
-        "of vibro-impact must be the same",
-        path_);
-  if (start.size() < head.size()) return;
-  size_ = head.size();
+  if (!head_.starts_with(start))
+    refuse("{}: not the rows of this sweep: options and version must be those that began it",
+           path_);
+  if (start.size() < head_.size()) return;
+  size_ = head_.size();
   take(header_);
   for (std::string line; std::getline(file, line) && !file.eof();) {
     const std::string row = line.substr(0, line.rfind(' ')) + "\n";
@@ -83,8 +76,7 @@ void PartialTable::read(const std::function<void(std::string_view)> &take) {
 }
 
 void PartialTable::append(const std::string &text) {
-  if (!is_ours())
-    throw std::runtime_error(fmt::format("{}: was removed or cut while the sweep ran", path_));
+  require_kept(is_ours());
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0)
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
@@ -97,12 +89,11 @@ void PartialTable::add(std::string_view row) {
   ++points_;
 }
 
-void PartialTable::finish(const Named &to) {
+void PartialTable::finish(const std::string &name) {
   const std::size_t points = points_;
-  Output output(to);
+  Output output(name);
   read([&output](std::string_view row) { output.write(row); });
-  if (!is_ours() || points_ != points)
-    throw std::runtime_error(fmt::format("{}: was removed or cut while the sweep ran", path_));
+  require_kept(points_ == points && is_ours());
   output.complete();
   output.put_in_place();
   std::error_code ignored;

@@ -14,7 +14,6 @@
 #include <string>
 #include <string_view>
 
-#include "output.hpp"
 #include "vibro_impact/checksum.hpp"
 
 namespace vibro_impact::runner {
@@ -36,15 +35,16 @@ class PartialTable {
   void add(std::string_view row);
   // Writes the table, read back and checked, to where it belongs, and removes this file. Throws,
   // and leaves a table that was there, unless all rows stand in the file.
-  void finish(const Named &table);
+  void finish(const std::string &name);
 
  private:
-  std::string path_, definition_, header_;
+  std::string path_, header_, head_;  // head_: definition and header
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
   Checksum checksum_ = {};
   std::size_t points_ = 0, size_ = 0;  // size_: of the file up to the last of them
 
   bool is_ours() const;
+  void require_kept(bool kept) const;
   void read(const std::function<void(std::string_view)> &take);
   void append(const std::string &text);
 };

@@ -23,12 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_masses = 8;
 constexpr double least_samples = 4000.0, samples_per_period = 40.0, most_samples = 400'000.0;
 
 // Impacts at a stop closer than that, in parts of the width, fall on the same place.
 constexpr double resolution = 1.0 / 8000.0;
-
-constexpr double never = -std::numeric_limits<double>::infinity();
 
 // The name of gnuplot's terminal for a file.
 std::string terminal_of(const std::string &path) {
@@ -69,23 +68,22 @@ std::vector<int> masses_drawn(const Scene &scene) {
   std::ranges::stable_partition(masses, [&scene](int mass) {
     return std::ranges::count(scene.stops, mass, &Stop::mass) > 0;
   });
-  masses.resize(std::min(masses.size(), most_masses_drawn));
+  masses.resize(std::min(masses.size(), most_masses));
   std::ranges::sort(masses);
   return masses;
 }
 
 }  // namespace
 
-Plot::Plot(const std::string &path, const Scene &scene, const Held &held, double from, double to)
+Plot::Plot(const std::string &path, const Scene &scene, double from, double to)
     : path_(path),
       terminal_(terminal_of(path)),
-      file_({"--plot", path}),
+      file_(path),
       scene_(scene),
       from_(from),
       to_(to),
       masses_(masses_drawn(scene)),
-      last_impact_(scene.stops.size(), never),
-      held_since_(scene.stops.size(), never) {
+      last_impact_(scene.stops.size(), -std::numeric_limits<double>::infinity()) {
   if (file_.temporary().empty()) refuse("--plot {}: must be a file", path);
   if (!(to > from)) refuse("--plot {}: nothing to be drawn from t = {} to {}", path, from, to);
   const double periods = (to - from) / period_of(scene);
@@ -96,31 +94,22 @@ Plot::Plot(const std::string &path, const Scene &scene, const Held &held, double
   every_ = (to - from) / std::ceil(samples);
   if (!taken_by_gnuplot(fmt::format("set terminal {}\n", terminal_), "/dev/null"))
     refuse("--plot {}: needs gnuplot with its terminal {}, not found", path, terminal_);
-  for (std::size_t k = 0; k < scene.stops.size(); ++k)
-    if (held[static_cast<std::size_t>(scene.stops[k].mass - 1)] ==
-        static_cast<signed char>(scene.stops[k].side))
-      held_since_[k] = from;
 }
 
 void Plot::sample(const Moment &moment) {
   ++taken_;
   auto row = std::back_inserter(displacements_);
   fmt::format_to(row, "{:.9g}", moment.time);
-  for (const int mass : masses_) fmt::format_to(row, " {:.6g}", moment.displacement(mass));
+  for (const int mass : masses_) {
+    const double x = moment.displacement(mass);
+    const bool held = !std::isnan(moment.hold_force(mass));
+    fmt::format_to(row, " {:.6g} {}", x, held ? fmt::format("{:.6g}", x) : "NaN");
+    sticks_ = sticks_ || held;
+  }
   displacements_ += "\n";
 }
 
-void Plot::end_sticking(std::size_t stop, double time) {
-  const double since = std::max(held_since_[stop], from_);
-  if (held_since_[stop] > never && time > since)
-    fmt::format_to(std::back_inserter(sticking_), "{:.9g} {} {:.9g} {:.9g}\n", since,
-                   scene_.stops[stop].mass, scene_.stops[stop].position, time - since);
-  held_since_[stop] = never;
-}
-
 void Plot::event(const Event &event, const Moment &) {
-  if (event.kind == EventKind::stick) held_since_[event.stop] = event.time;
-  if (event.kind == EventKind::release) end_sticking(event.stop, event.time);
   double &last = last_impact_[event.stop];
   if (event.kind != EventKind::impact || event.time < from_ ||
       event.time - last < (to_ - from_) * resolution)
@@ -132,18 +121,17 @@ void Plot::event(const Event &event, const Moment &) {
 
 void Plot::draw(double time) {
   std::string stops;
-  for (std::size_t k = 0; k < scene_.stops.size(); ++k) {
-    end_sticking(k, time);
-    stops += fmt::format("0 {} {:.9g}\n", scene_.stops[k].mass, scene_.stops[k].position);
+  for (const Stop &stop : scene_.stops)
+    stops += fmt::format("{} {:.9g}\n", stop.mass, stop.position);
+  std::string script, layers;
+  for (const auto &[name, rows] :
+       {std::pair{"stop", &stops}, {"displacement", &displacements_}, {"impact", &impacts_}}) {
+    script += fmt::format("${} << END\nNaN NaN NaN\n{}END\n", name, *rows);
+    if (!rows->empty()) layers += fmt::format("{} ", name);
   }
-  std::string script;
-  for (const auto &[name, rows] : {std::pair{"stop", &stops},
-                                   {"sticking", &sticking_},
-                                   {"displacement", &displacements_},
-                                   {"impact", &impacts_}})
-    script += fmt::format("${} << END\nNaN NaN NaN NaN\n{}END\n", name, *rows);
-  script += fmt::format("masses = '{}'\nfrom = {:.17g}\nto = {:.17g}\nkind = '{}'\n",
-                        fmt::join(masses_, " "), from_,
+  if (sticks_) layers += "sticking";
+  script += fmt::format("masses = '{}'\nlayers = '{}'\nfrom = {:.17g}\nto = {:.17g}\nkind = '{}'\n",
+                        fmt::join(masses_, " "), layers, from_,
                         std::max(time, from_ + (to_ - from_) * resolution), terminal_);
   if (!taken_by_gnuplot(script + installed_script(), file_.temporary()) ||
       fs::file_size(file_.temporary()) == 0)

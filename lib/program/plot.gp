@@ -1,8 +1,10 @@
-# The picture of a run, to standard output. The program sends, before this file:
-#   $stop, $sticking, $impact   time, mass, displacement (and how long it sticks), after a row of NaN
-#   $displacement               time, and the displacements of the masses drawn, after such a row
-#   masses, from, to            the masses drawn, in words; the times between which they are
-#   kind                        the terminal
+# The picture of a run, to standard output. The program sends, before this file, below a row of NaN:
+#   $stop           mass, position
+#   $impact         time, mass, position
+#   $displacement   time, and of every mass drawn its displacement, and that again where it sticks
+# and
+#   masses, layers  the masses drawn and what there is to be drawn, in words
+#   from, to, kind  the times between which they are drawn, and the terminal
 rows = words(masses)
 height = 130 + 370 * rows
 if (kind eq 'pdfcairo') {
@@ -24,19 +26,18 @@ set offsets 0, 0, graph 0.06, graph 0.06
 set xrange [from:to]
 set multiplot layout rows,1
 # What any panel shows stands in the key above the first.
-key(k, layer, size) = k == 1 && size > 1 ? layer : ''
+key(k, layer) = k == 1 && strstrt(layers, layer) ? layer : ''
 do for [k = 1:rows] {
-  mass = int(word(masses, k))
-  of(m, x) = m == mass ? x : NaN
-  set ylabel 'x_{'.mass.'}'
+  of(mass, x) = mass == int(word(masses, k)) ? x : NaN
+  set ylabel 'x_{'.word(masses, k).'}'
   if (k == rows) { set xlabel 'time' }
-  plot $stop using (from):(of($2, $3)):(to - from):(0) with vectors nohead linestyle 3, \
-       $sticking using 1:(of($2, $3)):4:(0) with vectors nohead linestyle 4, \
-       $displacement using 1:(column(k + 1)) with lines linestyle 1, \
+  plot $stop using (from):(of($1, $2)):(to - from):(0) with vectors nohead linestyle 3, \
+       $displacement using 1:(column(2 * k + 1)) with lines linestyle 4, \
+       $displacement using 1:(column(2 * k)) with lines linestyle 1, \
        $impact using 1:(of($2, $3)) with points linestyle 2, \
-       NaN with lines linestyle 3 title key(k, 'stop', |$stop|), \
-       NaN with lines linestyle 4 title key(k, 'sticking', |$sticking|), \
-       NaN with lines linestyle 1 title key(k, 'displacement', |$displacement|), \
-       NaN with points linestyle 2 title key(k, 'impact', |$impact|)
+       NaN with lines linestyle 3 title key(k, 'stop'), \
+       NaN with lines linestyle 4 title key(k, 'sticking'), \
+       NaN with lines linestyle 1 title key(k, 'displacement'), \
+       NaN with points linestyle 2 title key(k, 'impact')
 }
 unset multiplot

@@ -11,16 +11,12 @@
 
 namespace vibro_impact::runner {
 
-// At most so many masses are drawn: those with stops before the others.
-constexpr std::size_t most_masses_drawn = 8;
-
 // A recorder of what the picture shows.
 class Plot {
  public:
-  // From `from` to `to`; `held`: the contact mode at the start. Throws std::invalid_argument when
-  // there are more periods than can be drawn, and when gnuplot is not there or does not draw this
-  // kind of file.
-  Plot(const std::string &path, const Scene &scene, const Held &held, double from, double to);
+  // From `from` to `to`. Throws std::invalid_argument when there are more periods than can be
+  // drawn, and when gnuplot is not there or does not draw this kind of file.
+  Plot(const std::string &path, const Scene &scene, double from, double to);
 
   double next_time() const {
     return sample_time(from_, to_, every_, taken_);
@@ -37,11 +33,10 @@ class Plot {
   const Scene &scene_;
   double from_, to_, every_ = 0.0;
   std::size_t taken_ = 0;
-  std::vector<int> masses_ = {};                    // drawn
-  std::vector<double> last_impact_, held_since_;    // per stop
-  std::string displacements_, impacts_, sticking_;  // rows for gnuplot
-
-  void end_sticking(std::size_t stop, double time);
+  bool sticks_ = false;
+  std::vector<int> masses_ = {};         // drawn
+  std::vector<double> last_impact_;      // per stop
+  std::string displacements_, impacts_;  // rows for gnuplot
 };
 
 }  // namespace vibro_impact::runner

@@ -21,10 +21,9 @@ class Processes {
   int rank() const {
     return rank_;
   }
-  // To be called by all at once, each with its number of threads. On rank 0: use(all, row) is
-  // called with the threads of all processes and a `compute` that leaves a point to a thread of
-  // another process when one is free. On the others: computes what rank 0 asks for until `use` is
-  // over.
+  // To be called once, by all. On rank 0: use(all, row) is called with `threads` and one for every
+  // other process, and a `compute` that leaves the points of these to them. On the others: computes
+  // what rank 0 asks for until `use` is over; `compute` is not to throw there.
   void share_out(int threads, const ComputeRow &compute,
                  const std::function<void(int all, const ComputeRow &row)> &use) const;
 

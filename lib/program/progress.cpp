@@ -16,12 +16,9 @@ using namespace std::chrono_literals;
 constexpr const char *wipe = "\r\033[K";
 
 std::string duration(double seconds) {
-  if (!(seconds < 3e13)) return "more than a million years";
-  if (seconds >= 3.0 * 86400.0) return fmt::format("{:.0f} days", seconds / 86400.0);
-  const auto whole = static_cast<long long>(std::ceil(seconds));
-  if (whole >= 3600) return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
-  if (whole >= 60) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} s", whole);
+  for (const auto &[unit, length] : {std::pair{"days", 86400.0}, {"h", 3600.0}, {"min", 60.0}})
+    if (seconds >= 2.0 * length) return fmt::format("{:.3g} {}", seconds / length, unit);
+  return fmt::format("{:.0f} s", std::ceil(seconds));
 }
 
 }  // namespace
@@ -41,24 +38,23 @@ Progress::Progress(std::string of_what, double total, bool asked_for, double bef
       before_(before),
       done_(before),
       terminal_(isatty(STDERR_FILENO) != 0),
-      is_read_(asked_for || terminal_),
+      asked_for_(asked_for),
       next_(start_ + 2s) {
 }
 
 void Progress::reach(double done) {
   const std::lock_guard lock(mutex_);
-  done_ = done;
-  show();
+  show(done);
 }
 
-void Progress::advance(double by) {
+void Progress::advance() {
   const std::lock_guard lock(mutex_);
-  done_ += by;
-  show();
+  show(done_ + 1.0);
 }
 
-void Progress::show() {
-  if (!is_read_) return;
+void Progress::show(double done) {
+  done_ = done;
+  if (!terminal_ && !asked_for_) return;
   const auto now = Clock::now();
   if (now < next_) return;
   const double seconds = std::chrono::duration<double>(now - start_).count();

@@ -7,8 +7,8 @@
 
 namespace vibro_impact {
 
-// "time: 12.5 of 750 (1 %), 3 min 5 s left": the rest at the pace since `before`, where the
-// computation began `seconds` ago.
+// "time: 12.5 of 750 (1 %), 3 min left": the rest at the pace since `before`, where the computation
+// began `seconds` ago.
 std::string progress_line(const std::string &of_what, double before, double done, double total,
                           double seconds);
 
@@ -23,23 +23,19 @@ class Progress {
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
 
-  // False: the others do nothing, and need not be called.
-  bool is_read() const {
-    return is_read_;
-  }
   void reach(double done);
-  void advance(double by = 1.0);
+  void advance();  // by one
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::string of_what_;
   double total_, before_, done_;
-  bool terminal_, is_read_, shown_ = false;
+  bool terminal_, asked_for_, shown_ = false;
   Clock::time_point start_ = Clock::now(), next_;  // next_: before it nothing is written
   std::mutex mutex_ = {};
 
-  void show();
+  void show(double done);
 };
 
 }  // namespace vibro_impact

@@ -1,25 +1,197 @@
-#include "run_command.hpp"
-
 #include <fmt/format.h>
-#include <unistd.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
+#include <filesystem>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "commands.hpp"
+#include "output.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
 #include "refuse.hpp"
 #include "state_file.hpp"
-#include "tables.hpp"
+#include "vibro_impact/table.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
+
+// A file to which a table goes, of which it keeps one row.
+struct StreamedTable {
+  Output file;
+  Table row;
+
+  StreamedTable(const std::string &name, const std::string &header) : file(name), row(header) {
+    hand_on();
+  }
+  void hand_on() {
+    file.write(row.text);
+    row.text.clear();
+  }
+};
+
+// A recorder of the events from time `from` on.
+struct EventRows {
+  StreamedTable table;
+  double from;
+
+  EventRows(const std::string &name, double begin)
+      : table(name, "time,mass,event,velocity_before,velocity_after,contact_mode"), from(begin) {
+  }
+  void event(const Event &event, const Moment &) {
+    if (event.time < from) return;
+    table.row.row(event.time, event.mass, name(event.kind), event.velocity_before,
+                  event.velocity_after, contact_mode_name(event.held));
+    table.hand_on();
+  }
+};
+
+std::string header_of_samples(const Scene &scene) {
+  std::string header = "time";
+  for (int i = 1; i <= scene.masses(); ++i) header += fmt::format(",x{}", i);
+  return header;
+}
+
+// A recorder of the displacements at from, from + every, ... up to `to`. A flight that nothing
+// disturbs has any number of them: it ends at a signal, and when they cannot be written.
+struct SampleRows {
+  StreamedTable table;
+  double from, to, every;
+  int (*signal)();
+  std::size_t taken = 0;
+
+  SampleRows(const Request &of, const Scene &scene, int (*asked)())
+      : table(of.samples, header_of_samples(scene)),
+        from(of.from),
+        to(of.until),
+        every(of.every),
+        signal(asked) {
+  }
+  double next_time() const {
+    return sample_time(from, to, every, taken);
+  }
+  void sample(const Moment &moment) {
+    ++taken;
+    table.row.cell(moment.time);
+    for (int mass = 1; mass <= moment.masses(); ++mass) table.row.cell(moment.displacement(mass));
+    table.row.end_row();
+    table.hand_on();
+  }
+  bool done() const {
+    return table.file.failed() || signal() != 0;
+  }
+  // Goes on behind a run to `time`, which has taken its samples.
+  void skip_to(double time) {
+    if (time < from) return;
+    // The quotient is right but for rounding.
+    taken = static_cast<std::size_t>(std::clamp((time - from) / every - 1.0, 0.0, 0x1p53));
+    while (sample_time(from, time, every, taken) < std::numeric_limits<double>::infinity()) ++taken;
+  }
+  // The time up to which the table reaches when the run has ended at `time`: that itself, but for
+  // the rounding beside a sample. `skip_to` comes to `taken` there.
+  double reach(double time) const {
+    if (taken > 0) time = std::max(time, sample_time(from, to, every, taken - 1));
+    // `sample_time` takes one that lies beyond by rounding for one that is due.
+    return std::min(time, next_time() * (1.0 - 1e-15));
+  }
+};
+
+// A recorder that ends the run after the flight in which a signal comes, or an event cannot be
+// written.
+struct Interruption {
+  int (*signal)();
+  const std::optional<EventRows> &events;
+
+  bool done() const {
+    return signal() != 0 || (events && events->table.file.failed());
+  }
+};
+
+// A recorder that shows, at the events, how far the run is.
+struct ShownProgress {
+  Progress &progress;
+
+  void event(const Event &event, const Moment &) {
+    progress.reach(event.time);
+  }
+};
+
+// A new state alone may take the place of the one that is read.
+void require_other_files(const Request &request) {
+  if (Destination(request.events).standard && Destination(request.samples).standard)
+    refuse("--events {} --samples {}: two tables cannot be written to one place", request.events,
+           request.samples);
+  std::error_code error;
+  for (const std::string &written : {request.events, request.samples, request.plot})
+    if (std::filesystem::equivalent(written, request.resume, error))
+      refuse("{}: cannot be written over --resume {}", written, request.resume);
+}
+
+// The run to go on with, or one that stands at its start.
+SavedRun start_of(const Request &request) {
+  if (request.resume.empty()) return {request.scene_text, request.scene, {}, 0.0};
+  SavedRun saved = read_saved_run(request.resume);
+  if (request.until < saved.time)
+    refuse("--until {}: lies before the end {} of the run saved in {}", request.until, saved.time,
+           request.resume);
+  return saved;
+}
+
+// What a run writes. A table that is not asked for takes no part in it.
+struct Files {
+  std::optional<EventRows> events;
+  std::optional<SampleRows> samples;
+  std::optional<Output> state;
+  std::optional<Plot> plot;
+
+  Files(const Request &of, const SavedRun &start, int (*signal)()) {
+    if (!of.plot.empty())
+      plot.emplace(of.plot, start.scene, std::max(of.from, start.time), of.until);
+    if (!of.save_state.empty()) state.emplace(of.save_state);
+    if (!of.events.empty()) events.emplace(of.events, of.from);
+    if (!of.samples.empty()) samples.emplace(of, start.scene, signal);
+    // Those of one whole run, but for those that the first part of it has written.
+    if (samples && !of.resume.empty()) samples->skip_to(start.time);
+  }
+  // First all are closed, then all put in place: one that cannot be written leaves none behind.
+  void finish() {
+    std::vector<Output *> all;
+    if (events) all.push_back(&events->table.file);
+    if (samples) all.push_back(&samples->table.file);
+    if (state) all.push_back(&*state);
+    for (Output *file : all) file->complete();
+    for (Output *file : all) file->put_in_place();
+  }
+};
+
+// The outcome, in which `time` is the one up to which the tables reach.
+Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*signal)(),
+                           Files &files) {
+  Interruption interruption{signal, files.events};
+  Progress progress("time", request.until, request.progress, start.time);
+  ShownProgress shown{progress};
+  std::vector<RecorderRef> recorders{recorder_ref(interruption)};
+  if (files.events) recorders.push_back(recorder_ref(*files.events));
+  if (files.samples) recorders.push_back(recorder_ref(*files.samples));
+  if (files.plot) recorders.push_back(recorder_ref(*files.plot));
+  // No progress line mixes with a table on standard output.
+  if (request.progress || (request.events != "-" && request.samples != "-"))
+    recorders.push_back(recorder_ref(shown));
+  Outcome outcome =
+      request.resume.empty()
+          ? simulate_seen(start.scene, vibro_impact::start_of(start.scene), request.until,
+                          request.options, recorders)
+          : resume_seen(start.scene, start.state, request.until, request.options, recorders);
+  if (files.samples && outcome.ending != Ending::reached)
+    outcome.time = files.samples->reach(outcome.time);
+  return outcome;
+}
 
 // To standard error, come what may: a terminal that is gone does not undo what the run has done.
 void summarise(const Outcome &outcome) {
@@ -35,149 +207,34 @@ void summarise(const Outcome &outcome) {
   std::fputs(text.c_str(), stderr);
 }
 
-// The saved run to go on with; nothing: the run starts at t = 0.
-std::optional<SavedRun> saved_run(const Request &request) {
-  if (request.resume.empty()) return std::nullopt;
-  SavedRun saved = read_saved_run(request.resume);
-  if (request.until < saved.time)
-    refuse("--until {}: lies before the end {} of the run saved in {}", request.until, saved.time,
-           request.resume);
-  return saved;
-}
-
-// A recorder that ends the run after the flight in which a signal comes.
-struct Interruption {
-  int (*signal)();
-
-  bool done() const {
-    return signal() != 0;
-  }
-};
-
-// A recorder that shows, at the events, how far the run is.
-struct ShownProgress {
-  Progress &progress;
-
-  void event(const Event &event, const Moment &) {
-    progress.reach(event.time);
-  }
-};
-
-// What a run writes. A table that is not asked for takes no part in it.
-struct Files {
-  std::optional<EventRows> events;
-  std::optional<SampleRows> samples;
-  std::optional<Output> state;
-  std::optional<Plot> plot;
-
-  Files(const Request &request, const std::optional<SavedRun> &saved, const Scene &scene) {
-    const double begin = saved ? std::max(request.from, saved->time) : request.from;
-    if (!request.plot.empty())
-      plot.emplace(request.plot, scene, saved ? saved->state.held() : start_of(scene).held, begin,
-                   request.until);
-    if (!request.save_state.empty()) state.emplace(Named{"--save-state", request.save_state});
-    if (!request.events.empty()) events.emplace(Named{"--events", request.events}, request.from);
-    // The samples of one whole run, but for those that the first part of it has written.
-    const std::size_t taken =
-        saved ? samples_taken(request.from, request.every, saved->time) : std::size_t{0};
-    if (!request.samples.empty())
-      samples.emplace(Named{"--samples", request.samples}, scene.masses(),
-                      SampleTimes{request.from, request.until, request.every, taken});
-  }
-
-  void add_to(std::vector<RecorderRef> &recorders) {
-    if (events) recorders.push_back(recorder_ref(*events));
-    if (samples) recorders.push_back(recorder_ref(*samples));
-    if (plot) recorders.push_back(recorder_ref(*plot));
-  }
-
-  // A run that was given up may be gone on with, too, under another limit of impacts: unless its
-  // numbers have left the range of double precision.
-  void save(const SavedRun &run) {
-    if (!state) return;
-    if (const auto text = text_of(run))
-      state->write(*text);
-    else
-      state.reset();
-  }
-
-  // First all are closed, then all put in place: one that cannot be written leaves none behind.
-  void finish() {
-    if (events) events->complete();
-    if (samples) samples->complete();
-    if (state) state->complete();
-    if (events) events->file.put_in_place();
-    if (samples) samples->file.put_in_place();
-    if (state) state->put_in_place();
-  }
-};
-
-// Where the tables go to the terminal on which it would stand, no progress line mixes with them.
-bool shows_progress(const Request &request) {
-  const bool table_on_screen =
-      (request.events == "-" || request.samples == "-") && isatty(STDOUT_FILENO) != 0;
-  return request.progress || (isatty(STDERR_FILENO) != 0 && !table_on_screen);
-}
-
-// The outcome, in which `time` is the one up to which the tables reach.
-Outcome simulate_or_resume(const Request &request, const std::optional<SavedRun> &saved,
-                           const Scene &scene, int (*signal)(), Files &files) {
-  const double begin = saved ? saved->time : 0.0;
-  Interruption interruption{signal};
-  std::vector<RecorderRef> recorders{recorder_ref(interruption)};
-  files.add_to(recorders);
-  Progress progress("time", request.until, request.progress, begin);
-  ShownProgress shown{progress};
-  if (shows_progress(request)) recorders.push_back(recorder_ref(shown));
-  Outcome outcome =
-      saved ? resume_seen(scene, saved->state, request.until, request.options, recorders)
-            : simulate_seen(scene, start_of(scene), request.until, request.options, recorders);
-  if (files.samples && outcome.ending != Ending::reached)
-    outcome.time = files.samples->at.reach(outcome.time);
-  return outcome;
-}
-
-// Where the motion stood when the run was given up.
-std::string place_of(const MotionState &state) {
-  std::string place = " with";
-  for (std::size_t i = 0; i < state.displacement.size(); ++i)
-    fmt::format_to(std::back_inserter(place), "{}x{} = {}, x{}' = {}", i == 0 ? " " : ", ", i + 1,
-                   state.displacement[i], i + 1, state.velocity[i]);
-  return place;
-}
-
-// What the files of a run hold that did not come to its end.
-std::string remark_on(const Files &files, bool state_wanted) {
-  std::string remark;
-  if (files.events || files.samples) remark += "; the tables hold what came before";
-  if (state_wanted)
-    remark += files.state ? "; the state reached is saved" : "; there is no state to be saved";
-  return remark;
-}
-
 }  // namespace
 
 void run_scene(const Request &request, int (*signal)()) {
-  require_apart({{"--events", request.events},
-                 {"--samples", request.samples},
-                 {"--save-state", request.save_state},
-                 {"--plot", request.plot}},
-                {"--resume", request.resume});
-  const std::optional<SavedRun> saved = saved_run(request);
-  const Scene &scene = saved ? saved->scene : request.scene;
-  Files files(request, saved, scene);
+  require_other_files(request);
+  const SavedRun start = start_of(request);
+  Files files(request, start, signal);
   remember_signals();
-  const Outcome outcome = simulate_or_resume(request, saved, scene, signal, files);
-  files.save({saved ? saved->scene_text : request.scene_text, scene, outcome.resume, outcome.time});
+  const Outcome outcome = simulate_or_resume(request, start, signal, files);
+  // A run that was given up may be gone on with, too, under another limit of impacts: unless its
+  // numbers have left the range of double precision.
+  std::optional<std::string> text;
+  if (files.state) text = text_of({start.scene_text, start.scene, outcome.resume, outcome.time});
+  const bool state_lost = files.state && !text;
+  if (text) files.state->write(*text);
+  if (state_lost) files.state.reset();
   files.finish();
   if (files.plot) files.plot->draw(outcome.time);
-  const bool state_wanted = !request.save_state.empty();
-  const std::string remark = remark_on(files, state_wanted);
+  std::string remark;
+  if (files.events || files.samples) remark += "; the tables hold what came before";
+  if (files.state) remark += "; the state reached is saved";
+  if (state_lost) remark += "; there is no state to be saved";
   if (outcome.ending == Ending::given_up)
-    throw std::runtime_error(outcome.reason + place_of(outcome.state) + remark);
+    throw std::runtime_error(fmt::format("{} with x = {}, x' = {}{}", outcome.reason,
+                                         fmt::join(outcome.state.displacement, ", "),
+                                         fmt::join(outcome.state.velocity, ", "), remark));
   if (outcome.ending == Ending::stopped)  // a table that cannot be written has thrown in `finish`
     throw EndedBySignal{signal(), fmt::format("interrupted at t = {}{}", outcome.time, remark)};
-  if (state_wanted && !files.state)
+  if (state_lost)
     throw std::runtime_error(
         fmt::format("--save-state {}: the state is out of range", request.save_state));
   summarise(outcome);

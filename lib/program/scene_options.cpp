@@ -1,73 +1,126 @@
 #include "scene_options.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "refuse.hpp"
-#include "values.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
 
-bool given(const SceneOptions &words, const std::string &name) {
-  return std::ranges::any_of(words.all, [&name](const CLI::Option *option) {
-    return option->get_name() == name && option->count() > 0;
-  });
+// Longer chains are taken for a slip of the pen: the modes of a chain take cubic work.
+constexpr int most_masses = 10000;
+
+// The parts of `text` between separators, also empty ones.
+std::vector<std::string> split(const std::string &text, char separator) {
+  return CLI::detail::split(text + separator, separator);
+}
+
+// A word of what was given as a number, in full; from_chars takes no locale and no leading space.
+double number(const std::string &given, const std::string &word) {
+  double value = 0.0;
+  const char *end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (stop != end || error != std::errc())
+    refuse("{}: '{}' is not a number in double precision", given, word);
+  return value;
+}
+
+int whole_number(const std::string &given, const std::string &word, double most) {
+  const double value = number(given, word);
+  if (!(value >= 1.0 && value <= most && value == std::floor(value)))
+    refuse("{}: '{}' must be a whole number from 1 to {}", given, word, most);
+  return static_cast<int>(value);
+}
+
+// A list with one value per mass, or one value for all, separated by commas.
+std::vector<double> per_mass(const std::string &option, const std::string &text,
+                             std::size_t masses) {
+  const std::string given = option + " " + text;
+  std::vector<double> values;
+  for (const std::string &word : split(text, ',')) values.push_back(number(given, word));
+  if (values.size() == 1) values.assign(masses, values.front());
+  if (values.size() != masses)
+    refuse("{}: {} values given, the chain has {} masses", given, values.size(), masses);
+  return values;
+}
+
+// mass:side:position, with a restitution of its own as a fourth part if it likes.
+Stop stop_of(const std::string &text) {
+  const std::string given = "--stop " + text;
+  const auto parts = split(text, ':');
+  if (parts.size() < 3 || parts.size() > 4 || (parts[1] != "lower" && parts[1] != "upper"))
+    refuse(
+        "{}: must read mass:side:position or mass:side:position:restitution, with side lower "
+        "or upper",
+        given);
+  Stop stop{whole_number(given, parts[0], most_masses),
+            parts[1] == "lower" ? Side::lower : Side::upper, number(given, parts[2])};
+  if (parts.size() == 4) stop.restitution = number(given, parts[3]);
+  return stop;
 }
 
 }  // namespace
 
 void add_scene_options(CLI::App &app, SceneOptions &words) {
   const auto add = [&](const char *name, auto &value, const char *type, const char *what) {
-    CLI::Option *added = option(app, name, value, type, what);
-    words.all.push_back(added);
-    return added;
+    words.all.push_back(option(app, name, value, type, what));
+    return words.all.back();
   };
-  add("--masses", words.masses, "N", "Number of masses")->check(whole_number(most_masses));
+  add("--masses", words.masses, "N", "Number of masses")->check(CLI::Range(1, most_masses));
   add("--mass", words.mass, "LIST", "m_i > 0");
   add("--stiffness", words.stiffness, "LIST",
       "k_i > 0, link by link; k_1 = 0: a free chain, not tied to the ground");
-  CLI::Option *damping =
-      add("--damping", words.damping, "LIST", "c_i, proportional to k_i: C = beta K");
-  add("--beta", words.beta, "NUMBER", "beta of C = beta K (the paper's c / k)")->excludes(damping);
+  add("--beta", words.beta, "NUMBER",
+      "Of the damping C = beta K (the paper's c / k): the dampers of the links are\n"
+      "proportional to their stiffness");
   add("--restitution", words.restitution, "NUMBER",
       "Coefficient of restitution r in [0, 1] of the stops that have none of their own");
   add("--amplitude", words.amplitude, "LIST",
-      "A_i of the forcing A cos(Omega t); if N is not 2: 0.5 on mass 1");
+      "A_i of the forcing A cos(Omega t). Default: 0.5 on mass 1");
   add("--omega", words.omega, "NUMBER",
       "Forcing frequency Omega >= 0; the default is reconstructed, not printed");
   add("--stop", words.stops, "STOP",
       "mass:side:position or mass:side:position:restitution, with side lower or\n"
-      "upper, repeatable; none: a chain without stops");
+      "upper, repeatable; none: a chain without stops. Default: 1:lower:-0.3 and\n"
+      "2:upper:0.1");
   add("--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
   add("--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
 }
 
 Scene scene_of(const SceneOptions &words) {
-  const auto size = static_cast<std::size_t>(number("--masses", words.masses));
-  if (size < 2 && !given(words, "--stop"))
+  const auto size = static_cast<std::size_t>(words.masses);
+  const bool no_stop_given = words.stops.empty();
+  if (size < 2 && no_stop_given)
     refuse("--masses {}: the default stops stand on masses 1 and 2; give --stop, or --stop none",
            words.masses);
   Scene scene;
   scene.mass = per_mass("--mass", words.mass, size);
   scene.stiffness = per_mass("--stiffness", words.stiffness, size);
-  scene.restitution = number("--restitution", words.restitution);
-  if (size != 2 && !given(words, "--amplitude")) {
-    scene.amplitude.assign(size, 0.0);
-    scene.amplitude.front() = 0.5;
-  } else {
-    scene.amplitude = per_mass("--amplitude", words.amplitude, size);
-  }
-  scene.omega = number("--omega", words.omega);
+  scene.beta = number("--beta " + words.beta, words.beta);
+  scene.restitution = number("--restitution " + words.restitution, words.restitution);
+  scene.amplitude.assign(size, 0.0);
+  scene.amplitude.front() = 0.5;
+  if (!words.amplitude.empty()) scene.amplitude = per_mass("--amplitude", words.amplitude, size);
+  scene.omega = number("--omega " + words.omega, words.omega);
   scene.displacement = per_mass("--initial-displacement", words.displacement, size);
   scene.velocity = per_mass("--initial-velocity", words.velocity, size);
+  if (no_stop_given) scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
   if (words.stops != std::vector<std::string>{"none"})
     for (const std::string &stop : words.stops) scene.stops.push_back(stop_of(stop));
-  check(scene);  // before the damping is divided by the stiffness
-  scene.beta = given(words, "--beta") ? number("--beta", words.beta)
-                                      : beta_of(words.damping, scene.stiffness);
   check(scene);
   return scene;
+}
+
+Axis axis_of(const std::string &text) {
+  const std::string given = "--vary " + text;
+  const auto sides = split(text, '='), range = split(sides.back(), ':');
+  if (sides.size() != 2 || range.size() != 3)
+    refuse("{}: must read parameter=from:to:count", given);
+  return {parameter_named(sides[0]), number(given, range[0]), number(given, range[1]),
+          static_cast<std::size_t>(whole_number(given, range[2], 1e9))};
 }
 
 std::string text_of(const SceneOptions &options) {

@@ -6,39 +6,46 @@
 
 #include "refuse.hpp"
 #include "scene_options.hpp"
-#include "values.hpp"
 #include "vibro_impact/checksum.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
 
-constexpr std::string_view kind = "vibro-impact state ", version = "4\n";
+constexpr std::string_view kind = "vibro-impact state ", version = "5";
 
-// The text before the checksum, which fits.
+std::string rest_of(std::istream &file) {
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+// What stands below the first line, which fits. A device without an end is not read to its end.
 std::string checked(std::istream &file) {
-  std::string start(kind.size() + version.size(), '\0');
+  std::string start(kind.size() + version.size(), '\0'), end_of_line;
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   if (!file || !start.starts_with(kind)) refuse("is not a state file");
   if (!start.ends_with(version))
     refuse(
         "a state file of version {}, not {}: the version of vibro-impact that wrote it goes on "
         "with it",
-        start.substr(kind.size(), 1), version.substr(0, 1));
-  std::string text = start + std::string(std::istreambuf_iterator<char>(file), {});
-  const std::size_t end = text.rfind("checksum ");
-  if (end == std::string::npos || !text.ends_with('\n')) refuse("the file is cut short");
-  if (text.substr(end) != checksum_line(text.substr(0, end)))
-    refuse("the checksum does not fit: the file was changed");
-  return text.substr(start.size(), end - start.size());
+        start.substr(kind.size()), version);
+  std::getline(file, end_of_line);
+  const std::string others = rest_of(file);
+  if (start + end_of_line + "\n" != first_line(others))
+    refuse("the checksum does not fit: the file was cut short or changed");
+  return others;
 }
 
 }  // namespace
 
+std::string first_line(std::string_view others) {
+  Checksum checksum;
+  checksum.add(others);
+  return fmt::format("{}{}, checksum {}\n", kind, version, checksum.text());
+}
+
 std::optional<std::string> text_of(const SavedRun &run) {
-  std::string text = fmt::format("{}{}{}time {:.17g}\n{}", kind, version, run.scene_text, run.time,
-                                 save(run.state));
-  text += checksum_line(text);
+  std::string text = fmt::format("{}time {:.17g}\n{}", run.scene_text, run.time, save(run.state));
+  text = first_line(text) + text;
   try {
     std::istringstream file(text);
     read_saved_run(file, "");
@@ -48,12 +55,6 @@ std::optional<std::string> text_of(const SavedRun &run) {
   return text;
 }
 
-std::string checksum_line(std::string_view text) {
-  Checksum checksum;
-  checksum.add(text);
-  return fmt::format("checksum {}\n", checksum.text());
-}
-
 SavedRun read_saved_run(std::istream &file, const std::string &name) {
   try {
     std::istringstream lines(checked(file));
@@ -61,9 +62,10 @@ SavedRun read_saved_run(std::istream &file, const std::string &name) {
     std::string line;
     while (std::getline(lines, line) && line.starts_with("--")) run.scene_text += line + "\n";
     run.scene = scene_in(run.scene_text);
-    if (!line.starts_with("time ")) refuse("'time' expected behind the scene");
-    run.time = number("time", line.substr(5));
-    run.state = load(run.scene, std::string(std::istreambuf_iterator<char>(lines), {}));
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word >> run.time) || word != "time") refuse("'time' expected behind the scene");
+    run.state = load(run.scene, rest_of(lines));
     return run;
   } catch (const std::invalid_argument &error) {
     refuse("{}: {}", name, error.what());

@@ -1,8 +1,7 @@
 // The file of a run that can be gone on with: the scene and where the run stood.
 //
-// Plain text: the version of the format; the options that gave the scene, one a line; the time; the
-// lines in which the library keeps its state; and a checksum of all of them: a file cut short or
-// changed is refused.
+// Plain text: the version of the format and a checksum of the rest; the options that gave the
+// scene, one a line; the time; the lines in which the library keeps its state.
 #pragma once
 
 #include <istream>
@@ -24,8 +23,8 @@ struct SavedRun {
 // The whole file; nothing when the state cannot be gone on with, its numbers being out of range.
 std::optional<std::string> text_of(const SavedRun &run);
 
-// The last line of a file whose other lines are `text`.
-std::string checksum_line(std::string_view text);
+// The first line of a file, before the others.
+std::string first_line(std::string_view others);
 
 // Reads what `text_of` wrote. Throws std::invalid_argument with one line that begins with `name`
 // and says what is wrong.

@@ -3,10 +3,10 @@
 // fuzz_inputs_test.cpp replays fixed inputs through it.
 //
 // The first byte chooses what the rest is: 'e' an event table, 'k' a table of key numbers, 's' a
-// state file but for its last line, the checksum, which no fuzzer would guess; else a command line,
-// one argument per line. What is wrong with an input may only be said by a std::runtime_error or a
-// std::invalid_argument with a message; a command line that is accepted must pass `check`, and it
-// and a state must run to their end or to the limit of impacts.
+// state file but for the two lines with checksums, which no fuzzer would guess; else a command
+// line, one argument per line. What is wrong with an input may only be said by a std::runtime_error
+// or a std::invalid_argument with a message; a command line that is accepted must pass `check`, and
+// it and a state must run to their end or to the limit of impacts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +23,7 @@
 #include "reference/table_reader.hpp"
 #include "program/options.hpp"
 #include "program/state_file.hpp"
+#include "vibro_impact/checksum.hpp"
 
 namespace {
 
@@ -86,8 +87,13 @@ void take_command_line(const std::string &text) {
 
 // A state that is read must be written as it stood, and gone on with or refused.
 void take_state(const std::string &text) {
-  const std::string whole = text + runner::checksum_line(text);
-  std::istringstream file(whole);
+  const std::size_t end = text.find('\n', text.find("time ")) + 1;  // 0: none
+  const std::string numbers = text.substr(end);
+  Checksum checksum;
+  checksum.add(numbers);
+  const std::string others = text.substr(0, end) + "vibro-impact run state 3, checksum " +
+                             checksum.text() + "\n" + numbers;
+  std::istringstream file(runner::first_line(others) + others);
   const runner::SavedRun saved = runner::read_saved_run(file, "state");
   const auto written = runner::text_of(saved);
   if (!written) fail("a state that was read cannot be written");

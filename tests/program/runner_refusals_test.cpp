@@ -33,8 +33,8 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
       {"--stop 1:upper:0.1 --stop 1:upper:0.2", "same side"},
       {"--stop 1:upper:0.1:", "--stop 1:upper:0.1:"},
       {"--stop 1:upper:0.1:x", "--stop 1:upper:0.1:x"},
-      {"--stop 1:upper:0.1:1.5", "--stop 1:upper:0.1:1.5"},
-      {"--stop 1:upper:0.1:nan", "--stop 1:upper:0.1:nan"},
+      {"--stop 1:upper:0.1:1.5", "restitution = 1.5: must lie in [0, 1]"},
+      {"--stop 1:upper:0.1:nan", "restitution = nan"},
       {"--stop 1:upper:0.1:0.7:0", "--stop 1:upper:0.1:0.7:0"},
       {"--stop 1:left:3", "1:left:3"},
       {"--stop 3:upper:1", "stop on mass 3"},
@@ -44,50 +44,42 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
       {"--stop 1.5:upper:1", "1.5:upper:1"},
       {"--stop 0:upper:1", "0:upper:1"},
       {"--masses 1", "--masses 1: the default stops"},
-      {"--until 0", "--until: '0' must be a positive"},
-      {"--until 1e", "--until: '1e' must be"},
-      {"--until nan", "--until: 'nan' must"},
-      {"--until inf", "--until: 'inf' must"},
+      {"--until 0", "--until 0: must be positive and finite"},
+      {"--until 1e", "--until = 1e: must be a number"},
+      {"--until nan", "--until nan: must be positive"},
+      {"--until inf", "--until inf: must be"},
       {"--omega 1e400", "--omega 1e400"},
       {"--omega 0.28x", "--omega 0.28x"},
-      {"--omega ''", "not a number"},
+      {"--omega ''", "--omega: needs a value"},
       {"--mass 1,", "--mass 1,"},
       {"--from 800", "--from 800"},
-      {"--from -1", "--from: '-1' must be a number, 0 or more"},
-      {"--from nan", "--from: 'nan'"},
-      {"--every 0", "--every: '0' must be"},
+      {"--from -1", "--from -1: must lie between 0 and --until 750"},
+      {"--from nan", "--from nan"},
+      {"--every 0", "--every 0: must be positive"},
       {"--every 1e-14", "--every 1e-14"},
-      {"--masses 0", "--masses: '0' must be"},
-      {"--masses 2.5", "2.5"},
-      {"--stiffness 1,2", "proportional"},
-      {"--stiffness 1,2", "--beta"},
-      {"--damping 0.1,0.1000000000005", "proportional"},
-      {"--damping nan", "--damping nan: must be non-negative and finite"},
-      {"--damping -0.1", "--damping -0.1"},
+      {"--masses 0", "--masses: Value 0 not in range 1 to 10000"},
+      {"--masses 2.5", "Value 2.5 not in range"},
       {"--stiffness 1,0", "stiffness of link 2 = 0"},
-      {"--stiffness 0,1", "link 1 has no stiffness, 0"},
-      {"--stiffness 0,1 --damping 0.1,0.1", "--damping 0.1,0.1"},
       {"--beta ''", "--beta"},
-      {"--beta 0.1 --damping 0.1", "--beta"},
-      {"--beta -1", "-1"},
-      {"--resolve-chatter -1", "-1"},
+      {"--beta -1", "beta = -1: must be non-negative"},
+      {"--resolve-chatter -1", "--resolve-chatter -1: must be non-negative"},
       {"--resolve-chatter nan", "nan"},
       {"--resolve-chatter ''", "--resolve-chatter"},
-      {"--max-impacts 0", "--max-impacts: '0' must"},
-      {"--max-impacts 2.5", "--max-impacts: '2.5' must be a whole number"},
-      {"--bogus 3", "--bogus"},
-      {"--event t.csv", "--event"},
-      {"--omega", "--omega"},
-      {"--omega 1 --omega 2", "--omega"},
+      {"--max-impacts 0", "--max-impacts: Value 0 not in range"},
+      {"--max-impacts 2.5", "--max-impacts: Value 2.5 not in range"},
+      {"--bogus 3", "not expected: --bogus 3"},
+      {"--event t.csv", "not expected: --event t.csv"},
+      {"--omega", "--omega: needs a value"},
+      {"--omega 1 --omega 2", "--omega: may be given once"},
       {"stray", "not expected: stray"},
       {"--events /nonexistent/e.csv", "/nonexistent/e.csv"},
       {"--samples /nonexistent/s.csv", "/nonexistent/s.csv"},
-      {"--events . ", "--events ."},
+      {"--events . ", ".: is a directory"},
       {"--events ''", "--events"},
-      {"--events ./t.csv --samples t.csv", "--samples t.csv"},
-      {"--events - --samples -", "two files"},
-      {"--events - --samples /dev/stdout", "--samples /dev/stdout: these need"},
-      {"--save-state e.csv", "--save-state e.csv"},
+      {"--events ./t.csv --samples t.csv", "t.csv: cannot be written: another file"},
+      {"--events - --samples -", "one place"},
+      {"--events - --samples /dev/stdout", "--samples /dev/stdout: two tables"},
+      {"--save-state e.csv", "e.csv: cannot be written: another file"},
       {"--save-state /nonexistent/state", "/nonexistent/state"},
       {"--save-state ''", "--save-state"},
       {"--resume ''", "--resume"},
@@ -111,11 +103,60 @@ TEST_F(Runner, BadInputGivesOneLineStatusTwoAndNoFile) {
   }
 }
 
-TEST_F(Runner, ACommandIsNeeded) {
-  const Result result = run("");
-  EXPECT_EQ(result.status, 2);
-  EXPECT_TRUE(is_one_message(result.err)) << result.err;
-  EXPECT_NE(result.err.find("subcommand is required"), std::string::npos) << result.err;
+TEST_F(Runner, BadSweepsAreRefused) {
+  for (const BadCase &bad : std::vector<BadCase>{
+           {"", "needs a range"},
+           {"--vary omega=0.3:0.5:2 --table", "--table: needs a value"},
+           {"--omega 0.3", "needs a range"},
+           {"--vary omega=0.3:0.5", "--vary omega=0.3:0.5: must read parameter=from:to:count"},
+           {"--vary omega=0.3:0.5:0", "--vary omega=0.3:0.5:0: '0' must be a whole number"},
+           {"--vary omega=0.3:0.5:2.5", "whole number"},
+           {"--vary omega=0.3:x:2", "'x' is not a number"},
+           {"--vary omega=0:0.5:3", "omega = 0"},
+           {"--vary omega=-1:0.5:3", "-1"},
+           {"--vary omega=nan:0.5:3", "nan"},
+           {"--vary omega=0.3:inf:3", "inf"},
+           {"--vary omega=0.3:0.5:2 --vary omega=0.2:0.3:2", "given twice"},
+           {"--vary restitution=0.5:1.5:3", "1.5"},
+           {"--vary beta=0.1:-0.5:3", "-0.5"},
+           {"--vary stop1=-0.4:0.1:3", "beyond"},
+           {"--vary stop3=0.1:0.2:3", "stop3: the scene has 2 stops"},
+           {"--vary mass0=0.1:0.2:3", "parameter 'mass0'"},
+           {"--vary colour=0.1:0.2:3", "colour"},
+           {"--vary omega", "--vary omega"},
+           {"--vary omega=0.1:0.2:1e9 --vary beta=0.1:0.2:1e9", "more points"},
+           {"--vary omega=0.3:0.5:2 --threads 0", "--threads: Value 0 not in range"},
+           {"--vary omega=0.3:0.5:2 --longest 0", "--longest: Value 0"},
+           {"--vary omega=0.3:0.5:2 --counted x", "--counted: Value x"},
+           {"--vary omega=0.3:0.5:2 --max-period 0", "--max-period: Value 0"},
+           {"--vary omega=0.3:0.5:2 --tolerance 0", "--tolerance 0: must be positive"},
+           {"--vary omega=0.3:0.5:2 --table -", "must be a file"},
+           {"--vary omega=0.3:0.5:2 --table ''", "--table"},
+           {"--vary omega=0.3:0.5:2 --table .", ".: is a directory"},
+           {"--vary omega=0.3:0.5:2 --table /nonexistent/t.csv", "/nonexistent/t.csv"},
+           {"--vary omega=0.3:0.5:2 --until 3", "--until"},
+       }) {
+    const std::string given = bad.arguments;
+    const Result result =
+        run((given.find("--table") < given.size() ? "sweep " : "sweep --table t.csv ") + given);
+    EXPECT_EQ(result.status, 2) << bad.arguments;
+    EXPECT_EQ(result.out, "") << bad.arguments;
+    EXPECT_TRUE(is_one_message(result.err)) << bad.arguments << ": " << result.err;
+    EXPECT_NE(result.err.find(bad.names), std::string::npos) << bad.arguments << ": " << result.err;
+    EXPECT_TRUE(fs::is_empty(folder)) << bad.arguments << " left a file";
+  }
+  for (const BadCase &bad : {BadCase{"", "subcommand is required"},
+                             {"walk", "not expected: walk"},
+                             {"sweep --vary omega=0.3:0.5:2", "--table is required"}}) {
+    const Result result = run(bad.arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err.find("vibro-impact: "), 0u);
+    EXPECT_NE(result.err.find(bad.names), std::string::npos) << result.err;
+  }
+  if (!with_mpi) return;
+  const Result many = run("sweep --table t --vary omega=0.3:0.5:0", "true", mpirun(2));
+  EXPECT_EQ(many.status, 2);
+  EXPECT_EQ(many.err.find("vibro-impact: "), many.err.rfind("vibro-impact: ")) << many.err;
 }
 
 }  // namespace

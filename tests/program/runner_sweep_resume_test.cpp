@@ -49,7 +49,8 @@ bool ended(pid_t process) {
 
 // Some 1,300 points, about two seconds' work.
 const std::string long_sweep =
-    "sweep --omega 0.25:0.7:181 --restitution 0.6:0.85:7 --longest 150 --no-lyapunov --threads 2 ";
+    "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.85:7 --longest 150 --no-lyapunov "
+    "--threads 2 ";
 
 // Waits until `partial` holds more than `before` points, or the process has ended.
 void wait_for_more(const fs::path &partial, std::size_t before, pid_t process) {
@@ -70,7 +71,9 @@ pid_t rank_of(pid_t mpirun, std::size_t rank) {
 
 // The program alone, and one of two processes: mpirun ends the other.
 TEST_F(Runner, AKilledSweepIsGoneOnWith) {
-  const std::string expected = run(long_sweep).out;
+  ASSERT_EQ(run(long_sweep + "--table whole.csv").status, 0);
+  const std::string expected = contents(folder / "whole.csv");
+  fs::remove(folder / "whole.csv");
   const fs::path partial = folder / "t.csv.partial";
   const std::string go_on = long_sweep + "--resume --table " + (folder / "t.csv").string();
   std::size_t kept = 0;
@@ -85,8 +88,8 @@ TEST_F(Runner, AKilledSweepIsGoneOnWith) {
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
   }
   // Not by mistake over what was computed, and not as another sweep.
-  for (const auto &[given, names] :
-       {std::pair{"", "--resume goes on with it"}, {"--resume --beta 0.2", "another sweep"}}) {
+  for (const auto &[given, names] : {std::pair{"", "--resume goes on with it"},
+                                     {"--resume --beta 0.2", "not the rows of this sweep"}}) {
     const Result refused = run(long_sweep + "--table t.csv " + given);
     EXPECT_EQ(refused.status, 2);
     EXPECT_TRUE(is_one_message(refused.err)) << refused.err;
@@ -119,13 +122,12 @@ TEST_F(Runner, OneSweepAtATimeHoldsTheTable) {
 // The rows of a sweep by themselves.
 struct PartialTable : Runner {
   static constexpr std::size_t points = 40;
-  std::string path;
-  runner::Named table;
+  std::string path, table;
 
   void SetUp() override {
     Runner::SetUp();
     path = folder / "t.partial";
-    table = {"--table", folder / "t"};
+    table = folder / "t";
   }
   runner::PartialTable begun(bool resume) const {
     return {path, "squares", "point,square\n", resume};
@@ -157,7 +159,7 @@ TEST_F(PartialTable, RowsCutShortAreGoneOnWithAndChangedOnesRefused) {
     EXPECT_EQ(partial.points(), expected) << length;
     add_to(partial, points);
     partial.finish(table);
-    ASSERT_EQ(contents(table.path), whole) << length;
+    ASSERT_EQ(contents(table), whole) << length;
     ASSERT_FALSE(fs::exists(path));
   }
   for (std::size_t i = 0; i + 1 < file.size(); ++i) {  // the last byte is the end of a line
@@ -172,7 +174,7 @@ TEST_F(PartialTable, RowsCutShortAreGoneOnWithAndChangedOnesRefused) {
 // A file of rows that is removed or changed while the sweep runs gives no table, and spares the one
 // that was there.
 TEST_F(PartialTable, ASweepWithoutItsRowsEndsWithoutATable) {
-  std::ofstream(table.path) << "old";
+  std::ofstream(table) << "old";
   const std::pair<const char *, std::function<void()>> damages[] = {
       {"removed", [this] { fs::remove(path); }},
       {"replaced",
@@ -197,7 +199,7 @@ TEST_F(PartialTable, ASweepWithoutItsRowsEndsWithoutATable) {
         partial.finish(table);
       }) << name
          << after;
-      EXPECT_EQ(contents(table.path), "old") << name << after;
+      EXPECT_EQ(contents(table), "old") << name << after;
       fs::remove(path);
     }
 }
