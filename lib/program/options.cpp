@@ -48,7 +48,7 @@ Exit status: 0 done, 1 a file could not be written, 2 bad input, 130 ended by Ct
 const CLI::Range up_to_a_million(1, 1'000'000);
 const CLI::Range any_count(1LL, 1'000'000'000'000'000LL);
 
-void add_run_options(CLI::App &run, Request &request, const SceneOptions &scene) {
+void add_run_options(CLI::App &run, Request &request) {
   option(run, "--until", request.until, "TIME", "End of the run, > 0");
   option(run, "--from", request.from, "TIME",
          "Start of both tables; the run itself starts at t = 0");
@@ -62,12 +62,10 @@ void add_run_options(CLI::App &run, Request &request, const SceneOptions &scene)
          "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first");
   option(run, "--save-state", request.save_state, "FILE",
          "The scene and the state at the end of the run, for --resume");
-  CLI::Option *resume =
-      option(run, "--resume", request.resume, "FILE",
-             "Go on from a saved state, with its scene: options of the scene cannot be\n"
-             "given. The tables hold what comes after it; for those of one whole run,\n"
-             "give the other options as before");
-  for (CLI::Option *of_scene : scene.all) resume->excludes(of_scene);
+  option(run, "--resume", request.resume, "FILE",
+         "Go on from a saved state, with its scene: options of the scene cannot be\n"
+         "given. The tables hold what comes after it; for those of one whole run,\n"
+         "give the other options as before");
   option(run, "--resolve-chatter", request.options.resolve_chatter, "SPEED",
          "Resolve and record every chatter impact faster than this; below it a\n"
          "complete chatter may be carried to its limit. Default: as soon as the\n"
@@ -102,7 +100,8 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
   option(sweep, "--vary", ranges, "RANGE",
          "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
          "restitution, or restitution2 (of a stop), stop1 (its position),\n"
-         "amplitude2, mass1, stiffness1, displacement1, velocity1");
+         "amplitude2, mass1, stiffness1, displacement1, velocity1")
+      ->default_str("");
   option(sweep, "--table", request.table, "FILE", "The table (CSV)")->required();
   sweep.add_flag("--resume", request.resume,
                  "Go on with what a sweep that was ended left of --table");
@@ -153,8 +152,6 @@ std::string definition_of(const CLI::App &sweep) {
     refuse("{}: {}", said.substr(0, said.find(':')),
            said.find("At Most") < said.size() ? "may be given once" : "needs a value");
   if (kind == "ConversionError") refuse("{}: must be a number", said);
-  if (kind == "ExcludesError")
-    refuse("{}: the scene stands in the saved state and cannot be changed", said);
   refuse("{}", said);
 }
 
@@ -173,7 +170,7 @@ std::optional<std::string> parse(int argc, char **argv, Request &request) {
                *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
   run.footer(run_footer);
   add_scene_options(run, scene);
-  add_run_options(run, request, scene);
+  add_run_options(run, request);
   sweep.footer(sweep_footer);
   add_scene_options(sweep, scene);
   add_sweep_options(sweep, swept, ranges);
@@ -190,7 +187,13 @@ std::optional<std::string> parse(int argc, char **argv, Request &request) {
   }
 
   if (run.parsed()) check_run(request);
-  if (!request.resume.empty()) return std::nullopt;
+  if (!request.resume.empty()) {
+    for (const CLI::Option *of_scene : scene.all)
+      if (of_scene->count() > 0)
+        refuse("{}: the scene comes from --resume {} and cannot be changed", of_scene->get_name(),
+               request.resume);
+    return std::nullopt;
+  }
   request.scene = scene_of(scene);
   request.scene_text = text_of(scene);
   if (run.parsed()) return std::nullopt;

@@ -66,8 +66,9 @@ Stop stop_of(const std::string &text) {
 
 void add_scene_options(CLI::App &app, SceneOptions &words) {
   const auto add = [&](const char *name, auto &value, const char *type, const char *what) {
-    words.all.push_back(option(app, name, value, type, what));
-    return words.all.back();
+    CLI::Option *added = option(app, name, value, type, what);
+    words.all.push_back(added);
+    return added;
   };
   add("--masses", words.masses, "N", "Number of masses")->check(CLI::Range(1, most_masses));
   add("--mass", words.mass, "LIST", "m_i > 0");
@@ -85,7 +86,8 @@ void add_scene_options(CLI::App &app, SceneOptions &words) {
   add("--stop", words.stops, "STOP",
       "mass:side:position or mass:side:position:restitution, with side lower or\n"
       "upper, repeatable; none: a chain without stops. Default: 1:lower:-0.3 and\n"
-      "2:upper:0.1");
+      "2:upper:0.1")
+      ->default_str("");
   add("--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
   add("--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
 }

@@ -16,7 +16,7 @@ struct SceneOptions {
   std::string omega = "0.2797", displacement = "0", velocity = "0";
   std::vector<std::string> stops = {};
 
-  std::vector<CLI::Option *> all = {};
+  std::vector<const CLI::Option *> all = {};  // that took them
 };
 
 // An option that takes one value.
