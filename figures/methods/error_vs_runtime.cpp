@@ -76,7 +76,8 @@ Table table_of(const std::vector<Trial> &trials) {
   for (const Trial &trial : trials) {
     const auto [low, high] =
         std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
-    const double median = boost::math::statistics::median(std::vector(trial.microseconds));
+    std::vector<double> sorted = trial.microseconds;
+    const double median = boost::math::statistics::median(sorted);
     std::string failure = trial.errors.failure;
     std::replace(failure.begin(), failure.end(), ',', ';');
     table.row(trial.problem->name, figures::in_quotes(trial.method->name), trial.setting,
