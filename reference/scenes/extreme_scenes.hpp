@@ -5,6 +5,7 @@
 // numbers from the project), so that a scene is written down once.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
