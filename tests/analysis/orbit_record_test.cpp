@@ -42,6 +42,16 @@ TEST(Record, OnlyWhatIsAskedForIsComputed) {
   EXPECT_EQ(speeds.impact_velocities[0].size(), static_cast<std::size_t>(bare.counts.impacts[0]));
 }
 
+// Pressed onto their stops for ever: no event says so.
+TEST(Record, MassesThatAreHeldFromTheBeginningStickAtOnce) {
+  Scene scene = paper::two_masses({1, Side::lower, 0.1}, {2, Side::lower, 0.15}, 0.7, 0.3);
+  scene.amplitude = {0.01, 0.0};
+  scene.displacement = {0.1, 0.15};
+  const EventCounts counts = record_of(scene).counts;
+  EXPECT_TRUE(counts.dual_sticking);
+  EXPECT_EQ(counts.sticks, (std::vector{0, 0}));
+}
+
 // Figure 5, Section 3.3: mass 2 hits while mass 1 sticks in (a) and (c), in which nothing else of
 // Table I occurs; in (b) nothing does, mass 2 turning short of its stop. Both are held at once with
 // the stop of mass 2 below that of mass 1.
