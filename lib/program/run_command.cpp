@@ -15,6 +15,7 @@
 #include "plot.hpp"
 #include "progress.hpp"
 #include "refuse.hpp"
+#include "sample_times.hpp"
 #include "state_file.hpp"
 #include "vibro_impact/table.hpp"
 
@@ -58,26 +59,23 @@ std::string header_of_samples(const Scene &scene) {
   return header;
 }
 
-// A recorder of the displacements at from, from + every, ... up to `to`. A flight that nothing
-// disturbs has any number of them: it ends at a signal, and when they cannot be written.
+// A recorder of the displacements at these times. A flight that nothing disturbs has any number of
+// them: it ends at a signal, and when they cannot be written.
 struct SampleRows {
   StreamedTable table;
-  double from, to, every;
+  SampleTimes times;
   int (*signal)();
-  std::size_t taken = 0;
 
   SampleRows(const Request &of, const Scene &scene, int (*asked)())
       : table(of.samples, header_of_samples(scene)),
-        from(of.from),
-        to(of.until),
-        every(of.every),
+        times{of.from, of.until, of.every},
         signal(asked) {
   }
   double next_time() const {
-    return sample_time(from, to, every, taken);
+    return times.next();
   }
   void sample(const Moment &moment) {
-    ++taken;
+    ++times.taken;
     table.row.cell(moment.time);
     for (int mass = 1; mass <= moment.masses(); ++mass) table.row.cell(moment.displacement(mass));
     table.row.end_row();
@@ -85,20 +83,6 @@ struct SampleRows {
   }
   bool done() const {
     return table.file.failed() || signal() != 0;
-  }
-  // Goes on behind a run to `time`, which has taken its samples.
-  void skip_to(double time) {
-    if (time < from) return;
-    // The quotient is right but for rounding.
-    taken = static_cast<std::size_t>(std::clamp((time - from) / every - 1.0, 0.0, 0x1p53));
-    while (sample_time(from, time, every, taken) < std::numeric_limits<double>::infinity()) ++taken;
-  }
-  // The time up to which the table reaches when the run has ended at `time`: that itself, but for
-  // the rounding beside a sample. `skip_to` comes to `taken` there.
-  double reach(double time) const {
-    if (taken > 0) time = std::max(time, sample_time(from, to, every, taken - 1));
-    // `sample_time` takes one that lies beyond by rounding for one that is due.
-    return std::min(time, next_time() * (1.0 - 1e-15));
   }
 };
 
@@ -157,7 +141,7 @@ struct Files {
     if (!of.events.empty()) events.emplace(of.events, of.from);
     if (!of.samples.empty()) samples.emplace(of, start.scene, signal);
     // Those of one whole run, but for those that the first part of it has written.
-    if (samples && !of.resume.empty()) samples->skip_to(start.time);
+    if (samples && !of.resume.empty()) samples->times.skip_to(start.time);
   }
   // First all are closed, then all put in place: one that cannot be written leaves none behind.
   void finish() {
@@ -189,7 +173,7 @@ Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*
                           request.options, recorders)
           : resume_seen(start.scene, start.state, request.until, request.options, recorders);
   if (files.samples && outcome.ending != Ending::reached)
-    outcome.time = files.samples->reach(outcome.time);
+    outcome.time = files.samples->times.reach(outcome.time);
   return outcome;
 }
 

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "figures/beyond/table1_scenes.hpp"
-#include "reference/table_reader.hpp"
 #include "greatest_common_press.hpp"
+#include "reference/table_reader.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "figures/event_tables.hpp"
-#include "reference/table_reader.hpp"
 #include "program/options.hpp"
 #include "program/state_file.hpp"
+#include "reference/table_reader.hpp"
 #include "vibro_impact/checksum.hpp"
 
 namespace {

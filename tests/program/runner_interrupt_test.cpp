@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "program/commands.hpp"
+#include "program/sample_times.hpp"
 #include "runner_program.hpp"
 
 namespace {
@@ -107,6 +108,20 @@ TEST_F(InProcess, ASignalMayComeWhereASampleAndAnEventMeet) {
            "--initial-velocity", "1", "--stop", "1:lower:-0.3", "--stop", "1:upper:0.3", "--until",
            "20", "--every", "0.1"});
   EXPECT_GT(interrupt_everywhere(), 200);
+}
+
+// Beside a sample the time at which a run ended may be off by its rounding.
+TEST(SampleTimes, ReachAsFarAsTheirLastSampleAndShortOfTheNext) {
+  const runner::SampleTimes samples{1.0, 10.0, 0.1, 3};  // at 1.0, 1.1 and 1.2
+  const double last = sample_time(1.0, 10.0, 0.1, 2), next = sample_time(1.0, 10.0, 0.1, 3);
+  for (const double time : {1.15, std::nextafter(last, 0.0), last, 1.25, std::nextafter(next, 0.0),
+                            next, std::nextafter(next, 2.0)}) {
+    const double reached = samples.reach(time);
+    runner::SampleTimes after{1.0, 10.0, 0.1};
+    after.skip_to(reached);
+    EXPECT_EQ(after.taken, 3u) << time;
+    EXPECT_NEAR(reached, time, time < last ? 0.06 : 4e-15) << time;
+  }
 }
 
 // The program, started without a shell so that a signal finds it.
