@@ -122,15 +122,18 @@ std::string refusal(const Call &call) {
   return "";
 }
 
-TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
-  const Scene scene = paper::figure2();
+// The text of a state half way between two impacts of a chatter.
+std::string saved_in_a_chatter(const Scene &scene) {
   EventRecorder events;
   simulate(scene, 38.0, {}, events);
-  // Half way between two impacts of a chatter.
   std::size_t k = 0;
   while (events.events[k].falling < 4) ++k;
-  const double between = (events.events[k - 1].time + events.events[k].time) / 2;
-  const std::string good = save(simulate(scene, between).resume);
+  return save(simulate(scene, (events.events[k - 1].time + events.events[k].time) / 2).resume);
+}
+
+TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
+  const Scene scene = paper::figure2();
+  const std::string good = saved_in_a_chatter(scene);
   ASSERT_EQ(refusal([&] { load(scene, good); }), "");
   const auto refused = [&](const std::string &text) {
     const std::string why = refusal([&] { load(scene, text); });
@@ -175,12 +178,7 @@ TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
 // goes on from without looking beyond what is stored (the sanitizers watch).
 TEST(Resume, FromNumbersThatContradictEachOtherLeadsNowhereElse) {
   const Scene scene = paper::figure2();
-  EventRecorder events;
-  simulate(scene, 38.0, {}, events);
-  std::size_t k = 0;
-  while (events.events[k].falling < 4) ++k;
-  const double between = (events.events[k - 1].time + events.events[k].time) / 2;
-  const std::string good = save(simulate(scene, between).resume);
+  const std::string good = saved_in_a_chatter(scene);
   int refused = 0, taken = 0;
   for (std::size_t at = good.find('\n') + 1; at < good.size(); at = good.find('\n', at) + 1)
     for (const char *number : {"-1", "0", "3", "1e300", "nan", "2000000000"}) {
