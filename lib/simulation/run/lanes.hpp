@@ -31,16 +31,16 @@ inline double as_added(double phase, double span) {
 // The span of the next expansion, unless the run has to be given up.
 template <int D>
 double choose_span(Run<D> &run, double rate) {
-  const double longest = max_reach / rate;
   const State<D> &state = run.state;
+  const double longest = as_added(state.now.phase, max_reach / rate);
   if (!std::isfinite(state.value.sum() + state.slope.sum()))
     give_up(run, line("the motion leaves the range of double precision before t = ",
                       time_of(state.now, run.clock), ", given up"));
-  else if (state.now.phase + longest == state.now.phase)
+  else if (longest == 0.0)
     give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ",
                       time_of(state.now, run.clock), ", given up"));
   // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
-  return std::min(as_added(state.now.phase, longest), std::max(state.next_flight, lost * longest));
+  return std::min(longest, std::max(state.next_flight, lost * longest));
 }
 
 // Runs on to the end, or until a recorder is done or the run has to be given up. The state it
