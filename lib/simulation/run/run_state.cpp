@@ -72,6 +72,17 @@ std::string heading(std::string_view numbers) {
   return line("vibro-impact run state 3, checksum ", checksum.text(), "\n");
 }
 
+// As many jumps as impacts, and nodes among these: the checksum guards against slips only.
+void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes) {
+  require(chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
+              (chatter.times.empty() || !nodes.empty()),
+          "state: ", chatter.times.size(), " impacts of a chatter at ", chatter.contacts.size(),
+          " stops with ", chatter.jumps.size(), " jumps and ", nodes.size(), " nodes");
+  for (const ChatterTable::Node &node : nodes)
+    require(node.impact < chatter.times.size(), "state: a node of a chatter at impact ",
+            node.impact, " of ", chatter.times.size());
+}
+
 }  // namespace
 
 const RunState::Numbers &RunState::numbers() const {
@@ -105,16 +116,6 @@ RunState load(const Scene &scene, std::string_view text) {
   else
     state_in(numbers, scene, build_contact_mode<any_lanes>(scene, numbers.held));
   return RunState(std::make_shared<const RunState::Numbers>(std::move(numbers)));
-}
-
-void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes) {
-  require(chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
-              (chatter.times.empty() || !nodes.empty()),
-          "state: ", chatter.times.size(), " impacts of a chatter at ", chatter.contacts.size(),
-          " stops with ", chatter.jumps.size(), " jumps and ", nodes.size(), " nodes");
-  for (const ChatterTable::Node &node : nodes)
-    require(node.impact < chatter.times.size(), "state: a node of a chatter at impact ",
-            node.impact, " of ", chatter.times.size());
 }
 
 void check_place(const Scene &scene, const Instant &instant, const Held &held) {

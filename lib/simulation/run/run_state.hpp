@@ -36,10 +36,6 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
 // are held at stops that exist.
 void check_place(const Scene &scene, const Instant &instant, const Held &held);
 
-// Throws std::invalid_argument unless there are as many jumps as impacts, and nodes among these: a
-// checksum guards against slips only.
-void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes);
-
 // The state in this mode. Throws std::invalid_argument where it contradicts the scene.
 template <int D>
 State<D> state_in(const RunState::Numbers &from, const Scene &scene, const ContactMode<D> &mode) {
