@@ -122,13 +122,13 @@ std::string refusal(const Call &call) {
   return "";
 }
 
-// The text of a state half way between two impacts of a chatter.
+// The text of a state at the last impact of a chatter before its limit, whose nodes it is taken by.
 std::string saved_in_a_chatter(const Scene &scene) {
   EventRecorder events;
   simulate(scene, 38.0, {}, events);
   std::size_t k = 0;
-  while (events.events[k].falling < 4) ++k;
-  return save(simulate(scene, (events.events[k - 1].time + events.events[k].time) / 2).resume);
+  while (events.events[k].falling < 4 || events.events[k + 1].kind != EventKind::stick) ++k;
+  return save(simulate(scene, (events.events[k].time + events.events[k + 1].time) / 2).resume);
 }
 
 TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
