@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -52,15 +53,42 @@ inline Table displacements(const Scene &scene, const paper::AxisBox &box, double
   return displacement_table(samples);
 }
 
+// The hold force on one mass (F_p of Eqs. 12-13) at uniform times and at the ends of every sticking
+// phase, from time `from` on. `phase` counts the sticking phases.
+struct HoldForceRecorder {
+  struct Row {
+    double time, force;
+    int phase;
+  };
+  int mass = 1;
+  double from = 0.0, to = 0.0, every = 0.0;
+  std::vector<Row> rows = {};
+  int phases = 0;
+  std::size_t asked = 0;
+
+  double next_time() const {
+    return sample_time(from, to, every, asked);
+  }
+  void sample(const Moment &moment) {
+    ++asked;
+    const double force = moment.hold_force(mass);
+    if (!std::isnan(force)) rows.push_back({moment.time, force, phases});
+  }
+  void event(const Event &event, const Moment &moment) {
+    if (event.mass != mass || event.time < from || event.time > to) return;
+    if (event.kind == EventKind::stick)
+      rows.push_back({event.time, moment.hold_force(mass), ++phases});
+    else if (event.kind == EventKind::release && !event.by_a_jump)
+      rows.push_back({event.time, 0.0, phases});  // released at a root of the force
+  }
+};
+
 // Sticking phases of mass 1 (counted from 1) with the hold force along them; times within the
 // period.
 inline std::vector<HoldForceRecorder::Row> hold_force_rows(const Scene &scene) {
   const Clock clock(scene.omega);
-  HoldForceRecorder force;
-  force.mass = 1;
-  force.from = paper::figure4_settling_periods * clock.period;
-  force.to = force.from + clock.period;
-  force.every = 0.001;
+  const double from = paper::figure4_settling_periods * clock.period;
+  HoldForceRecorder force{.mass = 1, .from = from, .to = from + clock.period, .every = 0.001};
   require_complete(simulate(scene, force.to, {}, force));
   for (HoldForceRecorder::Row &row : force.rows) row.time = instant_at(row.time, clock).phase;
   return force.rows;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "figures/beyond/grazing.hpp"
+#include "figures/panel.hpp"
 #include "reference/table_reader.hpp"
 
 namespace {

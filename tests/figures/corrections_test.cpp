@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "figures/panel.hpp"
 #include "figures/printed.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/analysis/greatest_common_press.hpp"
@@ -127,7 +128,7 @@ TEST(Corrections, TheSideOfAStopIsNotTheSignOfItsPosition) {
     scene.stops = {{1, Side::lower, place}};
     scene.displacement = {place};
     scene.restitution = 0.5;
-    HoldForceRecorder force;
+    figures::HoldForceRecorder force;
     force.to = 5.0;
     force.every = 0.5;
     const Outcome outcome = simulate(scene, 5.0, {}, force);

@@ -101,25 +101,6 @@ struct SampleRecorder {
   void check(const Scene &scene) const;
 };
 
-// The hold force on one mass (F_p of Eqs. 12-13) at uniform times and at the ends of every sticking
-// phase, from time `from` on. `phase` counts the sticking phases.
-struct HoldForceRecorder {
-  struct Row {
-    double time, force;
-    int phase;
-  };
-  int mass = 1;
-  double from = 0.0, to = 0.0, every = 0.0;
-  std::vector<Row> rows = {};
-  int phases = 0;
-  std::size_t asked = 0;
-
-  double next_time() const;
-  void sample(const Moment &moment);
-  void event(const Event &event, const Moment &moment);
-  void check(const Scene &scene) const;
-};
-
 // A recorder as a run sees it; empty where it has no such member. Refers to the recorder.
 struct RecorderRef {
   std::function<void(const Event &, const Moment &)> event = {};

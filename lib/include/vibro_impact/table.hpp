@@ -25,11 +25,14 @@ struct Table {
   void cell(std::integral auto value) {
     cell(std::string_view(std::to_string(value)));
   }
-  void end_row();
+  // Every cell ends with a comma; that of the last one in a row becomes the end of the line.
+  void end_row() {
+    text.back() = '\n';
+  }
 };
 
-// Writes the table to `path` (`-`: standard output): under a temporary name first, renamed when
-// complete. Throws std::runtime_error naming the path when that fails.
+// Writes the table to `path`: under a temporary name first, renamed when complete. Throws
+// std::runtime_error naming the path when that fails.
 void write(const Table &table, const std::string &path);
 
 }  // namespace vibro_impact

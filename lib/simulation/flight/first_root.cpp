@@ -34,23 +34,6 @@ double convex_step(const Jet &at, double twist) {
   return square < 0.0 ? d : std::min(d, 2.0 * at.value / (std::sqrt(square) - at.slope));
 }
 
-constexpr double squares_underflow = 0x1p-430, squares_overflow = 0x1p430;
-
-// Sets `other` to a polynomial of which all coefficients are so small that their squares underflow
-// (r = 1e-300 leaves such motion), or one so large that its square overflows, in units in which
-// they do not; returns that scale, else 1.
-double rescale(const Polynomial &p, Polynomial &other) {
-  double largest = 0.0;
-  for (int n = 0; n <= p.order; ++n)
-    largest = std::max(largest, std::abs(p.coefficient[static_cast<std::size_t>(n)]));
-  if (!(largest > 0.0) || !std::isfinite(largest)) return 1.0;
-  if (largest >= squares_underflow && largest < squares_overflow) return 1.0;
-  const double scale = std::ldexp(1.0, std::min(900, -std::ilogb(largest)));
-  other = p;
-  for (double &term : other.coefficient) term *= scale;
-  return scale;
-}
-
 // A root at u of the polynomial with its first coefficients divided out, where it has this slope.
 Root root_at(double u, double slope, int first) {
   for (int k = 0; k < first; ++k) slope *= u;
@@ -93,15 +76,15 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
     return std::nullopt;
   }
   const double most_bent = 2.0 * detail::derivative_bound(p, first, 2);  // |p''|
-  const bool large = !(c[0] + std::abs(c[1]) + most_bent < squares_overflow);
-  if (c[0] < squares_underflow || large) {
-    Polynomial other;
-    if (const double scale = rescale(p, other); scale != 1.0) {
-      auto root = first_root(other, limit, counters);
-      if (root) root->slope /= scale;
-      return root;
-    }
-    if (!std::isfinite(most_bent)) return std::nullopt;  // the run is given up for such motion
+  const double size = c[0] + std::abs(c[1]) + most_bent;
+  if (!(size >= 0x1p-430 && size <= 0x1p430)) {  // squares under- or overflow: in units of its size
+    if (!std::isfinite(detail::derivative_bound(p, first, 0))) return std::nullopt;  // given up
+    Polynomial other = p;
+    const double unit = std::ldexp(1.0, std::clamp(std::ilogb(size), -900, 900));
+    for (double &term : other.coefficient) term /= unit;
+    auto root = first_root(other, limit, counters);
+    if (root) root->slope *= unit;
+    return root;
   }
   ++counters.roots_searched;
   const double fifth = detail::derivative_bound(p, first, 5);

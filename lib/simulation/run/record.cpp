@@ -13,12 +13,6 @@ void require_from(double from) {
   require(!std::isnan(from), "from = ", from, ": must be a time");
 }
 
-void require_times(double from, double to, double every) {
-  require(std::isfinite(every) && every > 0.0, "every = ", every, ": must be positive and finite");
-  require(std::isfinite(from) && std::isfinite(to), "samples from ", from, " to ", to,
-          ": must be finite");
-}
-
 }  // namespace
 
 const char *name(EventKind kind) {
@@ -69,33 +63,9 @@ void SampleRecorder::sample(const Moment &moment) {
 }
 
 void SampleRecorder::check(const Scene &) const {
-  require_times(from, to, every);
-}
-
-double HoldForceRecorder::next_time() const {
-  return sample_time(from, to, every, asked);
-}
-
-void HoldForceRecorder::sample(const Moment &moment) {
-  ++asked;
-  const double force = moment.hold_force(mass);
-  if (!std::isnan(force)) rows.push_back({moment.time, force, phases});
-}
-
-void HoldForceRecorder::event(const Event &event, const Moment &moment) {
-  if (event.mass != mass || event.kind == EventKind::impact || event.time < from || event.time > to)
-    return;
-  if (event.kind == EventKind::stick) {
-    ++phases;
-    rows.push_back({event.time, moment.hold_force(mass), phases});
-  } else if (!event.by_a_jump) {
-    rows.push_back({event.time, 0.0, phases});  // released at a root of the force
-  }
-}
-
-void HoldForceRecorder::check(const Scene &scene) const {
-  require_mass(mass, scene.masses());
-  require_times(from, to, every);
+  require(std::isfinite(every) && every > 0.0, "every = ", every, ": must be positive and finite");
+  require(std::isfinite(from) && std::isfinite(to), "samples from ", from, " to ", to,
+          ": must be finite");
 }
 
 }  // namespace vibro_impact

@@ -4,13 +4,11 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <stdexcept>
 #include <system_error>
 
 namespace vibro_impact {
 
-// Every cell ends with a comma; that of the last one in a row becomes the end of the line.
 void Table::cell(double value) {
   std::array<char, 40> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
@@ -24,19 +22,7 @@ void Table::cell(std::string_view value) {
   text.push_back(',');
 }
 
-void Table::end_row() {
-  if (text.back() == ',')
-    text.back() = '\n';
-  else
-    text.push_back('\n');
-}
-
 void write(const Table &table, const std::string &path) {
-  if (path == "-") {
-    if (!(std::cout << table.text << std::flush))
-      throw std::runtime_error("standard output: cannot be written");
-    return;
-  }
   const std::string temporary = path + ".part";
   std::ofstream file(temporary, std::ios::binary);
   file << table.text;
