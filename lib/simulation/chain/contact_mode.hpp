@@ -25,6 +25,23 @@ struct Reading {
   }
 };
 
+// Taylor coefficients of a reading, per unit of every lane: those of order n, in units of rate^-n.
+// Orders come in packets of four; per packet one column for every y, then for every y' of a mode
+// (y' of the forcing lanes is known from their values).
+struct ReadingWeights {
+  double rate = -1.0;  // of the fastest lane that may be in motion; -1 before they are built
+  Eigen::Array<double, 4, Eigen::Dynamic> weight;
+};
+
+// Taylor coefficients of the solution S of every mode with S(0) = 0, S'(0) = 1, and of S', in terms
+// of rate * time: column n is of order n, with the rows filled up to an even number.
+template <int D>
+struct FlowWeights {
+  static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : (D - 1) / 2 * 2;
+  double rate = -1.0;
+  Eigen::Array<double, rows, Eigen::Dynamic> response, rate_of_response;
+};
+
 // A stop that a mass of this contact mode may come to or is held at, with what stays positive until
 // something happens there: the gap sigma (s - x) of a free mass, the pressing force of a held one.
 template <int D>
@@ -35,6 +52,9 @@ struct Contact {
   Reading<D> watched;
   Eigen::Array<double, D, 1> reach;  // bound of its rate, per unit bound of the speed of every lane
   Reading<D> press;  // force that would press a free mass into the stop if it were at rest there
+  // Of what it watches: built when first asked for, and again when lanes that moved have died out
+  // or others have come to move.
+  mutable ReadingWeights weights = {};
 };
 
 template <int D>
@@ -42,7 +62,6 @@ struct ContactMode {
   static constexpr int masses = D == Eigen::Dynamic ? Eigen::Dynamic : D - 2;
   using Lanes = Eigen::Array<double, D, 1>;
   Held held;
-  std::size_t number = 0;  // in the order in which a run entered its modes
   Lanes kappa, lambda;
   Lanes rate;            // largest modulus of a characteristic root of each lane
   Lanes extent;          // largest modulus in each column of `shape`
@@ -64,6 +83,7 @@ struct ContactMode {
   bool any_resonant = false;
   Eigen::Index forcing_lanes = 0;  // 2 at the end, cos(Omega t) and sin(Omega t), or none
   std::vector<Contact<D>> contacts;
+  mutable FlowWeights<D> flow_weights = {};  // built as those of the contacts
 
   Eigen::Index lanes() const {
     return kappa.size();
@@ -88,7 +108,6 @@ struct Modes {
     auto found = built.find(held);
     if (found == built.end()) {
       found = built.emplace(held, build_contact_mode<D>(scene, held)).first;
-      found->second.number = built.size() - 1;
       ++counters.modes_built;
       counters.forcing_lanes = scene.forced() ? 2 : 0;
     }

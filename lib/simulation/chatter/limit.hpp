@@ -66,15 +66,14 @@ bool others_stay_clear(Chatter<D> &chatter, const State<D> &state, double left) 
 // orders from `from` to `to`, in units of powers of the span of the path.
 template <int D>
 void add_responses(State<D> &state, State<D> &sum, const typename Chatter<D>::Hit &hit,
-                   const Expansion &path, const Weights<D> &flow, const double *moments, int from,
-                   int to) {
+                   const Expansion &path, const double *moments, int from, int to) {
   const ContactMode<D> &mode = *state.mode;
   for (Eigen::Index i = 0; i < mode.modal_lanes(); ++i) {
     OscillatorState response{0.0, 0.0};
     for (int n = from; n <= to; ++n) {
       const double moment = moments[n] * path.power[static_cast<std::size_t>(n)];
-      response.value += moment * flow.response(i, n);
-      response.slope += moment * flow.rate_of_response(i, n);
+      response.value += moment * mode.flow_weights.response(i, n);
+      response.slope += moment * mode.flow_weights.rate_of_response(i, n);
     }
     const auto added = lane_after(mode, i, hit.jump_value(i), hit.jump_slope(i), response);
     state.value(i) += added.value;
@@ -136,22 +135,19 @@ Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit
 // of the time of the limit does not show it.)
 template <int D>
 double move_to_limit(Chatter<D> &chatter, const ChatterLimit &limit, const Scene &scene,
-                     const Clock &clock, double scene_rate, Weights<D> &weights,
-                     const Expansion &path, const State<D> &before, State<D> &state,
-                     Counters &counters) {
+                     const Clock &clock, double scene_rate, const Expansion &path,
+                     const State<D> &before, State<D> &state, Counters &counters) {
   const ContactMode<D> &mode = *before.mode;
   State<D> &responses = chatter.responses;
   responses.value.setZero(mode.lanes());
   responses.slope.setZero(mode.lanes());
   state = before;
   const std::size_t hits = chatter.hits.size(), oldest = chatter.table.nodes[limit.oldest].impact;
-  if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);
-  move_lanes(state, scene, clock, weights, path, path.span);
+  move_lanes(state, scene, clock, path, path.span);
   double error = 0.0;
   for (std::size_t j = 0; j < hits; ++j) {
     const Moments moments = extrapolate_moments(chatter, limit, j, path);
-    add_responses(state, responses, chatter.hits[j], path, weights, moments.of.data(), 2,
-                  path.order);
+    add_responses(state, responses, chatter.hits[j], path, moments.of.data(), 2, path.order);
     double sum = 0.0, power = path.power[1];
     for (int n = 2; n <= path.order; ++n)
       sum += std::abs(moments.change[static_cast<std::size_t>(n)]) * (power *= path.power[1] / n);
@@ -161,7 +157,7 @@ double move_to_limit(Chatter<D> &chatter, const ChatterLimit &limit, const Scene
   for (std::size_t j = 0; j < hits; ++j) {
     const double gap = watched_now(state, mode.contacts[chatter.impacts.contacts[j]]);
     const double moments[2] = {0.0, -gap / path.span};
-    add_responses(state, responses, chatter.hits[j], path, weights, moments, 1, 1);
+    add_responses(state, responses, chatter.hits[j], path, moments, 1, 1);
   }
   tie_decays(state);
   for (const std::size_t k : chatter.impacts.contacts) place_at_stop(state, mode.contacts[k], 0.0);
@@ -173,7 +169,7 @@ double move_to_limit(Chatter<D> &chatter, const ChatterLimit &limit, const Scene
       read_gap(state, contact);
     } else {
       Polynomial gap;
-      read_along(before, k, weights, path, scene_rate, gap, counters);
+      read_along(before, contact, path, scene_rate, gap, counters);
       const Jet carried = jet_at(gap, 0, 1.0);
       const auto &on_lanes = contact.watched.on_value;
       set_in_flight(state.stops[contact.stop], carried.value + (on_lanes * responses.value).sum(),

@@ -20,38 +20,11 @@ struct Expansion {
   detail::Powers power{};
 };
 
-// Taylor coefficients of a reading, per unit of every lane: those of order n, in units of rate^-n.
-// Orders come in packets of four; per packet one column for every y, then for every y' of a mode
-// (y' of the forcing lanes is known from their values).
-struct ReadingWeights {
-  double rate = -1.0;  // of the fastest lane that may be in motion; -1 before they are built
-  Eigen::Array<double, 4, Eigen::Dynamic> weight;
-};
-
-// The weights of one contact mode: of what its contacts watch, and of its flow; built when first
-// asked for, and again when lanes that moved have died out or others have come to move.
-template <int D>
-struct Weights {
-  static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : (D - 1) / 2 * 2;
-  std::vector<ReadingWeights> watched;
-  // Taylor coefficients of the solution S of every mode with S(0) = 0, S'(0) = 1, and of S', in
-  // terms of rate * time: column n is of order n, with the rows filled up to an even number.
-  double rate = -1.0;
-  Eigen::Array<double, rows, Eigen::Dynamic> response, rate_of_response;
-};
-
 template <int D>
 void build_weights(const ContactMode<D> &mode, const Reading<D> &reading, double rate,
                    ReadingWeights &weights);
 template <int D>
-void build_flow_weights(const ContactMode<D> &mode, double rate, Weights<D> &weights);
-
-// Those of this contact mode, among the weights of all modes a run has entered.
-template <int D>
-Weights<D> &weights_of(std::vector<Weights<D>> &all, const ContactMode<D> &mode) {
-  if (all.size() <= mode.number) all.resize(mode.number + 1);
-  return all[mode.number];
-}
+void build_flow_weights(const ContactMode<D> &mode, double rate, FlowWeights<D> &weights);
 
 // Rate of the fastest lane that is in motion.
 template <int D>
@@ -121,17 +94,15 @@ void drop_rounding(const State<D> &state, const ReadingWeights &of, const Expans
   }
 }
 
-// Sets `p` to what contact k of the mode watches, along the path, with what is known exactly in
+// Sets `p` to what a contact of the mode watches, along the path, with what is known exactly in
 // place of what rounding left: a gap and its speed, leading zeros and the coefficient behind them.
 // `scene_rate` is the unit in which that is carried.
 template <int D>
-void read_along(const State<D> &state, std::size_t k, Weights<D> &weights, const Expansion &path,
+void read_along(const State<D> &state, const Contact<D> &contact, const Expansion &path,
                 double scene_rate, Polynomial &p, Counters &counters) {
   using detail::Packet;
   const ContactMode<D> &mode = *state.mode;
-  const Contact<D> &contact = mode.contacts[k];
-  if (weights.watched.empty()) weights.watched.resize(mode.contacts.size());
-  ReadingWeights &of = weights.watched[k];
+  ReadingWeights &of = contact.weights;
   if (of.rate != path.rate) build_weights(mode, contact.watched, path.rate, of);
   const Eigen::Index columns = mode.lanes() + mode.modal_lanes();
   const double *weight = of.weight.data();
@@ -173,8 +144,8 @@ OscillatorState lane_after(const ContactMode<D> &mode, Eigen::Index j, double va
 // Moves the lanes along the path by tau, and the time: a short way by the series of the flow, any
 // way in closed form.
 template <int D>
-void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, Weights<D> &weights,
-                const Expansion &path, double tau) {
+void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, const Expansion &path,
+                double tau) {
   using Pair = Eigen::Array<double, 2, 1>;
   const ContactMode<D> &mode = *state.mode;
   const double x = path.rate * tau;
@@ -185,6 +156,7 @@ void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, Weights
     const typename State<D>::Lanes value = state.value, slope = state.slope;
     flow(mode, value, slope, tau, state.value, state.slope);
   } else {
+    FlowWeights<D> &weights = mode.flow_weights;
     if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);
     const double w = x * x;
     const Eigen::Index stride = weights.response.rows();

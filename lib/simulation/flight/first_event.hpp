@@ -21,11 +21,9 @@ struct Flight {
     std::optional<Root> root;  // its first one on the path
   };
   Expansion path;
-  std::vector<Weights<D>> all_weights;  // by mode, in the order of their entry
-  Weights<D> *weights = nullptr;        // of the mode the state is in
-  std::vector<Watch> watched;           // by contact of the mode
-  Eigen::Array<double, D, 1> speeds;    // bounds of those of the lanes
-  double u = 1.0;                       // of the first event, or the end of the path
+  std::vector<Watch> watched;         // by contact of the mode
+  Eigen::Array<double, D, 1> speeds;  // bounds of those of the lanes
+  double u = 1.0;                     // of the first event, or the end of the path
   bool eventful = false;
   bool all_clear = false;  // no contact was near
 };
@@ -57,7 +55,7 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
       continue;
     }
     flight.all_clear = false;
-    read_along(state, k, *flight.weights, path, scene_rate, watch.polynomial, counters);
+    read_along(state, contact, path, scene_rate, watch.polynomial, counters);
     watch.root = first_root(watch.polynomial, limit, counters);
     if (!watch.root) continue;
     flight.eventful = true;
@@ -84,7 +82,7 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
   const Expansion &path = flight.path;
   const bool ends_here = flight.eventful && u == flight.u;
   if (u > 0.0) {
-    move_lanes(state, scene, clock, *flight.weights, path, u * path.span);
+    move_lanes(state, scene, clock, path, u * path.span);
     drop_dead_lanes(state);
   }
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {

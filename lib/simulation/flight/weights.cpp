@@ -41,7 +41,7 @@ void build_weights(const ContactMode<D> &mode, const Reading<D> &reading, double
 }
 
 template <int D>
-void build_flow_weights(const ContactMode<D> &mode, double rate, Weights<D> &weights) {
+void build_flow_weights(const ContactMode<D> &mode, double rate, FlowWeights<D> &weights) {
   using Eigen::Index;
   const Index modal = mode.modal_lanes();
   weights.rate = rate;
@@ -62,10 +62,10 @@ void build_flow_weights(const ContactMode<D> &mode, double rate, Weights<D> &wei
 }
 
 template void build_weights(const ContactMode<4> &, const Reading<4> &, double, ReadingWeights &);
-template void build_flow_weights(const ContactMode<4> &, double, Weights<4> &);
+template void build_flow_weights(const ContactMode<4> &, double, FlowWeights<4> &);
 template void build_weights(const ContactMode<Eigen::Dynamic> &, const Reading<Eigen::Dynamic> &,
                             double, ReadingWeights &);
 template void build_flow_weights(const ContactMode<Eigen::Dynamic> &, double,
-                                 Weights<Eigen::Dynamic> &);
+                                 FlowWeights<Eigen::Dynamic> &);
 
 }  // namespace vibro_impact

@@ -164,8 +164,8 @@ void take_limit(Run<D> &run) {
   Expansion path;
   expand(fastest, limit->left, run.options.flight_tolerance, path, run.counters);
   State<D> &there = run.at_limit;
-  const double error = move_to_limit(chatter, *limit, run.scene, run.clock, run.scene_rate,
-                                     *run.flight.weights, path, state, there, run.counters);
+  const double error = move_to_limit(chatter, *limit, run.scene, run.clock, run.scene_rate, path,
+                                     state, there, run.counters);
   if (limit->error * fastest + error > run.options.chatter_tolerance) return;
   for (const std::size_t k : chatter.impacts.contacts)  // a border orbit or beyond
     if (!(state.mode->contacts[k].press(there.value, there.slope) > 0.0)) return;

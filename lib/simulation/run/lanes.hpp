@@ -14,7 +14,7 @@ void end_undisturbed(Run<D> &run, double remaining) {
   sample_flight(run, remaining);
   if (run.over) return;
   run.at_end = run.state;
-  move_lanes(run.at_end, run.scene, run.clock, *run.flight.weights, path, remaining);
+  move_lanes(run.at_end, run.scene, run.clock, path, remaining);
   read_gaps(run.at_end);
   run.at_end.now = run.end;
   ++run.counters.modal_evaluations;
@@ -50,7 +50,6 @@ template <int D>
 void run_on(Run<D> &run) {
   State<D> &state = run.state;
   while (!run.over) {
-    run.flight.weights = &weights_of(run.flight.all_weights, *state.mode);
     const double remaining = elapsed(state.now, run.end, run.clock);
     if (state.clear && (state.mode->contacts.empty() || stays_clear_for_ever(state, run.scene)))
       return end_undisturbed(run, remaining);
@@ -143,7 +142,6 @@ void start_from(Run<D> &run, const RunState::Numbers &from) {
   const ContactMode<D> &mode = run.modes.enter(run.scene, from.held, run.counters);
   run.state = state_in(from, run.scene, mode);
   if (from.chatter.times.empty()) return;
-  run.flight.weights = &weights_of(run.flight.all_weights, mode);
   begin(run.chatter, mode, run.scene, from.chatter.contacts);
   run.chatter.impacts = from.chatter;
   for (const ChatterTable::Node &node : from.nodes) extend(run.chatter.table, node);

@@ -136,7 +136,7 @@ void sample_flight(Run<D> &run, double tau) {
             ": lies before the motion, which is at t = ", time_of(run.state.now, run.clock));
     State<D> &between = run.between;
     between = run.state;
-    move_lanes(between, run.scene, run.clock, *run.flight.weights, run.flight.path, after);
+    move_lanes(between, run.scene, run.clock, run.flight.path, after);
     ++run.counters.modal_evaluations;
     const MomentOf<D> moment(between, instant, run.clock);
     for (const RecorderRef &ref : run.recorders) {
