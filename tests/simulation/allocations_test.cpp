@@ -2,10 +2,12 @@
 // contact mode that the run has not been in before.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
 #include "reference/scenes/extreme_cases.hpp"
+#include "reference/scenes/long_chain.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace {
@@ -14,9 +16,17 @@ long long allocations = 0;
 
 }  // namespace
 
+// The linker puts this in place of malloc (--wrap), which Eigen calls, and below it operator new.
+extern "C" {
+void *__real_malloc(std::size_t size);
+void *__wrap_malloc(std::size_t size) {
+  ++allocations;
+  return __real_malloc(size);
+}
+}
+
 // Not inlined, so that the compiler does not see that the one calls malloc and the other free.
 [[gnu::noinline]] void *operator new(std::size_t size) {
-  ++allocations;
   if (void *memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
@@ -31,27 +41,38 @@ namespace {
 
 using namespace vibro_impact;
 
-// Allocations since the event at `from`, as they stood at the latest event.
+// Allocations between events from time `from` on; unless `all`, not up to the first event in
+// another contact mode, for which the stores get another size.
 struct Allocations {
-  double from = 0.0;
-  long long at_first = -1, at_latest = 0;
-  int events = 0;
+  double from;
+  bool all;
+  long long found = 0, at_latest = -1;
+  int events = 0, in_this_mode = 0;
+  Held held = {};
 
   void event(const Event &event, const Moment &) {
     if (event.time < from) return;
     ++events;
-    if (at_first < 0) at_first = allocations;
+    in_this_mode = event.held == held ? in_this_mode + 1 : 0;
+    if (at_latest >= 0 && (all || in_this_mode > 1)) found += allocations - at_latest;
+    held = event.held;
     at_latest = allocations;
   }
 };
 
-TEST(Allocations, NoneFromTheFirstEventOfTwoMassesToTheLast) {
-  for (const Scene &scene : {paper::figure2(), paper::figure4a(), paper::figure5a()}) {
-    // Every contact mode has been entered, and every store has its size.
-    Allocations counted{.from = 200.0};
+TEST(Allocations, NoneFromTheFirstEventToTheLast) {
+  Scene damped = paper::figure2(), resonant = paper::figure2();
+  damped.beta = 5.0;
+  resonant.beta = 0.0;
+  resonant.omega = std::sqrt(0.5 * (3.0 - std::sqrt(5.0)));
+  for (const Scene &scene : {paper::figure2(), paper::figure4a(), paper::figure5a(), resonant,
+                             damped, figures::long_chain()}) {
+    // Every contact mode has been entered, and every store has its size. Two masses have four lanes
+    // unless they are strongly damped; others have as many as the contact mode needs.
+    Allocations counted{.from = 200.0, .all = scene.masses() == 2 && scene.beta < 1.0};
     simulate(scene, 1000.0, {}, counted);
     EXPECT_GT(counted.events, 100);
-    EXPECT_EQ(counted.at_latest - counted.at_first, 0);
+    EXPECT_EQ(counted.found, 0);
   }
 }
 

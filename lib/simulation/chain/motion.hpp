@@ -59,8 +59,7 @@ template <int D>
 void drop_dead_lanes(State<D> &state) {
   const ContactMode<D> &mode = *state.mode;
   if (!mode.stiff) return;
-  const Eigen::Array<double, D, 1> share =
-      mode.extent * mode.rate * (mode.rate * state.value.abs() + state.slope.abs());
+  const auto share = mode.extent * mode.rate * (mode.rate * state.value.abs() + state.slope.abs());
   const double dead = lost * share.sum();
   for (Eigen::Index j = 0; j < mode.lanes(); ++j)
     if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 && share(j) <= dead)
@@ -133,12 +132,14 @@ struct Masses {
   Eigen::Matrix<double, ContactMode<D>::masses, 1> displacement, velocity;
 };
 
-// A free mass in a narrow gap is placed by the carried one, between two of them by the narrower.
+// Sets those of a state. A free mass in a narrow gap is placed by the carried one, between two of
+// them by the narrower.
 template <int D>
-Masses<D> masses_of(const State<D> &state, const Scene &scene) {
+void set_masses(const State<D> &state, const Scene &scene, Masses<D> &masses) {
   const ContactMode<D> &mode = *state.mode;
-  Masses<D> masses{mode.equilibrium + mode.shape * state.value.matrix(),
-                   mode.shape * state.slope.matrix()};
+  masses.displacement = mode.equilibrium;
+  masses.displacement.noalias() += mode.shape * state.value.matrix();
+  masses.velocity.noalias() = mode.shape * state.slope.matrix();
   for (const Contact<D> &contact : mode.contacts) {
     if (contact.held || is_wide(state, contact)) continue;
     const AtStop &stop = state.stops[contact.stop];
@@ -150,7 +151,6 @@ Masses<D> masses_of(const State<D> &state, const Scene &scene) {
     masses.displacement(i) = scene.stops[contact.stop].position - contact.sigma * stop.gap;
     masses.velocity(i) = -contact.sigma * stop.speed;
   }
-  return masses;
 }
 
 // Sets how far these displacements, and velocities in units of `rate`, may be off by rounding: that

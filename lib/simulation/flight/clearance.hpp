@@ -48,18 +48,17 @@ template <int D>
 bool stays_clear_for_ever(const State<D> &state, const Scene &scene) {
   const ContactMode<D> &mode = *state.mode;
   const Eigen::Index modal = mode.modal_lanes(), c = modal, s = modal + 1;
-  Eigen::Array<double, D, 1> amplitude = state.value.abs();
-  for (Eigen::Index j = 0; j < modal; ++j) {
-    if (mode.lambda(j) > 0.0)
-      amplitude(j) = std::sqrt(state.value(j) * state.value(j) +
-                               state.slope(j) * state.slope(j) / mode.lambda(j));
-    if (mode.resonant(j) == 0.0) continue;
-    const double detuning = mode.lambda(j) - scene.omega * scene.omega,
-                 loss = mode.kappa(j) * scene.omega;
-    if (loss == 0.0) return false;  // it grows, or is the rigid-body mode
+  for (Eigen::Index j = 0; j < modal; ++j)  // it grows, or is the rigid-body mode
+    if (mode.resonant(j) != 0.0 && mode.kappa(j) * scene.omega == 0.0) return false;
+  const auto amplitude = [&](Eigen::Index j) {
+    const double y = state.value(j), v = state.slope(j), lambda = mode.lambda(j);
+    const double largest = lambda > 0.0 ? std::sqrt(y * y + v * v / lambda) : std::abs(y);
+    if (mode.resonant(j) == 0.0) return largest;
+    const double detuning = lambda - scene.omega * scene.omega, loss = mode.kappa(j) * scene.omega;
     // The steady response, and as much once more in the deviation from it.
-    amplitude(j) += 2.1 * std::abs(mode.resonant(j)) / std::sqrt(detuning * detuning + loss * loss);
-  }
+    return largest +
+           2.1 * std::abs(mode.resonant(j)) / std::sqrt(detuning * detuning + loss * loss);
+  };
   for (const Contact<D> &contact : mode.contacts) {
     const Reading<D> &watched = contact.watched;
     double swing = 0.0, rest = watched.offset;

@@ -8,35 +8,35 @@ template <int D>
 void build_weights(const ContactMode<D> &mode, const Reading<D> &reading, double rate,
                    ReadingWeights &weights) {
   using Eigen::Index;
-  using Column = Eigen::Array<double, Eigen::Dynamic, 1>;
   const Index lanes = mode.lanes(), modal = mode.modal_lanes(), columns = lanes + modal;
   weights.rate = rate;
   weights.weight.setZero(4, (max_order / 4 + 1) * columns);
-  const auto takes_part = [&](Index j) { return mode.rate(j) <= rate; };
-  Column p = reading.on_value, q = reading.on_slope.head(modal);
-  const double omega = lanes > modal ? std::sqrt(mode.lambda(lanes - 1)) : 0.0;
-  if (lanes > modal) {
-    p(modal) += omega * reading.on_slope(modal + 1);
-    p(modal + 1) -= omega * reading.on_slope(modal);
-  }
+  // P and Q of order n; zero of lanes that take no part.
+  const auto p = [&](int n, Index j) -> double & {
+    return weights.weight(n % 4, (n / 4) * columns + j);
+  };
+  const auto q = [&](int n, Index j) -> double & { return p(n, lanes + j); };
+  for (Index j = 0; j < lanes; ++j)
+    if (j >= modal || mode.rate(j) <= rate) p(0, j) = reading.on_value(j);
   for (Index j = 0; j < modal; ++j)
-    if (!takes_part(j)) p(j) = q(j) = 0.0;
-  for (int n = 0; n <= max_order; ++n) {
-    const Index group = (n / 4) * columns;
-    weights.weight.row(n % 4).segment(group, lanes) = p;
-    weights.weight.row(n % 4).segment(group + lanes, modal) = q;
+    if (mode.rate(j) <= rate) q(0, j) = reading.on_slope(j);
+  const double omega = lanes > modal ? std::sqrt(mode.lambda(lanes - 1)) : 0.0;
+  const Index c = modal, s = modal + 1;
+  if (lanes > modal) {
+    p(0, c) += omega * reading.on_slope(s);
+    p(0, s) -= omega * reading.on_slope(c);
+  }
+  for (int n = 0; n < max_order; ++n) {
     const double scale = 1.0 / (rate * (n + 1));
-    double on_cosine = 0.0, on_sine = 0.0;
-    if (lanes > modal) {
-      on_cosine = omega * p(modal + 1) + (q * mode.resonant.head(modal)).sum();
-      on_sine = -omega * p(modal);
-    }
+    double driven = 0.0;
     for (Index j = 0; j < modal; ++j) {
-      const double before = p(j);
-      p(j) = takes_part(j) ? -mode.lambda(j) * q(j) * scale : 0.0;
-      q(j) = takes_part(j) ? (before - mode.kappa(j) * q(j)) * scale : 0.0;
+      p(n + 1, j) = -mode.lambda(j) * q(n, j) * scale;
+      q(n + 1, j) = (p(n, j) - mode.kappa(j) * q(n, j)) * scale;
+      driven += q(n, j) * mode.resonant(j);
     }
-    if (lanes > modal) p.tail(2) << on_cosine * scale, on_sine * scale;
+    if (lanes == modal) continue;
+    p(n + 1, c) = (omega * p(n, s) + driven) * scale;
+    p(n + 1, s) = -omega * p(n, c) * scale;
   }
 }
 

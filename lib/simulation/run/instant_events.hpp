@@ -106,7 +106,8 @@ void hold_or_release(Run<D> &run, const Masses<D> *start = nullptr) {
   gather_resting(run, start != nullptr);
   if (run.question.resting.empty()) return;
   State<D> &state = run.state;
-  const Masses<D> masses = start == nullptr ? masses_of(state, run.scene) : *start;
+  if (start == nullptr) set_masses(state, run.scene, run.masses);
+  const Masses<D> &masses = start == nullptr ? run.masses : *start;
   Derivatives &at = run.question.at;
   at.x.assign(masses.displacement.begin(), masses.displacement.end());
   at.v.assign(masses.velocity.begin(), masses.velocity.end());

@@ -175,10 +175,10 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
   else
     start_from(run, start.state->numbers());
   run_on(run);
-  const Masses<D> masses = masses_of(run.at_end, scene);
+  set_masses(run.at_end, scene, run.masses);
   return {{run.at_end.now,
-           {masses.displacement.begin(), masses.displacement.end()},
-           {masses.velocity.begin(), masses.velocity.end()},
+           {run.masses.displacement.begin(), run.masses.displacement.end()},
+           {run.masses.velocity.begin(), run.masses.velocity.end()},
            run.at_end.mode->held},
           time_of(run.at_end.now, run.clock),
           run.ending,
