@@ -137,9 +137,10 @@ TEST(DegenerateScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
 // that leaves its stop as another hits, of which the resumed run made one chatter (17920); light
 // neighbours in fast motion, of which the extrapolated moments knew too little (11744, 14640); a
 // chain that has died down to rounding on a stop without static force, held and freed once a span
-// or so, which piled up at one instant (10179).
+// or so, which piled up at one instant (10179); a chatter limit at r = 0.05 of three impacts, whose
+// estimated error was small by chance (7222).
 TEST(RandomScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
-  for (const unsigned seed : {10179u, 11744u, 14640u, 17920u, 703549u})
+  for (const unsigned seed : {7222u, 10179u, 11744u, 14640u, 17920u, 703549u})
     EXPECT_EQ(try_scenes(ordinary, seed, 1), 0);
 }
 

@@ -18,10 +18,11 @@ constexpr double same_instant = 0x1p-46;  // time, in units of the fastest rate
 constexpr double max_reach = 2.0;        // rate * span of the longest expansion
 constexpr double beyond_expected = 1.2;  // span of a short one, in the flight expected
 
-constexpr std::size_t max_chatter_nodes = 10;   // of the extrapolation
-constexpr double node_ratio = 0.75;             // of x from node to node, at most
-constexpr double luck = 1.0 / 4.0;              // of the estimate before, that one may be believed
-constexpr double responses_share = 1.0 / 32.0;  // of what the oldest node changes, as their error
+constexpr std::size_t max_chatter_nodes = 10;    // of the extrapolation
+constexpr std::size_t fewest_chatter_nodes = 4;  // at which a limit may be taken
+constexpr double node_ratio = 0.75;              // of x from node to node, at most
+constexpr double luck = 1.0 / 4.0;               // of the estimate before, that one may be believed
+constexpr double responses_share = 1.0 / 32.0;   // of what the oldest node changes, as their error
 constexpr double near_limit = 1.0 / 16.0;  // of the time left, that it may differ from predicted
 constexpr double jumps_to_come = 1.5;      // in those of a geometric sequence
 constexpr double next_speed = 1.125;       // of the next impact, in that after the latest

@@ -25,7 +25,7 @@ struct ChatterLimit {
 template <int D>
 std::optional<ChatterLimit> extrapolate(const Chatter<D> &chatter, double tolerance) {
   const ChatterTable &table = chatter.table;
-  if (table.nodes.size() < 2 || !(table.error <= tolerance)) return std::nullopt;
+  if (table.nodes.size() < fewest_chatter_nodes || !(table.error <= tolerance)) return std::nullopt;
   const std::size_t last = table.nodes.size() - 1;
   const double now = chatter.impacts.times.back(), predicted = table.nodes[last].predicted - now;
   const double left = table.row[table.best].limit() - now;
