@@ -33,8 +33,8 @@ struct ReadingWeights {
   Eigen::Array<double, 4, Eigen::Dynamic> weight;
 };
 
-// Taylor coefficients of the solution S of every mode with S(0) = 0, S'(0) = 1, and of S', in terms
-// of rate * time: column n is of order n, with the rows filled up to an even number.
+// Taylor coefficients of the solution S of every mode with S(0) = 0, S'(0) = 1, and of S' - 1, in
+// terms of rate * time: column n is of order n, with the rows filled up to an even number.
 template <int D>
 struct FlowWeights {
   static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : (D - 1) / 2 * 2;

@@ -54,15 +54,19 @@ void tie_decays(State<D> &state) {
 }
 
 // Drops the damped lanes that have died out: those whose share in the acceleration lies far below
-// the rounding of the whole. A stiff scene then moves at the pace of what is still in motion.
+// the rounding of the whole, and in the displacement as well, where a slow lane remains when the
+// fast ones are gone. A stiff scene then moves at the pace of what is still in motion.
 template <int D>
 void drop_dead_lanes(State<D> &state) {
   const ContactMode<D> &mode = *state.mode;
   if (!mode.stiff) return;
-  const auto share = mode.extent * mode.rate * (mode.rate * state.value.abs() + state.slope.abs());
-  const double dead = lost * share.sum();
+  const auto speed = mode.extent * (mode.rate * state.value.abs() + state.slope.abs());
+  const double acceleration = (speed * mode.rate).sum(),
+               displacement = (mode.extent * state.value.abs()).sum();
   for (Eigen::Index j = 0; j < mode.lanes(); ++j)
-    if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 && share(j) <= dead)
+    if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 &&
+        speed(j) * mode.rate(j) <= lost * acceleration &&
+        speed(j) / mode.rate(j) <= lost * displacement)
       state.value(j) = state.slope(j) = 0.0;
 }
 

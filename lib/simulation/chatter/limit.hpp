@@ -75,7 +75,7 @@ void add_responses(State<D> &state, State<D> &sum, const typename Chatter<D>::Hi
       response.value += moment * mode.flow_weights.response(i, n);
       response.slope += moment * mode.flow_weights.rate_of_response(i, n);
     }
-    const auto added = lane_after(mode, i, hit.jump_value(i), hit.jump_slope(i), response);
+    const auto added = change_of(mode, i, hit.jump_value(i), hit.jump_slope(i), response);
     state.value(i) += added.value;
     state.slope(i) += added.slope;
     sum.value(i) += added.value;

@@ -132,11 +132,12 @@ void read_along(const State<D> &state, const Contact<D> &contact, const Expansio
   }
 }
 
-// Lane j where S and S' have these values. One solution, S with S(0) = 0 and S'(0) = 1, gives all
-// others: C = S' + kappa S, C' = -lambda S.
+// What lane j changes by where S and S' - 1 have these values. One solution, S with S(0) = 0 and
+// S'(0) = 1, gives all others: C = S' + kappa S, C' = -lambda S. (Changes are added up: C itself, a
+// number next to 1, is rounded alike in all of many flights of one length.)
 template <int D>
-OscillatorState lane_after(const ContactMode<D> &mode, Eigen::Index j, double value, double slope,
-                           const OscillatorState &s) {
+OscillatorState change_of(const ContactMode<D> &mode, Eigen::Index j, double value, double slope,
+                          const OscillatorState &s) {
   return {value * (s.slope + mode.kappa(j) * s.value) + slope * s.value,
           slope * s.slope - mode.lambda(j) * value * s.value};
 }
@@ -174,10 +175,10 @@ void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, const E
       }
       const Pair response = even + x * odd, rate = even_slope + x * odd_slope;
       for (Eigen::Index i = j; i < std::min(modal, j + 2); ++i) {
-        const auto after =
-            lane_after(mode, i, state.value(i), state.slope(i), {response(i - j), rate(i - j)});
-        state.value(i) = after.value;
-        state.slope(i) = after.slope;
+        const auto change =
+            change_of(mode, i, state.value(i), state.slope(i), {response(i - j), rate(i - j)});
+        state.value(i) += change.value;
+        state.slope(i) += change.slope;
       }
     }
   }

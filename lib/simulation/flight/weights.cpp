@@ -55,7 +55,7 @@ void build_flow_weights(const ContactMode<D> &mode, double rate, FlowWeights<D> 
       weights.response(j, n + 1) =
           -(damping * n * weights.response(j, n) + stiffness * weights.response(j, n - 1)) /
           (n * (n + 1.0));
-    for (int n = 0; n <= max_order; ++n)
+    for (int n = 1; n <= max_order; ++n)
       weights.rate_of_response(j, n) = (n + 1) * weights.response(j, n + 1);
   }
   weights.response /= rate;
