@@ -39,7 +39,7 @@ endforeach()
 find_program(gnuplot gnuplot)
 if(gnuplot)
   run(${CMAKE_COMMAND} -E chdir ${folder} ${installed}/bin/vibro-impact run --until 30
-      --plot run.svg)
+      --samples run.csv --plot run.svg)
   if(NOT EXISTS ${folder}/run.svg)
     message(FATAL_ERROR "vibro-impact run --plot: no picture")
   endif()

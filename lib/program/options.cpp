@@ -58,8 +58,8 @@ void add_run_options(CLI::App &run, Request &request) {
   option(run, "--samples", request.samples, "FILE",
          "Displacements time,x1,x2,... (CSV); - for standard output");
   option(run, "--plot", request.plot, "FILE",
-         "Picture of the displacements, stops, impacts and sticking from --from on, by\n"
-         "gnuplot: .png, .pdf or .svg; of at most 8 masses, those with stops first");
+         "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
+         "impacts of --events; .png, .pdf or .svg");
   option(run, "--save-state", request.save_state, "FILE",
          "The scene and the state at the end of the run, for --resume");
   option(run, "--resume", request.resume, "FILE",

@@ -1,11 +1,12 @@
-# The picture of a run, to standard output. The program sends, before this file, below a row of NaN:
-#   $stop           mass, position
-#   $impact         time, mass, position
-#   $displacement   time, and of every mass drawn its displacement, and that again where it sticks
-# and
-#   masses, layers  the masses drawn and what there is to be drawn, in words
-#   from, to, kind  the times between which they are drawn, and the terminal
-rows = words(masses)
+# The picture of a run, drawn from its tables to standard output. Called by the program, or by hand:
+#   gnuplot -c plot.gp terminal samples.csv events.csv lower upper >picture
+# where lower and upper are the positions of the stops of each mass, in words; NaN: no stop.
+kind = ARG1
+samples = ARG2
+events = ARG3
+lower = ARG4
+upper = ARG5
+rows = words(lower)
 height = 130 + 370 * rows
 if (kind eq 'pdfcairo') {
   set terminal pdfcairo size 14in,(height / 100.0)in font 'Liberation Serif,22' linewidth 2
@@ -13,6 +14,7 @@ if (kind eq 'pdfcairo') {
   set terminal @kind size 1400,height font 'Liberation Serif,22' linewidth 2
 }
 set encoding utf8
+set datafile separator ','
 set border linewidth 0.7 linecolor rgb '#202020'
 set tics nomirror out scale 0.6
 set key outside top right horizontal reverse Left samplen 2.5 noautotitle
@@ -23,21 +25,23 @@ set style line 4 linecolor rgb '#e0a030' linewidth 4
 set lmargin 11
 set rmargin 3
 set offsets 0, 0, graph 0.06, graph 0.06
-set xrange [from:to]
+stats samples using 1 nooutput
+set xrange [STATS_min:STATS_max]
+# A mass sticks where it stands exactly on its stop; it hits the one that it moves towards.
+position(stops, mass) = real(word(stops, mass))
+stuck(mass, x) = x == position(lower, mass) || x == position(upper, mass) ? x : NaN
+hit(mass, v) = position(v > 0 ? upper : lower, mass)
+impact(k, mass, event, v) = mass == k && event eq 'impact' ? hit(mass, v) : NaN
+# The key stands above the first panel.
+key(k, name) = k == 1 ? name : ''
 set multiplot layout rows,1
-# What any panel shows stands in the key above the first.
-key(k, layer) = k == 1 && strstrt(layers, layer) ? layer : ''
 do for [k = 1:rows] {
-  of(mass, x) = mass == int(word(masses, k)) ? x : NaN
-  set ylabel 'x_{'.word(masses, k).'}'
+  set ylabel sprintf('x_{%d}', k)
   if (k == rows) { set xlabel 'time' }
-  plot $stop using (from):(of($1, $2)):(to - from):(0) with vectors nohead linestyle 3, \
-       $displacement using 1:(column(2 * k + 1)) with lines linestyle 4, \
-       $displacement using 1:(column(2 * k)) with lines linestyle 1, \
-       $impact using 1:(of($2, $3)) with points linestyle 2, \
-       NaN with lines linestyle 3 title key(k, 'stop'), \
-       NaN with lines linestyle 4 title key(k, 'sticking'), \
-       NaN with lines linestyle 1 title key(k, 'displacement'), \
-       NaN with points linestyle 2 title key(k, 'impact')
+  plot position(lower, k) with lines linestyle 3 title key(k, 'stop'), \
+       position(upper, k) with lines linestyle 3, \
+       samples using 1:(stuck(k, column(k + 1))) with lines linestyle 4 title key(k, 'sticking'), \
+       samples using 1:(column(k + 1)) with lines linestyle 1 title key(k, 'displacement'), \
+       events using 1:(impact(k, int($2), strcol(3), $4)) with points linestyle 2 title key(k, 'impact')
 }
 unset multiplot

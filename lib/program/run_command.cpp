@@ -131,12 +131,11 @@ SavedRun start_of(const Request &request) {
 struct Files {
   std::optional<EventRows> events;
   std::optional<SampleRows> samples;
-  std::optional<Output> state;
-  std::optional<Plot> plot;
+  std::optional<Output> state, picture;
 
   Files(const Request &of, const SavedRun &start, int (*signal)()) {
-    if (!of.plot.empty())
-      plot.emplace(of.plot, start.scene, std::max(of.from, start.time), of.until);
+    if (!of.plot.empty()) check_plot(of, start.scene);
+    if (!of.plot.empty()) picture.emplace(of.plot);
     if (!of.save_state.empty()) state.emplace(of.save_state);
     if (!of.events.empty()) events.emplace(of.events, of.from);
     if (!of.samples.empty()) samples.emplace(of, start.scene, signal);
@@ -163,7 +162,6 @@ Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*
   std::vector<RecorderRef> recorders{recorder_ref(interruption)};
   if (files.events) recorders.push_back(recorder_ref(*files.events));
   if (files.samples) recorders.push_back(recorder_ref(*files.samples));
-  if (files.plot) recorders.push_back(recorder_ref(*files.plot));
   // No progress line mixes with a table on standard output.
   if (request.progress || (request.events != "-" && request.samples != "-"))
     recorders.push_back(recorder_ref(shown));
@@ -207,7 +205,7 @@ void run_scene(const Request &request, int (*signal)()) {
   if (text) files.state->write(*text);
   if (state_lost) files.state.reset();
   files.finish();
-  if (files.plot) files.plot->draw(outcome.time);
+  if (files.picture) draw(request, start.scene, *files.picture);
   std::string remark;
   if (files.events || files.samples) remark += "; the tables hold what came before";
   if (files.state) remark += "; the state reached is saved";
