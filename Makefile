@@ -86,7 +86,7 @@ atlas-full: configured-runner
 	$(make_target) vibro-impact
 	@mkdir -p build/figures
 	@build/bin/vibro-impact sweep --vary omega=0.2:0.8:2000 --vary restitution=0:0.98:1500 --longest 200 \
-	  --table build/figures/atlas_full.csv --resume --progress
+	  --table build/figures/atlas_full.csv --resume
 
 test: configured-tests
 	$(make_target) test_programs

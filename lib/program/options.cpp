@@ -74,9 +74,6 @@ void add_run_options(CLI::App &run, Request &request) {
   option(run, "--max-impacts", request.options.max_impacts_per_period, "N",
          "Give up beyond this many impacts in one forcing period")
       ->check(any_count);
-  run.add_flag("--progress", request.progress,
-               "Say how far the run is and how long it still takes, on standard error, also where\n"
-               "that is no terminal");
 }
 
 void check_run(const Request &request) {
@@ -127,8 +124,6 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
       "--no-lyapunov", [&request] { request.records.lyapunov = false; },
       "Leave out the Lyapunov exponent");
   sweep.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
-  sweep.add_flag("--progress", request.progress,
-                 "Show progress and time left also where standard error is no terminal");
 }
 
 // The version and the options given, but for those that the table does not depend on. The order of
@@ -137,8 +132,7 @@ std::string definition_of(const CLI::App &sweep) {
   std::string text = VIBRO_IMPACT_VERSION;
   for (const CLI::Option *option : sweep.get_options()) {
     const std::string name = option->get_name();
-    if (name == "--table" || name == "--resume" || name == "--threads" || name == "--progress")
-      continue;
+    if (name == "--table" || name == "--resume" || name == "--threads") continue;
     for (const std::string &value : option->results()) text += fmt::format(" {}={}", name, value);
   }
   return text;

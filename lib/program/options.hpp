@@ -14,7 +14,7 @@ struct SweepRequest {
   RecordOptions records = {};
   int threads = 0;  // 0: all
   std::string table;
-  bool resume = false, progress = false;
+  bool resume = false;
   std::string definition = {};  // everything that the table depends on, in one line
 };
 
@@ -25,7 +25,6 @@ struct Request {
   RunOptions options;
   double until = 750.0, from = 0.0, every = 0.01;
   std::string events, samples, save_state, resume, plot;
-  bool progress = false;                   // also where standard error is no terminal
   std::optional<SweepRequest> sweep = {};  // instead of a run
 };
 

@@ -11,15 +11,7 @@ namespace vibro_impact {
 
 namespace {
 
-using namespace std::chrono_literals;
-
 constexpr const char *wipe = "\r\033[K";
-
-std::string duration(double seconds) {
-  for (const auto &[unit, length] : {std::pair{"days", 86400.0}, {"h", 3600.0}, {"min", 60.0}})
-    if (seconds >= 2.0 * length) return fmt::format("{:.3g} {}", seconds / length, unit);
-  return fmt::format("{:.0f} s", std::ceil(seconds));
-}
 
 }  // namespace
 
@@ -28,18 +20,16 @@ std::string progress_line(const std::string &of_what, double before, double done
   const double percent = total > 0.0 ? std::floor(100.0 * (done / total)) : 100.0;
   std::string line = fmt::format("{}: {:.6g} of {:.6g} ({:.0f} %)", of_what, done, total, percent);
   if (done > before)
-    line += ", " + duration(seconds * ((total - done) / (done - before))) + " left";
+    line += fmt::format(", {:.3g} min left", seconds / 60.0 * ((total - done) / (done - before)));
   return line;
 }
 
-Progress::Progress(std::string of_what, double total, bool asked_for, double before)
+Progress::Progress(std::string of_what, double total, double before)
     : of_what_(std::move(of_what)),
       total_(total),
       before_(before),
       done_(before),
-      terminal_(isatty(STDERR_FILENO) != 0),
-      asked_for_(asked_for),
-      next_(start_ + 2s) {
+      terminal_(isatty(STDERR_FILENO) != 0) {
 }
 
 void Progress::reach(double done) {
@@ -54,7 +44,6 @@ void Progress::advance() {
 
 void Progress::show(double done) {
   done_ = done;
-  if (!terminal_ && !asked_for_) return;
   const auto now = Clock::now();
   if (now < next_) return;
   const double seconds = std::chrono::duration<double>(now - start_).count();
@@ -62,7 +51,7 @@ void Progress::show(double done) {
   // Not fmt::print, which throws where the terminal is gone.
   std::fprintf(stderr, "%s%s%s", terminal_ ? wipe : "", line.c_str(), terminal_ ? "" : "\n");
   shown_ = true;
-  next_ = terminal_ ? now + 200ms : start_ + 2 * (now - start_);
+  next_ = terminal_ ? now + std::chrono::milliseconds(200) : start_ + 2 * (now - start_);
 }
 
 Progress::~Progress() {

@@ -157,14 +157,13 @@ struct Files {
 Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*signal)(),
                            Files &files) {
   Interruption interruption{signal, files.events};
-  Progress progress("time", request.until, request.progress, start.time);
+  Progress progress("time", request.until, start.time);
   ShownProgress shown{progress};
   std::vector<RecorderRef> recorders{recorder_ref(interruption)};
   if (files.events) recorders.push_back(recorder_ref(*files.events));
   if (files.samples) recorders.push_back(recorder_ref(*files.samples));
   // No progress line mixes with a table on standard output.
-  if (request.progress || (request.events != "-" && request.samples != "-"))
-    recorders.push_back(recorder_ref(shown));
+  if (request.events != "-" && request.samples != "-") recorders.push_back(recorder_ref(shown));
   Outcome outcome =
       request.resume.empty()
           ? simulate_seen(start.scene, vibro_impact::start_of(start.scene), request.until,

@@ -34,8 +34,7 @@ void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of
   PartialTable partial(to.path + ".partial", request.definition, text.text, request.resume);
   const std::size_t points = request.grid.points(), first = partial.points();
   std::size_t settled = 0, given_up = 0;
-  Progress progress("sweep", static_cast<double>(points), request.progress,
-                    static_cast<double>(first));
+  Progress progress("sweep", static_cast<double>(points), static_cast<double>(first));
   const auto take = [&](std::size_t point, const Row &row) {
     if (row.empty()) ++given_up;
     if (!row.empty() && row.front() > 0.0) ++settled;

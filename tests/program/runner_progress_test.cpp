@@ -12,24 +12,24 @@ TEST(Progress, SaysHowFarAndHowLongStill) {
   const auto line = [](double before, double done, double total, double seconds) {
     return progress_line("time", before, done, total, seconds);
   };
-  EXPECT_EQ(line(0, 75, 750, 3), "time: 75 of 750 (10 %), 27 s left");
-  EXPECT_EQ(line(0, 75.5, 750, 30), "time: 75.5 of 750 (10 %), 4.47 min left");
+  EXPECT_EQ(line(0, 75, 750, 3), "time: 75 of 750 (10 %), 0.45 min left");
   EXPECT_EQ(line(700, 725, 750, 4000), "time: 725 of 750 (96 %), 66.7 min left");
-  EXPECT_EQ(line(0, 1, 101, 2 * 86400), "time: 1 of 101 (0 %), 200 days left");
-  EXPECT_EQ(line(0, 1e-3, 1e15, 2), "time: 0.001 of 1e+15 (0 %), 2.31e+13 days left");
-  EXPECT_EQ(line(0, 750, 750, 9), "time: 750 of 750 (100 %), 0 s left");
+  EXPECT_EQ(line(0, 1e-3, 1e15, 2), "time: 0.001 of 1e+15 (0 %), 3.33e+16 min left");
+  EXPECT_EQ(line(0, 750, 750, 9), "time: 750 of 750 (100 %), 0 min left");
   EXPECT_EQ(line(700, 700, 750, 5), "time: 700 of 750 (93 %)") << "nothing known of the pace";
 }
 
-// Not in the first two seconds; then lines at 2, 4, 8, ... where it is asked for, one line that is
-// rewritten on a terminal.
+// Not in the first two seconds; then lines at 2, 4, 8, ..., one line that is rewritten on a
+// terminal, none beside a table.
 TEST_F(Runner, TheProgressOfARunIsShownAndWiped) {
   const std::string program = VIBRO_IMPACT_PROGRAM " run --until 1e15 --events /dev/null ";
-  const Result lines_of = run("--version; timeout -s TERM 3 " + program + "--progress");
+  const Result lines_of = run("--version; timeout -s TERM 3 " + program);
   EXPECT_EQ(lines_of.err.rfind("time: ", 0), 0u) << lines_of.err;
   EXPECT_NE(lines_of.err.find(" left\nvibro-impact: interrupted at t = "), std::string::npos)
       << lines_of.err;
-  EXPECT_EQ(run("--version; timeout -s TERM 3 " + program).err.rfind("vibro-impact: ", 0), 0u);
+  EXPECT_EQ(run("--version; timeout -s TERM 3 " + program + "--samples - --every 1e14")
+                .err.rfind("vibro-impact: ", 0),
+            0u);
   const Result shown =
       run("--version >/dev/null; timeout 3 script -qefc 'exec " + program + "' /dev/null");
   const std::string wipe = "\r\033[K";

@@ -146,22 +146,6 @@ TEST_F(Runner, TheFirstLinkMayBeAbsent) {
   EXPECT_EQ(run("run --masses 1 --stiffness 0 --stop none --until 5").status, 0);
 }
 
-TEST_F(Runner, BashCompletesOptionsAndCommands) {
-  const auto completed = [this](const std::string &words, int at) {
-    return run("--version >/dev/null; PATH=\"$(dirname " VIBRO_IMPACT_PROGRAM
-               "):$PATH\" bash -c '. " REFERENCE_DIR
-               "/../lib/program/completion.bash; COMP_WORDS=(" +
-               words + "); COMP_CWORD=" + std::to_string(at) +
-               "; _vibro_impact vibro-impact; echo \"${COMPREPLY[@]}\"'")
-        .out;
-  };
-  EXPECT_EQ(completed("vibro-impact ru", 1), "run\n");
-  EXPECT_EQ(completed("vibro-impact run --initial", 2),
-            "--initial-displacement --initial-velocity\n");
-  EXPECT_EQ(completed("vibro-impact run --he", 2), "--help\n");
-  EXPECT_EQ(completed("vibro-impact run --events e", 3), "\n") << "files, by bash";
-}
-
 TEST_F(Runner, HelpAndVersionExplainThemselves) {
   for (const char *command : {"run --help", "--help"}) {
     const Result help = run(command);
@@ -173,8 +157,8 @@ TEST_F(Runner, HelpAndVersionExplainThemselves) {
   const std::string options = run("run --help").out;
   for (const char *word :
        {"Usage: vibro-impact run", "--masses", "--stop", "--beta", "--resolve-chatter",
-        "--initial-velocity", "--max-impacts", "--save-state", "--resume", "--plot", "--progress",
-        "Ctrl-C", "mass:side:position:restitution"})
+        "--initial-velocity", "--max-impacts", "--save-state", "--resume", "--plot", "Ctrl-C",
+        "mass:side:position:restitution"})
     EXPECT_NE(options.find(word), std::string::npos) << word;
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
 }
