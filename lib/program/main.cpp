@@ -8,7 +8,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "output.hpp"
 
 namespace {
 
@@ -36,9 +35,7 @@ int main(int argc, char **argv) {
     if (request.sweep) {
       run_sweep(*request.sweep, processes);
     } else if (speaks && answer) {
-      Output out("-");
-      out.write(*answer);
-      out.complete();
+      std::fputs(answer->c_str(), stdout);
     } else if (speaks) {
       run_scene(request);
     }

@@ -11,44 +11,40 @@ namespace vibro_impact::runner {
 
 namespace {
 
-constexpr const char *purpose =
-    R"(Simulates a chain of masses with rigid stops under harmonic forcing.
-All quantities are non-dimensional. Masses are counted from 1; the link of mass i joins it to
+constexpr const char *notes =
+    R"(All quantities are non-dimensional. Masses are counted from 1; the link of mass i joins it to
 mass i - 1 (mass 1 to the ground). A single value stands for all masses; a list has one value
 per mass, separated by commas. The defaults are those of Wagg (2006), Figure 2 (its omega is
-reconstructed, not printed).)";
+reconstructed, not printed).
 
-constexpr const char *run_footer = R"(Example:
+Example:
   vibro-impact run --omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from 700
-    --events events.csv --samples samples.csv --every 0.01 --resolve-chatter 1e-4 --plot run.png
+    --events events.csv --samples samples.csv --every 0.01 --plot run.png
 Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick or
 release; contact_mode lists the stuck masses after the event (-, 1, 2, 1+2).
 In two parts, the tables of the second going on where those of the first end:
   vibro-impact run --until 700 --events first.csv --save-state at700.state
   vibro-impact run --resume at700.state --until 750 --events second.csv
-Ctrl-C ends a run early: its tables hold what came before, and --save-state what --resume goes
-on from.
-Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input, 130 ended
-by Ctrl-C (128 + the number of the signal).)";
 
-constexpr const char *sweep_footer = R"(Example, on two machines or one:
-  vibro-impact sweep --vary omega=0.25:0.7:901 --vary restitution=0.1:0.9:81 --table atlas.csv
-  mpirun -n 4 vibro-impact sweep --vary stop1=-0.4:-0.2:101 --table stops.csv --resume
-The points are those of nested loops, the first range outermost. Columns: the parameters;
-period (in forcing periods, 0: none up to --max-period); sticks and impacts of every mass per
-forcing period (a mean over the period, or over --counted; impacts of a complete chatter,
-infinitely many, are not counted); dual_sticking (1: two masses are held at some time);
-lyapunov (greatest Lyapunov exponent, per unit of time; empty: its sign is not certain); pairs
-(DG, DS, DI, GS, GI, SI or -).
-A point at which the run is given up has empty cells. The table does not depend on the
-number of threads or processes. Until it is complete its rows stand in FILE.partial, from
-which --resume goes on.
-Exit status: 0 done, 1 a file could not be written, 2 bad input, 130 ended by Ctrl-C.)";
+Example, on two machines or one:
+  mpirun -n 4 vibro-impact sweep --vary omega=0.25:0.7:901 --vary stop1=-0.4:-0.2:81
+    --table atlas.csv
+The points are those of nested loops, the first range outermost; the table does not depend on
+threads and processes. Columns: the parameters; period (in forcing periods, 0: none up to 8);
+sticks and impacts of every mass per forcing period (a mean over the period, or over 40;
+impacts of a complete chatter, infinitely many, are not counted); dual_sticking (1: two masses
+are held at some time); lyapunov (greatest Lyapunov exponent, per unit of time; empty: its sign
+is not certain); pairs (DG, DS, DI, GS, GI, SI or -). A point at which the run is given up has
+empty cells. Until the table is complete its rows stand in FILE.partial.
 
-const CLI::Range up_to_a_million(1, 1'000'000);
+Ctrl-C ends both; --resume goes on, a run from --save-state, a sweep from its rows.
+Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input, 130
+ended by Ctrl-C (128 + the number of the signal).)";
+
 const CLI::Range any_count(1LL, 1'000'000'000'000'000LL);
 
 void add_run_options(CLI::App &run, Request &request) {
+  run.option_defaults()->configurable(false);  // the motion does not depend on them
   option(run, "--until", request.until, "TIME", "End of the run, > 0");
   option(run, "--from", request.from, "TIME",
          "Start of both tables; the run itself starts at t = 0");
@@ -98,7 +94,18 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
          "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
          "restitution, or restitution2 (of a stop), stop1 (its position),\n"
          "amplitude2, mass1, stiffness1, displacement1, velocity1")
-      ->default_str("");
+      ->default_str("")
+      ->required();
+  option(sweep, "--longest", settle.longest, "N",
+         "Forcing periods after which a motion counts as not settling")
+      ->check(CLI::Range(1, 1'000'000));
+  option(sweep, "--max-impacts", settle.run.max_impacts_per_period, "N",
+         "Give up a point beyond this many impacts in one forcing period")
+      ->check(any_count);
+  sweep.add_flag("--no-lyapunov{false}", request.records.lyapunov,
+                 "Leave out the Lyapunov exponent");
+  sweep.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
+  sweep.option_defaults()->configurable(false);  // the rows do not depend on them
   option(sweep, "--table", request.table, "FILE", "The table (CSV)")->required();
   sweep.add_flag("--resume", request.resume,
                  "Go on with what a sweep that was ended left of --table");
@@ -107,46 +114,6 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
          "processor")
       ->default_str("")
       ->check(CLI::Range(1, 1024));
-  option(sweep, "--longest", settle.longest, "N",
-         "Forcing periods after which a motion counts as not settling")
-      ->check(up_to_a_million);
-  option(sweep, "--counted", request.records.counted, "N",
-         "Forcing periods over which such a motion is recorded after that")
-      ->check(up_to_a_million);
-  option(sweep, "--max-period", settle.most, "N", "Largest period looked for")
-      ->check(CLI::Range(1, 1000));
-  option(sweep, "--tolerance", settle.tolerance, "NUMBER",
-         "Of what is still to come when a motion counts as settled");
-  option(sweep, "--max-impacts", settle.run.max_impacts_per_period, "N",
-         "Give up a point beyond this many impacts in one forcing period")
-      ->check(any_count);
-  sweep.add_flag_callback(
-      "--no-lyapunov", [&request] { request.records.lyapunov = false; },
-      "Leave out the Lyapunov exponent");
-  sweep.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
-}
-
-// The version and the options given, but for those that the table does not depend on. The order of
-// --vary alone counts: it is that of the loops.
-std::string definition_of(const CLI::App &sweep) {
-  std::string text = VIBRO_IMPACT_VERSION;
-  for (const CLI::Option *option : sweep.get_options()) {
-    const std::string name = option->get_name();
-    if (name == "--table" || name == "--resume" || name == "--threads") continue;
-    for (const std::string &value : option->results()) text += fmt::format(" {}={}", name, value);
-  }
-  return text;
-}
-
-// What CLI11 says of a command line that it does not take, in words that name the rule.
-[[noreturn]] void refuse_as(const CLI::ParseError &error, const CLI::App &app) {
-  const std::string said = error.what(), kind = error.get_name();
-  if (!app.remaining(true).empty()) refuse("not expected: {}", fmt::join(app.remaining(true), " "));
-  if (kind == "ArgumentMismatch")
-    refuse("{}: {}", said.substr(0, said.find(':')),
-           said.find("At Most") < said.size() ? "may be given once" : "needs a value");
-  if (kind == "ConversionError") refuse("{}: must be a number", said);
-  refuse("{}", said);
 }
 
 }  // namespace
@@ -155,17 +122,16 @@ std::optional<std::string> parse(int argc, char **argv, Request &request) {
   SceneOptions scene;
   SweepRequest swept;
   std::vector<std::string> ranges;
-  CLI::App app(purpose, "vibro-impact");
-  app.footer(run_footer);
+  CLI::App app("Simulates a chain of masses with rigid stops under harmonic forcing",
+               "vibro-impact");
+  app.footer(notes);
   app.set_version_flag("--version", "vibro-impact " VIBRO_IMPACT_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables"),
            &sweep =
                *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
-  run.footer(run_footer);
   add_scene_options(run, scene);
   add_run_options(run, request);
-  sweep.footer(sweep_footer);
   add_scene_options(sweep, scene);
   add_sweep_options(sweep, swept, ranges);
   try {
@@ -173,31 +139,28 @@ std::optional<std::string> parse(int argc, char **argv, Request &request) {
   } catch (const CLI::CallForVersion &version) {
     return fmt::format("{}\n", version.what());
   } catch (const CLI::CallForHelp &) {
-    for (const CLI::App *command : {&run, &sweep})
-      if (command->parsed()) return fmt::format("{}\n\n{}", purpose, command->help(app.get_name()));
     return app.help();
   } catch (const CLI::ParseError &error) {
-    refuse_as(error, app);
+    const std::vector<std::string> others = app.remaining(true);
+    if (!others.empty()) refuse("not expected: {}", fmt::join(others, " "));
+    refuse("{}", error.what());
   }
+  if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
 
   if (run.parsed()) check_run(request);
+  request.scene_text = given(run);
   if (!request.resume.empty()) {
-    for (const CLI::Option *of_scene : scene.all)
-      if (of_scene->count() > 0)
-        refuse("{}: the scene comes from --resume {} and cannot be changed", of_scene->get_name(),
-               request.resume);
+    if (!request.scene_text.empty())
+      refuse("--resume {}: the scene comes from there, and cannot be changed by{}", request.resume,
+             request.scene_text);
     return std::nullopt;
   }
   request.scene = scene_of(scene);
-  request.scene_text = text_of(scene);
   if (run.parsed()) return std::nullopt;
-  if (ranges.empty()) refuse("sweep: needs a range --vary parameter=from:to:count");
-  if (!(swept.records.settle.tolerance > 0.0))
-    refuse("--tolerance {}: must be positive", swept.records.settle.tolerance);
   swept.grid.scene = request.scene;
   for (const std::string &range : ranges) swept.grid.axes.push_back(axis_of(range));
   check(swept.grid);
-  swept.definition = definition_of(sweep);
+  swept.definition = VIBRO_IMPACT_VERSION + given(sweep);
   request.sweep = std::move(swept);
   return std::nullopt;
 }

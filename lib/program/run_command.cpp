@@ -196,28 +196,20 @@ void run_scene(const Request &request, int (*signal)()) {
   Files files(request, start, signal);
   remember_signals();
   const Outcome outcome = simulate_or_resume(request, start, signal, files);
-  // A run that was given up may be gone on with, too, under another limit of impacts: unless its
-  // numbers have left the range of double precision.
-  std::optional<std::string> text;
-  if (files.state) text = text_of({start.scene_text, start.scene, outcome.resume, outcome.time});
-  const bool state_lost = files.state && !text;
-  if (text) files.state->write(*text);
-  if (state_lost) files.state.reset();
+  // A run that was given up may be gone on with, too, under another limit of impacts.
+  if (files.state)
+    files.state->write(text_of({start.scene_text, start.scene, outcome.resume, outcome.time}));
   files.finish();
   if (files.picture) draw(request, start.scene, *files.picture);
   std::string remark;
   if (files.events || files.samples) remark += "; the tables hold what came before";
   if (files.state) remark += "; the state reached is saved";
-  if (state_lost) remark += "; there is no state to be saved";
   if (outcome.ending == Ending::given_up)
     throw std::runtime_error(fmt::format("{} with x = {}, x' = {}{}", outcome.reason,
                                          fmt::join(outcome.state.displacement, ", "),
                                          fmt::join(outcome.state.velocity, ", "), remark));
   if (outcome.ending == Ending::stopped)  // a table that cannot be written has thrown in `finish`
     throw EndedBySignal{signal(), fmt::format("interrupted at t = {}{}", outcome.time, remark)};
-  if (state_lost)
-    throw std::runtime_error(
-        fmt::format("--save-state {}: the state is out of range", request.save_state));
   summarise(outcome);
 }
 

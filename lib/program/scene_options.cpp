@@ -1,6 +1,5 @@
 #include "scene_options.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -65,39 +64,30 @@ Stop stop_of(const std::string &text) {
 }  // namespace
 
 void add_scene_options(CLI::App &app, SceneOptions &words) {
-  const auto add = [&](const char *name, auto &value, const char *type, const char *what) {
-    CLI::Option *added = option(app, name, value, type, what);
-    words.all.push_back(added);
-    return added;
-  };
-  add("--masses", words.masses, "N", "Number of masses")->check(CLI::Range(1, most_masses));
-  add("--mass", words.mass, "LIST", "m_i > 0");
-  add("--stiffness", words.stiffness, "LIST",
-      "k_i > 0, link by link; k_1 = 0: a free chain, not tied to the ground");
-  add("--beta", words.beta, "NUMBER",
-      "Of the damping C = beta K (the paper's c / k): the dampers of the links are\n"
-      "proportional to their stiffness");
-  add("--restitution", words.restitution, "NUMBER",
-      "Coefficient of restitution r in [0, 1] of the stops that have none of their own");
-  add("--amplitude", words.amplitude, "LIST",
-      "A_i of the forcing A cos(Omega t). Default: 0.5 on mass 1");
-  add("--omega", words.omega, "NUMBER",
-      "Forcing frequency Omega >= 0; the default is reconstructed, not printed");
-  add("--stop", words.stops, "STOP",
-      "mass:side:position or mass:side:position:restitution, with side lower or\n"
-      "upper, repeatable; none: a chain without stops. Default: 1:lower:-0.3 and\n"
-      "2:upper:0.1")
+  option(app, "--masses", words.masses, "N", "Number of masses")->check(CLI::Range(1, most_masses));
+  option(app, "--mass", words.mass, "LIST", "m_i > 0");
+  option(app, "--stiffness", words.stiffness, "LIST",
+         "k_i > 0, link by link; k_1 = 0: a free chain, not tied to the ground");
+  option(app, "--beta", words.beta, "NUMBER",
+         "Of the damping C = beta K (the paper's c / k): the dampers of the links are\n"
+         "proportional to their stiffness");
+  option(app, "--restitution", words.restitution, "NUMBER",
+         "Coefficient of restitution r in [0, 1] of the stops that have none of their own");
+  option(app, "--amplitude", words.amplitude, "LIST",
+         "A_i of the forcing A cos(Omega t). Default: 0.5 on mass 1");
+  option(app, "--omega", words.omega, "NUMBER",
+         "Forcing frequency Omega >= 0; the default is reconstructed, not printed");
+  option(app, "--stop", words.stops, "STOP",
+         "mass:side:position or mass:side:position:restitution, with side lower or\n"
+         "upper, repeatable; none: a chain without stops. Default: 1:lower:-0.3 and\n"
+         "2:upper:0.1")
       ->default_str("");
-  add("--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
-  add("--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
+  option(app, "--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
+  option(app, "--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
 }
 
 Scene scene_of(const SceneOptions &words) {
   const auto size = static_cast<std::size_t>(words.masses);
-  const bool no_stop_given = words.stops.empty();
-  if (size < 2 && no_stop_given)
-    refuse("--masses {}: the default stops stand on masses 1 and 2; give --stop, or --stop none",
-           words.masses);
   Scene scene;
   scene.mass = per_mass("--mass", words.mass, size);
   scene.stiffness = per_mass("--stiffness", words.stiffness, size);
@@ -109,7 +99,7 @@ Scene scene_of(const SceneOptions &words) {
   scene.omega = number("--omega " + words.omega, words.omega);
   scene.displacement = per_mass("--initial-displacement", words.displacement, size);
   scene.velocity = per_mass("--initial-velocity", words.velocity, size);
-  if (no_stop_given) scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
+  if (words.stops.empty()) scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
   if (words.stops != std::vector<std::string>{"none"})
     for (const std::string &stop : words.stops) scene.stops.push_back(stop_of(stop));
   check(scene);
@@ -125,11 +115,11 @@ Axis axis_of(const std::string &text) {
           static_cast<std::size_t>(whole_number(given, range[2], 1e9))};
 }
 
-std::string text_of(const SceneOptions &options) {
+std::string given(const CLI::App &app) {
   std::string text;
-  for (const CLI::Option *option : options.all)
+  for (const CLI::Option *option : app.get_options())
     for (const std::string &value : option->results())
-      text += fmt::format("{}={}\n", option->get_name(), value);
+      if (option->get_configurable()) text += fmt::format(" {}={}", option->get_name(), value);
   return text;
 }
 
@@ -137,11 +127,8 @@ Scene scene_in(const std::string &text) {
   CLI::App app;
   SceneOptions options;
   add_scene_options(app, options);
-  std::vector<std::string> lines = CLI::detail::split(text, '\n');
-  std::reverse(lines.begin(), lines.end());  // as CLI11 wants them
-  std::erase(lines, "");
   try {
-    app.parse(lines);
+    app.parse(text);
   } catch (const CLI::ParseError &error) {
     refuse("{}", error.what());
   }

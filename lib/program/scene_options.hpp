@@ -15,18 +15,15 @@ struct SceneOptions {
   std::string mass = "1", stiffness = "1", beta = "0.1", restitution = "0.7", amplitude = {};
   std::string omega = "0.2797", displacement = "0", velocity = "0";
   std::vector<std::string> stops = {};
-
-  std::vector<const CLI::Option *> all = {};  // that took them
 };
 
 // An option that takes one value.
 template <class Value>
 CLI::Option *option(CLI::App &app, const char *name, Value &value, const char *type,
                     const char *what) {
-  return app.add_option(name, value, what)
-      ->type_name(type)
-      ->capture_default_str()
-      ->check([](const std::string &word) { return word.empty() ? "needs a value" : ""; });
+  CLI::Option *added = app.add_option(name, value, what)->type_name(type)->capture_default_str();
+  if constexpr (std::is_same_v<Value, double>) added->check(CLI::Number);
+  return added->check([](const std::string &word) { return word.empty() ? "needs a value" : ""; });
 }
 
 void add_scene_options(CLI::App &app, SceneOptions &options);
@@ -36,8 +33,9 @@ void add_scene_options(CLI::App &app, SceneOptions &options);
 Scene scene_of(const SceneOptions &options);
 Axis axis_of(const std::string &text);  // parameter=from:to:count
 
-// The options that were given, one a line as --name=value, and the scene they stand for.
-std::string text_of(const SceneOptions &options);
+// The options given on which a motion depends (those that are configurable, as CLI11 has it), as
+// words --name=value in one line; and the scene that such words stand for.
+std::string given(const CLI::App &app);
 Scene scene_in(const std::string &text);
 
 }  // namespace vibro_impact::runner

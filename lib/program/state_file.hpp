@@ -1,11 +1,10 @@
 // The file of a run that can be gone on with: the scene and where the run stood.
 //
 // Plain text: the version of the format and a checksum of the rest; the options that gave the
-// scene, one a line; the time; the lines in which the library keeps its state.
+// scene, in one line; the time; the lines in which the library keeps its state.
 #pragma once
 
 #include <istream>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,8 +19,8 @@ struct SavedRun {
   double time = 0.0;  // the end of the run so far, up to which its tables reach
 };
 
-// The whole file; nothing when the state cannot be gone on with, its numbers being out of range.
-std::optional<std::string> text_of(const SavedRun &run);
+// The whole file.
+std::string text_of(const SavedRun &run);
 
 // The first line of a file, before the others.
 std::string first_line(std::string_view others);

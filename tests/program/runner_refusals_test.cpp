@@ -42,9 +42,9 @@ const std::vector<BadCase> runs = {
     {"--stop 1:upper:nan", "nan"},
     {"--stop 1.5:upper:1", "1.5:upper:1"},
     {"--stop 0:upper:1", "0:upper:1"},
-    {"--masses 1", "--masses 1: the default stops"},
+    {"--masses 1", "stop on mass 2"},
     {"--until 0", "--until 0: must be positive and finite"},
-    {"--until 1e", "--until = 1e: must be a number"},
+    {"--until 1e", "--until: Failed parsing 1e as a"},
     {"--until nan", "--until nan: must be positive"},
     {"--until inf", "--until inf: must be"},
     {"--omega 1e400", "--omega 1e400"},
@@ -56,6 +56,7 @@ const std::vector<BadCase> runs = {
     {"--from nan", "--from nan"},
     {"--every 0", "--every 0: must be positive"},
     {"--every 1e-14", "--every 1e-14"},
+    {"--every inf", "--every inf"},
     {"--masses 0", "--masses: Value 0 not in range 1 to 10000"},
     {"--masses 2.5", "Value 2.5 not in range"},
     {"--stiffness 1,0", "stiffness of link 2 = 0"},
@@ -68,8 +69,8 @@ const std::vector<BadCase> runs = {
     {"--max-impacts 2.5", "--max-impacts: Value 2.5 not in range"},
     {"--bogus 3", "not expected: --bogus 3"},
     {"--event t.csv", "not expected: --event t.csv"},
-    {"--omega", "--omega: needs a value"},
-    {"--omega 1 --omega 2", "--omega: may be given once"},
+    {"--omega", "--omega: 1 required NUMBER missing"},
+    {"--omega 1 --omega 2", "--omega: At Most 1 required but received 2"},
     {"stray", "not expected: stray"},
     {"--events /nonexistent/e.csv", "/nonexistent/e.csv"},
     {"--samples /nonexistent/s.csv", "/nonexistent/s.csv"},
@@ -83,14 +84,13 @@ const std::vector<BadCase> runs = {
     {"--save-state ''", "--save-state"},
     {"--resume ''", "--resume"},
     {"--resume absent.state", "--resume absent.state"},
-    {"--resume .", "--resume .: is not a state file"},
-    {"--resume /dev/zero", "--resume /dev/zero: is not a state file"},
+    {"--resume .", "--resume .: does not begin with"},
+    {"--resume /dev/zero", "--resume /dev/zero: does not begin with"},
 };
 
 const std::vector<BadCase> sweeps = {
-    {"", "needs a range"},
-    {"--vary omega=0.3:0.5:2 --table", "--table: needs a value"},
-    {"--omega 0.3", "needs a range"},
+    {"", "--vary is required"},
+    {"--vary omega=0.3:0.5:2 --table", "--table: 1 required FILE missing"},
     {"--vary omega=0.3:0.5", "--vary omega=0.3:0.5: must read parameter=from:to:count"},
     {"--vary omega=0.3:0.5:0", "--vary omega=0.3:0.5:0: '0' must be a whole number"},
     {"--vary omega=0.3:0.5:2.5", "whole number"},
@@ -110,9 +110,6 @@ const std::vector<BadCase> sweeps = {
     {"--vary omega=0.1:0.2:1e9 --vary beta=0.1:0.2:1e9", "more points"},
     {"--vary omega=0.3:0.5:2 --threads 0", "--threads: Value 0 not in range"},
     {"--vary omega=0.3:0.5:2 --longest 0", "--longest: Value 0"},
-    {"--vary omega=0.3:0.5:2 --counted x", "--counted: Value x"},
-    {"--vary omega=0.3:0.5:2 --max-period 0", "--max-period: Value 0"},
-    {"--vary omega=0.3:0.5:2 --tolerance 0", "--tolerance 0: must be positive"},
     {"--vary omega=0.3:0.5:2 --table -", "must be a file"},
     {"--vary omega=0.3:0.5:2 --table ''", "--table"},
     {"--vary omega=0.3:0.5:2 --table .", ".: is a directory"},
@@ -121,7 +118,7 @@ const std::vector<BadCase> sweeps = {
 };
 
 const std::vector<BadCase> commands = {
-    {"", "subcommand is required"},
+    {"", "needs a command, run or sweep"},
     {"walk", "not expected: walk"},
     {"sweep --vary omega=0.3:0.5:2", "--table is required"},
 };
