@@ -1,7 +1,6 @@
 #include "partial_table.hpp"
 
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -29,40 +28,29 @@ PartialTable::PartialTable(std::string path, const std::string &definition,
         path_);
   file_.reset(std::fopen(path_.c_str(), "abe"));
   if (!file_) refuse("{}: cannot be written: {}", path_, std::strerror(errno));
-  const int descriptor = fileno(file_.get());
-  if ((flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) || !is_ours())
+  if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     refuse("{}: another sweep is writing it", path_);
-  read([](std::string_view) {});
-  if (ftruncate(descriptor, static_cast<off_t>(size_)) != 0)
+  const std::size_t size = read([](std::string_view) {});
+  if (ftruncate(fileno(file_.get()), static_cast<off_t>(size)) != 0)
     refuse("{}: cannot be written: {}", path_, std::strerror(errno));
-  if (size_ == 0) append(head_);
+  if (size == 0) append(head_);
 }
 
-// The open file still has its name, and is as long as it was left.
-bool PartialTable::is_ours() const {
-  struct stat open = {};
-  return fstat(fileno(file_.get()), &open) == 0 && open.st_nlink > 0 &&
-         open.st_size >= static_cast<off_t>(size_);
-}
-
-void PartialTable::require_kept(bool kept) const {
-  if (!kept)
-    throw std::runtime_error(fmt::format("{}: was removed or cut while the sweep ran", path_));
-}
-
-// Hands on the header and the rows that stand there whole, and counts them.
-void PartialTable::read(const std::function<void(std::string_view)> &take) {
+// Hands on the header and the rows that stand there whole, and counts them. Returns the size of the
+// file up to the last of them.
+std::size_t PartialTable::read(const std::function<void(std::string_view)> &take) {
   checksum_ = {};
-  points_ = size_ = 0;
-  std::ifstream file(path_, std::ios::binary);
+  points_ = 0;
+  // The file that is held, whatever has its name.
+  std::ifstream file(fmt::format("/proc/self/fd/{}", fileno(file_.get())), std::ios::binary);
   std::string start(head_.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
   if (!head_.starts_with(start))
     refuse("{}: not the rows of this sweep: options and version must be those that began it",
            path_);
-  if (start.size() < head_.size()) return;
-  size_ = head_.size();
+  if (start.size() < head_.size()) return 0;
+  std::size_t size = head_.size();
   take(header_);
   for (std::string line; std::getline(file, line) && !file.eof();) {
     const std::string row = line.substr(0, line.rfind(' ')) + "\n";
@@ -71,16 +59,15 @@ void PartialTable::read(const std::function<void(std::string_view)> &take) {
       refuse("{} line {}: the checksum does not fit: the file was changed", path_, points_ + 3);
     take(row);
     ++points_;
-    size_ += line.size() + 1;
+    size += line.size() + 1;
   }
+  return size;
 }
 
 void PartialTable::append(const std::string &text) {
-  require_kept(is_ours());
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0)
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
-  size_ += text.size();
 }
 
 void PartialTable::add(std::string_view row) {
@@ -93,7 +80,8 @@ void PartialTable::finish(const std::string &name) {
   const std::size_t points = points_;
   Output output(name);
   read([&output](std::string_view row) { output.write(row); });
-  require_kept(points_ == points && is_ours());
+  if (points_ != points)
+    throw std::runtime_error(fmt::format("{}: was cut while the sweep ran", path_));
   output.complete();
   output.put_in_place();
   std::error_code ignored;

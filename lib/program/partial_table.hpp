@@ -3,8 +3,7 @@
 // Plain text: what sweep it is, the header of the table, then rows, each with a checksum of all
 // rows up to it. A last line that was cut short is dropped, and its point computed again; a file
 // that was changed is refused. One sweep at a time holds the file: it is locked and stays open
-// until the table is there, and that it is still the file that was written is looked at with every
-// row.
+// until the table is there, whatever happens to its name.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +30,7 @@ class PartialTable {
     return points_;
   }
   // The row of the next point, with the end of its line. Throws std::runtime_error when it cannot
-  // be written, and when the file was removed or cut in the meantime.
+  // be written.
   void add(std::string_view row);
   // Writes the table, read back and checked, to where it belongs, and removes this file. Throws,
   // and leaves a table that was there, unless all rows stand in the file.
@@ -41,11 +40,9 @@ class PartialTable {
   std::string path_, header_, head_;  // head_: definition and header
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
   Checksum checksum_ = {};
-  std::size_t points_ = 0, size_ = 0;  // size_: of the file up to the last of them
+  std::size_t points_ = 0;
 
-  bool is_ours() const;
-  void require_kept(bool kept) const;
-  void read(const std::function<void(std::string_view)> &take);
+  std::size_t read(const std::function<void(std::string_view)> &take);
   void append(const std::string &text);
 };
 
