@@ -12,9 +12,8 @@ struct EndedBySignal {
   std::string said;  // for standard error; may be empty
 };
 
-// From now on the first of them is remembered. The program may end by itself, with whole tables; it
-// is ended by a second signal, and when nobody has asked for the first within two seconds: in the
-// building of a contact mode of thousands of masses, or waiting for the reader of a pipe.
+// From now on they are remembered, so that the program may end by itself, with whole tables. One
+// that comes again ends it at once.
 void remember_signals();
 
 // The signal that came; 0: none. May be asked as often as one likes.

@@ -17,10 +17,7 @@ namespace vibro_impact::runner {
 namespace fs = std::filesystem;
 
 Destination::Destination(const std::string &name)
-    : path(name),
-      standard(path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" ||
-               path == "/proc/self/fd/1"),
-      direct(standard) {
+    : path(name), standard(path == "-" || path == "/dev/stdout"), direct(standard) {
   if (standard) return;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -37,7 +34,7 @@ Destination::Destination(const std::string &name)
 // is opened under it.
 Output::Output(const std::string &name)
     : to_(name), temporary_(to_.direct ? "" : fmt::format("{}.part{}", to_.path, getpid())) {
-  file_ = to_.standard ? stdout
+  file_ = to_.standard ? fdopen(dup(STDOUT_FILENO), "a")
           : to_.direct ? std::fopen(to_.path.c_str(), "ab")
                        : std::fopen(temporary_.c_str(), "wbx");
   if (file_ == nullptr)
@@ -46,7 +43,7 @@ Output::Output(const std::string &name)
 }
 
 Output::~Output() {
-  if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+  if (file_ != nullptr) std::fclose(file_);
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
@@ -56,14 +53,11 @@ void Output::write(std::string_view text) {
 }
 
 void Output::complete() {
-  const bool closed =
-      file_ == stdout ? std::fflush(stdout) == 0 : std::fclose(std::exchange(file_, nullptr)) == 0;
-  if (!closed && !failed()) error_ = errno;
-  if (to_.standard && error_ == EPIPE) throw EndedBySignal{SIGPIPE, ""};
+  if (std::fclose(std::exchange(file_, nullptr)) != 0 && !failed()) error_ = errno;
+  if (error_ == EPIPE) throw EndedBySignal{SIGPIPE, ""};
   if (failed())
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}",
-                                         to_.standard ? "standard output" : to_.path,
-                                         std::strerror(error_)));
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: {}", to_.path, std::strerror(error_)));
 }
 
 void Output::put_in_place() {

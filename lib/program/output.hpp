@@ -37,7 +37,7 @@ class Output {
     return error_ != 0;
   }
   // Closes the file. Throws std::runtime_error with one line that names it when a write failed, and
-  // EndedBySignal when the reader of standard output has left, which is no error.
+  // EndedBySignal when the reader of a pipe has left, which is no error.
   void complete();
   // Gives the complete file its name.
   void put_in_place();

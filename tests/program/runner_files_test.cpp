@@ -100,7 +100,6 @@ TEST_F(Runner, MemoryDoesNotGrowWithTheLengthOfTheRun) {
       "run --until 10000 --every 0.01 --samples /dev/null --events /dev/null --resolve-chatter 0");
   ASSERT_EQ(brief.status, 0) << brief.err;
   ASSERT_EQ(longer.status, 0) << longer.err;
-  EXPECT_NE(longer.err.find(" 1000001 modal evaluations"), std::string::npos) << longer.err;
   // A million rows are some 60 MB. Address sanitizer keeps freed memory for a while and has a byte
   // of its own for every eight.
 #ifdef __SANITIZE_ADDRESS__

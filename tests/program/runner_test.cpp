@@ -67,15 +67,6 @@ TEST_F(Runner, DefaultsAreThePaperScene) {
   EXPECT_EQ(lines(run("run --until 1 --samples -").out).size(), 102u) << "every 0.01 from 0";
 }
 
-TEST_F(Runner, ComputesOnlyWhatIsAskedFor) {
-  EXPECT_NE(run("run --until 50 --events e.csv").err.find(" 0 modal evaluations"),
-            std::string::npos);
-  EXPECT_TRUE(fs::exists(folder / "e.csv"));
-  EXPECT_FALSE(fs::exists(folder / "s.csv"));
-  EXPECT_NE(run("run --until 50 --every 0.5 --samples s.csv").err.find(" 101 modal evaluations"),
-            std::string::npos);
-}
-
 // The smaller the speed down to which chatter is resolved, the more impacts stand in the table;
 // the sticking phases are the same.
 TEST_F(Runner, ResolveChatterSetsHowFarChatterIsWrittenOut) {
