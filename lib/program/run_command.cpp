@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -37,7 +37,7 @@ struct StreamedTable {
   }
 };
 
-// A recorder of the events from time `from` on.
+// A recorder of the events from time `from` on. The run ends when they cannot be written.
 struct EventRows {
   StreamedTable table;
   double from;
@@ -50,6 +50,9 @@ struct EventRows {
     table.row.row(event.time, event.mass, name(event.kind), event.velocity_before,
                   event.velocity_after, contact_mode_name(event.held));
     table.hand_on();
+  }
+  bool done() const {
+    return table.file.failed();
   }
 };
 
@@ -86,41 +89,11 @@ struct SampleRows {
   }
 };
 
-// A recorder that ends the run after the flight in which a signal comes, or an event cannot be
-// written.
-struct Interruption {
-  int (*signal)();
-  const std::optional<EventRows> &events;
-
-  bool done() const {
-    return signal() != 0 || (events && events->table.file.failed());
-  }
-};
-
-// A recorder that shows, at the events, how far the run is.
-struct ShownProgress {
-  Progress &progress;
-
-  void event(const Event &event, const Moment &) {
-    progress.reach(event.time);
-  }
-};
-
-// A new state alone may take the place of the one that is read.
-void require_other_files(const Request &request) {
-  if (Destination(request.events).standard && Destination(request.samples).standard)
-    refuse("--events {} --samples {}: two tables cannot be written to one place", request.events,
-           request.samples);
-  std::error_code error;
-  for (const std::string &written : {request.events, request.samples, request.plot})
-    if (std::filesystem::equivalent(written, request.resume, error))
-      refuse("{}: cannot be written over --resume {}", written, request.resume);
-}
-
 // The run to go on with, or one that stands at its start.
 SavedRun start_of(const Request &request) {
   if (request.resume.empty()) return {request.scene_text, request.scene, {}, 0.0};
-  SavedRun saved = read_saved_run(request.resume);
+  std::ifstream file(request.resume, std::ios::binary);
+  SavedRun saved = read_saved_run(file, fmt::format("--resume {}", request.resume));
   if (request.until < saved.time)
     refuse("--until {}: lies before the end {} of the run saved in {}", request.until, saved.time,
            request.resume);
@@ -156,14 +129,14 @@ struct Files {
 // The outcome, in which `time` is the one up to which the tables reach.
 Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*signal)(),
                            Files &files) {
-  Interruption interruption{signal, files.events};
   Progress progress("time", request.until, start.time);
-  ShownProgress shown{progress};
-  std::vector<RecorderRef> recorders{recorder_ref(interruption)};
+  std::vector<RecorderRef> recorders{{.done = [signal] { return signal() != 0; }}};
   if (files.events) recorders.push_back(recorder_ref(*files.events));
   if (files.samples) recorders.push_back(recorder_ref(*files.samples));
   // No progress line mixes with a table on standard output.
-  if (request.events != "-" && request.samples != "-") recorders.push_back(recorder_ref(shown));
+  if (request.events != "-" && request.samples != "-")
+    recorders.push_back(
+        {.event = [&progress](const Event &event, const Moment &) { progress.reach(event.time); }});
   Outcome outcome =
       request.resume.empty()
           ? simulate_seen(start.scene, vibro_impact::start_of(start.scene), request.until,
@@ -174,20 +147,12 @@ Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*
   return outcome;
 }
 
-// To standard error, come what may: a terminal that is gone does not undo what the run has done.
-void summarise(const Outcome &outcome) {
-  const Counters &c = outcome.counters;
-  const std::string text = fmt::format(
-      "t = {:.17g}: {} impacts resolved, {} sticks, {} releases; chatter {} times carried to its "
-      "limit, {} times incomplete\n",
-      outcome.time, c.impacts, c.sticks, c.releases, c.chatter_limits, c.chatter_incomplete);
-  std::fputs(text.c_str(), stderr);
-}
-
 }  // namespace
 
 void run_scene(const Request &request, int (*signal)()) {
-  require_other_files(request);
+  if (Destination(request.events).standard && Destination(request.samples).standard)
+    refuse("--events {} --samples {}: two tables cannot be written to one place", request.events,
+           request.samples);
   const SavedRun start = start_of(request);
   Files files(request, start, signal);
   remember_signals();
@@ -206,7 +171,12 @@ void run_scene(const Request &request, int (*signal)()) {
                                          fmt::join(outcome.state.velocity, ", "), remark));
   if (outcome.ending == Ending::stopped)  // a table that cannot be written has thrown in `finish`
     throw EndedBySignal{signal(), fmt::format("interrupted at t = {}{}", outcome.time, remark)};
-  summarise(outcome);
+  const Counters &c = outcome.counters;
+  const std::string sum = fmt::format(
+      "t = {:.17g}: {} impacts resolved, {} sticks, {} releases; chatter {} times carried to its "
+      "limit, {} times incomplete\n",
+      outcome.time, c.impacts, c.sticks, c.releases, c.chatter_limits, c.chatter_incomplete);
+  std::fputs(sum.c_str(), stderr);  // come what may: fmt::print throws where the terminal is gone
 }
 
 }  // namespace vibro_impact::runner

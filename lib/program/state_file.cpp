@@ -1,6 +1,5 @@
 #include "state_file.hpp"
 
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
@@ -37,7 +36,7 @@ SavedRun read_saved_run(std::istream &file, const std::string &name) {
     std::string start(first_line("").size(), '\0'), word;
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     // A device without an end is not read to its end.
-    if (!start.starts_with(kind)) refuse("does not begin with '{}'", kind);
+    if (!start.starts_with(kind)) refuse("cannot be read, or does not begin with '{}'", kind);
     const std::string others = rest_of(file);
     if (start != first_line(others))
       refuse("the checksum does not fit: the file was cut short or changed");
@@ -52,13 +51,6 @@ SavedRun read_saved_run(std::istream &file, const std::string &name) {
   } catch (const std::invalid_argument &error) {
     refuse("{}: {}", name, error.what());
   }
-}
-
-SavedRun read_saved_run(const std::string &path) {
-  const std::string name = fmt::format("--resume {}", path);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse("{}: cannot be read", name);
-  return read_saved_run(file, name);
 }
 
 }  // namespace vibro_impact::runner

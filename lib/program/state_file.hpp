@@ -29,7 +29,4 @@ std::string first_line(std::string_view others);
 // and says what is wrong.
 SavedRun read_saved_run(std::istream &file, const std::string &name);
 
-// The same from the file at `path`, given as --resume.
-SavedRun read_saved_run(const std::string &path);
-
 }  // namespace vibro_impact::runner

@@ -33,11 +33,10 @@ void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of
   Table text = sweep_table(request.grid, request.records);  // not yet handed on
   PartialTable partial(to.path + ".partial", request.definition, text.text, request.resume);
   const std::size_t points = request.grid.points(), first = partial.points();
-  std::size_t settled = 0, given_up = 0;
+  std::size_t given_up = 0;
   Progress progress("sweep", static_cast<double>(points), static_cast<double>(first));
   const auto take = [&](std::size_t point, const Row &row) {
     if (row.empty()) ++given_up;
-    if (!row.empty() && row.front() > 0.0) ++settled;
     text.text.clear();
     add_row(text, request.grid, request.records, point, row);
     partial.add(text.text);
@@ -49,8 +48,8 @@ void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of
   };
   sweep(points, row_of_point, take, {.threads = threads, .first = first});
   partial.finish(to.path);
-  fmt::print(stderr, "{} points: {} computed, of which {} settled and {} were given up\n", points,
-             points - first, settled, given_up);
+  fmt::print(stderr, "{} points: {} computed, of which {} were given up\n", points, points - first,
+             given_up);
 }
 
 }  // namespace

@@ -84,8 +84,8 @@ const std::vector<BadCase> runs = {
     {"--save-state ''", "--save-state"},
     {"--resume ''", "--resume"},
     {"--resume absent.state", "--resume absent.state"},
-    {"--resume .", "--resume .: does not begin with"},
-    {"--resume /dev/zero", "--resume /dev/zero: does not begin with"},
+    {"--resume .", "--resume .: cannot be read, or does not begin with"},
+    {"--resume /dev/zero", "--resume /dev/zero: cannot be read, or does not begin with"},
 };
 
 const std::vector<BadCase> sweeps = {

@@ -69,13 +69,10 @@ TEST_F(Runner, TheSceneOfASavedStateIsNotToBeChanged) {
         "vibro-impact: --resume x.state: the scene comes from there, and cannot be changed by " +
             std::regex_replace(option, std::regex(" "), "=") + "\n");
   }
-  for (const std::string wrong : {"--until 29", "--events x.state", "--samples x.state"}) {
-    const Result result = run("run --resume x.state " + wrong);
-    EXPECT_EQ(result.status, 2) << wrong;
-    EXPECT_TRUE(is_one_message(result.err)) << result.err;
-    EXPECT_NE(result.err.find(wrong.substr(wrong.find(' ') + 1) + ":"), std::string::npos)
-        << result.err;
-  }
+  const Result before = run("run --resume x.state --until 29");
+  EXPECT_EQ(before.status, 2);
+  EXPECT_EQ(before.err,
+            "vibro-impact: --until 29: lies before the end 30 of the run saved in x.state\n");
   EXPECT_EQ(files(), std::vector<std::string>{"x.state"});
   EXPECT_EQ(contents(folder / "x.state").substr(0, 30), "vibro-impact state 6, checksum");
 }
