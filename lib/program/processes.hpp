@@ -23,7 +23,8 @@ class Processes {
   }
   // To be called once, by all. On rank 0: use(all, row) is called with `threads` and one for every
   // other process, and a `compute` that leaves the points of these to them. On the others: computes
-  // what rank 0 asks for until `use` is over; `compute` is not to throw there.
+  // what rank 0 asks for until `use` is over. What `compute` throws there is said in one line, and
+  // ends all.
   void share_out(int threads, const ComputeRow &compute,
                  const std::function<void(int all, const ComputeRow &row)> &use) const;
 

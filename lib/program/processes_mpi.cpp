@@ -2,8 +2,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
+#include <exception>
 #include <thread>
 
 #include "processes.hpp"
@@ -31,6 +32,12 @@ Row receive(int from) {
   return row;
 }
 
+// The other processes would wait for this one for ever.
+void end_all(int rank, const char *why) {
+  std::fprintf(stderr, "vibro-impact: process %d: %s\n", rank, why);
+  MPI_Abort(MPI_COMM_WORLD, 2);
+}
+
 }  // namespace
 
 // A program that mpirun did not start is one process, and does not wait for MPI to begin. (The
@@ -44,7 +51,7 @@ Processes::Processes(int &argc, char **&argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
   if (size_ > 1 && level < MPI_THREAD_MULTIPLE)
-    throw std::runtime_error("this MPI was built without threads");
+    end_all(rank_, "this MPI was built without threads");
 }
 
 Processes::~Processes() {
@@ -56,11 +63,13 @@ Processes::~Processes() {
 void Processes::share_out(int threads, const ComputeRow &compute,
                           const std::function<void(int, const ComputeRow &)> &use) const {
   if (size_ == 1) return use(threads, compute);
-  if (rank_ > 0) {
-    for (Row point; !(point = receive(0)).empty();)
-      send(compute(static_cast<std::size_t>(point[0])), 0);
-    return;
-  }
+  if (rank_ > 0) try {
+      for (Row point; !(point = receive(0)).empty();)
+        send(compute(static_cast<std::size_t>(point[0])), 0);
+      return;
+    } catch (const std::exception &error) {
+      return end_all(rank_, error.what());
+    }
   // All are told when it is over.
   struct Others {
     int size;

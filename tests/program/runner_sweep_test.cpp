@@ -1,8 +1,10 @@
 // Sweeps of the program: the table, on threads and on processes, and what is refused.
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "program/processes.hpp"
 #include "runner_program.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -73,6 +75,25 @@ TEST_F(Runner, ASweepDoesNotDependOnThreadsOrProcesses) {
     EXPECT_EQ(first_difference(contents(folder / "t.csv"), expected), "") << processes;
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
   }
+}
+
+// The test starts itself as two processes, of which the second fails.
+TEST_F(Runner, AnErrorOnAnotherProcessIsSaidAndEndsAll) {
+  if (!with_mpi) GTEST_SKIP() << "built without MPI";
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) {
+    int none = 0;
+    char **words = nullptr;
+    return Processes(none, words)
+        .share_out(
+            1, [](std::size_t) -> std::vector<double> { throw std::logic_error("no such point"); },
+            [](int, const ComputeRow &row) { row(0); });
+  }
+  const Result result =
+      run("--version; timeout 30 env " + mpirun(2) + fs::read_symlink("/proc/self/exe").string() +
+          " --gtest_filter=*AnErrorOnAnother*");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("vibro-impact: process 1: no such point\n"), std::string::npos)
+      << result.err;
 }
 
 TEST_F(Runner, APointThatIsGivenUpHasEmptyCells) {
