@@ -30,7 +30,7 @@ Example, on two machines or one:
   mpirun -n 4 vibro-impact sweep --vary omega=0.25:0.7:901 --vary stop1=-0.4:-0.2:81
     --table atlas.csv
 The points are those of nested loops, the first range outermost; the table does not depend on
-threads and processes. Columns: the parameters; period (in forcing periods, 0: none up to 8);
+threads (OMP_NUM_THREADS, of the first process) and processes. Columns: the parameters; period (in forcing periods, 0: none up to 8);
 sticks and impacts of every mass per forcing period (a mean over the period, or over 40;
 impacts of a complete chatter, infinitely many, are not counted); dual_sticking (1: two masses
 are held at some time); lyapunov (greatest Lyapunov exponent, per unit of time; empty: its sign
@@ -109,11 +109,6 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
   option(sweep, "--table", request.table, "FILE", "The table (CSV)")->required();
   sweep.add_flag("--resume", request.resume,
                  "Go on with what a sweep that was ended left of --table");
-  option(sweep, "--threads", request.threads, "N",
-         "Threads of the process, of the first one under mpirun. Default: one per\n"
-         "processor")
-      ->default_str("")
-      ->check(CLI::Range(1, 1024));
 }
 
 }  // namespace

@@ -12,7 +12,6 @@ namespace vibro_impact::runner {
 struct SweepRequest {
   Grid grid = {};
   RecordOptions records = {};
-  int threads = 0;  // 0: all
   std::string table;
   bool resume = false;
   std::string definition = {};  // everything that the table depends on, in one line

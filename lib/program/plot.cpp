@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_masses = 80;  // of which a picture is not too high for gnuplot
-
 // The name of gnuplot's terminal for a file.
 std::string terminal_of(const std::string &path) {
   if (path.ends_with(".png")) return "pngcairo";
@@ -44,15 +42,12 @@ std::string table_at(const std::string &name) {
 
 }  // namespace
 
-void check_plot(const Request &request, const Scene &scene) {
+void check_plot(const Request &request) {
   const std::string terminal = terminal_of(request.plot);
   if (request.samples.empty() || Destination(request.samples).direct ||
       Destination(request.plot).direct)
     refuse("--plot {}: is drawn from --samples {}; both must be files", request.plot,
            request.samples);
-  if (scene.masses() > most_masses)
-    refuse("--plot {}: {} masses, of which no more than {} can be drawn", request.plot,
-           scene.masses(), most_masses);
   if (!gnuplot(fmt::format("-e 'set terminal {}'", terminal)))
     refuse("--plot {}: needs gnuplot with its terminal {}, not found", request.plot, terminal);
 }

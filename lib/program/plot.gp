@@ -7,7 +7,7 @@ events = ARG3
 lower = ARG4
 upper = ARG5
 rows = words(lower)
-height = 130 + 370 * rows
+height = 130 + 370 * (rows < 80 ? rows : 80)  # in pixels, of which cairo takes 32767
 if (kind eq 'pdfcairo') {
   set terminal pdfcairo size 14in,(height / 100.0)in font 'Liberation Serif,22' linewidth 2
 } else {

@@ -7,9 +7,9 @@
 
 namespace vibro_impact::runner {
 
-// Throws std::invalid_argument when the run writes no table of samples to be drawn, or of too many
-// masses, and when gnuplot is not there or does not draw such a file.
-void check_plot(const Request &request, const Scene &scene);
+// Throws std::invalid_argument when the run writes no table of samples to be drawn, and when
+// gnuplot is not there or does not draw such a file.
+void check_plot(const Request &request);
 
 // Draws the tables of the run, which have their names by now. Throws std::runtime_error.
 void draw(const Request &request, const Scene &scene, Output &picture);

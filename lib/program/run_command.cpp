@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -107,7 +106,7 @@ struct Files {
   std::optional<Output> state, picture;
 
   Files(const Request &of, const SavedRun &start, int (*signal)()) {
-    if (!of.plot.empty()) check_plot(of, start.scene);
+    if (!of.plot.empty()) check_plot(of);
     if (!of.plot.empty()) picture.emplace(of.plot);
     if (!of.save_state.empty()) state.emplace(of.save_state);
     if (!of.events.empty()) events.emplace(of.events, of.from);
@@ -165,10 +164,7 @@ void run_scene(const Request &request, int (*signal)()) {
   std::string remark;
   if (files.events || files.samples) remark += "; the tables hold what came before";
   if (files.state) remark += "; the state reached is saved";
-  if (outcome.ending == Ending::given_up)
-    throw std::runtime_error(fmt::format("{} with x = {}, x' = {}{}", outcome.reason,
-                                         fmt::join(outcome.state.displacement, ", "),
-                                         fmt::join(outcome.state.velocity, ", "), remark));
+  if (outcome.ending == Ending::given_up) throw std::runtime_error(outcome.reason + remark);
   if (outcome.ending == Ending::stopped)  // a table that cannot be written has thrown in `finish`
     throw EndedBySignal{signal(), fmt::format("interrupted at t = {}{}", outcome.time, remark)};
   const Counters &c = outcome.counters;

@@ -55,9 +55,8 @@ void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of
 }  // namespace
 
 void run_sweep(const SweepRequest &request, const Processes &processes) {
-  const int threads = request.threads > 0 ? request.threads : available_threads();
   processes.share_out(
-      threads, [&request](std::size_t point) { return row_at(request, point); },
+      available_threads(), [&request](std::size_t point) { return row_at(request, point); },
       [&request](int all, const ComputeRow &row) { run_with(request, all, row); });
 }
 

@@ -196,7 +196,7 @@ TEST_F(Started, ASecondSignalEndsTheProgramAtOnce) {
 }
 
 TEST_F(Started, AnInterruptedSweepSaysWhereItsRowsStand) {
-  start({"sweep", "--vary", "omega=0.25:0.7:2000", "--threads", "1", "--table", "t.csv"});
+  start({"sweep", "--vary", "omega=0.25:0.7:2000", "--table", "t.csv"});
   wait_for("t.csv.partial");
   kill(program, SIGINT);
   const auto [status, said] = ending();

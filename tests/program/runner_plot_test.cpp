@@ -81,7 +81,6 @@ TEST_F(Runner, ARefusedOrFailedPictureLeavesNothing) {
       {"--samples s.csv --plot ''", "--plot"},
       {"--plot p.png", "--plot p.png: is drawn from --samples"},
       {"--samples - --plot p.png", "--samples -; both must be files"},
-      {"--samples s.csv --plot p.png --masses 81", "81 masses, of which no more than 80"},
       {"--samples s.csv --plot p.png --events p.png", "another file is being written there"},
       {"--samples s.csv --plot /nonexistent/p.png", "/nonexistent/p.png"},
   };

@@ -108,7 +108,6 @@ const std::vector<BadCase> sweeps = {
     {"--vary colour=0.1:0.2:3", "colour"},
     {"--vary omega", "--vary omega"},
     {"--vary omega=0.1:0.2:1e9 --vary beta=0.1:0.2:1e9", "more points"},
-    {"--vary omega=0.3:0.5:2 --threads 0", "--threads: Value 0 not in range"},
     {"--vary omega=0.3:0.5:2 --longest 0", "--longest: Value 0"},
     {"--vary omega=0.3:0.5:2 --table -", "must be a file"},
     {"--vary omega=0.3:0.5:2 --table ''", "--table"},

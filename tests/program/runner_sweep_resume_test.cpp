@@ -49,8 +49,7 @@ bool ended(pid_t process) {
 
 // Some 1,300 points, about two seconds' work.
 const std::string long_sweep =
-    "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.85:7 --longest 150 --no-lyapunov "
-    "--threads 2 ";
+    "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.85:7 --longest 150 --no-lyapunov ";
 
 // Waits until `partial` holds more than `before` points, or the process has ended.
 void wait_for_more(const fs::path &partial, std::size_t before, pid_t process) {

@@ -17,8 +17,10 @@ using namespace vibro_impact;
 const std::string ranges =
     "--vary omega=0.25:0.7:19 --vary restitution=0.3:0.9:4 --longest 100 --table t.csv ";
 
+const std::string one_thread = "export OMP_NUM_THREADS=1";
+
 TEST_F(Runner, ASweepGivesTheRecordsOfTheLibrary) {
-  const Result result = run("sweep " + ranges + "--threads 2");
+  const Result result = run("sweep " + ranges);
   ASSERT_EQ(result.status, 0) << result.err;
   const auto rows = lines(contents(folder / "t.csv"));
   ASSERT_EQ(rows.size(), 1u + 76u);
@@ -59,18 +61,18 @@ TEST_F(Runner, ASweepTellsThePairsOfTableI) {
 }
 
 TEST_F(Runner, ASweepDoesNotDependOnThreadsOrProcesses) {
-  ASSERT_EQ(run("sweep --threads 1 " + ranges).status, 0);
+  ASSERT_EQ(run("sweep " + ranges, one_thread).status, 0);
   const std::string expected = contents(folder / "t.csv");
   ASSERT_EQ(lines(expected).size(), 77u);
   for (const char *threads : {"2", "4"}) {
-    const Result result = run("sweep " + ranges + "--threads " + threads);
+    const Result result = run("sweep " + ranges, std::string("export OMP_NUM_THREADS=") + threads);
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(first_difference(contents(folder / "t.csv"), expected), "") << threads;
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
   }
   if (!with_mpi) GTEST_SKIP() << "built without MPI";
   for (const int processes : {2, 4}) {
-    const Result result = run("sweep --threads 1 " + ranges, "true", mpirun(processes));
+    const Result result = run("sweep " + ranges, one_thread, mpirun(processes));
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(first_difference(contents(folder / "t.csv"), expected), "") << processes;
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
@@ -111,7 +113,7 @@ TEST_F(Runner, APointThatIsGivenUpHasEmptyCells) {
 TEST_F(Runner, TheMemoryOfASweepDoesNotGrow) {
   without_quarantine();
   const auto peak = [this](const std::string &options) {
-    const Result result = run("sweep --threads 1 --table t.csv --no-lyapunov " + options);
+    const Result result = run("sweep --table t.csv --no-lyapunov " + options, one_thread);
     EXPECT_EQ(result.status, 0) << result.err;
     return result.peak_memory;
   };
