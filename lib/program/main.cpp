@@ -27,7 +27,7 @@ int main(int argc, char **argv) {
   // written.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  const vibro_impact::Processes processes(argc, argv);
+  const vibro_impact::Processes processes;
   const bool speaks = processes.rank() == 0;
   try {
     Request request;

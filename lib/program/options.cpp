@@ -22,11 +22,8 @@ Example:
     --events events.csv --samples samples.csv --every 0.01 --plot run.png
 Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick or
 release; contact_mode lists the stuck masses after the event (-, 1, 2, 1+2).
-In two parts, the tables of the second going on where those of the first end:
-  vibro-impact run --until 700 --events first.csv --save-state at700.state
-  vibro-impact run --resume at700.state --until 750 --events second.csv
 
-Example, on two machines or one:
+Example:
   mpirun -n 4 vibro-impact sweep --vary omega=0.25:0.7:901 --vary stop1=-0.4:-0.2:81
     --table atlas.csv
 The points are those of nested loops, the first range outermost; the table does not depend on

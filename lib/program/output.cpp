@@ -17,8 +17,8 @@ namespace vibro_impact::runner {
 namespace fs = std::filesystem;
 
 Destination::Destination(const std::string &name)
-    : path(name), standard(path == "-" || path == "/dev/stdout"), direct(standard) {
-  if (standard) return;
+    : path(name == "/dev/stdout" ? "-" : name), direct(path == "-") {
+  if (direct) return;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) refuse("{}: is a directory, cannot be written", path);
@@ -34,9 +34,9 @@ Destination::Destination(const std::string &name)
 // is opened under it.
 Output::Output(const std::string &name)
     : to_(name), temporary_(to_.direct ? "" : fmt::format("{}.part{}", to_.path, getpid())) {
-  file_ = to_.standard ? fdopen(dup(STDOUT_FILENO), "a")
-          : to_.direct ? std::fopen(to_.path.c_str(), "ab")
-                       : std::fopen(temporary_.c_str(), "wbx");
+  file_ = to_.path == "-" ? fdopen(dup(STDOUT_FILENO), "a")
+          : to_.direct    ? std::fopen(to_.path.c_str(), "ab")
+                          : std::fopen(temporary_.c_str(), "wbx");
   if (file_ == nullptr)
     refuse("{}: cannot be written: {}", name,
            errno == EEXIST ? "another file is being written there" : std::strerror(errno));
@@ -52,6 +52,11 @@ void Output::write(std::string_view text) {
   if (!failed() && std::fwrite(text.data(), 1, text.size(), file_) != text.size()) error_ = errno;
 }
 
+void Output::take(Table &rows) {
+  write(rows.text);
+  rows.text.clear();
+}
+
 void Output::complete() {
   if (std::fclose(std::exchange(file_, nullptr)) != 0 && !failed()) error_ = errno;
   if (error_ == EPIPE) throw EndedBySignal{SIGPIPE, ""};
@@ -62,9 +67,7 @@ void Output::complete() {
 
 void Output::put_in_place() {
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), to_.path.c_str()) != 0)
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", to_.path, std::strerror(errno)));
+  fs::rename(temporary_, to_.path);
   temporary_.clear();
 }
 

@@ -5,14 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "vibro_impact/table.hpp"
+
 namespace vibro_impact::runner {
 
 // Where a file of that name goes. Throws std::invalid_argument for what cannot be written; makes no
 // file.
 struct Destination {
-  std::string path;
-  bool standard = false;  // standard output
-  bool direct = false;    // that, a device, a pipe or an open file: renaming would replace it
+  std::string path;     // of standard output: -
+  bool direct = false;  // that, a device, a pipe or an open file: renaming would replace it
 
   explicit Destination(const std::string &name);
 };
@@ -33,6 +34,7 @@ class Output {
   }
   // Once a write has failed the others do nothing.
   void write(std::string_view text);
+  void take(Table &rows);  // and leaves it empty
   bool failed() const {
     return error_ != 0;
   }

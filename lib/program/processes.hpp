@@ -13,7 +13,7 @@ using ComputeRow = std::function<std::vector<double>(std::size_t point)>;
 
 class Processes {
  public:
-  Processes(int &argc, char **&argv);
+  Processes();
   ~Processes();
   Processes(const Processes &) = delete;
   Processes &operator=(const Processes &) = delete;

@@ -2,8 +2,7 @@
 
 namespace vibro_impact {
 
-Processes::Processes(int &, char **&) {
-}
+Processes::Processes() = default;
 
 Processes::~Processes() = default;
 

@@ -42,12 +42,12 @@ void end_all(int rank, const char *why) {
 
 // A program that mpirun did not start is one process, and does not wait for MPI to begin. (The
 // names are those that Open MPI and other starters set.)
-Processes::Processes(int &argc, char **&argv) {
+Processes::Processes() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr &&
       std::getenv("PMI_RANK") == nullptr)
     return;
   int level = 0;
-  MPI_Init_thread(&argc, &argv, MPI_THREAD_MULTIPLE, &level);
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_MULTIPLE, &level);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
   if (size_ > 1 && level < MPI_THREAD_MULTIPLE)
@@ -63,13 +63,15 @@ Processes::~Processes() {
 void Processes::share_out(int threads, const ComputeRow &compute,
                           const std::function<void(int, const ComputeRow &)> &use) const {
   if (size_ == 1) return use(threads, compute);
-  if (rank_ > 0) try {
+  if (rank_ > 0) {
+    try {
       for (Row point; !(point = receive(0)).empty();)
         send(compute(static_cast<std::size_t>(point[0])), 0);
-      return;
     } catch (const std::exception &error) {
-      return end_all(rank_, error.what());
+      end_all(rank_, error.what());
     }
+    return;
+  }
   // All are told when it is over.
   struct Others {
     int size;

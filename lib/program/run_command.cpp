@@ -22,36 +22,23 @@ namespace vibro_impact::runner {
 
 namespace {
 
-// A file to which a table goes, of which it keeps one row.
-struct StreamedTable {
-  Output file;
-  Table row;
-
-  StreamedTable(const std::string &name, const std::string &header) : file(name), row(header) {
-    hand_on();
-  }
-  void hand_on() {
-    file.write(row.text);
-    row.text.clear();
-  }
-};
-
 // A recorder of the events from time `from` on. The run ends when they cannot be written.
 struct EventRows {
-  StreamedTable table;
+  Output file;
   double from;
+  Table row{"time,mass,event,velocity_before,velocity_after,contact_mode"};
 
-  EventRows(const std::string &name, double begin)
-      : table(name, "time,mass,event,velocity_before,velocity_after,contact_mode"), from(begin) {
+  EventRows(const std::string &name, double begin) : file(name), from(begin) {
+    file.take(row);
   }
   void event(const Event &event, const Moment &) {
     if (event.time < from) return;
-    table.row.row(event.time, event.mass, name(event.kind), event.velocity_before,
-                  event.velocity_after, contact_mode_name(event.held));
-    table.hand_on();
+    row.row(event.time, event.mass, name(event.kind), event.velocity_before, event.velocity_after,
+            contact_mode_name(event.held));
+    file.take(row);
   }
   bool done() const {
-    return table.file.failed();
+    return file.failed();
   }
 };
 
@@ -64,27 +51,30 @@ std::string header_of_samples(const Scene &scene) {
 // A recorder of the displacements at these times. A flight that nothing disturbs has any number of
 // them: it ends at a signal, and when they cannot be written.
 struct SampleRows {
-  StreamedTable table;
+  Output file;
+  Table row;
   SampleTimes times;
   int (*signal)();
 
   SampleRows(const Request &of, const Scene &scene, int (*asked)())
-      : table(of.samples, header_of_samples(scene)),
+      : file(of.samples),
+        row(header_of_samples(scene)),
         times{of.from, of.until, of.every},
         signal(asked) {
+    file.take(row);
   }
   double next_time() const {
     return times.next();
   }
   void sample(const Moment &moment) {
     ++times.taken;
-    table.row.cell(moment.time);
-    for (int mass = 1; mass <= moment.masses(); ++mass) table.row.cell(moment.displacement(mass));
-    table.row.end_row();
-    table.hand_on();
+    row.cell(moment.time);
+    for (int mass = 1; mass <= moment.masses(); ++mass) row.cell(moment.displacement(mass));
+    row.end_row();
+    file.take(row);
   }
   bool done() const {
-    return table.file.failed() || signal() != 0;
+    return file.failed() || signal() != 0;
   }
 };
 
@@ -117,8 +107,8 @@ struct Files {
   // First all are closed, then all put in place: one that cannot be written leaves none behind.
   void finish() {
     std::vector<Output *> all;
-    if (events) all.push_back(&events->table.file);
-    if (samples) all.push_back(&samples->table.file);
+    if (events) all.push_back(&events->file);
+    if (samples) all.push_back(&samples->file);
     if (state) all.push_back(&*state);
     for (Output *file : all) file->complete();
     for (Output *file : all) file->put_in_place();
@@ -149,7 +139,7 @@ Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*
 }  // namespace
 
 void run_scene(const Request &request, int (*signal)()) {
-  if (Destination(request.events).standard && Destination(request.samples).standard)
+  if (Destination(request.events).path == "-" && Destination(request.samples).path == "-")
     refuse("--events {} --samples {}: two tables cannot be written to one place", request.events,
            request.samples);
   const SavedRun start = start_of(request);

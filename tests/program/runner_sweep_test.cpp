@@ -82,14 +82,10 @@ TEST_F(Runner, ASweepDoesNotDependOnThreadsOrProcesses) {
 // The test starts itself as two processes, of which the second fails.
 TEST_F(Runner, AnErrorOnAnotherProcessIsSaidAndEndsAll) {
   if (!with_mpi) GTEST_SKIP() << "built without MPI";
-  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) {
-    int none = 0;
-    char **words = nullptr;
-    return Processes(none, words)
-        .share_out(
-            1, [](std::size_t) -> std::vector<double> { throw std::logic_error("no such point"); },
-            [](int, const ComputeRow &row) { row(0); });
-  }
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
+    return Processes().share_out(
+        1, [](std::size_t) -> std::vector<double> { throw std::logic_error("no such point"); },
+        [](int, const ComputeRow &row) { row(0); });
   const Result result =
       run("--version; timeout 30 env " + mpirun(2) + fs::read_symlink("/proc/self/exe").string() +
           " --gtest_filter=*AnErrorOnAnother*");
