@@ -23,8 +23,7 @@ int ends_with(int status, std::string said, bool speaks) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  // A reader that leaves the pipe is met like a full disk: with a message, and no table half
-  // written.
+  // A reader that leaves a pipe is met like a full disk: no table is left half written.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   const vibro_impact::Processes processes;

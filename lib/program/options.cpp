@@ -62,8 +62,7 @@ void add_run_options(CLI::App &run, Request &request) {
   option(run, "--resolve-chatter", request.options.resolve_chatter, "SPEED",
          "Resolve and record every chatter impact faster than this; below it a\n"
          "complete chatter may be carried to its limit. Default: as soon as the\n"
-         "limit is certain; 0: resolve until below rounding")
-      ->default_str("");
+         "limit is certain; 0: resolve until below rounding");
   option(run, "--max-impacts", request.options.max_impacts_per_period, "N",
          "Give up beyond this many impacts in one forcing period")
       ->check(any_count);

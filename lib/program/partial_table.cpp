@@ -22,10 +22,7 @@ PartialTable::PartialTable(std::string path, const std::string &definition,
       head_(fmt::format("vibro-impact sweep 2 {}\n{}", definition, header)),
       file_(nullptr, std::fclose) {
   if (!resume && std::filesystem::exists(path_))
-    refuse(
-        "{}: the rows of a sweep that was ended, or still runs, stand there; --resume goes on with "
-        "it, or remove it",
-        path_);
+    refuse("{}: rows of a sweep stand there; --resume goes on with it, or remove it", path_);
   file_.reset(std::fopen(path_.c_str(), "abe"));
   if (!file_) refuse("{}: cannot be written: {}", path_, std::strerror(errno));
   if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)

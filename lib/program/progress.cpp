@@ -32,18 +32,9 @@ Progress::Progress(std::string of_what, double total, double before)
       terminal_(isatty(STDERR_FILENO) != 0) {
 }
 
-void Progress::reach(double done) {
+void Progress::advance(double by) {
   const std::lock_guard lock(mutex_);
-  show(done);
-}
-
-void Progress::advance() {
-  const std::lock_guard lock(mutex_);
-  show(done_ + 1.0);
-}
-
-void Progress::show(double done) {
-  done_ = done;
+  done_ += by;
   const auto now = Clock::now();
   if (now < next_) return;
   const double seconds = std::chrono::duration<double>(now - start_).count();

@@ -23,8 +23,7 @@ class Progress {
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
 
-  void reach(double done);
-  void advance();  // by one
+  void advance(double by = 1.0);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -35,8 +34,6 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::seconds(2);  // before it nothing is written
   std::mutex mutex_ = {};
-
-  void show(double done);
 };
 
 }  // namespace vibro_impact

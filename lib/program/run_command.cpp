@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -122,10 +121,11 @@ Outcome simulate_or_resume(const Request &request, const SavedRun &start, int (*
   std::vector<RecorderRef> recorders{{.done = [signal] { return signal() != 0; }}};
   if (files.events) recorders.push_back(recorder_ref(*files.events));
   if (files.samples) recorders.push_back(recorder_ref(*files.samples));
+  const auto show = [&progress, last = start.time](const Event &event, const Moment &) mutable {
+    progress.advance(event.time - std::exchange(last, event.time));
+  };
   // No progress line mixes with a table on standard output.
-  if (request.events != "-" && request.samples != "-")
-    recorders.push_back(
-        {.event = [&progress](const Event &event, const Moment &) { progress.reach(event.time); }});
+  if (request.events != "-" && request.samples != "-") recorders.push_back({.event = show});
   Outcome outcome =
       request.resume.empty()
           ? simulate_seen(start.scene, vibro_impact::start_of(start.scene), request.until,

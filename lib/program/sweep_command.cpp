@@ -40,7 +40,7 @@ void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of
     text.text.clear();
     add_row(text, request.grid, request.records, point, row);
     partial.add(text.text);
-    progress.reach(static_cast<double>(point + 1));
+    progress.advance();
     if (const int signal = signal_that_came())
       throw EndedBySignal{signal, fmt::format("interrupted; the rows so far stand in {}.partial: "
                                               "--resume goes on with them",
