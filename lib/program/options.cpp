@@ -12,10 +12,10 @@ namespace vibro_impact::runner {
 namespace {
 
 constexpr const char *notes =
-    R"(All quantities are non-dimensional. Masses are counted from 1; the link of mass i joins it to
-mass i - 1 (mass 1 to the ground). A single value stands for all masses; a list has one value
-per mass, separated by commas. The defaults are those of Wagg (2006), Figure 2 (its omega is
-reconstructed, not printed).
+    R"(All quantities are non-dimensional. Masses are counted from 1; the
+link of mass i joins it to mass i - 1 (mass 1 to the ground). A single value stands for all
+masses; a list has one value per mass, separated by commas. The defaults are those of Wagg
+(2006), Figure 2 (its omega is reconstructed, not printed).
 
 Example:
   vibro-impact run --omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from 700

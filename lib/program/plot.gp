@@ -13,7 +13,6 @@ if (kind eq 'pdfcairo') {
 } else {
   set terminal @kind size 1400,height font 'Liberation Serif,22' linewidth 2
 }
-set encoding utf8
 set datafile separator ','
 set border linewidth 0.7 linecolor rgb '#202020'
 set tics nomirror out scale 0.6
@@ -42,6 +41,7 @@ do for [k = 1:rows] {
        position(upper, k) with lines linestyle 3, \
        samples using 1:(stuck(k, column(k + 1))) with lines linestyle 4 title key(k, 'sticking'), \
        samples using 1:(column(k + 1)) with lines linestyle 1 title key(k, 'displacement'), \
-       events using 1:(impact(k, int($2), strcol(3), $4)) with points linestyle 2 title key(k, 'impact')
+       events using 1:(impact(k, int($2), strcol(3), $4)) \
+         with points linestyle 2 title key(k, 'impact')
 }
 unset multiplot
