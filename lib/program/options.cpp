@@ -12,10 +12,10 @@ namespace vibro_impact::runner {
 namespace {
 
 constexpr const char *notes =
-    R"(All quantities are non-dimensional. Masses are counted from 1; the
-link of mass i joins it to mass i - 1 (mass 1 to the ground). A single value stands for all
-masses; a list has one value per mass, separated by commas. The defaults are those of Wagg
-(2006), Figure 2 (its omega is reconstructed, not printed).
+    R"(All quantities are non-dimensional. Masses are counted
+from 1; the link of mass i joins it to mass i - 1 (mass 1 to the ground). A single value stands
+for all masses; a list has one value per mass, separated by commas. The defaults are those of
+Wagg (2006), Figure 2 (its omega is reconstructed, not printed).
 
 Example:
   vibro-impact run --omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from 700
@@ -27,12 +27,12 @@ Example:
   mpirun -n 4 vibro-impact sweep --vary omega=0.25:0.7:901 --vary stop1=-0.4:-0.2:81
     --table atlas.csv
 The points are those of nested loops, the first range outermost; the table does not depend on
-threads (OMP_NUM_THREADS, of the first process) and processes. Columns: the parameters; period (in forcing periods, 0: none up to 8);
-sticks and impacts of every mass per forcing period (a mean over the period, or over 40;
-impacts of a complete chatter, infinitely many, are not counted); dual_sticking (1: two masses
-are held at some time); lyapunov (greatest Lyapunov exponent, per unit of time; empty: its sign
-is not certain); pairs (DG, DS, DI, GS, GI, SI or -). A point at which the run is given up has
-empty cells. Until the table is complete its rows stand in FILE.partial.
+threads (OMP_NUM_THREADS, of the first process) and processes. Columns: the parameters; period
+(in forcing periods, 0: none up to 8); sticks and impacts of every mass per forcing period (a
+mean over the period, or over 40; impacts of a complete chatter, infinitely many, are not
+counted); dual_sticking (1: two masses are held at some time); lyapunov (greatest Lyapunov
+exponent, per unit of time; empty: its sign is not certain); pairs (DG, DS, DI, GS, GI, SI or
+-). A point that is given up has empty cells. FILE.partial has the rows until all are there.
 
 Ctrl-C ends both; --resume goes on, a run from --save-state, a sweep from its rows.
 Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input, 130
