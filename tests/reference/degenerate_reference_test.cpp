@@ -2,8 +2,6 @@
 // where forces tie by trying every assignment.
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "figures/event_tables.hpp"
 #include "figures/methods/event_comparison.hpp"
 #include "reference/scenes/degenerate_cases.hpp"
@@ -53,22 +51,5 @@ TEST_P(DegenerateScenes, AgreeEventForEvent) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Masses, DegenerateScenes, ::testing::Values(2, 3, 4, 5, 6, 8, 10));
-
-// The table holds what it is for: several masses let go at one instant, in most chains on upper
-// stops all of them.
-TEST(DegenerateScenes, SeveralMassesAreLetGoAtOneInstant) {
-  int together = 0, at_least_three = 0;
-  for (const auto &[name, truth] : reference()) {
-    std::map<double, int> releases;
-    for (const TrueEvent &event : truth) releases[event.time] += event.event == "release";
-    for (const auto &[time, masses] : releases) {
-      together += masses >= 2;
-      at_least_three += masses >= 3;
-    }
-  }
-  EXPECT_EQ(reference().size(), extremes::degenerate_cases().size());
-  EXPECT_GT(together, 72);
-  EXPECT_GT(at_least_three, 60);
-}
 
 }  // namespace
