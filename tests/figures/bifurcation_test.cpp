@@ -39,29 +39,6 @@ void expect_found(const std::string &symbol, int mass, double below, double abov
              point.omega.error, point.check);
 }
 
-// The formula of Eqs. 12-13 in physical coordinates against the modal reading of the run.
-TEST(PressingForce, AgreesWithTheHoldForceARunReports) {
-  const Scene scene = paper::figure4b();
-  HoldForceRecorder recorder;
-  const double period = Clock(scene.omega).period;
-  recorder.from = 30 * period;
-  recorder.to = 31 * period;
-  recorder.every = period / 50;
-  require_complete(simulate(scene, recorder.to, {}, recorder));
-  int compared = 0;
-  for (const auto &row : recorder.rows) {
-    const MotionState at = simulate(scene, row.time).state;
-    if (at.held[0] == 0) continue;  // the last time of a phase
-    const double press = pressing_force(scene, scene.stops[0], at);
-    EXPECT_NEAR(press, -row.force, 1e-12);
-    const double h = 1e-5;
-    const double later = pressing_force(scene, scene.stops[0], simulate(scene, row.time + h).state);
-    EXPECT_NEAR(pressing_force_rate(scene, scene.stops[0], at), (later - press) / h, 1e-4);
-    ++compared;
-  }
-  EXPECT_GT(compared, 5);
-}
-
 // Each by counts and by forces or speeds. The fifth is of a period-two orbit, of which first every
 // other chatter of mass 1 fails.
 TEST(BifurcationPoints, AreWhereTheCountsChange) {
@@ -90,31 +67,7 @@ TEST(CurvePoints, AreFoundToRounding) {
   }
 }
 
-// A chatter ends with a stick or a release of its mass, an impact at another stop, or one that is
-// not slower than that before; other masses do not interrupt it.
-TEST(Chatters, AreTheFallingImpactsOfAMassAtOneStop) {
-  const auto event = [](EventKind kind, std::size_t stop, int mass, int falling) {
-    Event told;
-    told.kind = kind;
-    told.stop = stop;
-    told.mass = mass;
-    told.falling = falling;
-    return told;
-  };
-  using enum EventKind;
-  const auto chatters =
-      chatters_of({event(impact, 0, 1, 0), event(impact, 1, 2, 0), event(impact, 0, 1, 1),
-                   event(impact, 0, 1, 0), event(stick, 0, 1, 1), event(impact, 2, 2, 0)});
-  ASSERT_EQ(chatters.size(), 4u);
-  EXPECT_EQ(chatters[0].impacts, (std::vector<std::size_t>{0, 2}));
-  EXPECT_EQ(chatters[1].impacts, (std::vector<std::size_t>{1}));
-  EXPECT_EQ(chatters[2].impacts, (std::vector<std::size_t>{3}));
-  EXPECT_EQ(chatters[3].stop, 2u);
-  for (const Chatter &chatter : chatters)
-    EXPECT_EQ(chatter.complete, chatter.impacts.front() == 3u);
-}
-
-// The fixed point of the flights, and how it repels.
+// The fixed point of the flights. (How it repels: border_cascade_test.)
 TEST(BorderOrbit, HasTheSelfSimilarChatter) {
   const BorderChatter chatter = border_chatter(0.7);
   // The next flight from the fixed point, with pressing acceleration 1 - t: gap zero, same ratio.
@@ -123,15 +76,6 @@ TEST(BorderOrbit, HasTheSelfSimilarChatter) {
   const double next = 0.7 * (s - s * s / 2 - speed);
   EXPECT_NEAR(next / speed, chatter.speed_ratio, 1e-14);
   EXPECT_NEAR(next / (chatter.press_ratio * chatter.press_ratio), speed, 1e-15);
-  // A nearby orbit is driven off by `escape` per impact (differences of step 1e-6: error 1e-10).
-  const auto after = [](double flight) {
-    return 0.7 * (flight / 2 - flight * flight / 3) / ((1 - flight) * (1 - flight));
-  };
-  const auto before = [](double flight) { return flight / 2 - flight * flight / 6; };
-  EXPECT_NEAR((after(s + 1e-6) - after(s - 1e-6)) / (before(s + 1e-6) - before(s - 1e-6)),
-              chatter.escape, 1e-8);
-  EXPECT_THROW(border_chatter(0.0), std::invalid_argument);
-  EXPECT_THROW(border_chatter(1.0), std::invalid_argument);
 }
 
 TEST(Grazing, OfMass2InFigure5b) {
@@ -164,12 +108,6 @@ TEST(Coexistence, OrbitOutlivesTheMotionFromRest) {
       std::count_if(chatters.begin(), chatters.end(),
                     [](const Chatter &chatter) { return chatter.stop == 0 && chatter.complete; }),
       1);
-}
-
-TEST(Bisect, RejectsAnIntervalWithoutAChange) {
-  const auto count = [](double x) { return x > 1.0 ? 2 : 1; };
-  EXPECT_THROW(bisect(count, 0.0, 0.5), std::invalid_argument);
-  EXPECT_EQ(bisect(count, 0.0, 3.0).below, 1.0);
 }
 
 TEST(ZeroFromOneSide, NeverStepsAcross) {
