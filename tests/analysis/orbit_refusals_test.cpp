@@ -52,33 +52,22 @@ TEST(Refusals, OfForcesAndModes) {
 
 TEST(Refusals, OfParameters) {
   using Kind = Parameter::Kind;
+  const auto value_of = [](Kind kind, int index) { return [=] { get(scene, {kind, index}); }; };
   expect_refused({
-      {[] {
-         get(scene, {Kind{99}, 1});
-       },
-       "kind of parameter = 99: there are kinds 0 to 8"},
+      {value_of(Kind{99}, 1), "kind of parameter = 99: there are kinds 0 to 8"},
       {[] {
          name(Parameter{Kind{-1}, 0});
        },
        "kind of parameter = -1: there are kinds 0 to 8"},
+      {value_of(Kind::mass, 3), "mass3: the chain has masses 1 to 2"},
+      {value_of(Kind::mass, -1), "mass-1: no such number of it"},
+      {value_of(Kind::mass, 0), "needs the number of a mass, link or stop"},
       {[] {
-         get(scene, {Kind::mass, 3});
-       },
-       "mass3: the chain has masses 1 to 2"},
-      {[] {
-         get(scene, {Kind::mass, -1});
-       },
-       "mass-1: no such number of it"},
-      {[] {
-         get(scene, {Kind::mass, 0});
-       },
-       "needs the number of a mass, link or stop"},
-      {[] {
-         with(scene, {Kind::stop, most}, 0.1);
+         with(scene, Parameter{Kind::stop, most}, 0.1);
        },
        "the scene has 2 stops"},
       {[] {
-         with(scene, {Kind::omega, 1}, 0.1);
+         with(scene, Parameter{Kind::omega, 1}, 0.1);
        },
        "omega1: no such number of it"},
   });
@@ -107,6 +96,8 @@ TEST(Refusals, OfWhatIsLocated) {
       {[&] { zero_from_one_side(line, nan, 1.0); }, "from nan to 1: must be two finite numbers"},
       {[&] { zero_from_one_side(line, 1.0, 1.0); }, "from 1 to 1: must be two finite numbers"},
       {[] { zero_from_one_side({}, 2.0, 1.0); }, "f: no function given"},
+      {[] { border_chatter(0.0); }, "restitution = 0: a border chatter needs 0 < r < 1"},
+      {[] { border_chatter(1.0); }, "restitution = 1: a border chatter needs 0 < r < 1"},
       {[] { sticking_phases(scene, 3, 1, 1); }, "mass 3: the chain has masses 1 to 2"},
       {[] { sticking_phases(scene, 1, -1, 1); }, "settling = -1: must be non-negative"},
       {[] { sticking_phases(scene, 1, 1, 0); }, "periods = 0: must be at least 1"},
