@@ -48,16 +48,8 @@ TEST(Refusals, OfScenes) {
       spoilt_scene([](Scene &s) { s.stops[1].restitution = -0.1; }, "restitution = -0.1: must lie"),
       spoilt_scene([](Scene &s) { s.amplitude = {1.0}; }, "amplitude: 1 values given"),
       spoilt_scene([](Scene &s) { s.amplitude[1] = nan; }, "amplitude = nan: must be finite"),
-      spoilt_scene(
-          [](Scene &s) {
-            s.displacement = {0.0, 0.2};
-          },
-          "beyond its upper stop at 0.1"),
-      spoilt_scene(
-          [](Scene &s) {
-            s.velocity = {0.0, infinity};
-          },
-          "velocity = inf: must be"),
+      spoilt_scene([](Scene &s) { s.displacement.assign(2, 0.2); }, "beyond its upper stop at 0.1"),
+      spoilt_scene([](Scene &s) { s.velocity.assign(2, infinity); }, "velocity = inf: must be"),
       spoilt_scene([](Scene &s) { s.stops[0].mass = 0; }, "stop on mass 0: the chain has masses 1"),
       spoilt_scene([](Scene &s) { s.stops[0].mass = 3; }, "stop on mass 3: the chain has masses 1"),
       spoilt_scene([](Scene &s) { s.stops[0].side = Side{9}; }, "side = 9: must be lower (-1) or"),
@@ -99,17 +91,9 @@ TEST(Refusals, OfStarts) {
       spoilt_start([](MotionState &s) { s.velocity[1] = nan; }, "velocity = nan: must be finite"),
       spoilt_start([](MotionState &s) { s.displacement[0] = -0.31; },
                    "mass 1 at -0.31, beyond its lower stop"),
-      spoilt_start(
-          [](MotionState &s) {
-            s.held = {1, 0};
-          },
-          "mass 1 held as 1: it has no such stop"),
-      spoilt_start([](MotionState &s) { s.held = {0}; }, "contact mode of 1 masses given"),
-      spoilt_start(
-          [](MotionState &s) {
-            s.held = {-1, 0};
-          },
-          "held at its lower stop at -0.3, and stands at 0"),
+      spoilt_start([](MotionState &s) { s.held[0] = 1; }, "mass 1 held as 1: it has no such stop"),
+      spoilt_start([](MotionState &s) { s.held.pop_back(); }, "contact mode of 1 masses given"),
+      spoilt_start([](MotionState &s) { s.held[0] = -1; }, "held at its lower stop at -0.3, and"),
       spoilt_start([](MotionState &s) { s.instant.phase = 1e3; }, "phase = 1000 in period 0: must"),
       spoilt_start([](MotionState &s) { s.instant.phase = nan; }, "phase = nan in period 0: must"),
       spoilt_start([](MotionState &s) { s.instant.cycle = -1; }, "in period -1: must lie in"),
