@@ -188,31 +188,4 @@ TEST(Chatter, EndsWhereAHoldForceFalls) {
   EXPECT_GE(ends.held, 100);
 }
 
-// A chatter that is over within one flight of another, whose gap is below 3e-7 of the motion then.
-// That gap is carried across the limit: read off the displacements there, it is rounded to 1e-16 of
-// them, of which the 60 impacts to come made 1e-9 in the time of their limit. 1e-13: the rounding
-// of 900 impacts.
-TEST(Chatter, LeavesTheGapOfAnotherOneAsItIs) {
-  for (const double stop : {0.1, 1.0, 3.0})
-    for (const double fast : {3e-4, 1e-3})
-      for (const double slow : {3e-6, 1e-5, 3e-5, 1e-4}) {
-        SCOPED_TRACE(::testing::Message() << stop << " " << fast << " " << slow);
-        Scene scene = extremes::chain(2, 0.0);
-        scene.amplitude = {stop + 1.0, 1.0};  // presses both
-        scene.omega = 0.1;
-        scene.restitution = 0.97;
-        scene.stops = {{1, Side::upper, stop, 0.3}, {2, Side::upper, stop}};
-        scene.displacement = {stop, stop};
-        scene.velocity = {-slow, -fast};
-        const auto sticks = select(events_of(scene, 0.0, 1.0), EventKind::stick),
-                   truth = select(events_of(scene, 0.0, 1.0, all_impacts), EventKind::stick);
-        ASSERT_EQ(sticks.size(), 2u);
-        ASSERT_EQ(truth.size(), 2u);
-        for (std::size_t i = 0; i < 2; ++i) {
-          EXPECT_EQ(sticks[i].mass, truth[i].mass);
-          EXPECT_NEAR(sticks[i].time, truth[i].time, 1e-13);
-        }
-      }
-}
-
 }  // namespace

@@ -143,20 +143,6 @@ TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
   }
 }
 
-// A mass pushed off its stop at v and pulled back by the constant acceleration a is gone for 2 v /
-// a, then for 2 v r / a, and so on: the time of the stick is 2 v / (a (1 - r)).
-TEST(ChatterLimit, InFreeFallIsThatOfTheGeometricSeries) {
-  constexpr double mass = 2.0, force = 1.0, v = 1.5;
-  for (const double r : {1e-6, 1e-3, 0.3, 0.7, 0.9, 0.99}) {
-    Scene scene = extremes::one_mass(0.0, force, 0.0, r, 0.0, 0.0, -v);
-    scene.mass = {mass};
-    scene.stiffness = {0.0};
-    const auto sticks = sticks_from(scene, start_of(scene), 1e6);
-    ASSERT_EQ(sticks.size(), 1u) << r;
-    EXPECT_NEAR(sticks[0].time / (2.0 * v * mass / force / (1.0 - r)), 1.0, 1e-13) << r;
-  }
-}
-
 // One mass on a spring before an upper stop, pushed off it at speed `v`. The press of the forcing
 // ends at t = 4.9: a chatter that begins slowly enough completes before, a faster one does not.
 Scene pushed_off(double restitution, double v) {
