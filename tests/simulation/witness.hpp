@@ -25,7 +25,7 @@ class Witness {
   Real off_the_stop = 0;  // gap at an impact
   Real off_in_speed = 0;  // of the speed of an impact
   Real not_zero = 0;      // hold force at a release that no impact has caused
-  long long flights = 0, releases = 0;
+  long long releases = 0;
   long long near_misses = 0;  // dips that end within a hundredth of a stop, or of its force
 
   // Looks about every `radians` of the fastest mode.
@@ -190,7 +190,6 @@ class Witness {
     if (!(t > 0)) return;
     compare();
     const Flight flight = take_off();
-    ++flights;
     const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
     const auto watched = [&](std::size_t k, const Motion &at, Real s) {
       const Stop &stop = scene_.stops[k];
