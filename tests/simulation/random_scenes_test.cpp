@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "reference/scenes/extreme_scenes.hpp"
 #include "scene_properties.hpp"
 #include "tests/events.hpp"
 
@@ -146,6 +147,23 @@ TEST(DegenerateScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
 TEST(RandomScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
   for (const unsigned seed : {7222u, 10179u, 11744u, 14640u, 17920u, 703549u})
     EXPECT_EQ(try_scenes(ordinary, seed, 1), 0);
+}
+
+// Mass 1 hits at 0.2 as the chatter of mass 2 begins, which is over at once. Both were taken for
+// one chatter, at rest when that of mass 1 would have been.
+TEST(ExtremeScenes, AChatterOverAtTheInstantOfAFastImpact) {
+  Scene scene = extremes::chain(2, 0.1);
+  scene.amplitude = {1.0, 1.0};
+  scene.omega = 0.0;
+  scene.restitution = 0.7;
+  scene.displacement = {0.1, 0.2};
+  scene.velocity = {0.2, 1e-30};
+  scene.stops = {{1, Side::upper, 0.1}, {2, Side::upper, 0.2}};
+  Witness witness(scene);
+  EventRecorder events;
+  witness.close(require_complete(simulate(scene, 5.0, all_impacts, witness, events)).state);
+  EXPECT_LT(witness.apart(), 1e-13 * witness.size());
+  EXPECT_GT(events.events.size(), 50u);
 }
 
 // The witness is sharp: a first link stiffer by a billionth does not pass, but where it hardly
