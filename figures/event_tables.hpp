@@ -32,15 +32,10 @@ inline TrueEvent event_in(const std::string &name, const std::vector<std::string
 }
 
 // Throws std::runtime_error naming the table and what is wrong with it.
-inline std::vector<TrueEvent> read_event_table(std::istream &file, const std::string &name) {
-  std::vector<TrueEvent> events;
-  for (const auto &cells : read_rows(file, name, 6)) events.push_back(event_in(name, cells));
-  return events;
-}
-
 inline std::vector<TrueEvent> read_event_table(const std::string &path) {
-  std::ifstream file = opened(path);
-  return read_event_table(file, path);
+  std::vector<TrueEvent> events;
+  for (const auto &cells : read_rows(path, 6)) events.push_back(event_in(path, cells));
+  return events;
 }
 
 // The events of several cases, named in a column before the others.

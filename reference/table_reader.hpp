@@ -93,16 +93,11 @@ using References = std::map<std::string, Reference>;
 
 // symbol -> value and kind, from the first three columns, symbol,value,kind, of a table of
 // reference/. Throws std::runtime_error as above.
-inline References read_references(std::istream &file, const std::string &name) {
-  References table;
-  for (const auto &cells : read_rows(file, name, 3))
-    table[cells[0]] = {number_in(name, cells[1]), cells[2], cells[1]};
-  return table;
-}
-
 inline References read_references(const std::string &path) {
-  std::ifstream file = opened(path);
-  return read_references(file, path);
+  References table;
+  for (const auto &cells : read_rows(path, 3))
+    table[cells[0]] = {number_in(path, cells[1]), cells[2], cells[1]};
+  return table;
 }
 
 }  // namespace vibro_impact::figures

@@ -60,9 +60,8 @@ struct CurveStart {
 // on counts from rest. Mass 2 of Figure 5(b) grazes beside its scene.
 inline std::vector<CurveStart> curve_starts() {
   const std::string file = REFERENCE_DIR "/curve_starts.csv";
-  std::ifstream table = opened(file);
   std::vector<CurveStart> starts;
-  for (const auto &cells : read_rows(table, file, 8)) {
+  for (const auto &cells : read_rows(file, 8)) {
     using enum Bifurcation;
     const auto number = [&](std::size_t column) { return number_in(file, cells[column]); };
     CurveStart start{cells[0], cells[1], grazing, static_cast<int>(number(3)), {}, {}};

@@ -114,9 +114,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   std::istringstream table(text);
   try {
     if (data[0] == 'e')
-      figures::read_event_table(table, "events");
+      for (const auto &cells : figures::read_rows(table, "events", 6))
+        figures::event_in("events", cells);
     else if (data[0] == 'k')
-      figures::read_references(table, "key numbers");
+      for (const auto &cells : figures::read_rows(table, "key numbers", 3))
+        figures::number_in("key numbers", cells[1]);
     else if (data[0] == 's')
       take_state(text);
     else

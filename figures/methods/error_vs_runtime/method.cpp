@@ -59,8 +59,7 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
   std::vector<Problem> all;
   const std::string states = reference / "work_precision_states.csv";
   const auto events = figures::read_event_tables(reference / "work_precision_events.csv");
-  std::ifstream file = figures::opened(states);
-  for (const auto &row : figures::read_rows(file, states, 14)) {
+  for (const auto &row : figures::read_rows(states, 14)) {
     const auto number = [&](std::size_t i) { return figures::number_in(states, row[i]); };
     const std::array<bool, 2> held{row[8] == "1", row[9] == "1"};
     all.push_back({row[0],

@@ -1,8 +1,9 @@
 // The impact law (Eqs. 8-11): the one place that says with which speed a mass leaves its stop.
 //
 // The rest of the library asks for nothing but the functions below, so that a law r(v) is a
-// change of this file alone. What it takes for granted: a mass leaves no faster than it came, and
-// after(v) / v is smooth down to v = 0 (that makes the impacts of a chatter a smooth sequence).
+// change of this file alone, as long as it needs no numbers per stop but r. What is taken for
+// granted: a mass leaves no faster than it came, and after(v) / v is smooth down to v = 0 (that
+// makes the impacts of a chatter a smooth sequence). Tests with Newton's numbers then fail.
 #pragma once
 
 namespace vibro_impact {

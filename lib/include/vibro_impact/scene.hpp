@@ -57,7 +57,7 @@ struct Scene {
   }
 };
 
-// Newton's impact law at a stop of the scene.
+// The impact law at a stop of the scene.
 inline ImpactLaw law_of(const Scene &scene, const Stop &stop) {
   return {stop.restitution.value_or(scene.restitution)};
 }
