@@ -36,7 +36,7 @@ PartialTable::PartialTable(std::string path, const std::string &definition,
 // Hands on the header and the rows that stand there whole, and counts them. Returns the size of the
 // file up to the last of them.
 std::size_t PartialTable::read(const std::function<void(std::string_view)> &take) {
-  checksum_ = {};
+  checksum_.reset();
   points_ = 0;
   // The file that is held, whatever has its name.
   std::ifstream file(fmt::format("/proc/self/fd/{}", fileno(file_.get())), std::ios::binary);
@@ -51,8 +51,8 @@ std::size_t PartialTable::read(const std::function<void(std::string_view)> &take
   take(header_);
   for (std::string line; std::getline(file, line) && !file.eof();) {
     const std::string row = line.substr(0, line.rfind(' ')) + "\n";
-    checksum_.add(row);
-    if (line.substr(std::min(line.size(), row.size())) != checksum_.text())
+    checksum_.process_bytes(row.data(), row.size());
+    if (line.substr(std::min(line.size(), row.size())) != fmt::to_string(checksum_.checksum()))
       refuse("{} line {}: the checksum does not fit: the file was changed", path_, points_ + 3);
     take(row);
     ++points_;
@@ -68,8 +68,8 @@ void PartialTable::append(const std::string &text) {
 }
 
 void PartialTable::add(std::string_view row) {
-  checksum_.add(row);
-  append(fmt::format("{} {}\n", row.substr(0, row.size() - 1), checksum_.text()));
+  checksum_.process_bytes(row.data(), row.size());
+  append(fmt::format("{} {}\n", row.substr(0, row.size() - 1), checksum_.checksum()));
   ++points_;
 }
 

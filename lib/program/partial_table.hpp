@@ -6,14 +6,13 @@
 // until the table is there, whatever happens to its name.
 #pragma once
 
+#include <boost/crc.hpp>
 #include <cstddef>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
-
-#include "vibro_impact/checksum.hpp"
 
 namespace vibro_impact::runner {
 
@@ -39,7 +38,7 @@ class PartialTable {
  private:
   std::string path_, header_, head_;  // head_: definition and header
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
-  Checksum checksum_ = {};
+  boost::crc_32_type checksum_;
   std::size_t points_ = 0;
 
   std::size_t read(const std::function<void(std::string_view)> &take);

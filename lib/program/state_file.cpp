@@ -1,11 +1,11 @@
 #include "state_file.hpp"
 
+#include <boost/crc.hpp>
 #include <iterator>
 #include <sstream>
 
 #include "refuse.hpp"
 #include "scene_options.hpp"
-#include "vibro_impact/checksum.hpp"
 
 namespace vibro_impact::runner {
 
@@ -20,9 +20,9 @@ std::string rest_of(std::istream &file) {
 }  // namespace
 
 std::string first_line(std::string_view others) {
-  Checksum checksum;
-  checksum.add(others);
-  return fmt::format("{}{}\n", kind, checksum.text());
+  boost::crc_32_type checksum;
+  checksum.process_bytes(others.data(), others.size());
+  return fmt::format("{}{:08x}\n", kind, checksum.checksum());
 }
 
 std::string text_of(const SavedRun &run) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/crc.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,6 @@
 #include "program/options.hpp"
 #include "program/state_file.hpp"
 #include "reference/table_reader.hpp"
-#include "vibro_impact/checksum.hpp"
 
 namespace {
 
@@ -89,10 +89,10 @@ void take_command_line(const std::string &text) {
 void take_state(const std::string &text) {
   const std::size_t end = text.find('\n', text.find("time ")) + 1;  // 0: none
   const std::string numbers = text.substr(end);
-  Checksum checksum;
-  checksum.add(numbers);
+  boost::crc_32_type checksum;
+  checksum.process_bytes(numbers.data(), numbers.size());
   const std::string others = text.substr(0, end) + "vibro-impact run state 3, checksum " +
-                             checksum.text() + "\n" + numbers;
+                             std::to_string(checksum.checksum()) + "\n" + numbers;
   std::istringstream file(runner::first_line(others) + others);
   const runner::SavedRun saved = runner::read_saved_run(file, "state");
   const std::string written = runner::text_of(saved);

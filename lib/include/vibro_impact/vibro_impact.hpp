@@ -1,7 +1,6 @@
 // The simulation, whole. The analysis of many runs stands beside it: analysis/analysis.hpp.
 #pragma once
 
-#include "checksum.hpp"
 #include "counters.hpp"
 #include "impact_law.hpp"
 #include "instant.hpp"
