@@ -45,7 +45,6 @@ TEST_F(Runner, ASweepGivesTheRecordsOfTheLibrary) {
             record.counts.dual_sticking ? 1 : 0, *record.lyapunov);
     EXPECT_EQ("\n" + rows[k + 1] + "\n", row.text);
   }
-  EXPECT_EQ(result.err.find('%'), std::string::npos) << "no progress of a short sweep";
 }
 
 // Figure 5(a): one mass hits while the other is held.

@@ -92,7 +92,7 @@ std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
   stroboscopic_map(scene, start, 1, {}, nodes);
   std::optional<LeastValue> least;
   for (const auto &[at, length, rises] : nodes.brackets) {
-    const auto rate = [&](double time) { return quantity.rate(flown(scene, at, time)); };
+    const auto rate = [&, &node = at](double t) { return quantity.rate(flown(scene, node, t)); };
     const std::optional<double> until =
         rises ? std::optional(length) : largest_between(rate, length);
     if (!until || !(rate(*until) > 0.0)) continue;  // at the node itself, to rounding
