@@ -1,5 +1,7 @@
 #include "interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
 
 namespace vibro_impact::runner {
@@ -9,8 +11,12 @@ namespace {
 // A signal finds its way to the program through a variable like this and no other.
 volatile std::sig_atomic_t came = 0;
 
+constexpr unsigned patience = 2;  // seconds
+
 void remember(int signal) {
+  if (signal == SIGALRM) raise(came);  // nobody has asked for it
   came = signal;
+  alarm(patience);
 }
 
 }  // namespace
@@ -19,12 +25,13 @@ void remember_signals() {
   struct sigaction now = {}, action = {};
   action.sa_handler = remember;
   action.sa_flags = SA_RESTART | SA_RESETHAND;  // what is being written is written, once
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM})
     if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
       sigaction(signal, &action, nullptr);
 }
 
 int signal_that_came() {
+  if (came != 0) alarm(0);
   return came;
 }
 

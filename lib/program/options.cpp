@@ -134,7 +134,9 @@ std::optional<std::string> parse(int argc, char **argv, Request &request) {
   } catch (const CLI::ParseError &error) {
     const std::vector<std::string> others = app.remaining(true);
     if (!others.empty()) refuse("not expected: {}", fmt::join(others, " "));
-    refuse("{}", error.what());
+    const std::string said = error.what();
+    const std::size_t twice = said.find("At Most 1");
+    refuse("{}", twice < said.size() ? said.substr(0, twice) + "may be given once" : said);
   }
   if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
 

@@ -181,7 +181,25 @@ TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
   }
 }
 
-// Where nobody looks for the first: the modes of 6,000 masses take minutes.
+// Where nobody looks at the flag: the modes of 6,000 masses take minutes, a pipe has no other end.
+TEST_F(Started, ASignalEndsWhateverTakesLong) {
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const std::vector<std::string> &arguments :
+       {std::vector<std::string>{"run", "--masses", "6000", "--stop", "1:lower:-0.3"},
+        {"run", "--resume", "pipe"},
+        {"run", "--events", "pipe"}})
+    for (const int signal : {SIGINT, SIGTERM}) {
+      start(arguments);
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      const auto begin = std::chrono::steady_clock::now();
+      kill(program, signal);
+      EXPECT_EQ(ending().first, 128 + signal) << arguments[1];
+      EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << arguments[1];
+    }
+  EXPECT_EQ(files(), std::vector<std::string>{"pipe"});
+}
+
+// At once, where nobody looks for the first.
 TEST_F(Started, ASecondSignalEndsTheProgramAtOnce) {
   for (const int signal : {SIGINT, SIGTERM}) {
     start({"run", "--masses", "6000", "--stop", "1:lower:-0.3", "--events", "e.csv"});
