@@ -26,9 +26,6 @@ enum class EventKind { impact, stick, release };
 // "impact", "stick" or "release".
 const char *name(EventKind kind);
 
-// The contact mode, per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop.
-using Held = std::vector<signed char>;
-
 // The stuck masses of a contact mode as `-`, `1`, `2`, `1+2`.
 std::string contact_mode_name(const Held &held);
 

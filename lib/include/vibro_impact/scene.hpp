@@ -32,6 +32,9 @@ struct Stop {
   std::optional<double> restitution = {};  // r in [0, 1]; nothing: the scene's
 };
 
+// The contact mode, per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop.
+using Held = std::vector<signed char>;
+
 // A scene in one aggregate. Vectors hold one entry per mass; `displacement` and `velocity` may be
 // left empty (rest at zero), as may `amplitude` (unforced).
 struct Scene {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "vibro_impact/counters.hpp"
-#include "vibro_impact/record.hpp"
 #include "vibro_impact/scene.hpp"
 
 namespace vibro_impact {

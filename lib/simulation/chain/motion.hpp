@@ -12,7 +12,7 @@
 #include "contact_mode.hpp"
 #include "oscillator.hpp"
 #include "tolerances.hpp"
-#include "vibro_impact/record.hpp"
+#include "vibro_impact/instant.hpp"
 
 namespace vibro_impact {
 
