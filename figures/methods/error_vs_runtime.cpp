@@ -130,7 +130,7 @@ void compare(const std::filesystem::path &output, const std::string &reference, 
 
 int main(int argc, char **argv) {
   std::string reference = "reference";
-  int repeats = 7;
+  int repeats = 5;
   return figures::drive(
       argc, argv, "Error against run time of this library and other methods",
       [&](const std::filesystem::path &output) { compare(output, reference, repeats); },
