@@ -164,11 +164,11 @@ void diagram(benchmark::State &state) {
   double all = 0.0;
   for (auto _ : state) {
     all = 0.0;
-    for (const double periods : sweep(
+    for (const double taken : sweep(
              grid,
              [](const Scene &scene) { return static_cast<double>(record_of(scene).work.settling); },
              sweeping))
-      all += periods;
+      all += taken;
   }
   state.counters["time"] = benchmark::Counter(
       181, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
