@@ -12,6 +12,7 @@ constexpr double stiff = 16.0;             // ratio of rates from which on lanes
 constexpr double rounding = 0x1p-49;      // of a reading, in the sum of the moduli of its terms
 constexpr double lost = 0x1p-60;          // what is lost in the rounding of the rest
 constexpr double wide = 0x1p-10;          // gap in the size of its reading: read off the lanes
+constexpr double drifted = 0x1p-46;       // of a carried gap, in the size of its reading
 constexpr double narrow = 0x1p-30;        // margin of what stays clear beside a limit
 constexpr double same_instant = 0x1p-46;  // time, in units of the fastest rate
 

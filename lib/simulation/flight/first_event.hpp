@@ -98,15 +98,21 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
       continue;
     }
     if (u == 0.0) continue;
-    // A wide gap is read off the lanes, so that the carried one cannot drift away from them.
-    const double size = watch.clear ? 0.0 : size_of(state, contact);
-    if (watch.clear || watched_now(state, contact) > wide * size) {
+    // A wide gap is read off the lanes, so that the carried one cannot drift away from them; and so
+    // is a narrower one that has: a mass that seldom hits beside one that does so 20,000 times.
+    const double size = watch.clear ? 0.0 : size_of(state, contact),
+                 read = watch.clear ? 0.0 : watched_now(state, contact);
+    if (watch.clear || read > wide * size) {
       read_gap(state, contact);
       continue;
     }
     const Jet carried = jet_at(watch.polynomial, 0, u);
     if (stop.decided && carried.value == 0.0 && carried.slope == 0.0)
       continue;  // at rest still, as far as can be told
+    if (read > wide * wide * size && std::abs(carried.value - read) > drifted * size) {
+      read_gap(state, contact);
+      continue;
+    }
     set_in_flight(stop, std::max(0.0, carried.value), carried.slope / path.span);
     stop.below_rounding = stop.gap < rounding * size;
   }
