@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "commands.hpp"
+#include "options.hpp"
 
 namespace {
 

@@ -1,9 +1,11 @@
-// The command line of `vibro-impact`.
+// What a user asks of `vibro-impact` on its command line, and the two commands that do it.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "interrupt.hpp"
+#include "processes.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/simulate.hpp"
 
@@ -32,5 +34,14 @@ struct Request {
 // Throws std::invalid_argument with one line, that of `check` for a scene or a grid that makes no
 // sense.
 std::optional<std::string> parse(int argc, char **argv, Request &request);
+
+// Both throw std::invalid_argument, std::runtime_error and EndedBySignal with one line.
+
+// Runs the scene and writes its files. Ends early, with EndedBySignal, when `signal`, asked at
+// every flight and sample, gives the number of one.
+void run_scene(const Request &request, int (*signal)() = signal_that_came);
+
+// Computes the table of a sweep. On ranks above 0, lends a hand and touches no file.
+void run_sweep(const SweepRequest &request, const Processes &processes);
 
 }  // namespace vibro_impact::runner

@@ -8,14 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "commands.hpp"
+#include "options.hpp"
 #include "output.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
 #include "refuse.hpp"
 #include "sample_times.hpp"
 #include "state_file.hpp"
-#include "vibro_impact/table.hpp"
 
 namespace vibro_impact::runner {
 

@@ -3,12 +3,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "commands.hpp"
+#include "options.hpp"
 #include "output.hpp"
 #include "partial_table.hpp"
 #include "progress.hpp"
 #include "refuse.hpp"
-#include "vibro_impact/table.hpp"
 
 namespace vibro_impact::runner {
 

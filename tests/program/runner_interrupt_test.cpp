@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "program/commands.hpp"
+#include "program/options.hpp"
 #include "program/sample_times.hpp"
 #include "runner_program.hpp"
 
