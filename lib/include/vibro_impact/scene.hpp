@@ -1,4 +1,5 @@
-// The scene: a chain of masses, its forcing, its stops and its initial state.
+// The scene: a chain of masses, its forcing, its stops and its initial state; and its motion at one
+// instant.
 //
 // M x'' + C x' + K x = A cos(Omega t) with C = beta K (Wagg 2006, Eqs. 1-4): mass i is tied to mass
 // i - 1 by link i (mass 1 to the ground), the last mass is free at its far end. Everything is
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "impact_law.hpp"
+#include "instant.hpp"
 
 namespace vibro_impact {
 
@@ -67,6 +69,16 @@ inline ImpactLaw law_of(const Scene &scene, const Stop &stop) {
 
 // Throws std::invalid_argument with one line naming the value and the rule it breaks.
 void check(const Scene &scene);
+
+// Time, displacement and velocity of every mass, and the contact mode. Non-dimensional.
+struct MotionState {
+  Instant instant;
+  std::vector<double> displacement, velocity;  // N
+  Held held;                                   // N
+};
+
+// The initial state of a scene that `check` accepts, at t = 0 with no mass held yet.
+MotionState start_of(const Scene &scene);
 
 // Gershgorin's bound of the eigenvalues of the chain (squares of its natural frequencies). It holds
 // for every contact mode: holding masses keeps the eigenvalues between those of the free chain.

@@ -30,13 +30,6 @@ struct RunOptions {
   long long max_impacts_per_period = 1'000'000;
 };
 
-// Time, displacement and velocity of every mass, and the contact mode. Non-dimensional.
-struct MotionState {
-  Instant instant;
-  std::vector<double> displacement, velocity;  // N
-  Held held;                                   // N
-};
-
 // Where a run stands, in full: what `resume` needs to go on as if it had never ended, also inside a
 // chatter. It may lie a little before the end of the run, at its last step; it belongs to the scene
 // of that run.
@@ -75,9 +68,6 @@ struct Outcome {
   Counters counters;
   RunState resume;
 };
-
-// The initial state of a scene that `check` accepts, at t = 0 with no mass held yet.
-MotionState start_of(const Scene &scene);
 
 // Throws std::runtime_error with the reason when the run was given up.
 const Outcome &require_complete(const Outcome &outcome);

@@ -130,20 +130,24 @@ bool is_wide(const State<D> &state, const Contact<D> &contact) {
   return watched_now(state, contact) > wide * size_of(state, contact);
 }
 
-// Displacements and velocities of all masses.
+// One coordinate of every mass.
 template <int D>
-struct Masses {
-  Eigen::Matrix<double, ContactMode<D>::masses, 1> displacement, velocity;
-};
+using Masses = Eigen::Matrix<double, ContactMode<D>::masses, 1>;
 
-// Sets those of a state. A free mass in a narrow gap is placed by the carried one, between two of
-// them by the narrower.
+// Sets the motion of all masses in a state. A free mass in a narrow gap is placed by the carried
+// one, between two of them by the narrower.
 template <int D>
-void set_masses(const State<D> &state, const Scene &scene, Masses<D> &masses) {
+void set_motion(const State<D> &state, const Scene &scene, MotionState &motion) {
   const ContactMode<D> &mode = *state.mode;
-  masses.displacement = mode.equilibrium;
-  masses.displacement.noalias() += mode.shape * state.value.matrix();
-  masses.velocity.noalias() = mode.shape * state.slope.matrix();
+  motion.instant = state.now;
+  motion.held = mode.held;
+  motion.displacement.resize(mode.held.size());
+  motion.velocity.resize(mode.held.size());
+  Eigen::Map<Masses<D>> x(motion.displacement.data(), mode.equilibrium.size()),
+      v(motion.velocity.data(), mode.equilibrium.size());
+  x = mode.equilibrium;
+  x.noalias() += mode.shape * state.value.matrix();
+  v.noalias() = mode.shape * state.slope.matrix();
   for (const Contact<D> &contact : mode.contacts) {
     if (contact.held || is_wide(state, contact)) continue;
     const AtStop &stop = state.stops[contact.stop];
@@ -151,9 +155,9 @@ void set_masses(const State<D> &state, const Scene &scene, Masses<D> &masses) {
     for (const Contact<D> &other : mode.contacts)
       if (other.mass == contact.mass && state.stops[other.stop].gap < stop.gap) narrower = false;
     if (!narrower) continue;
-    const auto i = static_cast<Eigen::Index>(contact.mass);
-    masses.displacement(i) = scene.stops[contact.stop].position - contact.sigma * stop.gap;
-    masses.velocity(i) = -contact.sigma * stop.speed;
+    motion.displacement[contact.mass] =
+        scene.stops[contact.stop].position - contact.sigma * stop.gap;
+    motion.velocity[contact.mass] = -contact.sigma * stop.speed;
   }
 }
 
@@ -175,20 +179,19 @@ void set_rounding(const State<D> &state, const Scene &scene, double rate,
       error[contact.mass] = rounding * std::abs(scene.stops[contact.stop].position);
 }
 
-// Expresses displacements and velocities in the lanes of `mode`; the stops are left to the caller.
-template <int D, class Masses>
+// Expresses a motion in the lanes of `mode`; the stops are left to the caller.
+template <int D>
 void set_lanes(State<D> &state, const Scene &scene, const ContactMode<D> &mode,
-               const Masses &masses) {
+               const MotionState &motion) {
   state.mode = &mode;
   state.value.setZero(mode.lanes());
   state.slope.setZero(mode.lanes());
   set_forcing(state, scene);
   // The forcing lanes are set, the others zero: shape y is the steady response.
-  const Eigen::Matrix<double, ContactMode<D>::masses, 1> x = masses.displacement -
-                                                             mode.equilibrium -
-                                                             mode.shape * state.value.matrix(),
-                                                         v = masses.velocity -
-                                                             mode.shape * state.slope.matrix();
+  const Eigen::Map<const Masses<D>> at(motion.displacement.data(), mode.equilibrium.size()),
+      velocity(motion.velocity.data(), mode.equilibrium.size());
+  const Masses<D> x = at - mode.equilibrium - mode.shape * state.value.matrix(),
+                  v = velocity - mode.shape * state.slope.matrix();
   state.value += (mode.to_modal * x + mode.velocity_to_modal * v).array();
   state.slope += (mode.to_modal * v).array();
   tie_decays(state);

@@ -5,7 +5,6 @@
 
 #include "forces.hpp"
 #include "require.hpp"
-#include "vibro_impact/instant.hpp"
 
 namespace vibro_impact {
 
@@ -58,6 +57,15 @@ void refuse_time(double time) {
 
 const char *name(Side side) {
   return side == Side::upper ? "upper" : "lower";
+}
+
+MotionState start_of(const Scene &scene) {
+  check(scene);
+  const std::size_t n = scene.mass.size();
+  const auto or_zero = [n](const std::vector<double> &values) {
+    return values.empty() ? std::vector<double>(n, 0.0) : values;
+  };
+  return {Instant{}, or_zero(scene.displacement), or_zero(scene.velocity), Held(n, 0)};
 }
 
 double largest_eigenvalue_bound(const Scene &scene) {

@@ -102,14 +102,15 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
     // is a narrower one that has: a mass that seldom hits beside one that does so 20,000 times.
     const double size = watch.clear ? 0.0 : size_of(state, contact),
                  read = watch.clear ? 0.0 : watched_now(state, contact);
-    if (watch.clear || read > wide * size) {
-      read_gap(state, contact);
-      continue;
+    bool off_the_lanes = watch.clear || read > wide * size;
+    Jet carried{};
+    if (!off_the_lanes) {
+      carried = jet_at(watch.polynomial, 0, u);
+      if (stop.decided && carried.value == 0.0 && carried.slope == 0.0)
+        continue;  // at rest still, as far as can be told
+      off_the_lanes = read > wide * wide * size && std::abs(carried.value - read) > drifted * size;
     }
-    const Jet carried = jet_at(watch.polynomial, 0, u);
-    if (stop.decided && carried.value == 0.0 && carried.slope == 0.0)
-      continue;  // at rest still, as far as can be told
-    if (read > wide * wide * size && std::abs(carried.value - read) > drifted * size) {
+    if (off_the_lanes) {
       read_gap(state, contact);
       continue;
     }

@@ -100,23 +100,19 @@ void gather_resting(Run<D> &run, bool at_start) {
 }
 
 // Decides who is held after the instant, for all masses in question at once, and enters the contact
-// mode that follows. `start` is where a run starts from, which is known exactly.
+// mode that follows. At the start of a run its motion is known exactly, and stands there already.
 template <int D>
-void hold_or_release(Run<D> &run, const Masses<D> *start = nullptr) {
-  gather_resting(run, start != nullptr);
+void hold_or_release(Run<D> &run, bool at_start = false) {
+  gather_resting(run, at_start);
   if (run.question.resting.empty()) return;
   State<D> &state = run.state;
-  if (start == nullptr) set_masses(state, run.scene, run.masses);
-  const Masses<D> &masses = start == nullptr ? run.masses : *start;
-  Derivatives &at = run.question.at;
-  at.x.assign(masses.displacement.begin(), masses.displacement.end());
-  at.v.assign(masses.velocity.begin(), masses.velocity.end());
-  for (double &velocity : at.v) velocity /= run.scene_rate;
-  at.x_error.assign(at.x.size(), 0.0);
-  if (start == nullptr) set_rounding(state, run.scene, run.scene_rate, at.x_error);
-  Held &held = run.question.held;
-  held = state.mode->held;
-  decide(run.scene, state.now.phase, run.scene_rate, run.question);
+  run.question.error.assign(run.scene.mass.size(), 0.0);
+  if (!at_start) {
+    set_motion(state, run.scene, run.motion);
+    set_rounding(state, run.scene, run.scene_rate, run.question.error);
+  }
+  decide(run.scene, run.motion, run.scene_rate, run.question);
+  Held &held = run.motion.held;
   for (const Resting &mass : run.question.resting) {
     AtStop &stop = state.stops[mass.stop];
     set_at_rest(stop, mass.zeros, mass.leading);
@@ -133,7 +129,7 @@ void hold_or_release(Run<D> &run, const Masses<D> *start = nullptr) {
     }
   }
   if (held == state.mode->held) return;
-  set_lanes(state, run.scene, run.modes.enter(run.scene, held, run.counters), masses);
+  set_lanes(state, run.scene, run.modes.enter(run.scene, held, run.counters), run.motion);
   for (const Resting &mass : run.question.resting) {
     if (mass.held == mass.was_held) continue;
     ++(mass.held ? run.counters.sticks : run.counters.releases);

@@ -111,11 +111,9 @@ void look_inside(Run<D> &run, const Instant &then) {
 template <int D>
 void start_from(Run<D> &run, const MotionState &motion) {
   State<D> &state = run.state;
-  const auto n = static_cast<Eigen::Index>(motion.displacement.size());
-  Masses<D> masses{Eigen::Map<const Eigen::VectorXd>(motion.displacement.data(), n),
-                   Eigen::Map<const Eigen::VectorXd>(motion.velocity.data(), n)};
+  run.motion = motion;
   state.now = state.window_start = motion.instant;
-  set_lanes(state, run.scene, run.modes.enter(run.scene, motion.held, run.counters), masses);
+  set_lanes(state, run.scene, run.modes.enter(run.scene, motion.held, run.counters), motion);
   state.stops.resize(run.scene.stops.size());
   for (std::size_t k = 0; k < state.stops.size(); ++k) {
     const Stop &stop = run.scene.stops[k];
@@ -130,9 +128,9 @@ void start_from(Run<D> &run, const MotionState &motion) {
   }
   apply_impacts(run);
   for (const std::size_t k : run.hits)
-    masses.velocity(static_cast<Eigen::Index>(mode->contacts[k].mass)) =
+    run.motion.velocity[mode->contacts[k].mass] =
         -mode->contacts[k].sigma * state.stops[mode->contacts[k].stop].speed;
-  hold_or_release(run, &masses);
+  hold_or_release(run, true);
   follow_chatter(run, mode);
 }
 
@@ -175,16 +173,10 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
   else
     start_from(run, start.state->numbers());
   run_on(run);
-  set_masses(run.at_end, scene, run.masses);
-  return {{run.at_end.now,
-           {run.masses.displacement.begin(), run.masses.displacement.end()},
-           {run.masses.velocity.begin(), run.masses.velocity.end()},
-           run.at_end.mode->held},
-          time_of(run.at_end.now, run.clock),
-          run.ending,
-          run.reason,
-          run.counters,
-          state_of(run)};
+  set_motion(run.at_end, scene, run.motion);
+  return {run.motion,   time_of(run.motion.instant, run.clock),
+          run.ending,   run.reason,
+          run.counters, state_of(run)};
 }
 
 }  // namespace vibro_impact

@@ -42,8 +42,8 @@ struct Run {
   std::string reason = {};
   std::vector<std::size_t> hits = {}, roots = {};  // contacts of the event at hand
   Question question = {};
-  Masses<D> masses = {};  // at the instant at hand
-  Event event = {};       // told, its storage reused
+  MotionState motion = {};  // at the instant at hand
+  Event event = {};         // told, its storage reused
 };
 
 // A recorder may ask the run to end.

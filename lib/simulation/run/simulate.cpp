@@ -73,15 +73,6 @@ bool has_four_lanes(const Scene &scene) {
          !strongly_damped(scene.beta, largest_eigenvalue_bound(scene));
 }
 
-MotionState start_of(const Scene &scene) {
-  check(scene);
-  const std::size_t n = scene.mass.size();
-  const auto or_zero = [n](const std::vector<double> &values) {
-    return values.empty() ? std::vector<double>(n, 0.0) : values;
-  };
-  return {Instant{}, or_zero(scene.displacement), or_zero(scene.velocity), Held(n, 0)};
-}
-
 const Outcome &require_complete(const Outcome &outcome) {
   if (outcome.ending == Ending::given_up) throw std::runtime_error(outcome.reason);
   return outcome;

@@ -73,13 +73,18 @@ std::size_t decide_by_order(const Scene &scene, double phase, double rate, Quest
 
 }  // namespace
 
-void decide(const Scene &scene, double phase, double rate, Question &question) {
+void decide(const Scene &scene, const MotionState &motion, double rate, Question &question) {
   const std::size_t n = scene.mass.size();
   Derivatives &at = question.at;
   std::vector<Kind> &kind = question.kind;
   kind.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-    kind[i] = question.held[i] != 0 ? Kind::at_rest : Kind::moving;
+  at.x = motion.displacement;
+  at.v = motion.velocity;
+  at.x_error = question.error;
+  for (std::size_t i = 0; i < n; ++i) {
+    at.v[i] /= rate;
+    kind[i] = motion.held[i] != 0 ? Kind::at_rest : Kind::moving;
+  }
   for (Resting &mass : question.resting) {
     kind[mass.mass] = Kind::undecided;
     at.x[mass.mass] = scene.stops[mass.stop].position;
@@ -92,12 +97,12 @@ void decide(const Scene &scene, double phase, double rate, Question &question) {
   at.a_error.assign(n, 0.0);
   at.v_error = at.x_error;
   question.looked_at = at;
-  if (decide_by_order(scene, phase, rate, question) == 0) return;
+  if (decide_by_order(scene, motion.instant.phase, rate, question) == 0) return;
   // Where nothing but the rounding of the others tells: by that.
   at.x_error.assign(n, 0.0);
   at.v_error.assign(n, 0.0);
   question.looked_at = at;
-  decide_by_order(scene, phase, rate, question);
+  decide_by_order(scene, motion.instant.phase, rate, question);
 }
 
 }  // namespace vibro_impact

@@ -28,19 +28,18 @@ struct Derivatives {
 // A question to `decide`, its storage reused from instant to instant.
 struct Question {
   std::vector<Resting> resting;  // the masses in question
-  Derivatives at;                // x, v and their errors, as they are asked for
-  Held held;                     // which of the others are held
+  // How far the displacements, and the velocities in units of the rate, may be off by rounding.
+  std::vector<double> error;
   // Of the decision.
   enum class Kind : char { moving, at_rest, undecided };
-  Derivatives looked_at;
+  Derivatives at, looked_at;
   std::vector<Kind> kind;
 };
 
-// Decides the masses in `question.resting`, of a chain with these displacements and velocities at
-// this phase of the forcing; the errors bound how far they may be off by rounding, not at all at
-// the start of a run. Velocities are in units of `rate`. A mass on which no force acts to all
-// orders (2 N + 4 of them: motion has passed along the chain by then) stays where it is, and counts
-// as free: nothing presses it.
-void decide(const Scene &scene, double phase, double rate, Question &question);
+// Decides the masses in `question.resting` of a chain in this motion, the contact mode of which
+// says who else is held; `rate` is the unit of the derivatives. A mass on which no force acts to
+// all orders (2 N + 4 of them: motion has passed along the chain by then) stays where it is, and
+// counts as free: nothing presses it.
+void decide(const Scene &scene, const MotionState &motion, double rate, Question &question);
 
 }  // namespace vibro_impact
