@@ -16,11 +16,10 @@
 namespace vibro_impact::figures {
 
 struct Differences {
-  std::string first;         // the first event without a counterpart; empty when all agree
-  std::size_t matched = 0;   // events
-  double time = 0.0;         // largest error in time
-  double time_in_ulp = 0.0;  // the same in units in the last place of the event's time
-  double velocity = 0.0;     // largest error of an impact velocity
+  std::string first;        // the first event without a counterpart; empty when all agree
+  std::size_t matched = 0;  // events
+  double time = 0.0;        // largest error in time
+  double velocity = 0.0;    // largest error of an impact velocity
 };
 
 // What counts as the same event.
@@ -84,11 +83,6 @@ inline void compare_mass(const std::vector<TrueEvent> &events, const std::vector
     if (matching.contact_modes && event.contact_mode != expected.contact_mode)
       return differ("in another contact mode:", event);
     result.time = std::max(result.time, error);
-    const double time = time_of({expected.cycle, expected.time}, clock);
-    if (time > 0.0)
-      result.time_in_ulp =
-          std::max(result.time_in_ulp,
-                   error / (std::nextafter(time, std::numeric_limits<double>::infinity()) - time));
     result.velocity =
         std::max(result.velocity, std::abs(event.velocity_before - expected.velocity_before));
     ++result.matched;
