@@ -55,8 +55,8 @@ Real fall_between(const SignalAt &signal_at, const Before &before, Real a, Real 
 
 /// First time in (a, b] at which the signal falls through zero, if there is one. The piece is cut
 /// where the curvature changes sign, so that the rate is monotone on every part: then a part has at
-/// most one extremum, and a dip below zero between two positive samples (grazing) is found at the
-/// minimum, itself bisected for from the rate.
+/// most one extremum, and a dip below zero between two positive samples (grazing) is found on the
+/// way to the minimum, itself bisected for from the rate.
 template <class SignalAt>
 std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const Signal &at_a,
                                const Real &b, const Signal &at_b, const RootSearch &search) {
@@ -85,31 +85,18 @@ std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const S
     return fall_between(
         signal_at, [](const Signal &s) { return s.rate > 0 || s.value > 0; }, a, b, search);
   }
-  Real low = b;
   if (at_b.rate > 0) {
-    // A minimum lies between: look for it, and stop as soon as a point below zero is met on the
-    // way.
-    Real left = a;
-    const Real width = search.width * b;
-    Real value = at_b.value;
-    while (low - left > width) {
-      const Real middle = (left + low) / 2;
-      if (middle <= left || middle >= low) break;
-      const Signal s = signal_at(middle);
-      if (s.rate >= 0 || s.value <= 0) {
-        low = middle;
-        value = s.value;
-        if (s.value <= 0) break;
-      } else {
-        left = middle;
-      }
-    }
-    if (value > 0) return std::nullopt;
-  } else if (at_b.value > 0) {
-    return std::nullopt;
+    // A minimum lies between: that, or the zero that is met on the way to it.
+    const auto above_and_falling = [&](const Real &tau) {
+      const Signal s = signal_at(tau);
+      return s.rate < 0 && s.value > 0;
+    };
+    const Real low = bisect(above_and_falling, a, b, search.width);
+    return signal_at(low).value > 0 ? std::nullopt : std::optional(low);
   }
+  if (at_b.value > 0) return std::nullopt;
   return fall_between(
-      signal_at, [](const Signal &s) { return s.value > 0; }, a, low, search);
+      signal_at, [](const Signal &s) { return s.value > 0; }, a, b, search);
 }
 
 }  // namespace vibro_impact_reference
