@@ -17,28 +17,20 @@
 
 namespace vibro_impact_reference {
 
-/// Part of a radian of the fastest mode or of the forcing for which an assignment is tried first,
-/// how often that is halved if none stands, and at how many equidistant times one is looked at.
-struct Trial {
-  Real part = Real(0.25);
-  int halvings = 40;
-  int samples = 8;
-  Real noise = small(44);  // gaps and forces, of order one, are known to about this
-};
-
 /// True if the gaps of all free masses and the hold forces of all others stay positive along the
 /// flow for `duration`: where the masses in question are concerned to within noise, and clear of it
-/// at the end. `state` tells who is free.
+/// at the end. Looked at eight times. `state` tells who is free.
 inline bool stands(const Scene &scene, const State &state, const Flow &flow,
-                   const std::vector<std::size_t> &in_question, const Real &duration,
-                   const Trial &trial) {
-  for (int n = trial.samples; n > 0; --n) {
-    const Motion motion = motion_at(flow, duration * n / trial.samples);
+                   const std::vector<std::size_t> &in_question, const Real &duration) {
+  const Real noise = small(44);  // gaps and forces, of order one, are known to about this
+  constexpr int samples = 8;
+  for (int n = samples; n > 0; --n) {
+    const Motion motion = motion_at(flow, duration * n / samples);
     for (std::size_t i = 0; i < scene.stops.size(); ++i) {
       const auto signal = stop_signal(scene, state, i, motion);
       if (!signal) continue;
       const bool asked = std::find(in_question.begin(), in_question.end(), i) != in_question.end();
-      const Real least = !asked ? Real(0) : n == trial.samples ? trial.noise : Real(-trial.noise);
+      const Real least = !asked ? Real(0) : n == samples ? noise : Real(-noise);
       if (signal->value <= least) return false;
     }
   }
@@ -49,8 +41,7 @@ inline bool stands(const Scene &scene, const State &state, const Flow &flow,
 /// into the state: stuck_on, stop_start, and how long that stands. Throws std::runtime_error if no
 /// assignment stands for any of the times tried, or more than one.
 inline void decide_at_rest(const Scene &scene, State &state,
-                           const std::vector<std::size_t> &in_question, Eigensystems &known,
-                           const Trial &trial = {}) {
+                           const std::vector<std::size_t> &in_question, Eigensystems &known) {
   if (in_question.size() > 12) throw std::runtime_error("more than 12 masses in question at once");
   const auto assigned = [&](unsigned held) {
     State result = state;
@@ -70,12 +61,13 @@ inline void decide_at_rest(const Scene &scene, State &state,
   for (unsigned held = 0; held < 1u << in_question.size(); ++held)
     flows.push_back(
         flow_from(scene.chain, state.time, state.x, state.v, stuck_masses(assigned(held)), known));
-  Real duration = trial.part / fastest_rate_at(flows.front(), Real(0));
-  for (int n = 0; n <= trial.halvings; ++n, duration /= 2) {
+  // A quarter of a radian of the fastest mode or of the forcing, halved while none stands.
+  Real duration = Real(0.25) / fastest_rate_at(flows.front(), Real(0));
+  for (int halvings = 0; halvings <= 40; ++halvings, duration /= 2) {
     std::vector<State> standing;
     for (unsigned held = 0; held < flows.size(); ++held) {
       State trial_state = assigned(held);
-      if (stands(scene, trial_state, flows[held], in_question, duration, trial))
+      if (stands(scene, trial_state, flows[held], in_question, duration))
         standing.push_back(std::move(trial_state));
     }
     if (standing.empty()) continue;

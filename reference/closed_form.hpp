@@ -222,6 +222,11 @@ inline Real fastest_rate_at(const Flow &flow, const Real &tau) {
   return fastest;
 }
 
+/// The distance at which a flow is sampled there: part of a cycle of that rate.
+inline Real sampling_step(const Flow &flow, const Real &tau) {
+  return 2 * acos(Real(-1)) / fastest_rate_at(flow, tau) / 128;
+}
+
 /// The closed form at time tau after the start of the flow.
 inline Motion motion_at(const Flow &flow, const Real &tau) {
   const std::size_t n = flow.rest_positions.size();

@@ -23,30 +23,18 @@ namespace vibro_impact_reference {
 
 /// The thresholds of the generator, sized for the digits of Real.
 struct Resolution {
-  Real speed_floor = small(20);     // a chatter is followed down to this speed
-  Real pressing_floor = small(30);  // a hold force below this counts as zero: no stick
-  Real hopeless_speed =
-      small(24);                  // bounces this slow without a pressing force are below the noise
-  RootSearch roots;               // relative to the time since the last event
-  Real simultaneous = small(33);  // roots this close, relative to the same time, are one event
-  int samples_per_cycle = 128;    // of the fastest mode or of the forcing
+  Real speed_floor = small(20);  // a chatter is followed down to this speed
+  RootSearch roots = {};         // relative to the time since the last event
 };
 
-/// The thresholds with chatter followed down to `floor` and zeros narrowed down to `width`, by the
-/// faster search.
-inline Resolution resolution_down_to(const Real &floor, const Real &width) {
-  Resolution resolution;
-  resolution.speed_floor = floor;
-  resolution.hopeless_speed = floor / 10000;
-  resolution.roots = {width, true};
-  resolution.simultaneous = 1000 * width;
-  return resolution;
+/// The thresholds with chatter followed down to `floor`, and zeros narrowed down as the flights of
+/// such a chatter need, by the faster search.
+inline Resolution resolution_down_to(const Real &floor) {
+  return {floor, {std::min<Real>(Real("1e-36"), pow(floor, Real("1.6"))), true}};
 }
 
-/// The same, with zeros narrowed down as the flights of such a chatter need.
-inline Resolution resolution_down_to(const Real &floor) {
-  return resolution_down_to(floor, std::min<Real>(Real("1e-36"), pow(floor, Real("1.6"))));
-}
+/// A hold force below this counts as zero: no stick.
+inline const Real pressing_floor = small(30);
 
 struct Event {
   enum class Kind { impact, stick, release };
@@ -105,16 +93,13 @@ struct NextEvents {
   std::vector<std::size_t> stops;
 };
 
-/// Samples the flow until something happens or `horizon` is reached (then no stop is named).
+/// Samples the flow until something happens or `horizon` is reached (then no stop is named). Zeros
+/// a thousand widths apart are one event.
 inline NextEvents find_next(const Scene &scene, const State &state, const Flow &flow,
                             const Real &horizon, const Resolution &resolution) {
-  const Real two_pi = 2 * acos(Real(-1));
-  const auto longest_at = [&](const Real &tau) -> Real {
-    return two_pi / fastest_rate_at(flow, tau) / resolution.samples_per_cycle;
-  };
   auto signals = starting_signals(scene, state, motion_at(flow, Real(0)));
   for (const std::size_t i : state.decided) signals[i].reset();
-  Real step = first_step(scene, state, signals, longest_at(Real(0)));
+  Real step = first_step(scene, state, signals, sampling_step(flow, Real(0)));
   Real a = 0;
   while (a < horizon) {
     Real b = std::min<Real>(a + step, horizon);
@@ -142,12 +127,12 @@ inline NextEvents find_next(const Scene &scene, const State &state, const Flow &
         throw std::runtime_error("an event comes before what has been decided stands");
       NextEvents next{first, {}};
       for (const auto &[time, stop] : roots) {
-        if (time - first <= resolution.simultaneous * first) next.stops.push_back(stop);
+        if (time - first <= 1000 * resolution.roots.width * first) next.stops.push_back(stop);
       }
       return next;
     }
     a = b;
-    step = std::min<Real>(2 * step, longest_at(a));
+    step = std::min<Real>(2 * step, sampling_step(flow, a));
   }
   return {horizon, {}};
 }
@@ -195,16 +180,16 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
     const std::size_t p = scene.stops[i].mass;
     if (abs(state.v[p]) >= resolution.speed_floor) continue;
     const Real pressing = pressing_now(scene, state, i);
-    if (pressing > resolution.pressing_floor) {
+    if (pressing > pressing_floor) {
       const Real before = state.v[p];
       state.v[p] = 0;
       state.stuck_on[p] = i;
       record(p, Event::Kind::stick, before, Real(0), pressing);
-    } else if (pressing < -resolution.pressing_floor) {
+    } else if (pressing < -pressing_floor) {
       if (state.v[p] == 0) state.stop_start[i] = Start::pulled;  // hit without rebound
     } else if (state.v[p] == 0) {
       in_question.push_back(i);
-    } else if (abs(state.v[p]) < resolution.hopeless_speed) {
+    } else if (abs(state.v[p]) < resolution.speed_floor / 10000) {
       // Bouncing about an equilibrium that lies on the stop: neither a stick nor a flight can be
       // told from rounding.
       throw std::runtime_error("mass " + std::to_string(p + 1) +
@@ -221,9 +206,9 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
   for (const auto &stuck_on : std::vector(state.stuck_on)) {
     if (!stuck_on) continue;
     const Real pressing = pressing_now(scene, state, *stuck_on);
-    if (pressing < -resolution.pressing_floor)
+    if (pressing < -pressing_floor)
       let_go(*stuck_on, Start::pulled);
-    else if (unsettled && pressing <= resolution.pressing_floor)
+    else if (unsettled && pressing <= pressing_floor)
       in_question.push_back(*stuck_on);
     // Otherwise a force within rounding of zero decides nothing yet; its coming fall through zero
     // is then found along the flow.
@@ -252,7 +237,7 @@ inline State initial_state(const Scene &scene, const Resolution &resolution, Run
   for (const std::size_t i : at_rest) {
     const std::size_t p = scene.stops[i].mass;
     const Real pressing = pressing_now(scene, state, i);
-    if (abs(pressing) <= resolution.pressing_floor) {
+    if (abs(pressing) <= pressing_floor) {
       in_question.push_back(i);
     } else if (pressing < 0) {
       state.stop_start[i] = Start::pulled;

@@ -10,6 +10,20 @@
 
 namespace vibro_impact_reference {
 
+/// Calls found(tau) where `rate_at`, sampled along the flow, changes its sign in [begin, end].
+template <class RateAt, class Found>
+void each_turn(const Flow &flow, const Real &begin, const Real &end, const RateAt &rate_at,
+               const Found &found) {
+  const Real step = sampling_step(flow, Real(0));
+  bool rising = rate_at(begin) > 0;
+  for (Real a = begin; a < end; a += step) {
+    const Real b = std::min<Real>(a + step, end);
+    if (rising == (rate_at(b) > 0)) continue;
+    found(bisect([&](const Real &tau) { return (rate_at(tau) > 0) == rising; }, a, b, small(36)));
+    rising = !rising;
+  }
+}
+
 /// Smallest and largest position of each mass, and when the largest is met first.
 struct Extremes {
   Vector lowest, highest, highest_at;
@@ -24,7 +38,8 @@ inline void extend_extremes(Extremes &extremes, const Flow &flow, const Real &du
   const Real begin = std::max<Real>(Real(0), from - flow.start_time);
   const Real end = std::min<Real>(duration, to - flow.start_time);
   if (begin >= end) return;
-  const auto include = [&](const Motion &motion, const Real &tau) {
+  const auto include = [&](const Real &tau) {
+    const Motion motion = motion_at(flow, tau);
     if (extremes.lowest.empty())
       extremes = {motion.x, motion.x, Vector(motion.x.size(), flow.start_time + tau)};
     for (std::size_t p = 0; p < motion.x.size(); ++p) {
@@ -34,24 +49,11 @@ inline void extend_extremes(Extremes &extremes, const Flow &flow, const Real &du
       extremes.highest_at[p] = flow.start_time + tau;
     }
   };
-  const Real step = 2 * acos(Real(-1)) / fastest_rate_at(flow, Real(0)) / 128;
-  Motion at_a = motion_at(flow, begin);
-  include(at_a, begin);
-  for (Real a = begin; a < end;) {
-    const Real b = std::min<Real>(a + step, end);
-    const Motion at_b = motion_at(flow, b);
-    include(at_b, b);
-    for (const std::size_t p : flow.free) {
-      const bool positive = at_a.v[p] > 0;
-      if (positive == (at_b.v[p] > 0)) continue;
-      const Real turn =
-          bisect([&](const Real &tau) { return (motion_at(flow, tau).v[p] > 0) == positive; }, a, b,
-                 small(36));
-      include(motion_at(flow, turn), turn);
-    }
-    at_a = at_b;
-    a = b;
-  }
+  include(begin);
+  for (const std::size_t p : flow.free)
+    each_turn(
+        flow, begin, end, [&](const Real &tau) { return motion_at(flow, tau).v[p]; }, include);
+  include(end);
 }
 
 /// The extremes of a motion over [from, to]: at zeros of the velocity (sampled, then bisected) or
@@ -75,20 +77,13 @@ inline Real least_pressing(const Scene &scene, const Run &run, std::size_t stop,
     const auto pressing = [&, &held = flow](const Real &tau) {
       return pressing_signal(scene.chain, scene.stops[stop], motion_at(held, tau));
     };
-    const Real step = 2 * acos(Real(-1)) / fastest_rate_at(flow, Real(0)) / 128;
-    Signal at_a = pressing(Real(0));
-    for (Real a = 0; a < duration;) {
-      const Real b = std::min<Real>(a + step, duration);
-      const Signal at_b = pressing(b);
-      if (at_a.rate < 0 && at_b.rate > 0) {
-        const Real turn =
-            bisect([&](const Real &tau) { return pressing(tau).rate < 0; }, a, b, small(36));
-        const Real value = pressing(turn).value;
-        if (!least || abs(value) < abs(*least)) least = value;
-      }
-      at_a = at_b;
-      a = b;
-    }
+    each_turn(
+        flow, Real(0), duration, [&](const Real &tau) { return pressing(tau).rate; },
+        [&](const Real &tau) {
+          const Signal at_turn = pressing(tau);
+          if (at_turn.curvature > 0 && (!least || abs(at_turn.value) < abs(*least)))
+            least = at_turn.value;
+        });
   }
   if (!least) throw std::runtime_error("no least force in a sticking phase");
   return *least;

@@ -79,11 +79,9 @@ std::string cases_table(const std::vector<vibro_impact::extremes::Case> &cases) 
   std::string table = std::string("case,") + columns;
   for (const auto &extreme : cases) {
     if (extreme.truth != vibro_impact::extremes::Truth::digits) continue;
-    Resolution resolution;
-    resolution.speed_floor = Real(extreme.slowest_impact);
-    resolution.hopeless_speed = resolution.speed_floor * Real("1e-4");
-    const Scene scene = in_digits(extreme.name, extreme.scene, extreme.until);
-    const std::vector<Event> events = simulate(scene, resolution).events;
+    const Scene scene = in_digits(extreme.scene, extreme.until);
+    const std::vector<Event> events =
+        simulate(scene, {.speed_floor = Real(extreme.slowest_impact)}).events;
     Vector slowest(scene.chain.masses.size());
     for (const Event &e : events) {
       const Real speed = kept_speed * abs(e.velocity_before);

@@ -67,7 +67,7 @@ inline Numbers key_numbers() {
   add("figure5c_bounce_interval", pi / sqrt(1 - zeta * zeta));
   add("figure5c_bounce_ratio", Real("0.7") * exp(-pi * zeta / sqrt(1 - zeta * zeta)));
 
-  const Resolution resolution = resolution_down_to(Real("1e-20"), small(36));
+  const Resolution resolution{Real("1e-20"), {small(36), true}};
   {
     const Scene scene = scene_named("figure2");
     const Run run = simulate(scene, resolution);
@@ -85,7 +85,7 @@ inline Numbers key_numbers() {
     add_count("figure2_releases", count(run, Kind::release));
   }
   {
-    const Scene scene = in_digits("figure3 at 0.65", vibro_impact::paper::figure3(0.65), 750);
+    const Scene scene = in_digits(vibro_impact::paper::figure3(0.65), 750);
     const Real ten_periods = 20 * pi / scene.chain.frequency;
     add_count("figure3_sticks_of_mass_1_at_0_65", count(simulate(scene, resolution), Kind::stick,
                                                         mass_1, scene.end_time - ten_periods));
@@ -134,7 +134,7 @@ inline Numbers key_numbers() {
     add("figure5c_bounce_ratio_computed", last.velocity_before / previous.velocity_before);
     add("figure5c_last_bounce_speed", last.velocity_before);
   }
-  const Scene reduced = in_digits("reduced", vibro_impact::paper::figure5c_reduced(), 1000);
+  const Scene reduced = in_digits(vibro_impact::paper::figure5c_reduced(), 1000);
   add_count("figure5c_dual_sticks", dual_sticks(simulate(reduced, resolution)));
   return numbers;
 }

@@ -109,8 +109,8 @@ inline void add_borders(Numbers &numbers) {
 /// rounding leaves the duration of a flight 1e-31, and to 1e-36. The difference is the estimate of
 /// the error.
 inline void add_pairs(Numbers &numbers) {
-  const auto coarse = table1_numbers(resolution_down_to(Real("1e-17"), Real("1e-33")));
-  const auto fine = table1_numbers(resolution_down_to(Real("1e-19"), Real("1e-36")));
+  const auto coarse = table1_numbers({Real("1e-17"), {Real("1e-33"), true}});
+  const auto fine = table1_numbers({Real("1e-19"), {Real("1e-36"), true}});
   for (const auto &[symbol, value] : fine)
     numbers[symbol] = written({value, abs(value - coarse.at(symbol))});
 }

@@ -44,7 +44,6 @@ struct Stop {
 
 /// One run from given initial conditions at t = 0 to end_time.
 struct Scene {
-  std::string name;
   Chain chain;
   std::vector<Stop> stops;
   Real restitution;  // r of Eq. 8
@@ -55,15 +54,14 @@ struct Scene {
 
 /// A scene of reference/scenes, which are in double, as the library computes: every number is taken
 /// over exactly, so that 0.1 is the double nearest to 0.1 here, too.
-inline Scene in_digits(const std::string &name, const vibro_impact::Scene &given, double until) {
+inline Scene in_digits(const vibro_impact::Scene &given, double until) {
   const auto digits = [](const std::vector<double> &values, std::size_t size) {
     std::vector<Real> result(size);  // at rest at zero where none are given
     for (std::size_t i = 0; i < values.size(); ++i) result[i] = Real(values[i]);
     return result;
   };
   const std::size_t n = given.mass.size();
-  Scene scene{.name = name,
-              .chain = {.masses = digits(given.mass, n),
+  Scene scene{.chain = {.masses = digits(given.mass, n),
                         .stiffnesses = digits(given.stiffness, n),
                         .damping_ratio = Real(given.beta),
                         .amplitudes = digits(given.amplitude, n),
@@ -83,7 +81,7 @@ inline Scene in_digits(const std::string &name, const vibro_impact::Scene &given
 /// The named scene of the paper; throws std::invalid_argument if there is none of that name.
 inline Scene scene_named(const std::string &name) {
   const auto [its_name, scene, until] = vibro_impact::paper::scene_named(name);
-  return in_digits(its_name, scene, until);
+  return in_digits(scene, until);
 }
 
 }  // namespace vibro_impact_reference

@@ -22,7 +22,7 @@ inline Real zero_between(const std::function<Real(const Real &)> &f, const Real 
 
 /// The two-mass chain of the paper from rest, without stops, as one flow.
 inline Flow free_flow(const Real &frequency) {
-  Chain chain = in_digits("without stops", vibro_impact::pairs::without_stops(1.0), 0.0).chain;
+  Chain chain = in_digits(vibro_impact::pairs::without_stops(1.0), 0.0).chain;
   chain.frequency = frequency;
   Eigensystems known;
   return flow_from(chain, Real(0), Vector(2), Vector(2), {false, false}, known);
@@ -71,7 +71,7 @@ inline std::map<std::string, Real> table1_numbers(const Resolution &resolution) 
   }
   {
     const auto [from, to] = grazing_sticking_maximum;
-    Scene scene = in_digits("grazing-sticking", grazing_sticking(), to);
+    Scene scene = in_digits(grazing_sticking(), to);
     scene.stops.pop_back();
     const Flow last = simulate(scene, resolution).pieces.back().flow;
     const double start = static_cast<double>(last.start_time);
@@ -81,7 +81,7 @@ inline std::map<std::string, Real> table1_numbers(const Resolution &resolution) 
   }
   {
     const auto [from, to] = dual_sticking_window;
-    const Scene scene = in_digits("dual sticking", dual_sticking(), to);
+    const Scene scene = in_digits(dual_sticking(), to);
     const Run run = simulate(scene, resolution);
     const Event &stick = first(run, Event::Kind::stick, 1, Real(from), Real(to));
     numbers["DS_from"] = completion(scene, stick);
