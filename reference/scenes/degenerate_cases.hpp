@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "extreme_scenes.hpp"
@@ -24,13 +25,10 @@ inline Scene on_equal_stops(int masses, Side side, double beta, double r, double
 
 // Ten masses of which only the first is forced; it has no stop, and pulls the others off theirs:
 // mass j follows its neighbour as t^2j.
-inline Scene following_the_first(double omega, double r) {
-  Scene scene = chain(10, 0.0);
-  scene.amplitude.assign(10, 0.0);
-  scene.amplitude[0] = 0.5;
-  scene.omega = omega;
-  scene.restitution = r;
-  for (int i = 2; i <= 10; ++i) scene.stops.push_back({i, Side::lower, 0.0});
+inline Scene following_the_first() {
+  Scene scene = on_equal_stops(10, Side::lower, 0.0, 0.7, 0.7);
+  std::fill(scene.amplitude.begin() + 1, scene.amplitude.end(), 0.0);
+  scene.stops.erase(scene.stops.begin());
   return scene;
 }
 
@@ -48,8 +46,7 @@ inline std::vector<Case> degenerate_cases() {
       for (const double beta : {0.0, 0.5})
         for (const double r : {0.0, 0.3, 0.7})
           for (const double omega : {0.3, 0.7}) uniform(masses, side, beta, r, omega);
-  cases.push_back(
-      {"10 masses that follow the first", "degenerate", following_the_first(0.7, 0.7), 30.0});
+  cases.push_back({"10 masses that follow the first", "degenerate", following_the_first(), 30.0});
   return cases;
 }
 

@@ -56,13 +56,6 @@ struct Case {
 
 // --- Scenes -----------------------------------------------------------------------------------
 
-// The two masses and the stops of Figure 2 at Omega = 0.28, with one number changed by the caller.
-inline Scene figure2_with(double restitution) {
-  Scene scene = paper::stops_of_different_sign(0.28);
-  scene.restitution = restitution;
-  return scene;
-}
-
 // n unit masses on unit springs.
 inline Scene chain(int n, double beta) {
   Scene scene;
