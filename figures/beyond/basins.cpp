@@ -27,12 +27,13 @@ void draw(const std::filesystem::path &output, int count) {
     }
     write(table, output / ("basins_" + name + ".csv"));
     for (std::size_t k = 0; k < basins.attractors.size(); ++k) {
-      const auto &[record, sections, settled_on_it, met] = basins.attractors[k];
+      const auto &[record, sections, settled_on_it] = basins.attractors[k];
       const auto rate = [&](int events) { return events / static_cast<double>(record.period); };
       const auto &impacts = record.counts.impacts, &sticks = record.counts.sticks;
-      attractors.row(name, k + 1, grid.scene.omega, grid.scene.restitution, record.period,
-                     rate(impacts[0]), rate(impacts[1]), rate(sticks[0]), rate(sticks[1]),
-                     static_cast<double>(settled_on_it) / static_cast<double>(grid.points()));
+      attractors.row(
+          name, k + 1, grid.scene.omega, grid.scene.restitution, record.period, rate(impacts[0]),
+          rate(impacts[1]), rate(sticks[0]), rate(sticks[1]),
+          static_cast<double>(settled_on_it.size()) / static_cast<double>(grid.points()));
     }
   }
   write(attractors, output / "basins_attractors.csv");

@@ -18,8 +18,7 @@ namespace vibro_impact::figures {
 struct Attractor {
   OrbitRecord record;
   std::vector<std::vector<double>> sections;  // its states at the phase of the start, one a period
-  std::size_t points = 0;                     // of the grid that settle on it
-  int met = 0;                                // as which of them, from 1
+  std::vector<std::size_t> points = {};       // of the grid that settle on it
 };
 
 struct Basins {
@@ -50,33 +49,25 @@ inline Attractor attractor_of(const Scene &scene, const OrbitRecord &record) {
 inline Basins basins_of(
     const Grid &grid, const RecordOptions &options, const std::function<void()> &advance = [] {}) {
   check(grid);
-  Basins basins;
+  Basins basins{{}, std::vector<int>(grid.points(), 0)};
+  auto &all = basins.attractors;
   sweep(
       grid.points(), [&](std::size_t point) { return record_of(grid.scene_at(point), options); },
-      [&](std::size_t, const OrbitRecord &record) {
+      [&](std::size_t point, const OrbitRecord &record) {
         advance();
-        basins.of.push_back(0);
         if (record.period == 0) return;
         const std::vector<double> state = coordinates(record.state);
-        auto &all = basins.attractors;
         auto found = std::find_if(all.begin(), all.end(), [&](const Attractor &attractor) {
           return is_on(attractor, record.period, state);
         });
-        if (found == all.end()) {
-          found = all.insert(all.end(), attractor_of(grid.scene, record));
-          found->met = static_cast<int>(all.size());
-        }
-        ++found->points;
-        basins.of.back() = found->met;
+        if (found == all.end()) found = all.insert(all.end(), attractor_of(grid.scene, record));
+        found->points.push_back(point);
       });
-  // By size.
-  auto &all = basins.attractors;
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Attractor &a, const Attractor &b) { return a.points > b.points; });
-  std::vector<int> number(all.size() + 1, 0);
+  std::stable_sort(all.begin(), all.end(), [](const Attractor &a, const Attractor &b) {
+    return a.points.size() > b.points.size();
+  });
   for (std::size_t k = 0; k < all.size(); ++k)
-    number[static_cast<std::size_t>(all[k].met)] = static_cast<int>(k) + 1;
-  for (int &of : basins.of) of = number[static_cast<std::size_t>(of)];
+    for (const std::size_t point : all[k].points) basins.of[point] = static_cast<int>(k) + 1;
   return basins;
 }
 

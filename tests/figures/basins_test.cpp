@@ -26,7 +26,7 @@ TEST(Basins, AreAsManyAsThereAreAttractors) {
     ASSERT_EQ(basins.of.size(), grid.points());
     EXPECT_EQ(basins.attractors.size(), attractors[k]);
     std::size_t points = 0;
-    for (const Attractor &attractor : basins.attractors) points += attractor.points;
+    for (const Attractor &attractor : basins.attractors) points += attractor.points.size();
     EXPECT_EQ(points, grid.points()) << "all settle";
     for (int sample = 0; sample < 8; ++sample) {
       const std::size_t point = random() % grid.points();
