@@ -93,9 +93,9 @@ std::size_t count(const Rows &rows, const char *beginning, std::size_t cell) {
       rows.begin(), rows.end(), [&](const auto &row) { return row[cell].starts_with(beginning); }));
 }
 
-// `sections`: a table of titles, pictures, the beginnings of the symbols of the key numbers that
+// report_sections.csv: titles, pictures, the beginnings of the symbols of the key numbers that
 // belong to them, and what they show.
-std::string page(const path &folder, const std::string &sections) {
+std::string page(const path &folder) {
   const Rows keys = read_rows(folder / "key_numbers_checked.csv", 10),
              others = read_rows(folder / "published_checked.csv", 8);
   std::string text = head;
@@ -111,7 +111,7 @@ std::string page(const path &folder, const std::string &sections) {
       "digits or formulas, are {} of {}; of {} results that others have published, {} are.</p>\n",
       keys.size(), verdicts("agrees"), verdicts("differs"), verdicts("not"),
       count(keys, "pass", column::met), keys.size(), others.size(), count(others, "pass", 7));
-  for (const auto &section : read_rows(sections, 4)) {
+  for (const auto &section : read_rows("figures/report_sections.csv", 4)) {
     text += fmt::format("<h2>{}</h2>\n<p>{}</p>\n", section[0], section[3]);
     if (!section[1].empty()) text += picture(folder / (section[1] + ".png"), section[0]);
     Rows rows;
@@ -140,16 +140,12 @@ std::string page(const path &folder, const std::string &sections) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string output = "build/figures", to = "build/report.html",
-              sections = "figures/report_sections.csv";
-  return command(argc, argv, "The reproduction report as one HTML page",
-                 {{"--output", "Folder of the tables and pictures", &output},
-                  {"--sections", "Table of the sections", &sections},
-                  {"--report", "The page to be written", &to}},
-                 [&] {
+  std::string output = "build/figures";
+  return command(argc, argv, "The reproduction report as one HTML page, build/report.html",
+                 {{"--output", "Folder of the tables and pictures", &output}}, [&] {
                    Table text("");
-                   text.text = page(output, sections);
-                   write(text, to);
+                   text.text = page(output);
+                   write(text, "build/report.html");
                    return 0;
                  });
 }

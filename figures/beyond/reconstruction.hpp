@@ -61,12 +61,8 @@ struct Trial {
 
 // A window has 2000 samples: an extreme is missed by (50 / 2000)^2 x'' / 8 at most, a thousandth of
 // a tick.
-inline double scan_step(const paper::AxisBox &box) {
-  return (box.to - box.from) / 2000.0;
-}
-
 inline SampleRecorder scan_samples(const paper::AxisBox &box) {
-  return samples_across(box, scan_step(box));
+  return samples_across(box, (box.to - box.from) / 2000.0);
 }
 
 // A chatter that ends in sticking: the times of its impacts, and of the stick (`never`: there is

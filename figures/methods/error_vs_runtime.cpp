@@ -103,8 +103,8 @@ Table conditions(const Methods &all, int repeats) {
   return table;
 }
 
-void compare(const std::filesystem::path &output, const std::string &reference, int repeats) {
-  const std::vector<Problem> cases = problems(reference);
+void compare(const std::filesystem::path &output, int repeats) {
+  const std::vector<Problem> cases = problems(REFERENCE_DIR);
   const Methods all = all_methods();
   for (const std::string &line : all.left_out)
     fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
@@ -129,11 +129,9 @@ void compare(const std::filesystem::path &output, const std::string &reference, 
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string reference = "reference";
   int repeats = 5;
   return figures::drive(
       argc, argv, "Error against run time of this library and other methods",
-      [&](const std::filesystem::path &output) { compare(output, reference, repeats); },
-      {{"--reference", "Folder of the 50-digit reference tables", &reference},
-       {"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats}});
+      [&](const std::filesystem::path &output) { compare(output, repeats); },
+      {{"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats}});
 }
