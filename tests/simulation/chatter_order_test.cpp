@@ -83,8 +83,7 @@ TEST(ChatterOrder, JumpsToComeMayNotLetGoANeighbour) {
     const auto pressed = build_contact_mode<Eigen::Dynamic>(scene, Held{0, 1});
     State<Eigen::Dynamic> state;
     state.stops.resize(2);
-    set_lanes(state, scene, pressed,
-              Masses<Eigen::Dynamic>{Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2)});
+    set_lanes(state, scene, pressed, start_of(scene));
     Chatter<Eigen::Dynamic> chatter;
     const std::vector<std::size_t> first{0};
     begin(chatter, pressed, scene, first);
