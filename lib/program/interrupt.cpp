@@ -12,9 +12,14 @@ namespace {
 volatile std::sig_atomic_t came = 0;
 
 constexpr unsigned patience = 2;  // seconds
+constexpr char said[] =
+    "vibro-impact: ended by the signal, no table is whole; a sweep goes on with --resume\n";
 
 void remember(int signal) {
-  if (signal == SIGALRM) raise(came);  // nobody has asked for it
+  if (signal == SIGALRM) {  // nobody has asked for it
+    static_cast<void>(!write(STDERR_FILENO, said, sizeof said - 1));
+    raise(came);
+  }
   came = signal;
   alarm(patience);
 }

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <utility>
 
 #include "output.hpp"
@@ -27,6 +26,7 @@ PartialTable::PartialTable(std::string path, const std::string &definition,
   if (!file_) refuse("{}: cannot be written: {}", path_, std::strerror(errno));
   if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     refuse("{}: another sweep is writing it", path_);
+  held_ = fmt::format("/proc/self/fd/{}", fileno(file_.get()));
   const std::size_t size = read([](std::string_view) {});
   if (ftruncate(fileno(file_.get()), static_cast<off_t>(size)) != 0)
     refuse("{}: cannot be written: {}", path_, std::strerror(errno));
@@ -38,8 +38,8 @@ PartialTable::PartialTable(std::string path, const std::string &definition,
 std::size_t PartialTable::read(const std::function<void(std::string_view)> &take) {
   checksum_.reset();
   points_ = 0;
-  // The file that is held, whatever has its name.
-  std::ifstream file(fmt::format("/proc/self/fd/{}", fileno(file_.get())), std::ios::binary);
+  std::ifstream file(held_, std::ios::binary);
+  if (!file) refuse("{}: cannot be read", path_);
   std::string start(head_.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
@@ -82,7 +82,7 @@ void PartialTable::finish(const std::string &name) {
   output.complete();
   output.put_in_place();
   std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+  if (std::filesystem::equivalent(path_, held_, ignored)) std::filesystem::remove(path_, ignored);
 }
 
 }  // namespace vibro_impact::runner

@@ -37,6 +37,7 @@ class PartialTable {
 
  private:
   std::string path_, header_, head_;  // head_: definition and header
+  std::string held_;                  // a name of the file that is held, whatever has its own
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
   boost::crc_32_type checksum_;
   std::size_t points_ = 0;

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
-#include <stdexcept>
 #include <vector>
 
 #include "refuse.hpp"
@@ -46,8 +45,7 @@ void check_plot(const Request &request) {
   const std::string terminal = terminal_of(request.plot);
   if (request.samples.empty() || Destination(request.samples).direct ||
       Destination(request.plot).direct)
-    refuse("--plot {}: is drawn from --samples {}; both must be files", request.plot,
-           request.samples);
+    refuse("--plot {}: is drawn from the table of --samples; both must be files", request.plot);
   if (!gnuplot(fmt::format("-e 'set terminal {}'", terminal)))
     refuse("--plot {}: needs gnuplot with its terminal {}, not found", request.plot, terminal);
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <stdexcept>
 #include <string>
 
 #include "options.hpp"
@@ -27,7 +26,9 @@ Row row_at(const SweepRequest &request, std::size_t point) {
 // On rank 0, with a function that may leave a point to another process.
 void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of_point) {
   const Destination to(request.table);
-  if (to.direct) refuse("--table {}: must be a file, for which the rows are kept", request.table);
+  if (to.direct || Destination(to.path + ".partial").direct)
+    refuse("--table {}: it and its .partial must be files, for which the rows are kept",
+           request.table);
   remember_signals();
   Table text = sweep_table(request.grid, request.records);  // not yet handed on
   PartialTable partial(to.path + ".partial", request.definition, text.text, request.resume);
@@ -47,8 +48,9 @@ void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of
   };
   sweep(points, row_of_point, take, {.threads = threads, .first = first});
   partial.finish(to.path);
-  fmt::print(stderr, "{} points: {} computed, of which {} were given up\n", points, points - first,
-             given_up);
+  const std::string sum = fmt::format("{} points: {} computed, of which {} were given up\n", points,
+                                      points - first, given_up);
+  std::fputs(sum.c_str(), stderr);
 }
 
 }  // namespace

@@ -82,8 +82,8 @@ TEST_F(Runner, ARefusedOrFailedPictureLeavesNothing) {
       {"--samples s.csv --plot p.jpg", "--plot p.jpg: must end in .png, .pdf or .svg"},
       {"--samples s.csv --plot -", "must end in"},
       {"--samples s.csv --plot ''", "--plot"},
-      {"--plot p.png", "--plot p.png: is drawn from --samples"},
-      {"--samples - --plot p.png", "--samples -; both must be files"},
+      {"--plot p.png", "--plot p.png: is drawn from the table of --samples"},
+      {"--samples - --plot p.png", "of --samples; both must be files"},
       {"--samples s.csv --plot p.png --events p.png", "another file is being written there"},
       {"--samples s.csv --plot /nonexistent/p.png", "/nonexistent/p.png"},
   };

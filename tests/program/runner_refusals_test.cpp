@@ -109,7 +109,7 @@ const std::vector<BadCase> sweeps = {
     {"--vary omega", "--vary omega"},
     {"--vary omega=0.1:0.2:1e9 --vary beta=0.1:0.2:1e9", "more points"},
     {"--vary omega=0.3:0.5:2 --longest 0", "--longest: Value 0"},
-    {"--vary omega=0.3:0.5:2 --table -", "must be a file"},
+    {"--vary omega=0.3:0.5:2 --table -", "must be files"},
     {"--vary omega=0.3:0.5:2 --table ''", "--table"},
     {"--vary omega=0.3:0.5:2 --table .", ".: is a directory"},
     {"--vary omega=0.3:0.5:2 --table /nonexistent/t.csv", "/nonexistent/t.csv"},

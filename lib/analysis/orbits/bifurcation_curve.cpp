@@ -13,9 +13,11 @@ namespace vibro_impact {
 
 namespace {
 
-void require_stop_of(const BifurcationCurve &curve) {
+void check(const BifurcationCurve &curve) {
+  name(curve.what);  // refuses one that is none
   require(curve.stop < curve.scene.stops.size(), "stop ", curve.stop, ": the scene has ",
           curve.scene.stops.size(), " stops");
+  require(curve.periods >= 1, "periods = ", curve.periods, ": must be at least 1");
 }
 
 double product(const PlanePoint &a, const PlanePoint &b) {
@@ -182,7 +184,9 @@ CurvePoint point_from(const BifurcationCurve &curve, const PlanePoint &at, Curve
 
 const char *name(Bifurcation bifurcation) {
   constexpr std::array names{"multi-sliding", "border orbit", "grazing"};
-  return names.at(static_cast<std::size_t>(bifurcation));
+  const auto k = static_cast<std::size_t>(bifurcation);
+  require(k < names.size(), "bifurcation = ", k, ": there are 0 to ", names.size() - 1);
+  return names[k];
 }
 
 Scene BifurcationCurve::at(const PlanePoint &point) const {
@@ -190,7 +194,7 @@ Scene BifurcationCurve::at(const PlanePoint &point) const {
 }
 
 Corrector corrector_of(const BifurcationCurve &curve) {
-  require_stop_of(curve);
+  check(curve);
   return [curve](const PlanePoint &guess, const PlanePoint &across,
                  const CurvePoint &neighbour) -> std::optional<CurvePoint> {
     try {
@@ -207,11 +211,16 @@ Corrector corrector_of(const BifurcationCurve &curve) {
 
 std::optional<CurvePoint> point_of(const BifurcationCurve &curve, const PlanePoint &guess,
                                    const PlanePoint &across, const MotionState &seed, double time) {
-  require_stop_of(curve);
+  check(curve);
+  require(std::isfinite(across.x + across.y + time), "across (", across.x, ", ", across.y,
+          ") at time ", time, ": must be finite");
+  const Scene scene = curve.at(guess);
+  check(scene);
+  require_fits(scene, seed);
   if (curve.what == Bifurcation::border_orbit)
     return by_held_chatter(curve, guess, across,
                            {.at = guess, .gradient = {}, .state = seed, .time = time});
-  return from_one_side(curve, guess, across, curve.at(guess), seed, 1.0, nullptr);
+  return from_one_side(curve, guess, across, scene, seed, 1.0, nullptr);
 }
 
 }  // namespace vibro_impact

@@ -76,7 +76,9 @@ PlanePoint PlaneBox::along(const PlanePoint &gradient) const {
 
 const char *name(CurveEnd end) {
   constexpr std::array names{"leaves the box", "events change", "lost", "closed", "most points"};
-  return names.at(static_cast<std::size_t>(end));
+  const auto k = static_cast<std::size_t>(end);
+  require(k < names.size(), "end of a curve = ", k, ": there are 0 to ", names.size() - 1);
+  return names[k];
 }
 
 FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, const PlaneBox &box,
@@ -85,8 +87,10 @@ FollowedCurve follow_curve(const Corrector &corrector, const CurvePoint &start, 
           box.y_from, ") to (", box.x_to, ", ", box.y_to, "): must not be empty");
   require(box.contains(start.at), "start (", start.at.x, ", ", start.at.y, "): outside the box");
   require(direction == 1 || direction == -1, "direction = ", direction, ": must be 1 or -1");
-  require(options.least_step > 0.0 && options.least_step <= options.step, "steps from ",
-          options.least_step, " to ", options.step, ": must be positive and in this order");
+  require(
+      options.least_step > 0.0 && options.least_step <= options.step && std::isfinite(options.step),
+      "steps from ", options.least_step, " to ", options.step,
+      ": must be positive, finite and in this order");
   require(options.turn > 0.0, "turn = ", options.turn, ": must be positive");
   require(corrector != nullptr, "corrector: no function given");
   FollowedCurve curve{{start}, CurveEnd::lost};

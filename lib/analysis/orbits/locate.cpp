@@ -92,13 +92,18 @@ Change bisect(const std::function<int(double)> &count, double below, double abov
 Located zero(const std::function<double(double)> &f, double below, double above) {
   require_function(f, "f");
   require_interval(below, above);
-  const double at_below = f(below), at_above = f(above);
+  const auto number = [&f](double x) {
+    const double y = f(x);
+    require(!std::isnan(y), "f = ", y, " at ", x, ": must be a number");
+    return y;
+  };
+  const double at_below = number(below), at_above = number(above);
   // By the signs: a product of the two may underflow.
   require((at_below <= 0.0 && at_above >= 0.0) || (at_below >= 0.0 && at_above <= 0.0),
           "f = ", at_below, " at ", below, " and ", at_above, " at ", above, ": no change of sign");
   std::uintmax_t steps = 100;
   const auto [a, b] =
-      boost::math::tools::toms748_solve(std::cref(f), below, above, at_below, at_above,
+      boost::math::tools::toms748_solve(number, below, above, at_below, at_above,
                                         boost::math::tools::eps_tolerance<double>(52), steps);
   return {0.5 * (a + b), 0.5 * (b - a)};
 }

@@ -88,6 +88,8 @@ std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
   start.instant.cycle = 0;  // times are then exact phases; to the motion all cycles are the same
   const double from = start.instant.phase, period = Clock(scene.omega).period,
                every = std::min(period / 64.0, 0.125 / rate_of(scene));
+  require(period <= 1e8 * every, "rate = ", rate_of(scene),
+          ": too fast to look at a whole forcing period of ", period);
   MinimumRecorder nodes{scene, quantity, start.held, from, from + period, every};
   stroboscopic_map(scene, start, 1, {}, nodes);
   std::optional<LeastValue> least;

@@ -24,6 +24,9 @@ ChangesAtEnd along(const Scene &scene, const PeriodicOrbit &orbit, const OrbitCh
 // Those at an instant that is counted, as least_gap and the like do, from the start of the orbit.
 Eigen::MatrixXd changes_at(const Scene &scene, const PeriodicOrbit &orbit,
                            const OrbitChange &change, Instant at) {
+  require(change.state.columns == change.by.size(), "change: ", change.state.columns,
+          " columns for ", change.by.size(), " parameters");
+  time_after(scene, orbit.state, orbit.periods);  // refuses periods beyond counting
   at.cycle += orbit.state.instant.cycle;
   return view(along(scene, orbit, change, time_of(at, Clock(scene.omega))).changes);
 }
@@ -50,6 +53,7 @@ ValueChange value_change(double value, const Eigen::RowVectorXd &by) {
 OrbitChange orbit_change(const Scene &scene, const PeriodicOrbit &orbit,
                          const std::vector<Parameter> &by, const RunOptions &options) {
   require(orbit.converged, "orbit: has not converged, its changes mean nothing");
+  require(!by.empty(), "orbit: no parameters to change");
   const StroboscopicImage image =
       stroboscopic_map_and_derivative(scene, orbit.state, orbit.periods, options, by);
   const std::vector<std::size_t> free = free_coordinates(orbit.state.held);

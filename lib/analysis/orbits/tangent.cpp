@@ -79,7 +79,8 @@ TangentRecorder::TangentRecorder(const Scene &scene, const MotionState &start,
   require_differentiable(scene, options.by);
   require_fits(scene, start);
   const std::size_t n = scene.mass.size();
-  require(columns.rows == 2 * n && columns.values.size() == columns.rows * columns.columns,
+  require(columns.rows == 2 * n && columns.values.size() % (2 * n) == 0 &&
+              columns.values.size() / (2 * n) == columns.columns,
           "columns: ", columns.rows, " rows given, the chain has ", 2 * n,
           " coordinates and velocities");
   require(columns.columns >= options.by.size(), "columns: ", columns.columns,
@@ -107,11 +108,22 @@ TangentRecorder::~TangentRecorder() = default;
 
 void TangentRecorder::event(const Event &event, const Moment &moment) {
   require(tangents_ != nullptr, "tangents: an event after the end");
+  const Scene &scene = tangents_->scene;
+  require(event.stop < scene.stops.size() && scene.stops[event.stop].mass == event.mass &&
+              moment.masses() == scene.masses(),
+          "tangents: an event at stop ", event.stop, " of mass ", event.mass, " of ",
+          moment.masses(), ": not of the scene they were made for");
   tangents_->event(event, moment);
 }
 
 ChangesAtEnd TangentRecorder::finish(const Instant &end) {
   require(tangents_ != nullptr, "tangents: finished already");
+  const Clock &clock = tangents_->clock;
+  require(end.phase >= 0.0 && end.phase < clock.period &&
+              static_cast<double>(end.cycle) <= most_periods &&
+              elapsed(tangents_->started, end, clock) >= -repeats * clock.period,
+          "tangents: an end at phase ", end.phase, " in period ", end.cycle,
+          ": must not lie before the start");
   const auto at_end = std::exchange(tangents_, nullptr);
   at_end->finish(end);
   return {matrix_of(at_end->changes), at_end->differentiable, at_end->chatter_error,

@@ -77,6 +77,8 @@ namespace {
 
 // "DS SI", "-" for none, of the sum of row_of.
 std::string listed(double sum) {
+  require(sum >= 0.0 && sum < std::exp2(all_event_pairs.size()), "pairs = ", sum,
+          ": must be a sum of 2^k for pairs of events");
   std::string text;
   for (std::size_t k = 0; k < all_event_pairs.size(); ++k)
     if (static_cast<unsigned>(sum) >> k & 1) {

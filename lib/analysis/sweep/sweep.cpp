@@ -17,11 +17,13 @@ namespace {
 
 using Take = std::function<void()>;
 
+constexpr int most_threads = 1024;
+
 }  // namespace
 
 int available_threads() {
 #ifdef _OPENMP
-  return omp_get_max_threads();
+  return std::min(omp_get_max_threads(), most_threads);
 #else
   return 1;
 #endif
@@ -29,7 +31,9 @@ int available_threads() {
 
 void sweep_in_order(std::size_t points, const std::function<Take(std::size_t)> &compute,
                     const SweepOptions &options) {
-  require(options.threads >= 0, "threads = ", options.threads, ": must be non-negative");
+  require(options.threads >= 0 && options.threads <= most_threads, "threads = ", options.threads,
+          ": must lie from 0 to ", most_threads);
+  require(options.first <= points, "first = ", options.first, ": there are ", points, " points");
   require(compute != nullptr, "sweep: a function is missing");
   [[maybe_unused]] const int threads = options.threads > 0 ? options.threads : available_threads();
   std::mutex mutex;
@@ -54,6 +58,7 @@ void sweep_in_order(std::size_t points, const std::function<Take(std::size_t)> &
     bool is_error = false;
     try {
       take = compute(point);
+      require(take != nullptr, "sweep: nothing that takes point ", point);
     } catch (...) {
       is_error = true;
       take = [error = std::current_exception()] { std::rethrow_exception(error); };

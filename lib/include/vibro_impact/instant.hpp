@@ -9,8 +9,8 @@
 
 namespace vibro_impact {
 
-// Throws std::invalid_argument: Omega >= 0, and times of at most so many periods as a double
-// counts.
+// Throws std::invalid_argument: Omega >= 0 with a finite period, and times of at most so many
+// periods as a double counts.
 [[noreturn]] void refuse_omega(double omega);
 [[noreturn]] void refuse_time(double time);
 
@@ -26,8 +26,8 @@ struct Clock {
     if (!(omega >= 0.0 && omega < std::numeric_limits<double>::infinity())) refuse_omega(omega);
     if (omega == 0.0) return;
     period = two_pi / omega;
-    period_rest =
-        std::isfinite(period) ? (std::fma(-omega, period, two_pi) + two_pi_rest) / omega : 0.0;
+    if (!std::isfinite(period)) refuse_omega(omega);
+    period_rest = (std::fma(-omega, period, two_pi) + two_pi_rest) / omega;
   }
 };
 
@@ -50,7 +50,7 @@ inline Instant later(Instant instant, double tau, const Clock &clock) {
   instant.phase += tau;
   if (!(instant.phase < clock.period)) {
     const double cycles = std::floor(instant.phase / clock.period);
-    if (!(cycles <= most_periods)) refuse_time(instant.phase);
+    if (!(cycles + static_cast<double>(instant.cycle) <= most_periods)) refuse_time(instant.phase);
     instant.phase = std::fma(-cycles, clock.period, instant.phase) - cycles * clock.period_rest;
     instant.cycle += static_cast<long long>(cycles);
     if (instant.phase < 0.0) instant.phase = 0.0;  // rounding at the period boundary
@@ -66,10 +66,10 @@ inline bool operator<(const Instant &a, const Instant &b) {
   return a.cycle != b.cycle ? a.cycle < b.cycle : a.phase < b.phase;
 }
 
-// b - a, exact in the cycle count.
+// b - a, exact in the cycle count up to `most_periods`.
 inline double elapsed(const Instant &a, const Instant &b, const Clock &clock) {
   if (a.cycle == b.cycle) return b.phase - a.phase;
-  const auto cycles = static_cast<double>(b.cycle - a.cycle);
+  const double cycles = static_cast<double>(b.cycle) - static_cast<double>(a.cycle);
   return std::fma(cycles, clock.period, std::fma(cycles, clock.period_rest, b.phase - a.phase));
 }
 

@@ -27,12 +27,12 @@ struct Table {
   }
   // Every cell ends with a comma; that of the last one in a row becomes the end of the line.
   void end_row() {
-    text.back() = '\n';
+    if (!text.empty()) text.back() = '\n';
   }
 };
 
-// Writes the table to `path`: under a temporary name first, renamed when complete. Throws
-// std::runtime_error naming the path when that fails.
+// Writes the table to `path`, a file or a new name: as PATH.part first, renamed when complete.
+// Throws std::runtime_error naming the path when that fails.
 void write(const Table &table, const std::string &path);
 
 }  // namespace vibro_impact

@@ -135,7 +135,7 @@ template <int D>
 using Masses = Eigen::Matrix<double, ContactMode<D>::masses, 1>;
 
 // Sets the motion of all masses in a state. A free mass in a narrow gap is placed by the carried
-// one, between two of them by the narrower.
+// one.
 template <int D>
 void set_motion(const State<D> &state, const Scene &scene, MotionState &motion) {
   const ContactMode<D> &mode = *state.mode;
@@ -151,10 +151,6 @@ void set_motion(const State<D> &state, const Scene &scene, MotionState &motion) 
   for (const Contact<D> &contact : mode.contacts) {
     if (contact.held || is_wide(state, contact)) continue;
     const AtStop &stop = state.stops[contact.stop];
-    bool narrower = true;
-    for (const Contact<D> &other : mode.contacts)
-      if (other.mass == contact.mass && state.stops[other.stop].gap < stop.gap) narrower = false;
-    if (!narrower) continue;
     motion.displacement[contact.mass] =
         scene.stops[contact.stop].position - contact.sigma * stop.gap;
     motion.velocity[contact.mass] = -contact.sigma * stop.speed;

@@ -47,7 +47,8 @@ void check_stop(const Stop &stop, const Scene &scene) {
 }  // namespace
 
 void refuse_omega(double omega) {
-  throw std::invalid_argument(line("omega = ", omega, ": must be non-negative and finite"));
+  throw std::invalid_argument(
+      line("omega = ", omega, ": must be non-negative and finite, with a finite period"));
 }
 
 void refuse_time(double time) {

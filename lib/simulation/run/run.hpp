@@ -122,14 +122,19 @@ template <int D>
 double next_sample(const Run<D> &run) {
   double next = std::numeric_limits<double>::infinity();
   for (const RecorderRef &ref : run.recorders)
-    if (ref.sample) next = std::min(next, ref.next_time());
+    if (ref.sample) {
+      const double time = ref.next_time();
+      require(!std::isnan(time), "next_time = ", time, ": must be a time");
+      next = std::min(next, time);
+    }
   return next;
 }
 
 // Serves the sample times up to tau after the state, on whose path it moves.
 template <int D>
 void sample_flight(Run<D> &run, double tau) {
-  for (double next = next_sample(run); std::isfinite(next) && !run.over; next = next_sample(run)) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  for (double next = next_sample(run); next < never && !run.over; next = next_sample(run)) {
     const Instant instant = instant_at(next, run.clock);
     const double since = elapsed(run.state.now, instant, run.clock), after = std::max(0.0, since);
     if (after > tau) return;

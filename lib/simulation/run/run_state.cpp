@@ -8,6 +8,8 @@ namespace vibro_impact {
 
 namespace {
 
+constexpr int most_counted = 1 << 30;
+
 void require_whole(bool holds) {
   require(holds, "state of a run: cut short or changed, or not saved by this version");
 }
@@ -36,6 +38,7 @@ struct Lines {
   void pass(bool &value) {
     int as_number = value ? 1 : 0;
     pass(as_number);
+    require_whole(as_number <= 1);
     value = as_number == 1;
   }
   void pass(AtStop &at) {
@@ -71,15 +74,35 @@ std::string heading(std::string_view numbers) {
   return "vibro-impact run state 3, checksum " + std::to_string(checksum.checksum()) + "\n";
 }
 
-// As many jumps as impacts, and nodes among these: the checksum guards against slips only.
-void check_chatter(const ChatterImpacts &chatter, const std::vector<ChatterTable::Node> &nodes) {
-  require(chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
-              (chatter.times.empty() || !nodes.empty()),
-          "state: ", chatter.times.size(), " impacts of a chatter at ", chatter.contacts.size(),
-          " stops with ", chatter.jumps.size(), " jumps and ", nodes.size(), " nodes");
-  for (const ChatterTable::Node &node : nodes)
-    require(node.impact < chatter.times.size(), "state: a node of a chatter at impact ",
-            node.impact, " of ", chatter.times.size());
+// What no run leaves behind: the checksum guards against slips only.
+void check_numbers(const Scene &scene, const RunState::Numbers &from) {
+  for (const AtStop &at : from.stops) {
+    const bool finite = std::isfinite(at.gap + at.speed + at.leading + at.last_speed);
+    const bool fits = at.decided ? at.gap == 0.0 && at.speed == 0.0 && at.zeros >= 0 &&
+                                       at.zeros <= 2 * scene.masses() + 4
+                                 : at.zeros == 0 && at.leading == 0.0;
+    require(finite && fits && at.gap >= 0.0 && at.leading >= 0.0, "state: gap = ", at.gap,
+            ", speed = ", at.speed, ", ", at.zeros, " zeros before ", at.leading,
+            " at a stop: not those of a run");
+    require(at.falling <= most_counted && at.last_speed >= 0.0, "state: ", at.falling,
+            " falling impacts, the latest at ", at.last_speed, ": not those of a run");
+  }
+  require(from.next_flight >= 0.0 && from.impacts_in_window <= most_counted &&
+              !(from.now < from.window_start),
+          "state: next flight ", from.next_flight, ", ", from.impacts_in_window,
+          " impacts in one period: not those of a run");
+  const ChatterImpacts &chatter = from.chatter;
+  const std::vector<ChatterTable::Node> &nodes = from.nodes;
+  bool fits = chatter.jumps.size() == chatter.times.size() * chatter.contacts.size() &&
+              chatter.times.empty() == nodes.empty() && nodes.size() <= max_chatter_nodes &&
+              chatter.since >= 0.0 && std::is_sorted(chatter.times.begin(), chatter.times.end());
+  for (const double jump : chatter.jumps) fits = fits && jump > 0.0;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    fits = fits && nodes[k].impact < chatter.times.size() && nodes[k].x > 0.0 &&
+           (k == 0 || (nodes[k].x < nodes[k - 1].x && nodes[k - 1].impact < nodes[k].impact));
+  require(fits, "state: ", chatter.times.size(), " impacts of a chatter at ",
+          chatter.contacts.size(), " stops with ", chatter.jumps.size(), " jumps and ",
+          nodes.size(), " nodes: not those of a run");
 }
 
 }  // namespace
@@ -109,7 +132,7 @@ RunState load(const Scene &scene, std::string_view text) {
   lines.pass(numbers);
   require_whole(lines.rest.empty());
   check_place(scene, numbers.now, numbers.held);
-  check_chatter(numbers.chatter, numbers.nodes);
+  check_numbers(scene, numbers);
   if (has_four_lanes(scene))
     state_in(numbers, scene, build_contact_mode<4>(scene, numbers.held));
   else

@@ -23,11 +23,14 @@ void Table::cell(std::string_view value) {
 }
 
 void write(const Table &table, const std::string &path) {
+  std::error_code error;
+  const std::filesystem::file_status there = std::filesystem::status(path, error);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    throw std::runtime_error(path + ": is no file, cannot be replaced by one");
   const std::string temporary = path + ".part";
   std::ofstream file(temporary, std::ios::binary);
   file << table.text;
   file.close();
-  std::error_code error;
   if (file) std::filesystem::rename(temporary, path, error);
   if (file && !error) return;
   std::filesystem::remove(temporary, error);
