@@ -37,10 +37,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> verdicts{
      {"not", "Not in the paper: library against 50 digits or a formula"}}};
 
 constexpr const char *what_the_words_mean =
-    "agrees: within half a unit of the last digit printed, or a twentieth of the distance of the "
-    "ticks where a value is read off Figure 3\n"
+    "agrees: within half a unit of the last digit printed; between two ticks, where an axis ends; "
+    "within a twentieth of the distance of the ticks, where a value is read off Figure 3\n"
     "error: against the reference (reference/README.md), rounding where it is below the last bit; "
     "allowed: more fails\n";
+
+constexpr const char *what_the_others_mean =
+    "id: the row of reference/published.csv, which has the parameters; source: "
+    "reference/README.md; "
+    "limited by: what keeps the two apart, ours, theirs, or both\n";
 
 // The error of a double, which an error smaller than its last bit is not.
 std::string shown_error(double error, double value, double tolerance) {
@@ -84,15 +89,19 @@ Rows checked_key_numbers(const std::string &folder, std::vector<std::string> &mi
 // The numbers with one verdict, below a header; how far from the paper is said where they differ.
 Rows lines_of(const Rows &numbers, std::string_view verdict) {
   const bool differs = verdict == "differs";
-  Rows lines{{"number", "the paper says", "computed", differs ? "by" : " ", "error", "allowed",
-              "reference", "its digits"}};
+  Rows lines{{"number", "the paper says", "computed"}};
+  if (differs) lines.front().push_back("by");
+  for (const char *name : {"error", "allowed", "reference", "its digits"})
+    lines.front().push_back(name);
   for (const auto &row : numbers) {
     const std::string &words = row[column::verdict];
-    if (words.starts_with(verdict))
-      lines.push_back({row[column::meaning], row[column::printed], row[column::computed],
-                       differs ? words.substr(words.rfind(' ') + 1) : "", row[column::error],
-                       row[column::allowed] + (row[column::met] == "pass" ? "" : " FAILS"),
-                       row[column::kind], row[column::digits]});
+    if (!words.starts_with(verdict)) continue;
+    lines.push_back({row[column::meaning], row[column::printed], row[column::computed]});
+    auto &line = lines.back();
+    if (differs) line.push_back(words.substr(words.rfind(' ') + 1));
+    line.insert(line.end(), {row[column::error],
+                             row[column::allowed] + (row[column::met] == "pass" ? "" : " FAILS"),
+                             row[column::kind], row[column::digits]});
   }
   return lines;
 }
@@ -111,11 +120,11 @@ void print_table(const Rows &rows) {
   }
 }
 
-// A table for every verdict, of the first columns.
-void print_key_numbers(const Rows &rows, std::size_t columns) {
+// A table for every verdict, without the last columns.
+void print_key_numbers(const Rows &rows, std::size_t without) {
   for (const auto &[verdict, title] : verdicts) {
     Rows lines = lines_of(rows, verdict);
-    for (auto &cells : lines) cells.resize(columns);
+    for (auto &cells : lines) cells.resize(cells.size() - without);
     fmt::print("\n**{}: {}**\n\n", title, lines.size() - 1);
     print_table(lines);
   }
@@ -135,16 +144,16 @@ void print_few(const Rows &numbers) {
 // from what was printed than their tolerance.
 Rows checked_published_results(const std::vector<published::Result> &results,
                                std::vector<std::string> &missed) {
-  Rows lines{{"id", "source", "printed", "computed", "difference", "allowed", "limited by",
-              "verdict", "quantity"}};
+  Rows lines{{"id", "source", "quantity", "printed", "computed", "difference", "allowed",
+              "limited by", "verdict"}};
   for (const auto &result : results) {
     const double computed = result.compute(), difference = computed - result.value;
     const bool pass = std::abs(difference) <= result.tolerance;  // false for NaN
     if (!pass) missed.push_back(result.id);
-    lines.push_back({result.id, result.source, result.printed, fmt::format("{:.15g}", computed),
-                     fmt::format("{:.1e}", difference), fmt::format("{:.0e}", result.tolerance),
-                     result.limited_by, pass ? "pass" : "FAIL",
-                     result.quantity + " " + result.given});
+    lines.push_back({result.id, result.source, result.quantity, result.printed,
+                     fmt::format("{:.15g}", computed), fmt::format("{:.1e}", difference),
+                     fmt::format("{:.0e}", result.tolerance), result.limited_by,
+                     pass ? "pass" : "FAIL"});
   }
   return lines;
 }
@@ -188,12 +197,12 @@ int main(int argc, char **argv) {
       [&] {
         std::vector<std::string> missed;
         const Rows rows = checked_key_numbers(folder, missed);
-        if (markdown) print_key_numbers(rows, 8);
+        if (markdown) print_key_numbers(rows, 0);
         if (nine) print_few(rows);
         if (markdown || nine) return 0;
         fmt::print("{}", what_the_words_mean);
-        print_key_numbers(rows, 6);  // without the digits of the references
-        fmt::print("\nPublished by others (sources: reference/README.md)\n");
+        print_key_numbers(rows, 2);  // the references and their digits
+        fmt::print("\n**Published by others**\n\n{}\n", what_the_others_mean);
         const Rows published = checked_published_results(published::results(folder), missed);
         print_table(published);
         if (!tables.empty()) {

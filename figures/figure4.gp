@@ -1,7 +1,7 @@
 # Figure 4: hold force on mass 1 while it sticks, before (a) and after (b) the multi-sliding
 # bifurcation.
 load 'figures/style.gp'
-set xlabel 'Time'
+set xlabel 'Time within a settled forcing period'
 set ylabel '{/:Italic F}_2'
 set xrange [12:17.5]; set xtics 0.5
 set yrange [-0.2:0.02]; set ytics 0.02

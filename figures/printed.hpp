@@ -28,8 +28,8 @@ struct Printed {
   std::string verdict(double computed) const {
     if (words.empty()) return "not in the paper";
     if (computed >= from && computed <= to) return "agrees with the paper";
-    const double value = std::isinf(to) ? from : 0.5 * (from + to);
-    return fmt::format("differs from the paper by {:+.2g}", computed - value);
+    if (std::isinf(to)) return "differs from the paper: never";
+    return fmt::format("differs from the paper by {:+.2g}", computed - 0.5 * (from + to));
   }
 };
 

@@ -41,8 +41,9 @@ constexpr const char *head = R"(<!DOCTYPE html>
 systems</cite>, Nonlinear Dynamics 43 (2006) 137-148,
 <a href="https://doi.org/10.1007/s11071-006-0757-7">doi 10.1007/s11071-006-0757-7</a>.
 All quantities are non-dimensional. The text of the paper that we have gives neither Omega of
-Figures 2, 5(a) and 5(b) nor the stops of Figure 5(c); they are inferred from that text and
-from the axes of the plots (figures/README.md).</p>
+Figures 2, 5(a) and 5(b), nor s1 of Figure 5(b) and the stops of Figure 5(c), nor where the time
+axis of Figure 4 begins; they are inferred from that text and from the axes of the plots
+(figures/README.md).</p>
 )";
 
 std::string escaped(const std::string &text) {
@@ -97,20 +98,20 @@ std::size_t count(const Rows &rows, const char *beginning, std::size_t cell) {
 // belong to them, and what they show.
 std::string page(const path &folder) {
   const Rows keys = read_rows(folder / "key_numbers_checked.csv", 10),
-             others = read_rows(folder / "published_checked.csv", 8);
+             others = read_rows(folder / "published_checked.csv", 9);
   std::string text = head;
   const auto verdicts = [&](const char *beginning) {
     return count(keys, beginning, column::verdict);
   };
   text += fmt::format(
       "<p>Of {} key numbers <strong class=agrees>{} agree with the paper</strong>, within what its "
-      "print or plot can tell (half a unit of the last digit printed; a twentieth of the distance "
-      "of the ticks where a value is read off Figure 3), <strong class=differs>{} differ from "
-      "it</strong>, and <strong>{} are not in it</strong>. Within tolerance of their references, "
-      "50 "
-      "digits or formulas, are {} of {}; of {} results that others have published, {} are.</p>\n",
+      "print or plot can tell (half a unit of the last digit printed; between two ticks, where an "
+      "axis ends; a twentieth of the distance of the ticks where a value is read off Figure 3), "
+      "<strong class=differs>{} differ from it</strong>, and <strong>{} are not in it</strong>. {} "
+      "of {} are within tolerance of their references, 50 digits or formulas; of {} results that "
+      "others have published, {} are.</p>\n",
       keys.size(), verdicts("agrees"), verdicts("differs"), verdicts("not"),
-      count(keys, "pass", column::met), keys.size(), others.size(), count(others, "pass", 7));
+      count(keys, "pass", column::met), keys.size(), others.size(), count(others, "pass", 8));
   for (const auto &section : read_rows("figures/report_sections.csv", 4)) {
     text += fmt::format("<h2>{}</h2>\n<p>{}</p>\n", section[0], section[3]);
     if (!section[1].empty()) text += picture(folder / (section[1] + ".png"), section[0]);
@@ -121,14 +122,17 @@ std::string page(const path &folder) {
         if (row[column::symbol].starts_with(beginning)) rows.push_back(row);
     if (!rows.empty()) text += table(columns_of_keys, rows);
   }
-  text += "<h2>Published by others</h2>\n<p>Sources: reference/README.md.</p>\n";
+  text +=
+      "<h2>Published by others</h2>\n<p>Each result is a row of reference/published.csv, which has "
+      "its parameters; sources: reference/README.md.</p>\n";
   text += table({{"result", 0},
-                 {"printed", 2},
-                 {"computed", 3},
-                 {"difference", 4},
-                 {"allowed", 5},
-                 {"limited by", 6},
-                 {"verdict", 7}},
+                 {"quantity", 2},
+                 {"printed", 3},
+                 {"computed", 4},
+                 {"difference", 5},
+                 {"allowed", 6},
+                 {"limited by", 7},
+                 {"verdict", 8}},
                 others);
   std::ifstream manifest = opened((folder / "SHA256SUMS").string());
   text += "<h2>Made with</h2>\n<pre>";

@@ -5,15 +5,13 @@ load 'figures/style.gp'
 load 'figures/beyond/classes.gp'
 
 scenes = data.'/atlas_scenes.csv'
-curves = data.'/atlas_curves.csv'  # of `make curves`
-curves_drawn = system("test -e '".curves."' && echo 1") eq '1'
 marked_in(plane, value) = strcol('plane') eq plane ? value : NaN
 
 of_sticks(one, two, dual) = dual > 0 ? 5 : one > 0 && two > 0 ? 4 : two > 0 ? 3 : one > 0 ? 2 : 1
 
 of_pairs(pairs) = strstrt(pairs, 'DI') > 0 ? 4 : strstrt(pairs, 'DS') > 0 ? 3 : strstrt(pairs, 'SI') > 0 ? 2 : 1
 
-array meaning[16] = ['period 1', '2', '3', '4', '5 to 8', 'none, otherwise', 'none, λ > 0', \
+array meaning[16] = ['period 1', '2', '3', '4', '5 to 8', 'none, λ ≤ 0 or uncertain', 'none, λ > 0', \
   'no mass sticks', 'mass 1', 'mass 2', 'both in turn', 'both at once', 'no pair', 'SI', 'DS and SI', 'DI too']
 
 array plane[5] = ['omega_r', 'omega_A1', '5a', '5b', '5c']
@@ -54,13 +52,15 @@ do for [picture in 'atlas atlas_stops'] {
       set xlabel x_name[k].'{/*0.8 '.where[k].'}'; set ylabel y_name[k] offset 1
       set xtics 0.1
       table = data.'/atlas_'.plane[k].'.csv'
+      curves = data.'/atlas_curves'.(k == 2 ? '_omega_A1' : '').'.csv'  # of `make curves`
+      with_curves = k < 3 && part == 2 && system("test -e '".curves."' && echo 1") eq '1' ? 'yes' : ''
       seen = ''
       set autoscale xy
       stats table using (noted(class_of(part))) nooutput
       set xrange [k < 3 ? 0.2 : 0 : k < 3 ? 0.8 : 0.6]; set yrange [0 : highest[k]]
       plot table using abscissa[k]:ordinate[k]:(class_of(part)) with image notitle, \
-        for [unused in k == 1 && part == 2 && curves_drawn ? 'yes' : ''] curves using 'omega':'restitution' with points pt 7 ps 0.25 lc rgb '#000000' notitle, \
-        for [unused in k == 1 && part == 2 && curves_drawn ? 'yes' : ''] NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'curves of bifurcations', \
+        for [unused in with_curves] curves using 'omega':ordinate[k] with points pt 7 ps 0.25 lc rgb '#000000' notitle, \
+        for [unused in with_curves] NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'curves of bifurcations', \
         '+' using (k < 3 ? 0.25 + 0.45 * column(0) / 99 : NaN):(k == 1 ? 0.7 : 0.5) with lines dt (6, 4) lw 1.6 lc rgb violet title (k < 3 ? 'Figure 3' : ''), \
         scenes using (marked_in(plane[k], column('x'))):'y' with points pt 6 ps 1.6 lw 2 lc rgb '#202020' notitle, \
         scenes using (strcol('figure') eq '4' ? marked_in(plane[k], column('x')) : NaN):'y':'figure' with labels boxed offset -1, -0.9 right notitle, \

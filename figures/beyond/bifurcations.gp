@@ -1,7 +1,6 @@
 # Sticking phases per forcing period against the forcing frequency, followed down and up in small steps
 # and, on top, from rest, with the located bifurcation points.
 load 'figures/style.gp'
-set key at graph 0.985, graph 0.96 opaque
 
 points = data.'/bifurcations.csv'
 array way[3] = ['down', 'up', 'rest']
@@ -21,14 +20,17 @@ do for [mass = 1:2] {
     # Section 3.2: chatter of mass 1 incomplete.
     set object 1 rectangle from 0.3, graph 0 to 0.35, graph 1 behind fillcolor rgb '#ececec' fillstyle solid noborder
     set object 2 rectangle from 0.37, graph 0 to 0.4, graph 1 behind fillcolor rgb '#ececec' fillstyle solid noborder
-    set label 3 '{/*0.8 incomplete chatter in the paper}' at 0.362, 2.3 center front
-    set arrow 1 from 0.34, 2.2 to 0.33, 2.0 front lw 0.6; set arrow 2 from 0.38, 2.2 to 0.385, 2.0 front lw 0.6
+    set label 3 "{/*0.8 incomplete chatter}\n{/*0.8 in the paper}" at 0.3155, 0.6 center front
+    set label 4 "{/*0.8 incomplete chatter}\n{/*0.8 in the paper}" at 0.385, 0.6 center front
+    set key above maxrows 1 width 2; set tmargin 2.4
+  } else {
+    unset key; set tmargin 0.8
   }
   plot points using (is_border(mass)):(-0.2):(0):(2.8) with vectors nohead lt 4 title 'border orbit', \
     points using (is_sliding(mass)):(-0.2):(0):(2.8) with vectors nohead lt 5 title 'multi-sliding', \
     for [w = 1:3] data.'/bifurcations_scan.csv' using 'omega':(column(way[w].'_'.mass) / 4) \
       with points pt 7 ps size[w] lc rgb colour[w] title meaning[w]
-  unset object 1; unset object 2; unset label 3; unset arrow
+  unset object 1; unset object 2; unset label 3; unset label 4
 }
 
 # Figure 5(b): mass 2 about its grazing; the motions with and without its impact coexist.
@@ -38,7 +40,7 @@ set xlabel 'Ω - 0.2995 (10^{-5})'
 set xrange [1.4:2.2]; set xtics 0.1
 set ylabel '{/:Italic v}_2'
 set yrange [-0.0002:0.0065]; set ytics 0.001
-set key at graph 0.72, graph 0.46 noopaque
+set key inside at graph 0.72, graph 0.46 maxrows 5 width 0
 marked(symbol) = strcol('symbol') eq symbol ? (column('value') - 0.2995) * 1e5 : NaN
 plot points using (marked('grazing_mass_2_figure5b')):(0):(0):(0.0065) with vectors nohead lt 4 title 'grazing', \
   points using (marked('impacts_of_mass_2_end_figure5b')):(0):(0):(0.0065) with vectors nohead lt 5 title 'fold', \

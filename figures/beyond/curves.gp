@@ -24,9 +24,9 @@ array x_name[panels] = ['Ω', 'Ω', 'Ω', '{/:Italic s}_1 at the frequency of Fi
 array y_name[panels] = ['{/:Italic r}', '{/:Italic r}', '{/:Italic A}_1', '{/:Italic s}_2', '{/:Italic s}_2', '{/:Italic s}_2', '{/:Italic r}']
 array x_column[panels] = ['omega', 'omega', 'omega', 'stop1', 'stop1', 'stop1', 'omega']
 array y_column[panels] = ['restitution', 'restitution', 'amplitude1', 'stop2', 'stop2', 'stop2', 'restitution']
-array x_from[panels] = [0.2, 0.25, 0.2, 0.0, 0.0, 0.0, 0.298]
+array x_from[panels] = [0.2, 0.25, 0.2, 0.02, 0.02, 0.02, 0.298]
 array x_to[panels] = [0.8, 0.5, 0.8, 0.6, 0.6, 0.6, 0.308]
-array y_from[panels] = [0.0, 0.64, 0.02, 0.0, 0.0, 0.0, 0.0]
+array y_from[panels] = [0.0, 0.64, 0.02, 0.02, 0.02, 0.02, 0.0]
 array y_to[panels] = [0.98, 0.78, 1.2, 0.6, 0.6, 0.6, 0.98]
 row = 0.188
 

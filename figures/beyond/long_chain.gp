@@ -5,7 +5,7 @@ load 'figures/beyond/classes.gp'
 
 map = data.'/long_chain_map.csv'
 diagram = data.'/long_chain.csv'
-array meaning[12] = ['period 1', '2', '3', '4', '5 to 8', 'none, otherwise', 'none, λ > 0', \
+array meaning[12] = ['period 1', '2', '3', '4', '5 to 8', 'none, λ ≤ 0 or uncertain', 'none, λ > 0', \
   'no mass sticks', 'one', 'two in turn', 'three in turn', 'some at once']
 of_sticks(a, b, c, dual) = dual > 0 ? 5 : 1 + (a > 0) + (b > 0) + (c > 0)
 of_mass(k) = column('mass') == k ? column('v') : NaN

@@ -6,7 +6,7 @@ scan(figure) = data.'/reconstruction_'.figure.'.csv'
 axes = data.'/reconstruction_axes.csv'
 band = '#e9f0ec'
 # A frequency tried is drawn once in each of these classes that it is in.
-array meaning[4] = ['tried', 'fills the boxes of (a) and (b)', 'and does what the text says', 'chosen']
+array meaning[4] = ['tried', 'fills the printed axes', 'and does what the text says', 'chosen']
 array colour[4] = ['#b9cfc4', '#3b7d5f', '#12355b', '#c8442c']
 array mark[4] = [7, 7, 6, 7]
 array size[4] = [0.6, 1.2, 2, 2]
@@ -26,12 +26,13 @@ set xrange [0.1:0.5]; set xtics 0.05
 set yrange [-0.25:0.2]; set ytics 0.05
 set key at graph 1, graph 1.36 right top maxrows 3 samplen 1 spacing 1.05
 set arrow 1 from 0.3, graph 0 to 0.3, graph 1 nohead lt 3
+set label 2 '{/*0.8 the text: below 0.3}' at 0.303, 0.17 left
 set object 1 rectangle from graph 0, first -0.06 to graph 1, first -0.04 fc rgb band fs solid noborder behind
 plot for [k = 1:4] scan('2') using 'omega':(is_in(k, column('lowest_x2_in_b'))) \
     with points pt mark[k] ps size[k] lc rgb colour[k] title meaning[k], \
   '' using 'omega':(is_in(3, 0.105)):(name_of(column('omega'))) with labels rotate by 90 left, \
   '' using (column('omega') == 0.28 ? column('omega') : NaN):'lowest_x2_in_b' with points pt 2 ps 1.5 lc rgb '#202020' title '0.28'
-unset arrow
+unset arrow; unset label 2
 
 set tmargin 1.5
 eval panel('b')
@@ -58,7 +59,7 @@ set object 1 rectangle from 919.5, -0.4 to 920.5, -0.3 fc rgb band fs solid nobo
 plot for [k = 1:4] scan('5b') using 'nearest_time':(near(is_in(k, column('lowest')))) \
     with points pt mark[k] ps size[k] lc rgb colour[k], \
   '' using (column('nearest_time') - 0.04):(crowded(column('omega')) ? beside(column('lowest')) : NaN):(name_of(column('omega'))) with labels right, \
-  '' using (column('nearest_time') + 0.04):(crowded(column('omega')) ? NaN : beside(column('lowest')) - (abs(column('omega') - 0.2455) < 0.0003 ? 0.03 : 0)):(name_of(column('omega'))) with labels left
+  '' using (column('nearest_time') + 0.04):(crowded(column('omega')) ? NaN : beside(column('lowest'))):(name_of(column('omega'))) with labels left
 
 eval panel('d')
 unset xlabel

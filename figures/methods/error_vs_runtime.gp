@@ -41,7 +41,7 @@ do for [n = 1:rows] {
   do for [column in 'median_us_per_period rhs_or_expansions'] {
     set origin column eq 'rhs_or_expansions' ? 0.5 : 0.0, 1.0 - height * n
     set size 0.5, height
-    set xlabel column eq 'rhs_or_expansions' ? 'work (evaluations, steps or expansions)' : 'microseconds of processor time per forcing period'
+    set xlabel column eq 'rhs_or_expansions' ? 'work (evaluations, steps or expansions)' : 'microseconds of processor time / length of the run in periods'
     set ylabel 'error of event times'
     set label 1 word(titles, n) at graph 0.0, graph 1.06
     unset key
