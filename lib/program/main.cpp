@@ -1,7 +1,6 @@
 // vibro-impact: runs the user's own scene and writes its event and sample tables, or sweeps over
 // its parameters.
 #include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -26,9 +25,7 @@ int ends_with(int status, std::string said, bool speaks) {
 
 int main(int argc, char **argv) {
   // Whatever of 0, 1 and 2 is closed must not become one of the program's files.
-  while (fcntl(STDIN_FILENO, F_GETFD) < 0 || fcntl(STDOUT_FILENO, F_GETFD) < 0 ||
-         fcntl(STDERR_FILENO, F_GETFD) < 0)
-    if (open("/dev/null", O_RDONLY) < 0) return 1;
+  for (int opened = 0; opened >= 0 && opened <= 2;) opened = open("/dev/null", O_RDONLY);
   // A reader that leaves a pipe is met like a full disk: no table is left half written.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

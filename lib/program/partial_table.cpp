@@ -17,7 +17,6 @@ namespace vibro_impact::runner {
 PartialTable::PartialTable(std::string path, const std::string &definition,
                            const std::string &header, bool resume)
     : path_(std::move(path)),
-      header_(header),
       head_(fmt::format("vibro-impact sweep 2 {}\n{}", definition, header)),
       file_(nullptr, std::fclose) {
   if (!resume && std::filesystem::exists(path_))
@@ -48,7 +47,7 @@ std::size_t PartialTable::read(const std::function<void(std::string_view)> &take
            path_);
   if (start.size() < head_.size()) return 0;
   std::size_t size = head_.size();
-  take(header_);
+  take(std::string_view(head_).substr(head_.find('\n') + 1));
   for (std::string line; std::getline(file, line) && !file.eof();) {
     const std::string row = line.substr(0, line.rfind(' ')) + "\n";
     checksum_.process_bytes(row.data(), row.size());

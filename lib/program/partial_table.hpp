@@ -36,8 +36,8 @@ class PartialTable {
   void finish(const std::string &name);
 
  private:
-  std::string path_, header_, head_;  // head_: definition and header
-  std::string held_;                  // a name of the file that is held, whatever has its own
+  std::string path_, head_;  // head_: definition and header
+  std::string held_;         // a name of the file that is held, whatever has its own
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
   boost::crc_32_type checksum_;
   std::size_t points_ = 0;

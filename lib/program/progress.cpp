@@ -9,11 +9,7 @@
 
 namespace vibro_impact {
 
-namespace {
-
 constexpr const char *wipe = "\r\033[K";
-
-}  // namespace
 
 std::string progress_line(const std::string &of_what, double before, double done, double total,
                           double seconds) {
