@@ -36,8 +36,7 @@ class PartialTable {
   void finish(const std::string &name);
 
  private:
-  std::string path_, head_;  // head_: definition and header
-  std::string held_;         // a name of the file that is held, whatever has its own
+  std::string path_, held_, head_;  // held_: the file, whatever has its name; head_: first lines
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
   boost::crc_32_type checksum_;
   std::size_t points_ = 0;
