@@ -47,6 +47,10 @@ TEST(Refusals, OfForcesAndModes) {
       {[&] { pressing_force_rate(scene, scene.stops[0], start(two_values)); }, "3 values given"},
       {[&] { least_pressing_force(scene, start(), none); }, "mass 5: the chain has"},
       {[&] { least_gap(scene, start(), on_no_side); }, "side = 9: must be lower (-1) or"},
+      {[] {
+         least_gap(with(scene, {Parameter::Kind::stiffness, 1}, 1e30), start(), scene.stops[1]);
+       },
+       "too fast to look at a whole forcing period"},
   });
 }
 
@@ -86,7 +90,7 @@ TEST(Refusals, OfWhatIsLocated) {
       {[&] { zero(line, 1.0, 0.0); }, "interval from 1 to 0: must be finite and not empty"},
       {[&] { zero(line, -1.7e308, 1.7e308); }, "wider than the range of double precision"},
       {[&] { zero(line, 1.0, 2.0); }, "no change of sign"},
-      {[] { zero([](double) { return nan; }, 0.0, 1.0); }, "f = nan at 0"},
+      {[] { zero([](double x) { return x == 0.5 ? nan : x - 0.5; }, 0.0, 1.0); }, "f = nan at 0.5"},
       {[] { zero({}, 0.0, 1.0); }, "f: no function given"},
       {[&] { bisect(steps, 0.0, infinity); }, "interval from 0 to inf: must be finite"},
       {[&] { bisect(steps, -1.7e308, 1.7e308); }, "wider than the range of double precision"},
@@ -125,6 +129,12 @@ TEST(Refusals, OfOrbits) {
     };
   };
   const auto short_of_one = [](MotionState &at) { at.displacement.pop_back(); };
+  Matrix huge;
+  huge.rows = 4;
+  huge.columns = std::size_t{1} << 62;
+  Scene with_one_stop = scene;
+  with_one_stop.stops.pop_back();
+  const auto orbit_in_the_scene = [] { return find_periodic_orbit(scene, settled(scene, 20)); };
   expect_refused({
       {[&] { time_after(unforced, start(), 1); }, "omega = 0: a stroboscopic map needs a forcing"},
       {[&] { time_after(scene, start(), -most); }, "periods = -2147483647: must be at least 1"},
@@ -162,11 +172,34 @@ TEST(Refusals, OfOrbits) {
        },
        "tangents: finished already"},
       {[] { orbit_change(scene, {}, {}); }, "orbit: has not converged"},
+      {[&] { orbit_change(scene, orbit_in_the_scene(), {}); }, "orbit: no parameters"},
+      {[&] { TangentRecorder(scene, start(), huge); }, "columns: 4 rows given"},
+      {[&] {
+         TangentRecorder tangents(with_one_stop, start(), Matrix(4, 1));
+         simulate(scene, 50.0, {}, tangents);
+       },
+       "tangents: an event at stop 1 of mass 2 of 2: not of the scene"},
+      {[&] {
+         TangentRecorder tangents(scene, start(), Matrix(4, 1));
+         tangents.finish({-1, 0.0});
+       },
+       "in period -1: must not lie before the start"},
+      {[&] {
+         least_gap_change(scene, orbit_in_the_scene(), {{}, Matrix(4, 1), {}}, scene.stops[0]);
+       },
+       "change: 1 columns for 0 parameters"},
   });
 }
 
 TEST(Refusals, OfCurves) {
-  const BifurcationCurve nowhere{Bifurcation::grazing, scene, {}, {Parameter::Kind::beta}, 9, 1};
+  const Parameter omega{Parameter::Kind::omega}, beta{Parameter::Kind::beta};
+  const BifurcationCurve nowhere{Bifurcation::grazing, scene, omega, beta, 9, 1},
+      good_one{Bifurcation::border_orbit, scene, omega, beta, 0, 1},
+      none{Bifurcation{99}, scene, omega, beta, 0, 1},
+      never{Bifurcation::border_orbit, scene, omega, beta, 0, 0};
+  const auto point = [](const BifurcationCurve &curve, const PlanePoint &guess) {
+    return [=] { point_of(curve, guess, {1.0, 0.0}, {}); };
+  };
   const auto follow = [](const PlaneBox &box, int direction, const FollowOptions &options = {}) {
     const CurvePoint at{{2.0, 0.0}, {1.0, 0.0}, 0.0, {}};
     return [=] { follow_curve({}, at, box, direction, options); };
@@ -180,6 +213,16 @@ TEST(Refusals, OfCurves) {
        "stop 9: the scene has 2 stops"},
       {follow({1.0, 1.0, 0.0, 1.0}, 1), "box from (1, 0) to (1, 1): must not be empty"},
       {follow({0.0, 1.0, 0.0, 1.0}, 1), "start (2, 0): outside the box"},
+      {point(none, {0.3, 0.1}), "bifurcation = 99: there are 0 to 2"},
+      {point(never, {0.3, 0.1}), "periods = 0: must be at least 1"},
+      {point(good_one, {nan, 0.1}), "omega = nan: must be"},
+      {point(good_one, {0.3, 0.1}), "displacement: 0 values given"},
+      {[&] {
+         point_of(good_one, {0.3, 0.1}, {infinity, 0.0}, start());
+       },
+       "must be finite"},
+      {[] { name(CurveEnd{99}); }, "end of a curve = 99: there are 0 to 4"},
+      {follow(good, 1, {.step = infinity}), "to inf: must be positive, finite"},
       {follow(good, 0), "direction = 0: must be 1 or -1"},
       {follow(good, 1), "corrector: no function given"},
       {follow(good, 1, {.step = 0.0}), "steps from 1e-06 to 0: must be positive"},

@@ -175,6 +175,15 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
        },
        "omega: 0 values"},
       {[&] { sweep(3, number, ignore, {.threads = -1}); }, "threads = -1"},
+      {[&] { sweep(3, number, ignore, {.threads = 100'000}); }, "threads = 100000: must lie from"},
+      {[&] { sweep(3, number, ignore, {.first = 4}); }, "first = 4: there are 3 points"},
+      {[] { sweep_in_order(1, [](std::size_t) { return nullptr; }); }, "that takes point 0"},
+      {[&] {
+         const RecordOptions pairs{.settle = {}, .pairs = true};
+         Table table = sweep_table(grid, pairs);
+         add_row(table, grid, pairs, 0, std::vector<double>(7, -1.0));
+       },
+       "pairs = -1: must be a sum of 2^k"},
       {[&] { sweep_in_order(3, nullptr); }, "a function is missing"},
       {[&] { sweep(3, std::function<int(std::size_t)>{}, [](std::size_t, int) {}); }, "a function"},
       {[&] { sweep(3, number, std::function<void(std::size_t, std::size_t)>{}); }, "a function"},

@@ -66,6 +66,16 @@ TEST_F(Runner, WritesDevicesAndPipesAsTheyStand) {
   }
 }
 
+// Standard output and error that are closed become no file of the program's: no table, and no line
+// of progress, is written into another file.
+TEST_F(Runner, WritesNothingOfAClosedDescriptorIntoItsFiles) {
+  const std::string table = run("run --until 50 --events -").out;
+  EXPECT_EQ(run("run --until 50 --save-state x --events - >&-").status, 2);
+  EXPECT_EQ(files(), std::vector<std::string>{});
+  EXPECT_EQ(run("run --until 50 --events e.csv <&- 2>&- >&-").status, 0);
+  EXPECT_EQ(contents(folder / "e.csv"), table);
+}
+
 // Neither table is left when one cannot be written; the run ends there, far from its end.
 TEST_F(Runner, AWriteThatFailsEndsTheRunAndLeavesNoTable) {
   const std::string without_end = "run --until 1e9 --resolve-chatter 0 --save-state x.state ";

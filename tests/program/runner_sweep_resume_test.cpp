@@ -173,6 +173,13 @@ TEST_F(PartialTable, RowsCutShortAreGoneOnWithAndChangedOnesRefused) {
     EXPECT_THROW(begun(true), std::invalid_argument) << i;
     EXPECT_EQ(contents(path), changed) << "left as it was";
   }
+  // One that cannot be opened a second time, to be read.
+  std::ofstream(path, std::ios::binary) << file;
+  const rlimit few{static_cast<rlim_t>(::dup(0) + 2), 4096}, many{4096, 4096};
+  ::setrlimit(RLIMIT_NOFILE, &few);
+  EXPECT_THROW(begun(true), std::invalid_argument);
+  ::setrlimit(RLIMIT_NOFILE, &many);
+  EXPECT_EQ(contents(path), file);
 }
 
 // A file of rows that is cut or changed while the sweep runs gives no table, and spares the one

@@ -133,6 +133,11 @@ TEST(Refusals, OfTimesAndOptions) {
       {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},
       {with({.max_impacts_per_period = 0}), "max_impacts_per_period = 0: must be positive"},
       {[] { Clock(-1.0); }, "omega = -1: must be non-negative and finite"},
+      {[] { Clock(1e-320); }, "with a finite period"},
+      {[] {
+         later({most, 0.0}, 20.0, Clock(1.0));
+       },
+       "time 20: more forcing periods than"},
       {[] { Clock{nan}; }, "omega = nan: must be non-negative and finite"},
       {[] { instant_at(1e300, Clock(1.0)); }, "time 1e+300: more forcing periods than"},
       {[] { instant_at(nan, Clock(1.0)); }, "time nan: more forcing periods than"},
@@ -155,6 +160,7 @@ struct Stuck {
 
 // Goes back at an event.
 struct GoesBack {
+  double to = 12.0;
   double at = 10.0;
   double next_time() const {
     return at;
@@ -163,7 +169,7 @@ struct GoesBack {
     at += 1.0;
   }
   void event(const Event &event, const Moment &) {
-    if (event.time > 15.0) at = 12.0;
+    if (event.time > 15.0) at = to;
   }
 };
 
@@ -199,6 +205,8 @@ TEST(Refusals, OfRecorders) {
       recorded_by(Stuck{1.0, -0.5}, "next_time = 0.5 after the sample at 1: must be later"),
       recorded_by(Stuck{1.0, nan}, "sample at t = nan: the run begins at 0"),
       recorded_by(GoesBack{}, "next_time = 12: lies before the motion"),
+      recorded_by(GoesBack{-infinity}, "next_time = -inf: lies before the motion"),
+      recorded_by(GoesBack{nan}, "next_time = nan: must be a time"),
       recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
       {[&] {
          SampleRecorder early{10.0, 60.0, 1.0};
