@@ -31,7 +31,7 @@ Change bisect(const std::function<int(double)> &count, double below, double abov
               double width = 0.0);
 
 // The zero of f in [below, above], where it changes sign (TOMS 748). Throws std::invalid_argument
-// when it does not.
+// when it does not, or is no number.
 Located zero(const std::function<double(double)> &f, double below, double above);
 
 // The zero of a function that exists, positive and falling, on one side of it only: inverse

@@ -22,9 +22,9 @@ struct OrbitChange {
   bool differentiable = true;       // see ChangesAtEnd
 };
 
-// Throws std::invalid_argument for an orbit that has not converged and for parameters that
-// TangentRecorder rejects, std::runtime_error where a Floquet multiplier is 1: at a fold the orbit
-// has no derivative.
+// Throws std::invalid_argument for an orbit that has not converged, for no parameters and for those
+// that TangentRecorder rejects, std::runtime_error where a Floquet multiplier is 1: at a fold the
+// orbit has no derivative.
 OrbitChange orbit_change(const Scene &scene, const PeriodicOrbit &orbit,
                          const std::vector<Parameter> &by, const RunOptions &options = {});
 

@@ -18,7 +18,7 @@
 namespace vibro_impact {
 
 struct SweepOptions {
-  int threads = 0;        // >= 0; 0: available_threads()
+  int threads = 0;        // 0 to 1024; 0: available_threads()
   std::size_t first = 0;  // point to begin with: those before it have been taken already
   std::function<void(std::size_t done)> progress = {};  // told the number of points taken so far
 };
@@ -29,7 +29,7 @@ int available_threads();
 // Calls `compute` for the points from SweepOptions::first to `points`, on several threads at once,
 // and what it returns in the order of the points, one at a time. The sweep ends with what either
 // throws: of several errors that of the first point, when all before it have been taken. Throws
-// std::invalid_argument for a number of threads that is negative and for no function.
+// std::invalid_argument for threads beyond 0 to 1024, a first point beyond the last, no function.
 void sweep_in_order(std::size_t points,
                     const std::function<std::function<void()>(std::size_t point)> &compute,
                     const SweepOptions &options = {});

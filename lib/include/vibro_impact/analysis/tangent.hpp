@@ -82,7 +82,7 @@ class TangentRecorder {
   void event(const Event &event, const Moment &moment);
 
   // Carries the changes to the end of the run: once, after it. Throws std::invalid_argument, as
-  // `event` does, for a recorder that has finished.
+  // `event` does, for a recorder that has finished, and for what is of another scene or time.
   ChangesAtEnd finish(const Instant &end);
 
  private:
