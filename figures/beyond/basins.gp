@@ -23,7 +23,7 @@ do for [k = 1:4] {
   top = 1.0 - 0.25 * (k - 1); bottom = top - 0.25
   set tmargin at screen top - 0.02; set bmargin at screen bottom + 0.042
   set lmargin at screen 0.09; set rmargin at screen 0.46
-  set border; set xtics nomirror autofreq; set ytics nomirror autofreq
+  set border; set tics out scale 0.6; set xtics nomirror autofreq; set ytics nomirror autofreq
   set autoscale xy; set autoscale xfix; set autoscale yfix
   set xlabel '{/:Italic x}_1' offset 0, 0.6; set ylabel '{/:Italic x}_2'
   set label 1 '('.'abcd'[k:k].')  '.place[k] at graph 0, graph 1.06

@@ -49,7 +49,7 @@ set xlabel '{/:Italic x}_2'; set ylabel "{/:Italic x}_2'"
 set xrange [-0.38:-0.1]; set xtics 0.04
 set yrange [0:0.25]; set ytics 0.05
 set label 2 '{/:Italic S} at the release' at -0.28, 0.08 center front
-set label 3 '{/:Italic ∂S} at the times of the dots' at -0.186, 0.03 right front
+set label 3 '{/:Italic ∂S} at the times of the dots' at -0.168, 0.016 right front
 plot '+' using 1:(boundary1($1, instant(5))):(0) with filledcurves lc rgb '#e9f0ec', \
   for [n = 1:5] boundary1(x, instant(n)) with lines dt solid lw 1.8 lc rgb shade[n], \
   first using (column('phase') == settled ? column('x') : NaN):'v' with lines lt 2 dt solid, \

@@ -45,7 +45,7 @@ unset label 2; unset label 3; unset label 4; unset label 5
 eval panel('d')
 set ylabel 'λ'
 set yrange [-0.2:0.06]; set ytics 0.04
-set key at 0.445, -0.125
+set key noopaque at 0.45, -0.13
 plot 0 lt 3, \
   orbits using 'omega':(when(column('period') > 0, column('lyapunov'))) with points pt 7 ps dot lc rgb '#56b4e9' title 'periodic, up to 8 periods', \
   '' using 'omega':(when(column('period') == 0 && column('lyapunov') <= 0, column('lyapunov'))) with points pt 7 ps dot * 1.4 lc rgb '#808080' title 'none: slow, or a longer period', \

@@ -24,9 +24,9 @@ plot diagram using 'omega':(of_mass(1)) with points lt 1 pt 7 ps size notitle, \
   NaN with points pt 7 ps 1 lc rgb '#e69f00' title 'mass 10'
 set ylabel '{/:Italic r}'
 set autoscale xfix; set autoscale yfix
-set tmargin 3.2
 do for [part = 0:1] {
-  set key above left samplen 1 width 1 maxrows (part == 0 ? 2 : 1) font ',18'
+  set tmargin part == 0 ? 4.4 : 3.2
+  set key above left samplen 1 width 1 maxrows (part == 0 ? 3 : 1) font ',18'
   eval panel('bc'[part + 1:part + 1])
   plot map using 'omega':'restitution':(part == 0 ? of_period(column('period'), column('lyapunov')) : 7 + of_sticks(column('sticks1'), column('sticks5'), column('sticks10'), column('dual_sticking'))) with image notitle, \
     for [c = part == 0 ? 1 : 8 : part == 0 ? 7 : 12] NaN with points pt 5 ps 2.4 lc rgb colour[c] title meaning[c]

@@ -26,7 +26,7 @@ set xrange [0.1:0.5]; set xtics 0.05
 set yrange [-0.25:0.2]; set ytics 0.05
 set key at graph 1, graph 1.36 right top maxrows 3 samplen 1 spacing 1.05
 set arrow 1 from 0.3, graph 0 to 0.3, graph 1 nohead lt 3
-set label 2 '{/*0.8 the text: below 0.3}' at 0.303, 0.17 left
+set label 2 "{/*0.75 the text:}\n{/*0.75 below 0.3}" at 0.303, 0.18 left
 set object 1 rectangle from graph 0, first -0.06 to graph 1, first -0.04 fc rgb band fs solid noborder behind
 plot for [k = 1:4] scan('2') using 'omega':(is_in(k, column('lowest_x2_in_b'))) \
     with points pt mark[k] ps size[k] lc rgb colour[k] title meaning[k], \
