@@ -124,14 +124,12 @@ ValueChange border_excess_change(const Scene &scene, const std::vector<Parameter
   const double by_r = 2.0 * q * (3.0 - 2.0 * s) / (q * q + 2.0 * (3.0 - s) * q - 2.0 * r);
   const double ratio = next.event.velocity_before / one.event.velocity_before;
   ValueChange excess{ratio - border.speed_ratio, {}};
-  const std::size_t first = one.velocity_before.size() - by.size();
-  for (std::size_t k = 0; k < one.velocity_before.size(); ++k) {
-    const bool of_stop = k >= first && is_of_stop(scene, by[k - first],
-                                                  Parameter::Kind::restitution, one.event.stop);
-    excess.by.push_back((next.velocity_before[k] - ratio * one.velocity_before[k]) /
-                            one.event.velocity_before -
-                        (of_stop ? by_r : 0.0));
-  }
+  const auto after = view(next.velocity_before), before = view(one.velocity_before);
+  const Eigen::RowVectorXd of_r =
+      columns_of(scene, by, Parameter::Kind::restitution, one.event.stop + 1, before.size());
+  for (Eigen::Index k = 0; k < before.size(); ++k)
+    excess.by.push_back((after(k) - ratio * before(k)) / one.event.velocity_before -
+                        by_r * of_r(k));
   return excess;
 }
 

@@ -140,10 +140,15 @@ void require_differentiable(const Scene &scene, const std::vector<Parameter> &by
   }
 }
 
-bool is_of_stop(const Scene &scene, const Parameter &parameter, Kind kind, std::size_t stop) {
-  const auto &[what, index] = parameter;
-  const bool of_all = kind == Kind::restitution && index == 0 && !scene.stops[stop].restitution;
-  return what == kind && (of_all || index == static_cast<int>(stop) + 1);
+Eigen::RowVectorXd columns_of(const Scene &scene, const std::vector<Parameter> &by, Kind kind,
+                              std::size_t index, Index columns) {
+  const bool of_all = kind == Kind::restitution && !scene.stops[index - 1].restitution;
+  Eigen::RowVectorXd ones = Eigen::RowVectorXd::Zero(columns);
+  for (Index k = columns - static_cast<Index>(by.size()); const auto &[what, number] : by) {
+    const bool own = number == static_cast<int>(index);
+    ones(k++) = what == kind && (own || (of_all && number == 0)) ? 1.0 : 0.0;
+  }
+  return ones;
 }
 
 void carry(const Scene &scene, const std::vector<Parameter> &by, const Held &held, double phase,

@@ -17,10 +17,11 @@ namespace vibro_impact {
 // period.
 void require_differentiable(const Scene &scene, const std::vector<Parameter> &by);
 
-// True when the parameter is that of this stop (an index): its position, or its restitution, which
-// may be the scene's.
-bool is_of_stop(const Scene &scene, const Parameter &parameter, Parameter::Kind kind,
-                std::size_t stop);
+// One in the columns of the parameters that act on this scalar of the scene: its own, and for the
+// restitution of a stop that has none of its own that of the scene. The last of the columns belong
+// to `by`.
+Eigen::RowVectorXd columns_of(const Scene &scene, const std::vector<Parameter> &by,
+                              Parameter::Kind kind, std::size_t index, Eigen::Index columns);
 
 // Displacements and velocities of all masses.
 struct PlainMotion {

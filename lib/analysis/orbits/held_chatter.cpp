@@ -1,10 +1,12 @@
 // The border orbit: the period with its chatter cut short, and the point of a curve from that.
+#include "curve_kinds.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "curve_kinds.hpp"
+#include "change_flow.hpp"
 #include "motion_state.hpp"
 #include "tolerances.hpp"
 
@@ -166,9 +168,8 @@ class HeldChatter {
   bool hold(const EventChange &impact) {
     const Stop &stop = scene_.stops[curve_.stop];
     Row time = view(impact.time);
-    for (std::size_t k = 0; k < by_.size(); ++k)  // at a fixed phase
-      if (by_[k].kind == Parameter::Kind::omega)
-        time(time.size() - static_cast<Index>(by_.size() - k)) += impact.event.time / scene_.omega;
+    time += impact.event.time / scene_.omega *  // at a fixed phase
+            columns_of(scene_, by_, Parameter::Kind::omega, 0, time.size());
     Eigen::MatrixXd columns = view(columns_);
     columns += vector_field(scene_, at_) * time;
     at_.held[static_cast<std::size_t>(stop.mass - 1)] = static_cast<signed char>(stop.side);

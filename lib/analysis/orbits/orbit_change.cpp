@@ -11,8 +11,6 @@ namespace vibro_impact {
 
 namespace {
 
-using Kind = Parameter::Kind;
-
 // The changes of the motion up to `until`, a time, that go with the changes of the orbit.
 ChangesAtEnd along(const Scene &scene, const PeriodicOrbit &orbit, const OrbitChange &change,
                    double until, const RunOptions &options = {}, bool events = false) {
@@ -34,14 +32,11 @@ Eigen::MatrixXd changes_at(const Scene &scene, const PeriodicOrbit &orbit,
 // One in the entries of the parameters that are the position of this stop.
 Eigen::RowVectorXd stop_change(const Scene &scene, const std::vector<Parameter> &by,
                                const Stop &stop) {
-  Eigen::RowVectorXd change = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(by.size()));
-  for (std::size_t k = 0; k < by.size(); ++k) {
-    if (by[k].kind != Kind::stop) continue;
-    const Stop &named = scene.stops[static_cast<std::size_t>(by[k].index - 1)];
-    if (named.mass == stop.mass && named.side == stop.side)
-      change(static_cast<Eigen::Index>(k)) = 1.0;
-  }
-  return change;
+  std::size_t s = 0;
+  while (s < scene.stops.size() &&
+         (scene.stops[s].mass != stop.mass || scene.stops[s].side != stop.side))
+    ++s;
+  return columns_of(scene, by, Parameter::Kind::stop, s + 1, static_cast<Eigen::Index>(by.size()));
 }
 
 ValueChange value_change(double value, const Eigen::RowVectorXd &by) {

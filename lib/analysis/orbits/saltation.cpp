@@ -33,12 +33,9 @@ Eigen::VectorXd TangentRecorder::Tangents::vector_field(const Held &mode,
 // of its phase.
 void TangentRecorder::Tangents::tell(const Event &event, const Row &dt, const Row &speed) {
   if (!options.events) return;
-  EventChange change{event, std::vector<double>(dt.begin(), dt.end()),
-                     std::vector<double>(speed.begin(), speed.end())};
-  const std::size_t first = change.time.size() - options.by.size();
-  for (std::size_t k = 0; k < options.by.size(); ++k)
-    if (options.by[k].kind == Kind::omega) change.time[first + k] -= event.time / scene.omega;
-  told.push_back(std::move(change));
+  Row time = dt;
+  if (scene.omega > 0.0) time -= event.time / scene.omega * ones(Kind::omega, 0);
+  told.push_back({event, {time.begin(), time.end()}, {speed.begin(), speed.end()}});
 }
 
 void TangentRecorder::Tangents::close() {
@@ -79,7 +76,7 @@ void TangentRecorder::Tangents::saltation(const std::vector<const Event *> &impa
       tell(*impact, none, none);
       continue;
     }
-    const Row stop = explicit_change(Kind::stop, impact->stop);
+    const Row stop = ones(Kind::stop, impact->stop + 1);
     const Row dt = (stop - changes.row(x_row)) / speed;
     changes += f * dt;
     tell(*impact, dt, changes.row(v_row));
@@ -87,7 +84,7 @@ void TangentRecorder::Tangents::saltation(const std::vector<const Event *> &impa
     changes.row(x_row) = stop;
     changes.row(v_row) = -law.slope(std::abs(speed)) * changes.row(v_row) -
                          std::copysign(law.after_by_restitution(std::abs(speed)), speed) *
-                             explicit_change(Kind::restitution, impact->stop);
+                             ones(Kind::restitution, impact->stop + 1);
     v[static_cast<std::size_t>(x_row)] = impact->velocity_after;
     f = impact == impacts.back() ? vector_field(after, at.velocity) : vector_field(held, v);
     if (alone) extend_sequence(*impact, dt);
@@ -145,11 +142,10 @@ Row TangentRecorder::Tangents::time_left(const Event &impact, const PlainMotion 
   const Row by_speed = -sigma * changes.row(masses() + impact.mass - 1);
   const double speed = -sigma * impact.velocity_after;
   const double left = 2.0 * scene.mass[p] * speed / (press * (1.0 - r));
-  Row change = by_speed / speed - by_press / press +
-               column_of({Kind::mass, impact.mass}) / scene.mass[p] +
-               explicit_change(Kind::restitution, impact.stop) / (1.0 - r);
+  Row change = by_speed / speed - by_press / press + ones(Kind::mass, p + 1) / scene.mass[p] +
+               ones(Kind::restitution, impact.stop + 1) / (1.0 - r);
   // In units of 1 / Omega the same time is longer.
-  if (scene.omega > 0.0) change += column_of({Kind::omega, 0}) / scene.omega;
+  if (scene.omega > 0.0) change += ones(Kind::omega, 0) / scene.omega;
   return left * change;
 }
 
@@ -173,7 +169,7 @@ void TangentRecorder::Tangents::chatter_limit(const Held &after) {
   // The speeds of late impacts fall as r^n; by r the n comes down as a factor.
   const ImpactLaw law = law_of(scene, scene.stops[chatter.stop]);
   const double ratio = std::pow(law.at_rest(), static_cast<double>(stride_of(law)));
-  const Row by_ratio = explicit_change(Kind::restitution, chatter.stop);
+  const Row by_ratio = ones(Kind::restitution, chatter.stop + 1);
   // Columns of the start by themselves: what else is asked for does not touch them.
   std::vector<std::vector<Eigen::Index>> kinds(3);
   for (Eigen::Index k = 0; k < changes.cols(); ++k)

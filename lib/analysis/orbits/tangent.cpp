@@ -25,23 +25,8 @@ void TangentRecorder::Tangents::finish(const Instant &end) {
   carry_to(end);
 }
 
-// One in the columns of the parameters that are meant.
-template <class Meant>
-Row TangentRecorder::Tangents::ones(const Meant &meant) const {
-  Row change = Row::Zero(changes.cols());
-  for (std::size_t k = 0; k < options.by.size(); ++k)
-    if (meant(options.by[k]))
-      change(changes.cols() - parameters() + static_cast<Eigen::Index>(k)) = 1.0;
-  return change;
-}
-
-// Of this kind, and of the stop.
-Row TangentRecorder::Tangents::explicit_change(Parameter::Kind kind, std::size_t stop) const {
-  return ones([&](const Parameter &by) { return is_of_stop(scene, by, kind, stop); });
-}
-
-Row TangentRecorder::Tangents::column_of(const Parameter &parameter) const {
-  return ones([&](const Parameter &by) { return by == parameter; });
+Row TangentRecorder::Tangents::ones(Parameter::Kind kind, std::size_t index) const {
+  return columns_of(scene, options.by, kind, index, changes.cols());
 }
 
 // A held mass moves with its stop.
@@ -49,7 +34,7 @@ void TangentRecorder::Tangents::hold(Eigen::MatrixXd &columns, const Held &mode)
   for (std::size_t s = 0; s < scene.stops.size(); ++s) {
     const auto row = static_cast<Eigen::Index>(scene.stops[s].mass - 1);
     if (!holds(scene.stops[s], mode)) continue;
-    columns.row(row) = explicit_change(Parameter::Kind::stop, s);
+    columns.row(row) = ones(Parameter::Kind::stop, s + 1);
     columns.row(masses() + row).setZero();
   }
 }

@@ -62,10 +62,7 @@ struct TangentRecorder::Tangents {
   Eigen::Index parameters() const {
     return static_cast<Eigen::Index>(options.by.size());
   }
-  template <class Meant>
-  Row ones(const Meant &meant) const;
-  Row explicit_change(Parameter::Kind kind, std::size_t stop) const;
-  Row column_of(const Parameter &parameter) const;
+  Row ones(Parameter::Kind kind, std::size_t index) const;
   void carry_all(const Held &mode, const Instant &from, double tau, PlainMotion &with,
                  Eigen::MatrixXd &columns);
   void carry_to(const Instant &instant);
