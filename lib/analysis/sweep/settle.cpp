@@ -94,7 +94,6 @@ class Sections {
     const Section &now = latest(0);
     motion.period = period_;
     motion.periods_run = taken_ - 1;
-    motion.to_come = to_come_;
     const auto middle = now.z.begin() + static_cast<std::ptrdiff_t>(n);
     motion.state = {
         section_at(taken_ - 1), {now.z.begin(), middle}, {middle, now.z.end()}, now.held};
@@ -108,7 +107,6 @@ class Sections {
   Instant first_;
   int taken_ = 0;  // sections entered, that of the start included
   int period_ = 0;
-  double to_come_ = unknown;
   Held held_;
   std::vector<double> rest_;            // all coordinates zero
   std::vector<double> frequency_ = {};  // of each mass between neighbours that stand still
@@ -185,11 +183,6 @@ class Sections {
                               without_chatters(scene_, events_of(p, p)), same);
   }
 
-  void settle_on(int period, int shown_by) {
-    period_ = period;
-    to_come_ = contractions_[index(shown_by - 1)].to_come;
-  }
-
   void judge() {
     for (int p = 1; p <= options_.most && 2 * p < taken_; ++p) {
       if (!(contractions_[index(p - 1)].to_come <= options_.tolerance) || !same_events(p)) continue;
@@ -198,12 +191,14 @@ class Sections {
         if (p % q != 0) continue;
         const double apart = distance(q);
         if (apart <= same_section * options_.tolerance && same_events(q)) {
-          return settle_on(q, p);
+          period_ = q;
+          return;
         }
         // Sections of one orbit are not so near each other, but at a period doubling.
         if (apart <= not_decided * options_.tolerance) return;
       }
-      return settle_on(p, p);
+      period_ = p;
+      return;
     }
   }
 };

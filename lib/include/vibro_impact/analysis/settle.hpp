@@ -43,12 +43,11 @@ struct EventCounts {
 };
 
 struct SettledMotion {
-  int period = 0;        // forcing periods; 0: not settled
-  int periods_run = 0;   // forcing periods integrated
-  double to_come = 0.0;  // bound of what is still to come; of period 0, infinite
-  MotionState state;     // at the last section, cycle count as it stands
-  EventCounts counts;    // of the last `period` periods; empty where it is 0
-  RunState resume;       // where the run stood
+  int period = 0;       // forcing periods; 0: not settled
+  int periods_run = 0;  // forcing periods integrated
+  MotionState state;    // at the last section, cycle count as it stands
+  EventCounts counts;   // of the last `period` periods; empty where it is 0
+  RunState resume;      // where the run stood
   Counters counters;
 };
 
