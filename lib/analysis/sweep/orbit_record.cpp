@@ -16,7 +16,7 @@ namespace {
 
 // The motion goes on from where it settled for as many periods as are recorded.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
-               const RecordOptions &options, OrbitRecord &record, RecordWork &work) {
+               const RecordOptions &options, OrbitRecord &record) {
   const double begin = time_of(motion.state.instant, Clock(scene.omega)),
                until = time_after(scene, motion.state, periods);
   RunOptions run = options.settle.run;
@@ -29,19 +29,19 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
     for (ImpactSpeedRecorder &speed : speeds) recorders.push_back(recorder_ref(speed));
   }
   require_complete(resume_seen(scene, motion.resume, until, run, recorders));
-  work.recorded += periods;
+  record.work.recorded += periods;
   record.counts = counts_of(scene, events.events, periods, motion.state.held);
   for (ImpactSpeedRecorder &speed : speeds)
     record.impact_velocities.push_back(std::move(speed.velocities));
 }
 
 // Nothing where the sign is not certain.
-std::optional<double> exponent_of(const Scene &scene, const OrbitRecord &record,
-                                  const RecordOptions &options, RecordWork &work) {
+std::optional<double> exponent_of(const Scene &scene, const RecordOptions &options,
+                                  OrbitRecord &record) {
   const RunOptions &run = options.settle.run;
   const MotionState start = at_quiet_phase(scene, record.state, run);
   if (record.period > 0) {
-    work.with_tangents += record.period;
+    record.work.with_tangents += record.period;
     const StroboscopicImage image =
         stroboscopic_map_and_derivative(scene, start, record.period, run);
     const auto multipliers = floquet_multipliers(image.derivative, start.held);
@@ -49,15 +49,15 @@ std::optional<double> exponent_of(const Scene &scene, const OrbitRecord &record,
            (record.period * Clock(scene.omega).period);
   }
   const Growth growth = mean_growth(scene, start, most_averaged, run);
-  work.with_tangents += growth.periods;
+  record.work.with_tangents += growth.periods;
   if (!growth.sign_is_certain) return std::nullopt;
   return growth.exponent;
 }
 
-std::vector<EventPair> pairs_of(const Scene &scene, const OrbitRecord &record,
-                                const RecordOptions &options, RecordWork &work) {
+std::vector<EventPair> pairs_of(const Scene &scene, const RecordOptions &options,
+                                OrbitRecord &record) {
   const int periods = 2 * (record.period > 0 ? record.period : options.counted);
-  work.recorded += periods;
+  record.work.recorded += periods;
   PressedEventRecorder recorder{scene};
   stroboscopic_map(scene, record.state, periods, options.settle.run, recorder);
   const std::vector<PairedEvents> pairs = event_pairs(recorder.events);
@@ -68,23 +68,23 @@ std::vector<EventPair> pairs_of(const Scene &scene, const OrbitRecord &record,
   return found;
 }
 
-// The record of the motion followed from `start`, as far as `longest` says.
+// The record of the motion followed from `start`, as far as `longest` says; `before`: work so far.
 OrbitRecord record_within(const Scene &scene, const MotionState &start, int longest,
-                          const RecordOptions &options, RecordWork &work) {
+                          const RecordOptions &options, const RecordWork &before = {}) {
   SettleOptions settling = options.settle;
   settling.longest = longest;
   SettledMotion motion = settle(scene, start, settling);
   OrbitRecord record;
   record.period = motion.period;
-  work.settling += motion.periods_run;
+  record.work = before;
+  record.work.settling += motion.periods_run;
   if (motion.period == 0 || options.impact_velocities)
-    record_on(scene, motion, motion.period > 0 ? motion.period : options.counted, options, record,
-              work);
+    record_on(scene, motion, motion.period > 0 ? motion.period : options.counted, options, record);
   else
     record.counts = std::move(motion.counts);
   record.state = std::move(motion.state);
   record.state.instant.cycle = 0;
-  if (options.lyapunov) record.lyapunov = exponent_of(scene, record, options, work);
+  if (options.lyapunov) record.lyapunov = exponent_of(scene, options, record);
   return record;
 }
 
@@ -97,14 +97,10 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
   require(options.longest_if_stable >= 0 && (options.lyapunov || options.longest_if_stable == 0),
           "longest_if_stable = ", options.longest_if_stable,
           ": must be non-negative, and zero unless the exponent is asked for");
-  RecordWork work;
-  OrbitRecord record = record_within(scene, start, options.settle.longest, options, work);
-  if (options.longest_if_stable > 0 && record.period == 0 && record.lyapunov.value_or(0.0) < 0.0) {
-    const MotionState stood = record.state;
-    record = record_within(scene, stood, options.longest_if_stable, options, work);
-  }
-  if (options.pairs) record.pairs = pairs_of(scene, record, options, work);
-  record.work = work;
+  OrbitRecord record = record_within(scene, start, options.settle.longest, options);
+  if (options.longest_if_stable > 0 && record.period == 0 && record.lyapunov.value_or(0.0) < 0.0)
+    record = record_within(scene, record.state, options.longest_if_stable, options, record.work);
+  if (options.pairs) record.pairs = pairs_of(scene, options, record);
   return record;
 }
 
