@@ -48,7 +48,7 @@ inline std::optional<Located> multi_sliding(const Change &change, int mass) {
   const MotionState seed = at_quiet_phase(scene, settled(scene, settling));
   const auto force = [&](double omega) {
     const Scene at = paper::stops_of_different_sign(omega);
-    return least_pressing_force(at, orbit_near(at, seed, 1, {}),
+    return least_pressing_force(at, orbit_near(at, seed, 1),
                                 at.stops[static_cast<std::size_t>(mass - 1)]);
   };
   const auto touching = force(near);

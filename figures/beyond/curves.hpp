@@ -18,7 +18,7 @@ inline int count_at(const BifurcationCurve &curve, const CurvePoint &point, cons
   const bool hits = curve.what == Bifurcation::grazing;
   // Beyond a grazing impacts may come now and then only.
   const int periods = hits ? 60 : curve.periods;
-  const MotionState orbit = orbit_near(scene, seed, curve.periods, {}, 100);
+  const MotionState orbit = orbit_near(scene, seed, curve.periods, 100);
   const auto events = events_after(scene, orbit, periods);
   const auto count = std::count_if(events.begin(), events.end(), [&](const Event &event) {
     return event.stop == curve.stop && event.kind == (hits ? EventKind::impact : EventKind::stick);

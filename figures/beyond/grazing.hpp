@@ -39,7 +39,7 @@ inline MotionState motion_without_second_stop(double omega) {
   Scene scene = figure5b_at(omega);
   scene.stops.pop_back();
   const MotionState seed = at_quiet_phase(scene, settled(scene, settling));
-  return orbit_near(scene, seed, 1, {});
+  return orbit_near(scene, seed, 1);
 }
 
 // Velocities of the impacts of mass 2 in some periods from `state` on, which is brought to their

@@ -144,10 +144,8 @@ TEST(Refusals, OfOrbits) {
       {[&] { settled(scene, 0); }, "periods = 0: must be at least 1"},
       {[&] { at_quiet_phase(unforced, start()); }, "omega = 0: a stroboscopic map needs"},
       {[&] { find_periodic_orbit(scene, start(), 0); }, "periods = 0: must be at least 1"},
-      {[&] { find_periodic_orbit(scene, start(), 1, {.run = {}, .max_iterations = -1}); },
-       "= -1: must be"},
-      {[&] { find_periodic_orbit(scene, start(), 1, {.run = {}, .tolerance = nan}); },
-       "tolerance = nan"},
+      {[&] { find_periodic_orbit(scene, start(), 1, {.max_iterations = -1}); }, "= -1: must be"},
+      {[&] { find_periodic_orbit(scene, start(), 1, {.tolerance = nan}); }, "tolerance = nan"},
       {[&] { find_periodic_orbit(scene, start(short_of_one)); }, "displacement: 1 values given"},
       {[] {
          floquet_multipliers(Matrix(3, 4), {0, 0});

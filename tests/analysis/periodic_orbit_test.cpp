@@ -29,7 +29,6 @@ TEST(Newton, FindsTheOrbitOfFigure2FromFivePeriods) {
       simulate(scene, time_of({150, orbit.state.instant.phase}, Clock(scene.omega)), {}));
   const std::vector<double> z = coordinates(orbit.state), run = coordinates(settled_run.state);
   for (std::size_t i = 0; i < z.size(); ++i) EXPECT_NEAR(z[i], run[i], 1e-11);
-  EXPECT_LT(10 * orbit.expansions, settled_run.counters.expansions);
 }
 
 // From farther away: each residual is bounded by a constant times the square of the one before,
@@ -51,8 +50,7 @@ TEST(Newton, ConvergesQuadratically) {
 // One line for each way in which the search can end without an orbit.
 TEST(Newton, SaysWhyItDidNotConverge) {
   const auto why_not = [](const Scene &scene, const MotionState &guess, int most = 20) {
-    const PeriodicOrbit orbit =
-        find_periodic_orbit(scene, guess, 1, {.run = {}, .max_iterations = most});
+    const PeriodicOrbit orbit = find_periodic_orbit(scene, guess, 1, {.max_iterations = most});
     EXPECT_FALSE(orbit.converged);
     EXPECT_EQ(orbit.why_not.find('\n'), std::string::npos);
     return orbit.why_not;

@@ -51,8 +51,7 @@ double inverse_interpolation(const std::vector<Point> &points, double origin) {
 
 }  // namespace
 
-int sticking_phases(const Scene &scene, int mass, int settling, int periods,
-                    const RunOptions &options) {
+int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
   check(scene);
   require_mass(mass, scene.masses());
   require(settling >= 0, "settling = ", settling, ": must be non-negative");
@@ -62,7 +61,7 @@ int sticking_phases(const Scene &scene, int mass, int settling, int periods,
   const MotionState start = start_of(scene);
   EventRecorder told{time_of({settling, 0.0}, Clock(scene.omega))};
   require_complete(
-      simulate_from(scene, start, time_after(scene, start, settling + periods), options, told));
+      simulate_from(scene, start, time_after(scene, start, settling + periods), {}, told));
   return static_cast<int>(std::count_if(
       told.events.begin(), told.events.end(),
       [mass](const Event &event) { return event.kind == EventKind::stick && event.mass == mass; }));

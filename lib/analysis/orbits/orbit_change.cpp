@@ -60,7 +60,7 @@ OrbitChange orbit_change(const Scene &scene, const PeriodicOrbit &orbit,
     change(free, Eigen::all) = matrix.partialPivLu().solve(change(free, Eigen::all)).eval();
   if (!change.allFinite())
     throw std::runtime_error("orbit: a Floquet multiplier is 1, it has no derivative");
-  OrbitChange result{by, matrix_of(change), {}, image.differentiable};
+  OrbitChange result{by, matrix_of(change), {}};
   const double until = time_after(scene, orbit.state, orbit.periods);
   result.events = along(scene, orbit, result, until, options, true).events;
   return result;

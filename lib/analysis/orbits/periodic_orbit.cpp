@@ -35,9 +35,8 @@ struct Iterate {
   bool usable = false;  // it returns in the contact mode it has, with finite numbers
 };
 
-Iterate evaluate(const Scene &scene, const MotionState &at, int periods,
-                 const RunOptions &options) {
-  Iterate iterate{stroboscopic_map_and_derivative(scene, at, periods, options), {}, {}};
+Iterate evaluate(const Scene &scene, const MotionState &at, int periods) {
+  Iterate iterate{stroboscopic_map_and_derivative(scene, at, periods), {}, {}};
   if (iterate.image.state.held != at.held) return iterate;
   const std::vector<std::size_t> free = free_coordinates(at.held);
   const auto unknowns = static_cast<Eigen::Index>(free.size());
@@ -173,8 +172,7 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
   };
   double best = std::numeric_limits<double>::infinity();
   for (int iteration = 0;; ++iteration) {
-    const Iterate iterate = evaluate(scene, at, periods, options.run);
-    orbit.expansions += iterate.image.counters.expansions;
+    const Iterate iterate = evaluate(scene, at, periods);
     if (iterate.image.state.held != at.held)
       return ended(line("iterate ", iteration, ": returns with other masses held (",
                         contact_mode_name(iterate.image.state.held), ") than it starts with (",
@@ -187,8 +185,6 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
       best = size;
       orbit.state = at;
       orbit.multipliers = floquet_multipliers(iterate.image.derivative, at.held);
-      orbit.error = largest_component(iterate.step);
-      orbit.differentiable = iterate.image.differentiable;
     }
     const double scale = std::max(1.0, largest_component(view(coordinates(at))));
     orbit.converged = size <= options.tolerance * scale;
@@ -206,14 +202,11 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
   }
 }
 
-MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods,
-                       const RunOptions &options, int settling) {
-  NewtonOptions newton;
-  newton.run = options;
-  const PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods, newton);
+MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods, int settling) {
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods);
   if (orbit.converged) return orbit.state;
   const int whole = std::max(periods, settling - settling % periods);
-  return stroboscopic_map(scene, moved_into(scene, seed), whole, options).state;
+  return stroboscopic_map(scene, moved_into(scene, seed), whole).state;
 }
 
 }  // namespace vibro_impact

@@ -15,8 +15,7 @@ struct Located {
 // Sticking phases of `mass` (from 1) begun within `periods` forcing periods, after `settling` ones,
 // of the motion from the scene's own initial state. Throws std::runtime_error when the run is given
 // up.
-int sticking_phases(const Scene &scene, int mass, int settling, int periods,
-                    const RunOptions &options = {});
+int sticking_phases(const Scene &scene, int mass, int settling, int periods);
 
 // Two neighbouring parameter values with different counts.
 struct Change {

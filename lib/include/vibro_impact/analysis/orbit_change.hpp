@@ -19,7 +19,6 @@ struct OrbitChange {
   std::vector<Parameter> by;
   Matrix state;                     // 2N x parameters: of the orbit at the section
   std::vector<EventChange> events;  // of the orbit's periods after it; one entry per parameter
-  bool differentiable = true;       // see ChangesAtEnd
 };
 
 // Throws std::invalid_argument for an orbit that has not converged, for no parameters and for those

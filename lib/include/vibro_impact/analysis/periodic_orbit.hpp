@@ -65,7 +65,6 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 MotionState settled(const Scene &scene, int periods, const RunOptions &options = {});
 
 struct NewtonOptions {
-  RunOptions run;
   int max_iterations = 20;
   // Largest component of P(z) - z at which z counts as a fixed point, relative to that of z (or 1).
   double tolerance = 1e-13;
@@ -78,9 +77,6 @@ struct PeriodicOrbit {
   bool converged = false;                         // false: the rest describes the best iterate
   std::string why_not;                            // ... and why, in one line
   std::vector<double> residuals;  // largest component of P(z) - z, one per map evaluation
-  double error = 0.0;             // estimated error of `state`: the size of the next Newton step
-  bool differentiable = true;
-  long long expansions = 0;  // of all map evaluations: the cost of the search
 
   bool stable() const {
     return multipliers.empty() || std::abs(multipliers.front()) < 1.0;
@@ -100,6 +96,6 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
 // The periodic orbit near `seed`: by Newton's method, or where that fails (a border in between) by
 // following the motion for `settling` periods.
 MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods,
-                       const RunOptions &options = {}, int settling = 200);
+                       int settling = 200);
 
 }  // namespace vibro_impact
