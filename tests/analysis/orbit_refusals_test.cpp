@@ -63,17 +63,12 @@ TEST(Refusals, OfParameters) {
          name(Parameter{Kind{-1}, 0});
        },
        "kind of parameter = -1: there are kinds 0 to 8"},
-      {value_of(Kind::mass, 3), "mass3: the chain has masses 1 to 2"},
       {value_of(Kind::mass, -1), "mass-1: no such number of it"},
       {value_of(Kind::mass, 0), "needs the number of a mass, link or stop"},
       {[] {
          with(scene, Parameter{Kind::stop, most}, 0.1);
        },
        "the scene has 2 stops"},
-      {[] {
-         with(scene, Parameter{Kind::omega, 1}, 0.1);
-       },
-       "omega1: no such number of it"},
   });
   for (const char *word : {"", "Omega", "omega1", "beta2", "stop", "stop0", "stop01", "stop-1",
                            "stop1x", "mass", "1", "stop99999999999", "restitution0"})

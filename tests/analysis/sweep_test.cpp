@@ -170,10 +170,6 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
          Grid{good, {{omega, 0.2, 1.0, 0}}}.points();
        },
        "omega: 0 values"},
-      {[&] {
-         Grid{good, {{omega, 0.2, 1.0, 0}}}.values(0);
-       },
-       "omega: 0 values"},
       {[&] { sweep(3, number, ignore, {.threads = -1}); }, "threads = -1"},
       {[&] { sweep(3, number, ignore, {.threads = 100'000}); }, "threads = 100000: must lie from"},
       {[&] { sweep(3, number, ignore, {.first = 4}); }, "first = 4: there are 3 points"},
