@@ -132,8 +132,6 @@ TEST(Samples, TakeTheEndOfTheirRange) {
   }
 }
 
-// 1,600 radians in 800 steps past a stop that is never reached, against x = cos(w t). Where each
-// step moved on by a span that the clock rounded, the motion ran 2e-12 ahead of its time. 4e-13:
 // The tolerance of the flights buys lower orders, and bounds what they cost: relative to the
 // second-order term of each expansion, of which the runs have some ten, and forty. The short
 // flights of a chatter have few terms to lose.
