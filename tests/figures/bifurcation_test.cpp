@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "figures/beyond/grazing.hpp"
-#include "figures/panel.hpp"
 #include "reference/table_reader.hpp"
 
 namespace {
@@ -37,29 +36,6 @@ void expect_found(const std::string &symbol, int mass, double below, double abov
   EXPECT_LT(point.omega.error, ten_digits);
   fmt::print("  {} {:.17g} +- {:.1e}, by counting {:.17g}\n", symbol, point.omega.value,
              point.omega.error, point.check);
-}
-
-// The formula of Eqs. 12-13 in physical coordinates against the modal reading of the run.
-TEST(PressingForce, AgreesWithTheHoldForceARunReports) {
-  const Scene scene = paper::figure4b();
-  HoldForceRecorder recorder;
-  const double period = Clock(scene.omega).period;
-  recorder.from = 30 * period;
-  recorder.to = 31 * period;
-  recorder.every = period / 50;
-  require_complete(simulate(scene, recorder.to, {}, recorder));
-  int compared = 0;
-  for (const auto &row : recorder.rows) {
-    const MotionState at = simulate(scene, row.time).state;
-    if (at.held[0] == 0) continue;  // the last time of a phase
-    const double press = pressing_force(scene, scene.stops[0], at);
-    EXPECT_NEAR(press, -row.force, 1e-12);
-    const double h = 1e-5;
-    const double later = pressing_force(scene, scene.stops[0], simulate(scene, row.time + h).state);
-    EXPECT_NEAR(pressing_force_rate(scene, scene.stops[0], at), (later - press) / h, 1e-4);
-    ++compared;
-  }
-  EXPECT_GT(compared, 5);
 }
 
 // Each by counts and by forces or speeds. The fifth is of a period-two orbit, of which first every
@@ -131,18 +107,6 @@ TEST(Coexistence, OrbitOutlivesTheMotionFromRest) {
       std::count_if(chatters.begin(), chatters.end(),
                     [](const Chatter &chatter) { return chatter.stop == 0 && chatter.complete; }),
       1);
-}
-
-TEST(ZeroFromOneSide, NeverStepsAcross) {
-  const double root = 1.25;
-  int across = 0;
-  const auto f = [&](double x) {
-    if (x >= root) ++across;
-    return std::sinh(root - x) + (root - x) * (root - x);
-  };
-  const Located found = zero_from_one_side(f, 1.0, 1.1);
-  EXPECT_NEAR(found.value, root, 1e-14);
-  EXPECT_EQ(across, 0);
 }
 
 }  // namespace
