@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
+#include "tests/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -38,23 +39,12 @@ void show(benchmark::State &state, const Counters &counters, int parts) {
 
 constexpr int settling = 20, periods = 20;
 
-// Settled motion, per forcing period. The chatter of each is carried to its limit.
-void forcing_period(benchmark::State &state) {
+// Settled motion, per forcing period: the chatter of each carried to its limit, or every impact
+// resolved down to rounding, which shows what an impact takes.
+void forcing_period(benchmark::State &state, const RunOptions &options) {
   const Scene scene = chain_of(static_cast<int>(state.range(0)));
   const MotionState start = settled(scene, settling);
   const double until = time_after(scene, start, periods);
-  Counters counters;
-  for (auto _ : state) counters = simulate_from(scene, start, until).counters;
-  show(state, counters, periods);
-}
-
-// The same with every impact resolved down to rounding: what an impact takes.
-void resolved_period(benchmark::State &state) {
-  const Scene scene = chain_of(static_cast<int>(state.range(0)));
-  const MotionState start = settled(scene, settling);
-  const double until = time_after(scene, start, periods);
-  RunOptions options;
-  options.resolve_chatter = 0.0;
   Counters counters;
   for (auto _ : state) counters = simulate_from(scene, start, until, options).counters;
   show(state, counters, periods);
@@ -63,12 +53,8 @@ void resolved_period(benchmark::State &state) {
 // One mass pressed onto its stop, from a start in flight to rest. The argument is the coefficient
 // of restitution, in hundredths.
 void chatter(benchmark::State &state) {
-  Scene scene = paper::figure2();
-  scene.mass = scene.stiffness = {1.0};
-  scene.amplitude = {0.0};
-  scene.stops = {{1, Side::upper, -0.5}};
-  scene.displacement = {-0.51};
-  scene.restitution = static_cast<double>(state.range(0)) / 100.0;
+  const double r = static_cast<double>(state.range(0)) / 100.0;
+  const Scene scene = extremes::one_mass(0.1, 0.0, 1.0, r, -0.5, -0.51);
   Counters counters;
   for (auto _ : state) counters = simulate(scene, 30.0).counters;
   show(state, counters, 1);
@@ -159,8 +145,7 @@ void long_run_of_a_free_chain(benchmark::State &state) {
 // the forcing periods integrated until a motion has settled, of 400.
 void diagram(benchmark::State &state) {
   const Grid grid{paper::figure2(), {{parameter_named("omega"), 0.25, 0.7, 181}}};
-  SweepOptions sweeping;
-  sweeping.threads = static_cast<int>(state.range(0));
+  const SweepOptions sweeping{.threads = static_cast<int>(state.range(0)), .progress = {}};
   double all = 0.0;
   for (auto _ : state) {
     all = 0.0;
@@ -175,8 +160,12 @@ void diagram(benchmark::State &state) {
   state.counters["periods"] = all / 181;
 }
 
-BENCHMARK(forcing_period)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
-BENCHMARK(resolved_period)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK_CAPTURE(forcing_period, limits, RunOptions{})->Arg(2)->Arg(10)->Arg(50)->Arg(200);
+BENCHMARK_CAPTURE(forcing_period, all_impacts, testing::all_impacts)
+    ->Arg(2)
+    ->Arg(10)
+    ->Arg(50)
+    ->Arg(200);
 BENCHMARK(chatter)->Arg(30)->Arg(70)->Arg(90)->Arg(99);
 BENCHMARK(sample)->Arg(2)->Arg(10)->Arg(50)->Arg(200);
 BENCHMARK(stroboscopic_derivative)->Arg(2)->Arg(10)->Arg(50)->Arg(200);

@@ -43,7 +43,6 @@ TEST(Refusals, OfForcesAndModes) {
       {[&] { pressing_force(scene, on_no_side, start()); }, "side = 9: must be lower (-1) or"},
       {[&] { pressing_force(scene, nowhere, start()); }, "at nan: must be finite"},
       {[&] { pressing_force_rate(scene, none, start()); }, "mass 5: the chain has"},
-      {[&] { pressing_force_rate(scene, nowhere, start()); }, "at nan: must be finite"},
       {[&] { pressing_force_rate(scene, scene.stops[0], start(two_values)); }, "3 values given"},
       {[&] { least_pressing_force(scene, start(), none); }, "mass 5: the chain has"},
       {[&] { least_gap(scene, start(), on_no_side); }, "side = 9: must be lower (-1) or"},
@@ -88,7 +87,6 @@ TEST(Refusals, OfWhatIsLocated) {
       {[] { zero([](double x) { return x == 0.5 ? nan : x - 0.5; }, 0.0, 1.0); }, "f = nan at 0.5"},
       {[] { zero({}, 0.0, 1.0); }, "f: no function given"},
       {[&] { bisect(steps, 0.0, infinity); }, "interval from 0 to inf: must be finite"},
-      {[&] { bisect(steps, -1.7e308, 1.7e308); }, "wider than the range of double precision"},
       {[&] { bisect(steps, 0.0, 1.0, nan); }, "width = nan: must be non-negative"},
       {[&] { bisect(steps, 0.6, 1.0); }, "no change to locate"},
       {[] { bisect({}, 0.0, 1.0); }, "count: no function given"},
@@ -124,8 +122,7 @@ TEST(Refusals, OfOrbits) {
     };
   };
   const auto short_of_one = [](MotionState &at) { at.displacement.pop_back(); };
-  Matrix huge;
-  huge.rows = 4;
+  Matrix huge(4, 0);
   huge.columns = std::size_t{1} << 62;
   Scene with_one_stop = scene;
   with_one_stop.stops.pop_back();

@@ -138,8 +138,6 @@ TEST(Refusals, OfTimesAndOptions) {
          later({most, 0.0}, 20.0, Clock(1.0));
        },
        "time 20: more forcing periods than"},
-      {[] { Clock{nan}; }, "omega = nan: must be non-negative and finite"},
-      {[] { instant_at(1e300, Clock(1.0)); }, "time 1e+300: more forcing periods than"},
       {[] { instant_at(nan, Clock(1.0)); }, "time nan: more forcing periods than"},
       {[] { later({}, infinity, Clock(0.0)); }, "time inf: more forcing periods than"},
   });
@@ -202,7 +200,6 @@ TEST(Refusals, OfRecorders) {
       recorded_by(SampleRecorder{-1.0, 10.0, 1.0}, "sample at t = -1: the run begins at 0"),
       recorded_by(SampleRecorder{0.1, 10.0, 1e-300}, "next_time = 0.1 after the sample at 0.1"),
       recorded_by(Stuck{1.0, 0.0}, "next_time = 1 after the sample at 1: must be later"),
-      recorded_by(Stuck{1.0, -0.5}, "next_time = 0.5 after the sample at 1: must be later"),
       recorded_by(Stuck{1.0, nan}, "sample at t = nan: the run begins at 0"),
       recorded_by(GoesBack{}, "next_time = 12: lies before the motion"),
       recorded_by(GoesBack{-infinity}, "next_time = -inf: lies before the motion"),
