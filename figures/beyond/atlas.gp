@@ -53,13 +53,14 @@ do for [picture in 'atlas atlas_stops'] {
       set xtics 0.1
       table = data.'/atlas_'.plane[k].'.csv'
       curves = data.'/atlas_curves'.(k == 2 ? '_omega_A1' : '').'.csv'  # of `make curves`
+      curve_y = k == 2 ? 'amplitude1' : 'restitution'
       with_curves = k < 3 && part == 2 && system("test -e '".curves."' && echo 1") eq '1' ? 'yes' : ''
       seen = ''
       set autoscale xy
       stats table using (noted(class_of(part))) nooutput
       set xrange [k < 3 ? 0.2 : 0 : k < 3 ? 0.8 : 0.6]; set yrange [0 : highest[k]]
       plot table using abscissa[k]:ordinate[k]:(class_of(part)) with image notitle, \
-        for [unused in with_curves] curves using 'omega':ordinate[k] with points pt 7 ps 0.25 lc rgb '#000000' notitle, \
+        for [unused in with_curves] curves using 'omega':curve_y with points pt 7 ps 0.25 lc rgb '#000000' notitle, \
         for [unused in with_curves] NaN with points pt 7 ps 0.6 lc rgb '#000000' title 'curves of bifurcations', \
         '+' using (k < 3 ? 0.25 + 0.45 * column(0) / 99 : NaN):(k == 1 ? 0.7 : 0.5) with lines dt (6, 4) lw 1.6 lc rgb violet title (k < 3 ? 'Figure 3' : ''), \
         scenes using (marked_in(plane[k], column('x'))):'y' with points pt 6 ps 1.6 lw 2 lc rgb '#202020' notitle, \
