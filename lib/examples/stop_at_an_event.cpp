@@ -1,6 +1,5 @@
 // A recorder of one's own that ends the run, and the run taken up again: how long does each of the
 // first five sticking phases of mass 1 last?
-#include <cmath>
 #include <cstdio>
 
 #include "paper_scene.hpp"

@@ -2,7 +2,6 @@
 // names the value and the rule.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "reference/scenes/paper_scenes.hpp"

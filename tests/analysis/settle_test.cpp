@@ -2,7 +2,6 @@
 // another rule.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <complex>
 #include <cstdio>
 #include <limits>

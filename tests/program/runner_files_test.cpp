@@ -2,7 +2,6 @@
 // goes on, in place when they are whole, gone when they cannot be.
 #include <sys/stat.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 

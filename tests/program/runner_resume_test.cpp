@@ -1,5 +1,4 @@
 // Runs of the scene runner in parts: what --save-state writes, --resume goes on with.
-#include <cmath>
 #include <regex>
 #include <sstream>
 #include <string>

@@ -2,7 +2,6 @@
 // the value and the rule. A change of what is accepted belongs into these tables.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <type_traits>
 

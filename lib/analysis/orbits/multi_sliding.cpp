@@ -1,7 +1,6 @@
 #include "vibro_impact/analysis/multi_sliding.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>

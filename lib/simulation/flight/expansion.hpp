@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <vector>
 
 #include "polynomial.hpp"
 #include "simulation/chain/motion.hpp"

@@ -1,8 +1,6 @@
 // What happens at one instant: impacts, who is held after it, and the chatter it may belong to.
 #pragma once
 
-#include <utility>
-
 #include "run.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chatter/limit.hpp"

@@ -1,6 +1,5 @@
 #include "vibro_impact/simulate.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

@@ -1,6 +1,5 @@
 #include "rest.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

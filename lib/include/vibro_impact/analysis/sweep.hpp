@@ -8,7 +8,6 @@
 #include <functional>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "orbit_record.hpp"
