@@ -35,12 +35,15 @@ int least_period(const Scene &scene, const MotionState &at, int periods) {
   return periods;
 }
 
-// The orbit from a neighbouring motion of scene `from`.
+// The orbit from a neighbouring motion of scene `from`: by Newton's method, or where that fails,
+// from the motion followed for a while.
 std::optional<PeriodicOrbit> orbit_in(const Scene &scene, const Scene &from, MotionState seed,
                                       int periods) {
   seed.instant.phase = same_angle(seed.instant.phase, from, scene);
-  PeriodicOrbit orbit =
-      find_periodic_orbit(scene, seed, periods, {.max_iterations = 12, .tolerance = 1e-12});
+  const NewtonOptions options{.max_iterations = 12, .tolerance = 1e-12};
+  PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods, options);
+  if (!orbit.converged)
+    orbit = find_periodic_orbit(scene, orbit_near(scene, seed, periods, 40), periods, options);
   if (!orbit.converged) return std::nullopt;
   return orbit;
 }

@@ -104,8 +104,9 @@ void hold_or_release(Run<D> &run, bool at_start = false) {
   gather_resting(run, at_start);
   if (run.question.resting.empty()) return;
   State<D> &state = run.state;
-  run.question.error.assign(run.scene.mass.size(), 0.0);
-  if (!at_start) {
+  if (at_start) {
+    run.question.error.assign(run.scene.mass.size(), 0.0);
+  } else {
     set_motion(state, run.scene, run.motion);
     set_rounding(state, run.scene, run.scene_rate, run.question.error);
   }
