@@ -68,23 +68,6 @@ inline void set_powers(Powers &powers, double x, int order) {
   }
 }
 
-// Upper bound on [0, 1] of |p^(k)| / k!.
-inline double derivative_bound(const Polynomial &p, int first, std::size_t k) {
-  const double *c = p.coefficient.data() + first;
-  Packet sum = Packet::Zero();
-  for (int n = 0; n <= p.order - first; n += 4) sum += binomials(k, n) * packet(c + n).abs();
-  return sum.sum();
-}
-
-// Lower bound on [0, 1] of sum_{n >= first} weight(n) c_n u^(n - first): nested minima.
-template <class Weight>
-double lower_bound(const Polynomial &p, int first, Weight weight) {
-  double bound = 0.0;
-  for (int n = p.order; n >= first; --n)
-    bound = weight(n) * p.coefficient[static_cast<std::size_t>(n)] + std::min(0.0, bound);
-  return bound;
-}
-
 }  // namespace detail
 
 // The polynomial with its `first` leading coefficients divided out, about u >= 0.
@@ -109,16 +92,18 @@ inline Jet jet_at(const Polynomial &p, int first, double u) {
           fourth.sum() * inverse * inverse * inverse * inverse};
 }
 
-// Sum of the moduli of the terms at u: the scale of the rounding of the value there.
-inline double size_at(const Polynomial &p, int first, double u) {
+// Upper bound on [0, u] of |p^(k)| / k! of the same. For k = 0 the sum of the moduli of the terms:
+// the scale of the rounding of the value at u.
+inline double derivative_bound(const Polynomial &p, int first, std::size_t k, double u = 1.0) {
   using detail::Packet;
-  const double *c = p.coefficient.data() + first, quartic = u * u * u * u;
-  Packet size = Packet::Zero(), power = detail::powers_of(u);
-  for (int n = 0; n <= p.order - first; n += 4) {
-    size += detail::packet(c + n).abs() * power;
+  const int order = static_cast<int>(k);
+  const double *c = p.coefficient.data() + first + order, quartic = u * u * u * u;
+  Packet sum = Packet::Zero(), power = detail::powers_of(u);
+  for (int n = 0; n <= p.order - first - order; n += 4) {
+    sum += detail::binomials(k, n + order) * detail::packet(c + n).abs() * power;
     power *= quartic;
   }
-  return size.sum();
+  return sum.sum();
 }
 
 }  // namespace vibro_impact
