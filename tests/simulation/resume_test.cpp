@@ -153,7 +153,7 @@ TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
                                    std::string("0\n0\n9999999999999\n")}) {
     boost::crc_32_type checksum;
     checksum.process_bytes(other.data(), other.size());
-    EXPECT_TRUE(refused("vibro-impact run state 3, checksum " +
+    EXPECT_TRUE(refused("vibro-impact run state 4, checksum " +
                         std::to_string(checksum.checksum()) + "\n" + other));
   }
 
@@ -188,7 +188,7 @@ TEST(Resume, FromNumbersThatContradictEachOtherLeadsNowhereElse) {
       numbers.replace(here, numbers.find('\n', here) - here, number);
       boost::crc_32_type checksum;
       checksum.process_bytes(numbers.data(), numbers.size());
-      const std::string text = "vibro-impact run state 3, checksum " +
+      const std::string text = "vibro-impact run state 4, checksum " +
                                std::to_string(checksum.checksum()) + "\n" + numbers;
       SCOPED_TRACE(::testing::Message() << number << " in place of the number at " << here);
       const std::string why = refusal(

@@ -3,11 +3,10 @@
 
 #include <array>
 #include <limits>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 #include "counters.hpp"
 #include "record.hpp"
@@ -31,21 +30,9 @@ struct RunOptions {
 
 // Where a run stands, in full: what `resume` needs to go on as if it had never ended, also inside a
 // chatter. It may lie a little before the end of the run, at its last step; it belongs to the scene
-// of that run.
-class RunState {
- public:
-  struct Numbers;  // of the simulation itself
-
-  RunState() = default;  // of no run: `resume` and `save` refuse it
-  explicit RunState(std::shared_ptr<const Numbers> numbers) : numbers_(std::move(numbers)) {
-  }
-
-  // Throw std::invalid_argument for the state of no run.
-  const Held &held() const;  // its contact mode
-  const Numbers &numbers() const;
-
- private:
-  std::shared_ptr<const Numbers> numbers_;
+// of that run, and what its numbers mean is the simulation's own affair.
+struct RunState {
+  std::vector<double> numbers = {};  // none: of no run, which `resume` and `save` refuse
 };
 
 // The state as text: a line with a checksum, then numbers, one a line, in the digits that give them

@@ -16,21 +16,17 @@
 
 namespace vibro_impact {
 
-// What is carried beside the lanes.
-struct BesideLanes {
+template <int D>
+struct State {
+  using Lanes = Eigen::Array<double, D, 1>;
   Instant now;
+  const ContactMode<D> *mode = nullptr;
+  Lanes value, slope;
   std::vector<AtStop> stops;                                     // one per stop of the scene
   double next_flight = std::numeric_limits<double>::infinity();  // expected of the next one
   bool clear = true;     // no stop was near in the latest flight
   Instant window_start;  // of the count of impacts in one forcing period
   long long impacts_in_window = 0;
-};
-
-template <int D>
-struct State : BesideLanes {
-  using Lanes = Eigen::Array<double, D, 1>;
-  const ContactMode<D> *mode = nullptr;
-  Lanes value, slope;
 };
 
 // Sets the forcing lanes cos(Omega t), sin(Omega t) from the phase.

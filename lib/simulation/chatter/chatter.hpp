@@ -88,10 +88,10 @@ inline std::size_t chatter_stride(double r) {
 
 // The impacts of a chatter so far, none where there is none under way.
 struct ChatterImpacts {
-  std::vector<std::size_t> contacts;  // of the mode, hit at every impact
-  std::vector<double> times, jumps;   // since the first impact; contacts.size() jumps each
-  double flight = 0.0;                // x of the latest impact
-  double since = 0.0;                 // flown since then
+  std::vector<std::size_t> contacts = {};      // of the mode, hit at every impact
+  std::vector<double> times = {}, jumps = {};  // since the first impact; contacts.size() jumps each
+  double flight = 0.0;                         // x of the latest impact
+  double since = 0.0;                          // flown since then
 };
 
 template <int D>
@@ -122,7 +122,11 @@ struct Chatter {
     return std::find(impacts.contacts.begin(), impacts.contacts.end(), k) != impacts.contacts.end();
   }
   void end() {
+    impacts.contacts.clear();
     impacts.times.clear();
+    impacts.jumps.clear();
+    impacts.flight = impacts.since = 0.0;
+    table.nodes.clear();
   }
 };
 
@@ -131,10 +135,8 @@ template <int D>
 void begin(Chatter<D> &chatter, const ContactMode<D> &mode, const Scene &scene,
            const std::vector<std::size_t> &contacts) {
   chatter.mode = &mode;
+  chatter.end();
   chatter.impacts.contacts = contacts;
-  chatter.impacts.times.clear();
-  chatter.impacts.jumps.clear();
-  chatter.table.nodes.clear();
   chatter.hits.resize(contacts.size());
   for (std::size_t j = 0; j < contacts.size(); ++j) {
     const Contact<D> &contact = mode.contacts[contacts[j]];

@@ -136,31 +136,16 @@ void start_from(Run<D> &run, const MotionState &motion) {
 
 // From where another run stood, which may have come to a node of a chatter just then.
 template <int D>
-void start_from(Run<D> &run, const RunState::Numbers &from) {
-  const ContactMode<D> &mode = run.modes.enter(run.scene, from.held, run.counters);
-  run.state = state_in(from, run.scene, mode);
-  if (from.chatter.times.empty()) return;
-  begin(run.chatter, mode, run.scene, from.chatter.contacts);
-  run.chatter.impacts = from.chatter;
-  for (const ChatterTable::Node &node : from.nodes) extend(run.chatter.table, node);
+void start_from(Run<D> &run, const RunState &from) {
+  Row row{.numbers = from.numbers, .reads = true};
+  pass(row, run);
+  if (!run.chatter.under_way()) return;
+  const ChatterImpacts impacts = run.chatter.impacts;
+  const std::vector<ChatterTable::Node> nodes = run.chatter.table.nodes;
+  begin(run.chatter, *run.state.mode, run.scene, impacts.contacts);
+  run.chatter.impacts = impacts;
+  for (const ChatterTable::Node &node : nodes) extend(run.chatter.table, node);
   take_limit(run);
-}
-
-template <int D>
-RunState state_of(const Run<D> &run) {
-  const State<D> &state = run.state;
-  const Chatter<D> &chatter = run.chatter;
-  RunState::Numbers numbers{state,
-                            state.mode->held,
-                            {state.value.begin(), state.value.end()},
-                            {state.slope.begin(), state.slope.end()},
-                            {},
-                            {}};
-  if (chatter.under_way()) {
-    numbers.chatter = chatter.impacts;
-    numbers.nodes = chatter.table.nodes;
-  }
-  return RunState(std::make_shared<const RunState::Numbers>(std::move(numbers)));
 }
 
 template <int D>
@@ -171,12 +156,14 @@ Outcome run_lanes(const Scene &scene, const Start &start, double until, const Ru
   if (start.motion != nullptr)
     start_from(run, *start.motion);
   else
-    start_from(run, start.state->numbers());
+    start_from(run, *start.state);
   run_on(run);
   set_motion(run.at_end, scene, run.motion);
+  Row row;
+  pass(row, run);
   return {run.motion,   time_of(run.motion.instant, run.clock),
           run.ending,   run.reason,
-          run.counters, state_of(run)};
+          run.counters, RunState{row.numbers}};
 }
 
 }  // namespace vibro_impact

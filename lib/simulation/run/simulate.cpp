@@ -87,9 +87,7 @@ Outcome simulate_seen(const Scene &scene, const MotionState &start, double until
 Outcome resume_seen(const Scene &scene, const RunState &state, double until,
                     const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
-  const RunState::Numbers &numbers = state.numbers();
-  check_place(scene, numbers.now, numbers.held);
-  return run(scene, {nullptr, &state}, numbers.now, until, options, recorders);
+  return run(scene, {nullptr, &state}, instant_of(state), until, options, recorders);
 }
 
 }  // namespace vibro_impact
