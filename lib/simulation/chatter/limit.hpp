@@ -63,17 +63,16 @@ bool others_stay_clear(Chatter<D> &chatter, const State<D> &state, double left) 
 }
 
 // Adds to the lanes, and to what was added before, the responses to impacts with these moments, of
-// orders from `from` to `to`, in units of powers of the span of the path.
+// orders from `from` to `to`, in units of powers of the rate of the path.
 template <int D>
 void add_responses(State<D> &state, State<D> &sum, const typename Chatter<D>::Hit &hit,
-                   const Expansion &path, const double *moments, int from, int to) {
+                   const double *moments, int from, int to) {
   const ContactMode<D> &mode = *state.mode;
   for (Eigen::Index i = 0; i < mode.modal_lanes(); ++i) {
     OscillatorState response{0.0, 0.0};
     for (int n = from; n <= to; ++n) {
-      const double moment = moments[n] * path.power[static_cast<std::size_t>(n)];
-      response.value += moment * mode.flow_weights.response(i, n);
-      response.slope += moment * mode.flow_weights.rate_of_response(i, n);
+      response.value += moments[n] * mode.flow_weights.response(i, n);
+      response.slope += moments[n] * mode.flow_weights.rate_of_response(i, n);
     }
     const auto added = change_of(mode, i, hit.jump_value(i), hit.jump_slope(i), response);
     state.value(i) += added.value;
@@ -83,10 +82,10 @@ void add_responses(State<D> &state, State<D> &sum, const typename Chatter<D>::Hi
   }
 }
 
-// The moments of the impacts to come at one stop, in units of powers of the span of the path, and
+// The moments of the impacts to come at one stop, in units of powers of the rate of the path, and
 // what the oldest node changes in them.
 struct Moments {
-  detail::Powers of{}, change{};
+  Terms of{}, change{};
 };
 
 // What each node predicts of the impacts at the stop of hit j, less the impacts after it that are
@@ -97,8 +96,8 @@ Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit
   using detail::Packet;
   const ChatterTable &table = chatter.table;
   const ChatterImpacts &impacts = chatter.impacts;
-  const double r = chatter.hits[j].restitution, left = path.span;
-  detail::Powers ratio{};
+  const double r = chatter.hits[j].restitution;
+  Terms ratio{};
   double power = r;
   for (int n = 0; n <= path.order; ++n, power *= r)
     ratio[static_cast<std::size_t>(n)] = power / (1.0 - power);
@@ -113,7 +112,7 @@ Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit
       weight = weights[node];
       change = weight - fewer[node++];
     }
-    const double x = (impacts.times.back() - impacts.times[k] + left) / left;
+    const double x = path.rate * (impacts.times.back() - impacts.times[k] + path.span);
     const double quartic = x * x * x * x;
     Packet moment = impacts.jumps[k * chatter.hits.size() + j] * detail::powers_of(x);
     for (int n = 0; n <= path.order; n += 4, moment *= quartic) {
@@ -147,17 +146,17 @@ double move_to_limit(Chatter<D> &chatter, const ChatterLimit &limit, const Scene
   double error = 0.0;
   for (std::size_t j = 0; j < hits; ++j) {
     const Moments moments = extrapolate_moments(chatter, limit, j, path);
-    add_responses(state, responses, chatter.hits[j], path, moments.of.data(), 2, path.order);
-    double sum = 0.0, power = path.power[1];
+    add_responses(state, responses, chatter.hits[j], moments.of.data(), 2, path.order);
+    double sum = 0.0, factorial = 1.0;
     for (int n = 2; n <= path.order; ++n)
-      sum += std::abs(moments.change[static_cast<std::size_t>(n)]) * (power *= path.power[1] / n);
+      sum += std::abs(moments.change[static_cast<std::size_t>(n)]) / (factorial *= n);
     error = std::max(error, responses_share * sum / chatter.impacts.jumps[oldest * hits + j]);
   }
   // The second moments bring the masses to their stops, the first ones to rest there.
   for (std::size_t j = 0; j < hits; ++j) {
     const double gap = watched_now(state, mode.contacts[chatter.impacts.contacts[j]]);
-    const double moments[2] = {0.0, -gap / path.span};
-    add_responses(state, responses, chatter.hits[j], path, moments, 1, 1);
+    const double moments[2] = {0.0, -gap * path.rate};
+    add_responses(state, responses, chatter.hits[j], moments, 1, 1);
   }
   tie_decays(state);
   for (const std::size_t k : chatter.impacts.contacts) place_at_stop(state, mode.contacts[k], 0.0);

@@ -11,12 +11,10 @@
 
 namespace vibro_impact {
 
-// One stretch of flight: how far, at which rate (of the fastest lane in motion), to which order;
-// powers of rate * span.
+// One stretch of flight: how far, at which rate (of the fastest lane in motion), to which order.
 struct Expansion {
   double span = 0.0, rate = 0.0;
   int order = 0;  // 0: no series, any time in closed form
-  detail::Powers power{};
 };
 
 template <int D>
@@ -50,7 +48,6 @@ inline void expand(double rate, double span, double remainder, Expansion &path,
     term *= quartic / ((p + 2.0) * (p + 3.0) * (p + 4.0) * (p + 5.0));
     path.order += 4;
   }
-  detail::set_powers(path.power, x, path.order);
   ++counters.expansions;
   counters.coefficients += path.order + 1;
 }
@@ -84,12 +81,14 @@ template <int D>
 void drop_rounding(const State<D> &state, const ReadingWeights &of, const Expansion &path,
                    Polynomial &p) {
   const Eigen::Index lanes = state.mode->lanes(), modal = state.mode->modal_lanes();
-  for (int n = 0; n <= path.order; ++n) {
+  const double x = path.rate * path.span;
+  double power = 1.0;
+  for (int n = 0; n <= path.order; ++n, power *= x) {
     const auto row = of.weight.row(n % 4).segment((n / 4) * (lanes + modal), lanes + modal);
     const double size = (row.head(lanes).transpose() * state.value.matrix().array()).abs().sum() +
                         (row.tail(modal).transpose() * state.slope.head(modal)).abs().sum();
     const auto k = static_cast<std::size_t>(n);
-    if (std::abs(p.coefficient[k]) < rounding * size * path.power[k]) p.coefficient[k] = 0.0;
+    if (std::abs(p.coefficient[k]) < rounding * size * power) p.coefficient[k] = 0.0;
   }
 }
 
@@ -104,10 +103,10 @@ void read_along(const State<D> &state, const Contact<D> &contact, const Expansio
   ReadingWeights &of = contact.weights;
   if (of.rate != path.rate) build_weights(mode, contact.watched, path.rate, of);
   const Eigen::Index columns = mode.lanes() + mode.modal_lanes();
-  const double *weight = of.weight.data();
-  for (int n = 0; n <= path.order; n += 4, weight += 4 * columns)
-    Eigen::Map<Packet>(p.coefficient.data() + n) =
-        detail::weigh(state, weight) * detail::packet(path.power.data() + n);
+  const double *weight = of.weight.data(), x = path.rate * path.span, quartic = x * x * x * x;
+  Packet power = detail::powers_of(x);
+  for (int n = 0; n <= path.order; n += 4, weight += 4 * columns, power *= quartic)
+    Eigen::Map<Packet>(p.coefficient.data() + n) = detail::weigh(state, weight) * power;
   end_at(p, path.order);
   counters.products += (path.order + 1) * columns;
 

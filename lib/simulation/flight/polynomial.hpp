@@ -11,10 +11,12 @@ namespace vibro_impact {
 // No expansion goes beyond this order: over the longest span (`max_reach`) 23 lies below rounding.
 constexpr int max_order = 27;
 
-// Coefficients are read in packets, also beyond the order: four zeros follow the last one (see
-// `end_at`).
+// A number for every order, read in packets, also beyond the last.
+using Terms = std::array<double, max_order + 8>;
+
+// Four zeros follow the last coefficient (see `end_at`).
 struct Polynomial {
-  std::array<double, max_order + 8> coefficient{};
+  Terms coefficient{};
   int order = 0;
 };
 
@@ -34,7 +36,7 @@ using Packet = Eigen::Array<double, 4, 1>;
 
 // binomial[k][n] = n over k: the derivatives of u^n are binomial[k][n] u^(n - k) k!.
 inline const auto binomial = [] {
-  std::array<std::array<double, max_order + 8>, 6> table{};
+  std::array<Terms, 6> table{};
   for (std::size_t n = 0; n < table[0].size(); ++n) {
     table[0][n] = 1.0;
     for (std::size_t k = 1; k < table.size() && n > 0; ++k)
@@ -54,18 +56,6 @@ inline Packet powers_of(double x) {
 
 inline Packet binomials(std::size_t k, int n) {
   return packet(binomial[k].data() + n);
-}
-
-using Powers = std::array<double, max_order + 8>;
-
-// 1, x, x^2, ... in whole packets of four.
-inline void set_powers(Powers &powers, double x, int order) {
-  const double quartic = x * x * x * x;
-  Packet power = powers_of(x);
-  for (int n = 0; n <= order; n += 4) {
-    Eigen::Map<Packet>(powers.data() + n) = power;
-    power *= quartic;
-  }
 }
 
 }  // namespace detail
