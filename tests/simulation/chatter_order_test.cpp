@@ -54,7 +54,7 @@ TEST(ChatterOrder, OfTheLimitHasNoLinearTerm) {
       if (x > 0.5) continue;
       extend(table, {x, t + x / (1.0 - r), k});
       for (std::size_t n = 0; n < std::min<std::size_t>(2, table.nodes.size()); ++n) {
-        const double error = table.row[n].limit() - (limit - impacts[0].time);
+        const double error = limit_of(table.row[n]) - (limit - impacts[0].time);
         if (std::abs(error) < 1e-12) continue;  // near rounding
         flights[n].push_back(x);
         errors[n].push_back(error);

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "simulation/flight/first_root.hpp"
+#include "simulation/flight/polynomial.hpp"
 
 namespace {
 

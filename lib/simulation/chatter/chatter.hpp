@@ -20,13 +20,7 @@ struct ChatterTable {
     std::size_t impact;
   };
   // An entry of Neville's tables of predicted / x and of 1 / x, at x = 0.
-  struct Entry {
-    double predicted_over_x, one_over_x;
-
-    double limit() const {
-      return predicted_over_x / one_over_x;
-    }
-  };
+  using Entry = Eigen::Array2d;
   std::vector<Node> nodes;  // oldest first
   // The last row: extrapolated from the last 1, 2, ... nodes.
   std::array<Entry, max_chatter_nodes> row{};
@@ -34,6 +28,10 @@ struct ChatterTable {
   std::size_t best = 0;
   double error = std::numeric_limits<double>::infinity();
 };
+
+inline double limit_of(const ChatterTable::Entry &entry) {
+  return entry[0] / entry[1];
+}
 
 // Enters a node and the next row of the table: O(nodes). The predicted limit is T + c x^2 + d x^3 +
 // ... without a linear term: divided by x, all but T / x is a polynomial that is zero at x = 0. So
@@ -44,16 +42,15 @@ inline void extend(ChatterTable &table, const ChatterTable::Node &node) {
   if (table.nodes.size() == max_chatter_nodes) table.nodes.erase(table.nodes.begin());
   table.nodes.push_back(node);
   const std::size_t last = table.nodes.size() - 1;
-  ChatterTable::Entry here{node.predicted / node.x, 1.0 / node.x};
+  ChatterTable::Entry here(node.predicted / node.x, 1.0 / node.x);
   double error_before = 0.0;
   for (std::size_t column = 1; column <= last; ++column) {
     const ChatterTable::Entry without_newest = table.row[column - 1], without_oldest = here;
     table.row[column - 1] = here;
     const double share = node.x / (table.nodes[last - column].x - node.x);
-    here.predicted_over_x += (here.predicted_over_x - without_newest.predicted_over_x) * share;
-    here.one_over_x += (here.one_over_x - without_newest.one_over_x) * share;
+    here += (here - without_newest) * share;
     // Not much less than that of one impact less, which it may agree with by chance.
-    const double error = std::abs(here.limit() - without_oldest.limit());
+    const double error = std::abs(limit_of(here) - limit_of(without_oldest));
     const double believed = std::max(error, luck * error_before);
     if (believed <= table.error) {
       table.error = believed;

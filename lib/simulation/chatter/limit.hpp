@@ -28,7 +28,7 @@ std::optional<ChatterLimit> extrapolate(const Chatter<D> &chatter, double tolera
   if (table.nodes.size() < fewest_chatter_nodes || !(table.error <= tolerance)) return std::nullopt;
   const std::size_t last = table.nodes.size() - 1;
   const double now = chatter.impacts.times.back(), predicted = table.nodes[last].predicted - now;
-  const double left = table.row[table.best].limit() - now;
+  const double left = limit_of(table.row[table.best]) - now;
   if (!(std::abs(left - predicted) < near_limit * predicted)) return std::nullopt;
   return ChatterLimit{left, table.error, last - table.best};
 }
@@ -93,7 +93,6 @@ struct Moments {
 template <int D>
 Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit, std::size_t j,
                             const Expansion &path) {
-  using detail::Packet;
   const ChatterTable &table = chatter.table;
   const ChatterImpacts &impacts = chatter.impacts;
   const double r = chatter.hits[j].restitution;
@@ -114,9 +113,9 @@ Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit
     }
     const double x = path.rate * (impacts.times.back() - impacts.times[k] + path.span);
     const double quartic = x * x * x * x;
-    Packet moment = impacts.jumps[k * chatter.hits.size() + j] * detail::powers_of(x);
+    Packet moment = impacts.jumps[k * chatter.hits.size() + j] * powers_of(x);
     for (int n = 0; n <= path.order; n += 4, moment *= quartic) {
-      const Packet ratios = detail::packet(ratio.data() + n);
+      const Packet ratios = packet(ratio.data() + n);
       Eigen::Map<Packet>(moments.of.data() + n) += moment * (weight * ratios - before);
       Eigen::Map<Packet>(moments.change.data() + n) += moment * (change * ratios - change_before);
     }

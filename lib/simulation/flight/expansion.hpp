@@ -52,8 +52,6 @@ inline void expand(double rate, double span, double remainder, Expansion &path,
   counters.coefficients += path.order + 1;
 }
 
-namespace detail {
-
 // The next four coefficients that are linear in the lanes, of these weights. In line: what it
 // returns is to stay in registers.
 template <int D>
@@ -72,8 +70,6 @@ template <int D>
   add(state.slope, modal);
   return even + odd;
 }
-
-}  // namespace detail
 
 // Coefficients that lie below the rounding of the lanes are zero. A mass that moves less than that,
 // because motion has yet to come along the chain, would be thrown back by them.
@@ -98,15 +94,14 @@ void drop_rounding(const State<D> &state, const ReadingWeights &of, const Expans
 template <int D>
 void read_along(const State<D> &state, const Contact<D> &contact, const Expansion &path,
                 double scene_rate, Polynomial &p, Counters &counters) {
-  using detail::Packet;
   const ContactMode<D> &mode = *state.mode;
   ReadingWeights &of = contact.weights;
   if (of.rate != path.rate) build_weights(mode, contact.watched, path.rate, of);
   const Eigen::Index columns = mode.lanes() + mode.modal_lanes();
   const double *weight = of.weight.data(), x = path.rate * path.span, quartic = x * x * x * x;
-  Packet power = detail::powers_of(x);
+  Packet power = powers_of(x);
   for (int n = 0; n <= path.order; n += 4, weight += 4 * columns, power *= quartic)
-    Eigen::Map<Packet>(p.coefficient.data() + n) = detail::weigh(state, weight) * power;
+    Eigen::Map<Packet>(p.coefficient.data() + n) = weigh(state, weight) * power;
   end_at(p, path.order);
   counters.products += (path.order + 1) * columns;
 

@@ -7,7 +7,6 @@
 
 #include "clearance.hpp"
 #include "expansion.hpp"
-#include "first_root.hpp"
 
 namespace vibro_impact {
 
@@ -18,7 +17,7 @@ struct Flight {
   struct Watch {
     bool clear = false;        // certain to stay positive: not looked at
     Polynomial polynomial;     // else
-    std::optional<Root> root;  // its first one on the path
+    std::optional<Root> root;  // its first one on the path, where the flight ends
   };
   Expansion path;
   std::vector<Watch> watched;         // by contact of the mode
@@ -68,12 +67,6 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
   }
 }
 
-// True when contact k has its event at the end of the flight.
-template <int D>
-bool happens(const Flight<D> &flight, std::size_t k) {
-  return flight.watched[k].root.has_value();
-}
-
 // Moves the state to u of the path: lanes, time, and what is carried of the stops.
 template <int D>
 void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene,
@@ -93,7 +86,7 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
       if (u > 0.0) set_in_flight(stop);  // what is known of its force is known at one instant
       continue;
     }
-    if (ends_here && happens(flight, k)) {
+    if (ends_here && watch.root) {
       set_in_flight(stop, 0.0, watch.root->slope / path.span);
       continue;
     }

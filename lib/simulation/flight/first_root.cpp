@@ -1,8 +1,7 @@
-#include "first_root.hpp"
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "polynomial.hpp"
 
 namespace vibro_impact {
 

@@ -5,6 +5,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <optional>
+
+#include "vibro_impact/counters.hpp"
 
 namespace vibro_impact {
 
@@ -29,8 +32,6 @@ inline void end_at(Polynomial &p, int order) {
 struct Jet {
   double value, slope, second, third, fourth;
 };
-
-namespace detail {
 
 using Packet = Eigen::Array<double, 4, 1>;
 
@@ -58,22 +59,19 @@ inline Packet binomials(std::size_t k, int n) {
   return packet(binomial[k].data() + n);
 }
 
-}  // namespace detail
-
 // The polynomial with its `first` leading coefficients divided out, about u >= 0.
 inline Jet jet_at(const Polynomial &p, int first, double u) {
-  using detail::Packet;
   const double *c = p.coefficient.data() + first;
   const double quartic = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
-  Packet power = detail::powers_of(u);
+  Packet power = powers_of(u);
   Packet value = Packet::Zero(), slope = value, second = value, third = value, fourth = value;
   for (int n = 0; n <= p.order - first; n += 4) {
-    const Packet term = detail::packet(c + n) * power;
+    const Packet term = packet(c + n) * power;
     value += term;
-    slope += detail::binomials(1, n) * term;
-    second += detail::binomials(2, n) * term;
-    third += detail::binomials(3, n) * term;
-    fourth += detail::binomials(4, n) * term;
+    slope += binomials(1, n) * term;
+    second += binomials(2, n) * term;
+    third += binomials(3, n) * term;
+    fourth += binomials(4, n) * term;
     power *= quartic;
   }
   // From left to right, so that what has underflown stays zero.
@@ -85,15 +83,25 @@ inline Jet jet_at(const Polynomial &p, int first, double u) {
 // Upper bound on [0, u] of |p^(k)| / k! of the same. For k = 0 the sum of the moduli of the terms:
 // the scale of the rounding of the value at u.
 inline double derivative_bound(const Polynomial &p, int first, std::size_t k, double u = 1.0) {
-  using detail::Packet;
   const int order = static_cast<int>(k);
   const double *c = p.coefficient.data() + first + order, quartic = u * u * u * u;
-  Packet sum = Packet::Zero(), power = detail::powers_of(u);
+  Packet sum = Packet::Zero(), power = powers_of(u);
   for (int n = 0; n <= p.order - first - order; n += 4) {
-    sum += detail::binomials(k, n + order) * detail::packet(c + n).abs() * power;
+    sum += binomials(k, n + order) * packet(c + n).abs() * power;
     power *= quartic;
   }
   return sum.sum();
 }
+
+struct Root {
+  double at = 0.0;     // u
+  double slope = 0.0;  // there
+};
+
+// First root in (0, limit] of the polynomial with its leading coefficients that are exactly zero
+// divided out, with a guarantee and without sampling (lib/README.md); nothing when there is none.
+// The first that is not zero should be positive; when it is negative the root returned is 0, with
+// the slope there.
+std::optional<Root> first_root(const Polynomial &p, double limit, Counters &counters);
 
 }  // namespace vibro_impact

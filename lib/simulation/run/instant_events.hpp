@@ -202,7 +202,7 @@ void handle_instant(Run<D> &run) {
   run.hits.clear();
   run.roots.clear();
   for (std::size_t k = 0; k < mode->contacts.size(); ++k)
-    if (happens(run.flight, k)) (mode->contacts[k].held ? run.roots : run.hits).push_back(k);
+    if (run.flight.watched[k].root) (mode->contacts[k].held ? run.roots : run.hits).push_back(k);
   apply_impacts(run);
   hold_or_release(run);
   follow_chatter(run, mode);
