@@ -132,7 +132,7 @@ void add_contacts(const Scene &scene, ContactMode<D> &mode) {
     const double sigma = sign(stop.side);
     const bool held = static_cast<double>(mode.held[i]) == sigma;
     if (mode.held[i] != 0 && !held) continue;  // held at the stop across
-    Contact<D> contact{k, i, sigma, held, press_reading(scene, mode, stop), {}, {}};
+    Contact<D> contact{k, i, sigma, held, press_reading(scene, mode, stop)};
     if (!held) {
       std::swap(contact.press, contact.watched);
       contact.watched = {-sigma * mode.shape.row(row).transpose().array(),
@@ -142,6 +142,10 @@ void add_contacts(const Scene &scene, ContactMode<D> &mode) {
     // |y''| = |kappa y' + lambda y| is at most three times the rate times |y'| + rate |y|.
     contact.reach =
         contact.watched.on_value.abs() + 3.0 * mode.rate * contact.watched.on_slope.abs();
+    contact.restitution = law_of(scene, stop).at_rest();
+    contact.jump_value = -sigma * mode.velocity_to_modal.col(row).array();
+    contact.jump_slope = -sigma * mode.to_modal.col(row).array();
+    contact.jump_slope = mode.decay.select(-mode.kappa * contact.jump_value, contact.jump_slope);
     mode.contacts.push_back(std::move(contact));
   }
 }

@@ -51,6 +51,8 @@ struct Contact {
   Reading<D> watched;
   Eigen::Array<double, D, 1> reach;  // bound of its rate, per unit bound of the speed of every lane
   Reading<D> press;  // force that would press a free mass into the stop if it were at rest there
+  double restitution = 0.0;                           // r at rest
+  Eigen::Array<double, D, 1> jump_value, jump_slope;  // the lanes per unit jump of the gap speed
   // Of what it watches: built when first asked for, and again when lanes that moved have died out
   // or others have come to move.
   mutable ReadingWeights weights = {};

@@ -93,15 +93,8 @@ struct ChatterImpacts {
 
 template <int D>
 struct Chatter {
-  // A stop hit at every impact.
-  struct Hit {
-    double restitution = 0.0;  // at rest
-    // What a unit jump of the gap speed does to the lanes.
-    typename State<D>::Lanes jump_value, jump_slope;
-  };
   const ContactMode<D> *mode = nullptr;  // of all impacts
   ChatterImpacts impacts;
-  std::vector<Hit> hits;  // by contact hit
   std::size_t stride = 1;
   ChatterTable table;
   typename State<D>::Lanes pushes, speeds;  // of `others_stay_clear`
@@ -114,6 +107,13 @@ struct Chatter {
   bool at_node() const {
     return under_way() && impacts.since == 0.0 && !table.nodes.empty() &&
            table.nodes.back().impact + 1 == impacts.times.size();
+  }
+  // Hit j of every impact: its contact, and its jump of the gap speed.
+  const Contact<D> &hit(std::size_t j) const {
+    return mode->contacts[impacts.contacts[j]];
+  }
+  double jump(std::size_t impact, std::size_t j) const {
+    return impacts.jumps[impact * impacts.contacts.size() + j];
   }
   bool hits_contact(std::size_t k) const {
     return std::find(impacts.contacts.begin(), impacts.contacts.end(), k) != impacts.contacts.end();
@@ -129,29 +129,18 @@ struct Chatter {
 
 // Begins a chatter of impacts at these contacts of the mode.
 template <int D>
-void begin(Chatter<D> &chatter, const ContactMode<D> &mode, const Scene &scene,
+void begin(Chatter<D> &chatter, const ContactMode<D> &mode,
            const std::vector<std::size_t> &contacts) {
   chatter.mode = &mode;
   chatter.end();
   chatter.impacts.contacts = contacts;
-  chatter.hits.resize(contacts.size());
-  for (std::size_t j = 0; j < contacts.size(); ++j) {
-    const Contact<D> &contact = mode.contacts[contacts[j]];
-    const auto i = static_cast<Eigen::Index>(contact.mass);
-    auto &hit = chatter.hits[j];
-    hit.restitution = law_of(scene, scene.stops[contact.stop]).at_rest();
-    hit.jump_slope = -contact.sigma * mode.to_modal.col(i).array();
-    hit.jump_value = -contact.sigma * mode.velocity_to_modal.col(i).array();
-    if (mode.any_decay)
-      hit.jump_slope = mode.decay.select(-mode.kappa * hit.jump_value, hit.jump_slope);
-  }
-  chatter.stride = chatter_stride(chatter.hits[0].restitution);
+  chatter.stride = chatter_stride(chatter.hit(0).restitution);
 }
 
 // Notes the impacts at `contacts`, which have just happened, with the flight expected next. They go
 // on with the chatter, begin one, or end it.
 template <int D>
-void note_impacts(Chatter<D> &chatter, const State<D> &state, const Scene &scene,
+void note_impacts(Chatter<D> &chatter, const State<D> &state,
                   const std::vector<std::size_t> &contacts, double flight, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   ChatterImpacts &impacts = chatter.impacts;
@@ -159,10 +148,10 @@ void note_impacts(Chatter<D> &chatter, const State<D> &state, const Scene &scene
                        contacts == impacts.contacts;
   if (!goes_on) {
     chatter.end();
-    const double r = law_of(scene, scene.stops[mode.contacts[contacts[0]].stop]).at_rest();
+    const double r = mode.contacts[contacts[0]].restitution;
     // No chatter where r = 0 (one impact stops the mass) and where r = 1 (it never ends).
     if (!(r > 0.0 && r < 1.0 && flight * mode.fastest < 1.0)) return;
-    begin(chatter, mode, scene, contacts);
+    begin(chatter, mode, contacts);
   }
   const double time = goes_on ? impacts.times.back() + impacts.since : 0.0;
   const std::size_t impact = impacts.times.size();
@@ -174,7 +163,7 @@ void note_impacts(Chatter<D> &chatter, const State<D> &state, const Scene &scene
   impacts.flight = flight;
   impacts.since = 0.0;
   if (impact % chatter.stride != 0) return;
-  extend(chatter.table, {flight, time + flight / (1.0 - chatter.hits[0].restitution), impact});
+  extend(chatter.table, {flight, time + flight / (1.0 - chatter.hit(0).restitution), impact});
   ++counters.chatter_nodes;
 }
 

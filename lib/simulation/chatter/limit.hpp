@@ -41,10 +41,9 @@ bool others_stay_clear(Chatter<D> &chatter, const State<D> &state, double left) 
   const ContactMode<D> &mode = *state.mode;
   auto &pushes = chatter.pushes, &speeds = chatter.speeds;
   pushes.setZero(mode.lanes());
-  for (std::size_t j = 0; j < chatter.hits.size(); ++j) {
-    const auto &hit = chatter.hits[j];
-    const double latest =
-        chatter.impacts.jumps[chatter.impacts.jumps.size() - chatter.hits.size() + j];
+  for (std::size_t j = 0; j < chatter.impacts.contacts.size(); ++j) {
+    const Contact<D> &hit = chatter.hit(j);
+    const double latest = chatter.jump(chatter.impacts.times.size() - 1, j);
     pushes +=
         (jumps_to_come * latest * hit.restitution / (1.0 - hit.restitution)) * hit.jump_slope.abs();
   }
@@ -65,8 +64,8 @@ bool others_stay_clear(Chatter<D> &chatter, const State<D> &state, double left) 
 // Adds to the lanes, and to what was added before, the responses to impacts with these moments, of
 // orders from `from` to `to`, in units of powers of the rate of the path.
 template <int D>
-void add_responses(State<D> &state, State<D> &sum, const typename Chatter<D>::Hit &hit,
-                   const double *moments, int from, int to) {
+void add_responses(State<D> &state, State<D> &sum, const Contact<D> &hit, const double *moments,
+                   int from, int to) {
   const ContactMode<D> &mode = *state.mode;
   for (Eigen::Index i = 0; i < mode.modal_lanes(); ++i) {
     OscillatorState response{0.0, 0.0};
@@ -95,7 +94,7 @@ Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit
                             const Expansion &path) {
   const ChatterTable &table = chatter.table;
   const ChatterImpacts &impacts = chatter.impacts;
-  const double r = chatter.hits[j].restitution;
+  const double r = chatter.hit(j).restitution;
   Terms ratio{};
   double power = r;
   for (int n = 0; n <= path.order; ++n, power *= r)
@@ -113,7 +112,7 @@ Moments extrapolate_moments(const Chatter<D> &chatter, const ChatterLimit &limit
     }
     const double x = path.rate * (impacts.times.back() - impacts.times[k] + path.span);
     const double quartic = x * x * x * x;
-    Packet moment = impacts.jumps[k * chatter.hits.size() + j] * powers_of(x);
+    Packet moment = chatter.jump(k, j) * powers_of(x);
     for (int n = 0; n <= path.order; n += 4, moment *= quartic) {
       const Packet ratios = packet(ratio.data() + n);
       Eigen::Map<Packet>(moments.of.data() + n) += moment * (weight * ratios - before);
@@ -140,22 +139,23 @@ double move_to_limit(Chatter<D> &chatter, const ChatterLimit &limit, const Scene
   responses.value.setZero(mode.lanes());
   responses.slope.setZero(mode.lanes());
   state = before;
-  const std::size_t hits = chatter.hits.size(), oldest = chatter.table.nodes[limit.oldest].impact;
+  const std::size_t hits = chatter.impacts.contacts.size(),
+                    oldest = chatter.table.nodes[limit.oldest].impact;
   move_lanes(state, scene, clock, path, path.span);
   double error = 0.0;
   for (std::size_t j = 0; j < hits; ++j) {
     const Moments moments = extrapolate_moments(chatter, limit, j, path);
-    add_responses(state, responses, chatter.hits[j], moments.of.data(), 2, path.order);
+    add_responses(state, responses, chatter.hit(j), moments.of.data(), 2, path.order);
     double sum = 0.0, factorial = 1.0;
     for (int n = 2; n <= path.order; ++n)
       sum += std::abs(moments.change[static_cast<std::size_t>(n)]) / (factorial *= n);
-    error = std::max(error, responses_share * sum / chatter.impacts.jumps[oldest * hits + j]);
+    error = std::max(error, responses_share * sum / chatter.jump(oldest, j));
   }
   // The second moments bring the masses to their stops, the first ones to rest there.
   for (std::size_t j = 0; j < hits; ++j) {
-    const double gap = watched_now(state, mode.contacts[chatter.impacts.contacts[j]]);
+    const double gap = watched_now(state, chatter.hit(j));
     const double moments[2] = {0.0, -gap * path.rate};
-    add_responses(state, responses, chatter.hits[j], moments, 1, 1);
+    add_responses(state, responses, chatter.hit(j), moments, 1, 1);
   }
   tie_decays(state);
   for (const std::size_t k : chatter.impacts.contacts) place_at_stop(state, mode.contacts[k], 0.0);

@@ -53,8 +53,7 @@ void apply_impacts(Run<D> &run) {
   }
   for (const std::size_t k : run.hits) {
     const Contact<D> &contact = mode.contacts[k];
-    const double r = law_of(run.scene, run.scene.stops[contact.stop]).at_rest();
-    const double left = next_flight(state, run.scene, contact) / (1.0 - r);
+    const double left = next_flight(state, run.scene, contact) / (1.0 - contact.restitution);
     const double speed = state.stops[contact.stop].speed;
     const bool over = left * mode.fastest < same_instant || is_lost(state, contact, speed);
     if (!(speed > 0.0 && over)) continue;
@@ -191,7 +190,7 @@ void follow_chatter(Run<D> &run, const ContactMode<D> *mode) {
   }
   if (!leaving) return run.chatter.end();
   state.next_flight = beyond_expected * flight;
-  note_impacts(run.chatter, state, run.scene, run.hits, flight, run.counters);
+  note_impacts(run.chatter, state, run.hits, flight, run.counters);
   take_limit(run);
 }
 

@@ -142,7 +142,7 @@ void start_from(Run<D> &run, const RunState &from) {
   if (!run.chatter.under_way()) return;
   const ChatterImpacts impacts = run.chatter.impacts;
   const std::vector<ChatterTable::Node> nodes = run.chatter.table.nodes;
-  begin(run.chatter, *run.state.mode, run.scene, impacts.contacts);
+  begin(run.chatter, *run.state.mode, impacts.contacts);
   run.chatter.impacts = impacts;
   for (const ChatterTable::Node &node : nodes) extend(run.chatter.table, node);
   take_limit(run);
