@@ -33,8 +33,8 @@ constexpr double max_reach = 2.0;
 // one per reach of the fastest rate, one per event that ends one early, one to look across the
 // limit of a chatter, and
 //   root iterations <= 12 * polynomials searched :
-// few steps lead to a transversal root. Before a dip that all but touches zero, guaranteed steps
-// first gain a bit each, until the convexity of the dip carries over it.
+// few steps lead to a transversal root, and few over a dip that all but touches zero: stretches that
+// are clear grow shorter by powers of two, until one carries over it.
 void expect_bounded_work(const Case &extreme, const Counters &counters) {
   const double reaches = fastest_rate(extreme.scene) * extreme.until / max_reach;
   const auto events =

@@ -91,7 +91,7 @@ void take_state(const std::string &text) {
   const std::string numbers = text.substr(end);
   boost::crc_32_type checksum;
   checksum.process_bytes(numbers.data(), numbers.size());
-  const std::string others = text.substr(0, end) + "vibro-impact run state 3, checksum " +
+  const std::string others = text.substr(0, end) + "vibro-impact run state 4, checksum " +
                              std::to_string(checksum.checksum()) + "\n" + numbers;
   std::istringstream file(runner::first_line(others) + others);
   const runner::SavedRun saved = runner::read_saved_run(file, "state");

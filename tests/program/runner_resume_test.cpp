@@ -110,7 +110,7 @@ TEST_F(Runner, ADamagedStateIsRefused) {
       {with_line(good, " --omega", "--stop=3:upper:0.1\n"), "stop on mass 3"},
       {with_line(good, "time", ""), "'time' expected"},
       {with_line(good, "time", "time x\n"), "'time' expected"},
-      {with_line(good, "vibro-impact run", "vibro-impact run state 3, checksum 1\n"),
+      {with_line(good, "vibro-impact run", "vibro-impact run state 4, checksum 1\n"),
        "cut short or changed"},
       {good.substr(0, good.size() - 3) + "zz\n", "the checksum does not fit"},
   };
