@@ -125,6 +125,7 @@ Reading<D> press_reading(const Scene &scene, const ContactMode<D> &mode, const S
 
 template <int D>
 void add_contacts(const Scene &scene, ContactMode<D> &mode) {
+  using Lanes = typename ContactMode<D>::Lanes;
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const Stop &stop = scene.stops[k];
     const auto i = static_cast<std::size_t>(stop.mass - 1);
@@ -132,21 +133,18 @@ void add_contacts(const Scene &scene, ContactMode<D> &mode) {
     const double sigma = sign(stop.side);
     const bool held = static_cast<double>(mode.held[i]) == sigma;
     if (mode.held[i] != 0 && !held) continue;  // held at the stop across
-    Contact<D> contact{k, i, sigma, held, press_reading(scene, mode, stop)};
-    if (!held) {
-      std::swap(contact.press, contact.watched);
-      contact.watched = {-sigma * mode.shape.row(row).transpose().array(),
-                         Eigen::Array<double, D, 1>::Zero(mode.lanes()),
-                         sigma * (stop.position - mode.equilibrium(row))};
-    }
+    const Reading<D> press = press_reading(scene, mode, stop),
+                     gap{-sigma * mode.shape.row(row).transpose().array(),
+                         Lanes::Zero(mode.lanes()),
+                         sigma * (stop.position - mode.equilibrium(row))},
+                     &watched = held ? press : gap;
     // |y''| = |kappa y' + lambda y| is at most three times the rate times |y'| + rate |y|.
-    contact.reach =
-        contact.watched.on_value.abs() + 3.0 * mode.rate * contact.watched.on_slope.abs();
-    contact.restitution = law_of(scene, stop).at_rest();
-    contact.jump_value = -sigma * mode.velocity_to_modal.col(row).array();
-    contact.jump_slope = -sigma * mode.to_modal.col(row).array();
-    contact.jump_slope = mode.decay.select(-mode.kappa * contact.jump_value, contact.jump_slope);
-    mode.contacts.push_back(std::move(contact));
+    const Lanes reach = watched.on_value.abs() + 3.0 * mode.rate * watched.on_slope.abs(),
+                jump_value = -sigma * mode.velocity_to_modal.col(row).array(),
+                jump_slope = mode.decay.select(-mode.kappa * jump_value,
+                                               -sigma * mode.to_modal.col(row).array());
+    mode.contacts.push_back({k, i, sigma, held, watched, press, reach, jump_value, jump_slope,
+                             law_of(scene, stop).at_rest()});
   }
 }
 

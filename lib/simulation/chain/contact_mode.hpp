@@ -49,10 +49,12 @@ struct Contact {
   double sigma = 1.0;              // the sign of its side
   bool held = false;
   Reading<D> watched;
-  Eigen::Array<double, D, 1> reach;  // bound of its rate, per unit bound of the speed of every lane
-  Reading<D> press;  // force that would press a free mass into the stop if it were at rest there
-  double restitution = 0.0;                           // r at rest
-  Eigen::Array<double, D, 1> jump_value, jump_slope;  // the lanes per unit jump of the gap speed
+  // Force that would press a free mass into the stop if it were at rest there.
+  Reading<D> press;
+  // Bound of the rate of what is watched, per unit bound of the speed of every lane; and what a
+  // unit jump of the gap speed does to the lanes.
+  Eigen::Array<double, D, 1> reach, jump_value, jump_slope;
+  double restitution = 0.0;  // r at rest
   // Of what it watches: built when first asked for, and again when lanes that moved have died out
   // or others have come to move.
   mutable ReadingWeights weights = {};
