@@ -86,7 +86,7 @@ TEST(ChatterOrder, JumpsToComeMayNotLetGoANeighbour) {
     set_lanes(state, scene, pressed, start_of(scene));
     Chatter<Eigen::Dynamic> chatter;
     const std::vector<std::size_t> first{0};
-    begin(chatter, pressed, scene, first);
+    begin(chatter, pressed, first);
     chatter.impacts.times = {0.0};
     chatter.impacts.jumps = {jump};
     EXPECT_EQ(others_stay_clear(chatter, state, 1e-9), stays) << share;
