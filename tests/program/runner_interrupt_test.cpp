@@ -164,7 +164,10 @@ TEST_F(Started, CtrlCAndTerminationLeaveWholeTablesAndAState) {
     start({"run", "--until", "1e15", "--stop", stop, "--events", "e1.csv", "--samples", "s1.csv",
            "--every", "1", "--save-state", "x"});
     wait_for("s1.csv");
-    kill(program, signal);
+    for (int times = 0; times < 20; ++times) {  // `timeout` sends it twice
+      kill(program, signal);
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
     const auto [status, said] = ending();
     ASSERT_EQ(status, 128 + signal);
     EXPECT_TRUE(is_one_message(said)) << said;
