@@ -13,9 +13,8 @@ struct EndedBySignal {
 };
 
 // From now on they are remembered, so that the program may end by itself, with whole tables. One
-// that comes again (not within a tenth of a second) ends it at once; so does the first where nobody
-// has asked for it within two seconds: in the building of a contact mode of thousands of masses, or
-// waiting for a pipe.
+// that comes again, a tenth of a second later, ends it at once; so does the first where nobody has
+// asked for it within two seconds: in the modes of thousands of masses, or waiting for a pipe.
 void remember_signals();
 
 // The signal that came; 0: none. May be asked as often as one likes.

@@ -12,10 +12,8 @@ namespace vibro_impact::runner {
 
 namespace {
 
-using Row = std::vector<double>;
-
 // A point at which the run is given up leaves the others alone: its row is empty.
-Row row_at(const SweepRequest &request, std::size_t point) {
+std::vector<double> row_at(const SweepRequest &request, std::size_t point) {
   try {
     return row_of(record_of(request.grid.scene_at(point), request.records), request.records);
   } catch (const std::runtime_error &) {
@@ -35,7 +33,7 @@ void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of
   const std::size_t points = request.grid.points(), first = partial.points();
   std::size_t given_up = 0;
   Progress progress("sweep", static_cast<double>(points), static_cast<double>(first));
-  const auto take = [&](std::size_t point, const Row &row) {
+  const auto take = [&](std::size_t point, const std::vector<double> &row) {
     if (row.empty()) ++given_up;
     text.text.clear();
     add_row(text, request.grid, request.records, point, row);
