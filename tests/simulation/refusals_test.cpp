@@ -37,7 +37,7 @@ TEST(Refusals, OfScenes) {
       spoilt_scene([](Scene &s) { s.stiffness = {1.0}; }, "1 values given, the chain has 2 masses"),
       spoilt_scene([](Scene &s) { s.stiffness[0] = -1.0; }, "link 1 = -1: must be non-negative"),
       spoilt_scene([](Scene &s) { s.stiffness[1] = 0.0; }, "link 2 = 0: must be positive"),
-      spoilt_scene([](Scene &s) { s.stiffness[1] = infinity; }, "link 2 = inf: must be positive"),
+      spoilt_scene([](Scene &s) { s.stiffness[1] = infinity; }, "stiffness = inf: must be finite"),
       spoilt_scene([](Scene &s) { s.beta = -0.1; }, "beta = -0.1: must be non-negative"),
       spoilt_scene([](Scene &s) { s.omega = nan; }, "omega = nan: must be non-negative"),
       spoilt_scene([](Scene &s) { s.omega = infinity; }, "omega = inf: must be non-negative"),
@@ -66,7 +66,7 @@ TEST(Refusals, OfScenes) {
       {[] {
          start_of({.mass = {1.0}, .stiffness = {1.0}, .displacement = {1.0, 2.0}});
        },
-       "initial displacement: 2 values given"},
+       "start: displacement: 2 values given"},
   });
   Scene free_chain = paper::figure2();
   free_chain.stiffness[0] = 0.0;
@@ -85,8 +85,9 @@ BadCall spoilt_start(void (*spoil)(MotionState &), const char *says) {
 
 TEST(Refusals, OfStarts) {
   expect_refused({
-      spoilt_start([](MotionState &s) { s.displacement.pop_back(); }, "1 values of the displace"),
-      spoilt_start([](MotionState &s) { s.velocity.push_back(0.0); }, "3 values of the velocity"),
+      spoilt_start([](MotionState &s) { s.displacement.pop_back(); },
+                   "displacement: 1 values given"),
+      spoilt_start([](MotionState &s) { s.velocity.push_back(0.0); }, "velocity: 3 values given"),
       spoilt_start([](MotionState &s) { s.velocity[1] = nan; }, "velocity = nan: must be finite"),
       spoilt_start([](MotionState &s) { s.displacement[0] = -0.31; },
                    "mass 1 at -0.31, beyond its lower stop"),

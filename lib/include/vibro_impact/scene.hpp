@@ -77,6 +77,9 @@ struct MotionState {
   Held held;                                   // N
 };
 
+// Throws like the other, unless a run of this scene can start from this motion.
+void check(const Scene &scene, const MotionState &start);
+
 // The initial state of a scene that `check` accepts, at t = 0 with no mass held yet.
 MotionState start_of(const Scene &scene);
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "vibro_impact/scene.hpp"
+
 namespace vibro_impact {
 
 inline void append(std::string &text, std::string_view piece) {
@@ -36,6 +38,9 @@ template <class... Pieces>
 void require(bool holds, const Pieces &...pieces) {
   if (!holds) throw std::invalid_argument(line(pieces...));
 }
+
+// Unless the instant lies in a period of the forcing and the masses are held at stops that exist.
+void check_place(const Scene &scene, const Instant &instant, const Held &held);
 
 inline void require_mass(int mass, int masses) {
   require(mass >= 1 && mass <= masses, "mass ", mass, ": the chain has masses 1 to ", masses);

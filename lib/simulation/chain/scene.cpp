@@ -11,14 +11,18 @@ namespace vibro_impact {
 namespace {
 
 void require_one_per_mass(const std::vector<double> &values, const Scene &scene, const char *what) {
-  require(values.empty() || values.size() == scene.mass.size(), what, ": ", values.size(),
+  require(values.size() == scene.mass.size(), what, ": ", values.size(),
           " values given, the chain has ", scene.mass.size(), " masses");
   for (double value : values) require(std::isfinite(value), what, " = ", value, ": must be finite");
 }
 
-void require_links(const Scene &scene) {
-  require(scene.stiffness.size() == scene.mass.size(), "stiffness: ", scene.stiffness.size(),
-          " values given, the chain has ", scene.mass.size(), " masses");
+// The initial motion, not yet checked.
+MotionState first_motion(const Scene &scene) {
+  const std::size_t n = scene.mass.size();
+  const auto or_zero = [n](const std::vector<double> &values) {
+    return values.empty() ? std::vector<double>(n, 0.0) : values;
+  };
+  return {Instant{}, or_zero(scene.displacement), or_zero(scene.velocity), Held(n, 0)};
 }
 
 void require_restitution(double restitution) {
@@ -62,15 +66,11 @@ const char *name(Side side) {
 
 MotionState start_of(const Scene &scene) {
   check(scene);
-  const std::size_t n = scene.mass.size();
-  const auto or_zero = [n](const std::vector<double> &values) {
-    return values.empty() ? std::vector<double>(n, 0.0) : values;
-  };
-  return {Instant{}, or_zero(scene.displacement), or_zero(scene.velocity), Held(n, 0)};
+  return first_motion(scene);
 }
 
 double largest_eigenvalue_bound(const Scene &scene) {
-  require_links(scene);
+  require_one_per_mass(scene.stiffness, scene, "stiffness");
   double bound = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
     const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
@@ -93,28 +93,56 @@ double rate_of(const Scene &scene) {
 void check(const Scene &scene) {
   const std::size_t n = scene.mass.size();
   require(n > 0, "masses = 0: a chain has at least one mass");
-  require_links(scene);
+  require_one_per_mass(scene.stiffness, scene, "stiffness");
   for (double m : scene.mass)
     require(std::isfinite(m) && m > 0.0, "mass = ", m, ": must be positive and finite");
   for (std::size_t i = 0; i < n; ++i) {
     const double k = scene.stiffness[i];
-    require(std::isfinite(k) && (i == 0 ? k >= 0.0 : k > 0.0), "stiffness of link ", i + 1, " = ",
-            k, ": must be ", i == 0 ? "non-negative" : "positive", " and finite");
+    require(i == 0 ? k >= 0.0 : k > 0.0, "stiffness of link ", i + 1, " = ", k, ": must be ",
+            i == 0 ? "non-negative" : "positive");
   }
   require(std::isfinite(scene.beta) && scene.beta >= 0.0, "beta = ", scene.beta,
           ": must be non-negative and finite");
   static_cast<void>(Clock(scene.omega));  // refuses an Omega that is negative or not finite
   require_restitution(scene.restitution);
-  require_one_per_mass(scene.amplitude, scene, "amplitude");
-  require_one_per_mass(scene.displacement, scene, "initial displacement");
-  require_one_per_mass(scene.velocity, scene, "initial velocity");
+  if (!scene.amplitude.empty()) require_one_per_mass(scene.amplitude, scene, "amplitude");
   for (const Stop &stop : scene.stops) check_stop(stop, scene);
+  check(scene, first_motion(scene));
+}
+
+void check(const Scene &scene, const MotionState &start) {
+  require_one_per_mass(start.displacement, scene, "start: displacement");
+  require_one_per_mass(start.velocity, scene, "start: velocity");
+  check_place(scene, start.instant, start.held);
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
-    const double start = scene.displacement.empty() ? 0.0 : scene.displacement[i];
-    require(sign(stop.side) * (stop.position - start) >= 0.0, "mass ", stop.mass, " starts at ",
-            start, ", beyond its ", name(stop.side), " stop at ", stop.position);
+    const double x = start.displacement[i], v = start.velocity[i];
+    require(sign(stop.side) * (stop.position - x) >= 0.0, "start: mass ", stop.mass, " at ", x,
+            ", beyond its ", name(stop.side), " stop at ", stop.position);
+    if (start.held[i] == static_cast<signed char>(stop.side))
+      require(x == stop.position && v == 0.0, "start: mass ", stop.mass, " is held at its ",
+              name(stop.side), " stop at ", stop.position, ", and stands at ", x, " with velocity ",
+              v);
   }
+}
+
+void check_place(const Scene &scene, const Instant &instant, const Held &held) {
+  const Clock clock(scene.omega);
+  require(static_cast<double>(instant.cycle) <= most_periods, "start: period ", instant.cycle,
+          ": more forcing periods than double precision can count");
+  require(instant.cycle >= 0 && instant.phase >= 0.0 && instant.phase < clock.period,
+          "start: phase = ", instant.phase, " in period ", instant.cycle, ": must lie in [0, ",
+          clock.period, ")");
+  require(held.size() == scene.mass.size(), "start: the contact mode of ", held.size(),
+          " masses given, the chain has ", scene.mass.size());
+  for (std::size_t i = 0; i < held.size(); ++i)
+    require(held[i] == 0 || std::any_of(scene.stops.begin(), scene.stops.end(),
+                                        [&](const Stop &stop) {
+                                          return static_cast<std::size_t>(stop.mass - 1) == i &&
+                                                 held[i] == static_cast<signed char>(stop.side);
+                                        }),
+            "start: mass ", i + 1, " held as ", static_cast<int>(held[i]),
+            ": it has no such stop (0 free, 1 upper, -1 lower)");
 }
 
 }  // namespace vibro_impact

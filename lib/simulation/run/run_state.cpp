@@ -46,23 +46,4 @@ Instant instant_of(const RunState &state) {
   return instant;
 }
 
-void check_place(const Scene &scene, const Instant &instant, const Held &held) {
-  const Clock clock(scene.omega);
-  require(static_cast<double>(instant.cycle) <= most_periods, "start: period ", instant.cycle,
-          ": more forcing periods than double precision can count");
-  require(instant.cycle >= 0 && instant.phase >= 0.0 && instant.phase < clock.period,
-          "start: phase = ", instant.phase, " in period ", instant.cycle, ": must lie in [0, ",
-          clock.period, ")");
-  require(held.size() == scene.mass.size(), "start: the contact mode of ", held.size(),
-          " masses given, the chain has ", scene.mass.size());
-  for (std::size_t i = 0; i < held.size(); ++i)
-    require(held[i] == 0 || std::any_of(scene.stops.begin(), scene.stops.end(),
-                                        [&](const Stop &stop) {
-                                          return static_cast<std::size_t>(stop.mass - 1) == i &&
-                                                 held[i] == static_cast<signed char>(stop.side);
-                                        }),
-            "start: mass ", i + 1, " held as ", static_cast<int>(held[i]),
-            ": it has no such stop (0 free, 1 upper, -1 lower)");
-}
-
 }  // namespace vibro_impact

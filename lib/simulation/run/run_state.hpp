@@ -25,10 +25,6 @@ template <int D>
 Outcome run_lanes(const Scene &scene, const Start &start, double until, const RunOptions &options,
                   std::span<const RecorderRef> recorders);
 
-// Throws std::invalid_argument unless the instant lies in a period of the forcing and the masses
-// are held at stops that exist.
-void check_place(const Scene &scene, const Instant &instant, const Held &held);
-
 // When the run stood there.
 Instant instant_of(const RunState &state);
 

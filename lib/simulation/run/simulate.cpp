@@ -11,28 +11,6 @@ namespace vibro_impact {
 
 namespace {
 
-void require_finite(const std::vector<double> &values, std::size_t size, const char *what) {
-  require(values.size() == size, "start: ", values.size(), " values of the ", what, ", not ", size);
-  for (const double value : values)
-    require(std::isfinite(value), "start: ", what, " = ", value, ": must be finite");
-}
-
-void check_start(const Scene &scene, const MotionState &start) {
-  require_finite(start.displacement, scene.mass.size(), "displacement");
-  require_finite(start.velocity, scene.mass.size(), "velocity");
-  check_place(scene, start.instant, start.held);
-  for (const Stop &stop : scene.stops) {
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    const double x = start.displacement[i], v = start.velocity[i];
-    require(sign(stop.side) * (stop.position - x) >= 0.0, "start: mass ", stop.mass, " at ", x,
-            ", beyond its ", name(stop.side), " stop at ", stop.position);
-    if (start.held[i] == static_cast<signed char>(stop.side))
-      require(x == stop.position && v == 0.0, "start: mass ", stop.mass, " is held at its ",
-              name(stop.side), " stop at ", stop.position, ", and stands at ", x, " with velocity ",
-              v);
-  }
-}
-
 void check_options(const RunOptions &options) {
   for (const auto &[name, tolerance] :
        {std::pair{"chatter", options.chatter_tolerance}, {"flight", options.flight_tolerance}})
@@ -80,7 +58,7 @@ const Outcome &require_complete(const Outcome &outcome) {
 Outcome simulate_seen(const Scene &scene, const MotionState &start, double until,
                       const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
-  check_start(scene, start);
+  check(scene, start);
   return run(scene, {&start, nullptr}, start.instant, until, options, recorders);
 }
 
