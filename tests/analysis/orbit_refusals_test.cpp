@@ -130,7 +130,7 @@ TEST(Refusals, OfOrbits) {
       {[&] { time_after(unforced, start(), 1); }, "omega = 0: a stroboscopic map needs a forcing"},
       {[&] { time_after(scene, start(), -most); }, "periods = -2147483647: must be at least 1"},
       {[&] { time_after(scene, start(far), most); }, "period 9223372036854775807: must lie in"},
-      {[&] { stroboscopic_map(scene, start(short_of_one), 1); }, "1 values of the displacement"},
+      {[&] { stroboscopic_map(scene, start(short_of_one), 1); }, "displacement: 1 values given"},
       {[&] { stroboscopic_map_and_derivative(scene, start(short_of_one), 1); }, "1 values given"},
       {[&] { settled(scene, 0); }, "periods = 0: must be at least 1"},
       {[&] { at_quiet_phase(unforced, start()); }, "omega = 0: a stroboscopic map needs"},

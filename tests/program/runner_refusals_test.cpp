@@ -16,7 +16,7 @@ struct BadCase {
 const std::vector<BadCase> runs = {
     {"--mass nan", "mass = nan"},
     {"--mass 0", "mass = 0"},
-    {"--stiffness inf", "stiffness of link 1 = inf"},
+    {"--stiffness inf", "stiffness = inf: must be finite"},
     {"--restitution 1.1", "1.1"},
     {"--omega -1", "-1"},
     {"--amplitude 0.5,nan", "nan"},
