@@ -214,7 +214,8 @@ TEST(FirstRoot, IsNotToldOfWhatIsNotFinite) {
 }
 
 // Searches that went wrong once, or crept: a step lost to cancellation, guaranteed steps of 6e-6 u
-// all the way up from 1e-25, a value of zero whose inverse overflows, 900 factors of two.
+// all the way up from 1e-25, a value of zero whose inverse overflows, 900 factors of two, steps of
+// 1e-18 where the bound of a derivative was that at 1.
 TEST(FirstRoot, IsFoundWhereTheSearchOnceFailed) {
   struct Search {
     Coefficients polynomial;
@@ -226,7 +227,8 @@ TEST(FirstRoot, IsFoundWhereTheSearchOnceFailed) {
                 4.2588750532097565e-71, 5.7844852586960428e-91, 3.7263156780345552e-41},
                1.1217003537489976e-92 / 8.3479354679376937e-16,
                1e-90},
-        Search{{1e-302, 0.0, 1e-35, -1.0}, 1e-35, 1e-50}}) {
+        Search{{1e-302, 0.0, 1e-35, -1.0}, 1e-35, 1e-50},
+        Search{{2.8e-94, 8.3e-82, 0.0, 0.0, 0.0, 0.0, 0.0, 6e-13, -3e-6}, 2e-7, 1e-21}}) {
     Counters counters;
     const auto found = first_root(rounded(polynomial), 1.0, counters);
     ASSERT_TRUE(found) << root;
