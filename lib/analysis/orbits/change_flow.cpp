@@ -166,10 +166,11 @@ void carry_by_modes(const ContactMode<Eigen::Dynamic> &mode, double tau, Eigen::
   const Eigen::MatrixXd x = changes.topRows(n), v = changes.bottomRows(n);
   const Eigen::MatrixXd value = mode.to_modal * x + mode.velocity_to_modal * v,
                         slope = mode.to_modal * v;
-  const Eigen::ArrayXd one = Eigen::ArrayXd::Ones(mode.lanes()), none = 0.0 * one;
-  Eigen::ArrayXd value_by_value, slope_by_value, value_by_slope, slope_by_slope;
-  flow(mode, one, none, tau, value_by_value, slope_by_value);
-  flow(mode, none, one, tau, value_by_slope, slope_by_slope);
+  Eigen::ArrayXd value_by_value = Eigen::ArrayXd::Ones(mode.lanes()),
+                 slope_by_value = 0.0 * value_by_value, value_by_slope = slope_by_value,
+                 slope_by_slope = value_by_value;
+  flow(mode, value_by_value, slope_by_value, tau);
+  flow(mode, value_by_slope, slope_by_slope, tau);
   changes << mode.shape * (value_by_value.matrix().asDiagonal() * value +
                            value_by_slope.matrix().asDiagonal() * slope),
       mode.shape * (slope_by_value.matrix().asDiagonal() * value +

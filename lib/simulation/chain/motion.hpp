@@ -44,9 +44,8 @@ void set_forcing(State<D> &state, const Scene &scene) {
 // Lanes that are pure decays have y' = -kappa y.
 template <int D>
 void tie_decays(State<D> &state) {
-  if (!state.mode->any_decay) return;
-  for (Eigen::Index j = 0; j < state.mode->lanes(); ++j)
-    if (state.mode->decay(j)) state.slope(j) = -state.mode->kappa(j) * state.value(j);
+  const ContactMode<D> &mode = *state.mode;
+  if (mode.any_decay) state.slope = mode.decay.select(-mode.kappa * state.value, state.slope);
 }
 
 // Drops the damped lanes that have died out: those whose share in the acceleration lies far below
@@ -82,23 +81,19 @@ void add_resonance(State<D> &state, const Scene &scene, std::complex<double> bef
   }
 }
 
-// The lanes tau later, in closed form, but for what the forcing does in resonance.
+// Moves lanes on by tau, in closed form, but for what the forcing does in resonance.
 template <int D>
-void flow(const ContactMode<D> &mode, const Eigen::Array<double, D, 1> &value,
-          const Eigen::Array<double, D, 1> &slope, double tau,
-          Eigen::Array<double, D, 1> &value_after, Eigen::Array<double, D, 1> &slope_after) {
-  value_after.resize(value.size());
-  slope_after.resize(value.size());
+void flow(const ContactMode<D> &mode, Eigen::Array<double, D, 1> &value,
+          Eigen::Array<double, D, 1> &slope, double tau) {
   for (Eigen::Index j = 0; j < mode.lanes(); ++j) {
     if (mode.decay(j)) {
-      value_after(j) = value(j) * std::exp(-mode.kappa(j) * tau);
-      slope_after(j) = -mode.kappa(j) * value_after(j);
+      value(j) *= std::exp(-mode.kappa(j) * tau);
+      slope(j) = -mode.kappa(j) * value(j);
       continue;
     }
-    const auto after =
-        free_response(mode.kappa(j), mode.lambda(j), OscillatorState{value(j), slope(j)}, tau);
-    value_after(j) = after.value;
-    slope_after(j) = after.slope;
+    const auto after = free_response(mode.kappa(j), mode.lambda(j), {value(j), slope(j)}, tau);
+    value(j) = after.value;
+    slope(j) = after.slope;
   }
 }
 

@@ -147,8 +147,7 @@ void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, const E
   const std::complex<double> before =
       mode.any_resonant ? std::complex(state.value(modal), state.value(modal + 1)) : 0.0;
   if (path.order == 0 || !(x <= max_reach)) {
-    const typename State<D>::Lanes value = state.value, slope = state.slope;
-    flow(mode, value, slope, tau, state.value, state.slope);
+    flow(mode, state.value, state.slope, tau);
   } else {
     FlowWeights<D> &weights = mode.flow_weights;
     if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);

@@ -73,7 +73,6 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
                 const Clock &clock) {
   const ContactMode<D> &mode = *state.mode;
   const Expansion &path = flight.path;
-  const bool ends_here = flight.eventful && u == flight.u;
   if (u > 0.0) {
     move_lanes(state, scene, clock, path, u * path.span);
     drop_dead_lanes(state);
@@ -86,7 +85,7 @@ void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene
       if (u > 0.0) set_in_flight(stop);  // what is known of its force is known at one instant
       continue;
     }
-    if (ends_here && watch.root) {
+    if (u == flight.u && watch.root) {
       set_in_flight(stop, 0.0, watch.root->slope / path.span);
       continue;
     }

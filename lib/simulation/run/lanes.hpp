@@ -73,7 +73,7 @@ void run_on(Run<D> &run) {
     move_along(state, flight, flight.u, run.scene, run.clock);
     state.next_flight = std::numeric_limits<double>::infinity();
     run.chatter.impacts.since += tau;
-    state.clear = !flight.eventful && flight.all_clear;
+    state.clear = flight.all_clear;
     if (flight.eventful) handle_instant(run);
     if (run.over) break;
     // One that takes neither events nor samples is asked after every flight.
