@@ -15,7 +15,6 @@ namespace vibro_impact {
 // The time left to the limit, and the nodes of the table it is extrapolated from.
 struct ChatterLimit {
   double left = 0.0;
-  double error = 0.0;  // estimated
   std::size_t oldest = 0;
 };
 
@@ -30,7 +29,7 @@ std::optional<ChatterLimit> extrapolate(const Chatter<D> &chatter, double tolera
   const double now = chatter.impacts.times.back(), predicted = table.nodes[last].predicted - now;
   const double left = limit_of(table.row[table.best]) - now;
   if (!(std::abs(left - predicted) < near_limit * predicted)) return std::nullopt;
-  return ChatterLimit{left, table.error, last - table.best};
+  return ChatterLimit{left, last - table.best};
 }
 
 // True when no other stop comes into play up to the limit, whatever the impacts to come: none of

@@ -8,6 +8,7 @@
 
 #include "polynomial.hpp"
 #include "simulation/chain/motion.hpp"
+#include "weights.hpp"
 
 namespace vibro_impact {
 
@@ -16,12 +17,6 @@ struct Expansion {
   double span = 0.0, rate = 0.0;
   int order = 0;  // 0: no series, any time in closed form
 };
-
-template <int D>
-void build_weights(const ContactMode<D> &mode, const Reading<D> &reading, double rate,
-                   ReadingWeights &weights);
-template <int D>
-void build_flow_weights(const ContactMode<D> &mode, double rate, FlowWeights<D> &weights);
 
 // Rate of the fastest lane that is in motion.
 template <int D>

@@ -161,7 +161,7 @@ void take_limit(Run<D> &run) {
   State<D> &there = run.at_limit;
   const double error = move_to_limit(chatter, *limit, run.scene, run.clock, run.scene_rate, path,
                                      state, there, run.counters);
-  if (limit->error * fastest + error > run.options.chatter_tolerance) return;
+  if (chatter.table.error * fastest + error > run.options.chatter_tolerance) return;
   for (const std::size_t k : chatter.impacts.contacts)  // a border orbit or beyond
     if (!(state.mode->contacts[k].press(there.value, there.slope) > 0.0)) return;
   const Instant then = there.now;

@@ -1,4 +1,11 @@
-#include "expansion.hpp"
+// The weights of an expansion, by the adjoint recurrence (lib/README.md): of what is read of the
+// lanes, and of the flow of the lanes themselves.
+#pragma once
+
+#include <cmath>
+
+#include "polynomial.hpp"
+#include "simulation/chain/contact_mode.hpp"
 
 namespace vibro_impact {
 
@@ -60,12 +67,5 @@ void build_flow_weights(const ContactMode<D> &mode, double rate, FlowWeights<D> 
   }
   weights.response /= rate;
 }
-
-template void build_weights(const ContactMode<4> &, const Reading<4> &, double, ReadingWeights &);
-template void build_flow_weights(const ContactMode<4> &, double, FlowWeights<4> &);
-template void build_weights(const ContactMode<Eigen::Dynamic> &, const Reading<Eigen::Dynamic> &,
-                            double, ReadingWeights &);
-template void build_flow_weights(const ContactMode<Eigen::Dynamic> &, double,
-                                 FlowWeights<Eigen::Dynamic> &);
 
 }  // namespace vibro_impact
