@@ -77,12 +77,6 @@ inline std::array<double, max_chatter_nodes> node_weights(const ChatterTable &ta
   return weights;
 }
 
-// Every k-th impact is a node: closer ones amplify rounding.
-inline std::size_t chatter_stride(double r) {
-  return r <= node_ratio ? 1
-                         : static_cast<std::size_t>(std::ceil(std::log(node_ratio) / std::log(r)));
-}
-
 // The impacts of a chatter so far, none where there is none under way.
 struct ChatterImpacts {
   std::vector<std::size_t> contacts = {};      // of the mode, hit at every impact
@@ -95,7 +89,7 @@ template <int D>
 struct Chatter {
   const ContactMode<D> *mode = nullptr;  // of all impacts
   ChatterImpacts impacts;
-  std::size_t stride = 1;
+  std::size_t stride = 1;  // every k-th impact is a node: closer ones amplify rounding
   ChatterTable table;
   typename State<D>::Lanes pushes, speeds;  // of `others_stay_clear`
   State<D> responses;                       // of `move_to_limit`, to the impacts to come
@@ -134,7 +128,8 @@ void begin(Chatter<D> &chatter, const ContactMode<D> &mode,
   chatter.mode = &mode;
   chatter.end();
   chatter.impacts.contacts = contacts;
-  chatter.stride = chatter_stride(chatter.hit(0).restitution);
+  const double ratio = std::log(node_ratio) / std::log(chatter.hit(0).restitution);
+  chatter.stride = static_cast<std::size_t>(std::ceil(std::max(1.0, ratio)));
 }
 
 // Notes the impacts at `contacts`, which have just happened, with the flight expected next. They go

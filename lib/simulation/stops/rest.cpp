@@ -11,14 +11,6 @@ namespace {
 
 using Kind = Question::Kind;
 
-// Turns x, x', x'' into x', x'', and the oldest to be written over.
-void next_order(Derivatives &at) {
-  at.x.swap(at.v);
-  at.v.swap(at.a);
-  at.x_error.swap(at.v_error);
-  at.v_error.swap(at.a_error);
-}
-
 // Decides those still undecided, order by order; a force within its error bound counts as zero.
 // Returns how many are left.
 std::size_t decide_by_order(const Scene &scene, double phase, double rate, Question &question) {
@@ -64,7 +56,10 @@ std::size_t decide_by_order(const Scene &scene, double phase, double rate, Quest
       mass.leading = mass.held ? mass.sigma * force : -mass.sigma * at.a[mass.mass];
       --left;
     }
-    next_order(at);
+    at.x.swap(at.v);  // x, x', x'' become x', x'', and the oldest to be written over
+    at.v.swap(at.a);
+    at.x_error.swap(at.v_error);
+    at.v_error.swap(at.a_error);
     power *= scene.omega / rate;
   }
   return left;
