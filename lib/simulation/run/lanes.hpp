@@ -21,18 +21,14 @@ void end_undisturbed(Run<D> &run, double remaining) {
   run.over = true;
 }
 
-// The longest span up to this one that is added to the phase without rounding. The motion of a long
-// flight would run ahead of its time by the rounding of every step, the same one for hundreds.
-inline double as_added(double phase, double span) {
-  const double end = phase + span, added = end - phase;
-  return added <= span ? added : std::nextafter(end, phase) - phase;
-}
-
 // The span of the next expansion, unless the run has to be given up.
 template <int D>
 double choose_span(Run<D> &run, double rate) {
   const State<D> &state = run.state;
-  const double longest = as_added(state.now.phase, max_reach / rate);
+  // The longest up to `max_reach` that is added to the phase without rounding. The motion of a long
+  // flight would run ahead of its time by the rounding of every step, the same one for hundreds.
+  const double phase = state.now.phase, most = max_reach / rate, end = phase + most,
+               longest = end - phase <= most ? end - phase : std::nextafter(end, phase) - phase;
   if (!std::isfinite(state.value.sum() + state.slope.sum()))
     give_up(run, line("the motion leaves the range of double precision before t = ",
                       time_of(state.now, run.clock), ", given up"));

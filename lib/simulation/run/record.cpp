@@ -7,14 +7,6 @@
 
 namespace vibro_impact {
 
-namespace {
-
-void require_from(double from) {
-  require(!std::isnan(from), "from = ", from, ": must be a time");
-}
-
-}  // namespace
-
 const char *name(EventKind kind) {
   return kind == EventKind::impact ? "impact" : kind == EventKind::stick ? "stick" : "release";
 }
@@ -35,7 +27,7 @@ void EventRecorder::event(const Event &event, const Moment &) {
 }
 
 void EventRecorder::check(const Scene &) const {
-  require_from(from);
+  require(!std::isnan(from), "from = ", from, ": must be a time");
 }
 
 void ImpactSpeedRecorder::event(const Event &event, const Moment &) {
@@ -44,7 +36,7 @@ void ImpactSpeedRecorder::event(const Event &event, const Moment &) {
 }
 
 void ImpactSpeedRecorder::check(const Scene &scene) const {
-  require_from(from);
+  require(!std::isnan(from), "from = ", from, ": must be a time");
   require_mass(mass, scene.masses());
 }
 
