@@ -85,21 +85,18 @@ void look_inside(Run<D> &run, const Instant &then) {
   run.before = run.state;
   run.chatter_before = run.chatter;
   const Instant end = run.end;
-  const Counters counters = run.counters;
-  const bool ends_inside = end < then;
-  if (!ends_inside) run.end = then;
-  run.at_end.now = run.end;
+  Counters counters = run.counters;
+  run.end = run.at_end.now = std::min(end, then);
   run.silent = true;
   run_on(run);
   run.silent = false;
-  run.over = ends_inside || run.ending != Ending::reached;
+  run.over = end < then || run.ending != Ending::reached;
   run.end = end;
   if (!run.over) run.at_end.now = end;
   std::swap(run.state, run.before);
   std::swap(run.chatter, run.chatter_before);
-  const long long evaluations = run.counters.modal_evaluations;
+  counters.modal_evaluations = run.counters.modal_evaluations;
   run.counters = counters;
-  run.counters.modal_evaluations = evaluations;
 }
 
 // From a motion: nothing is known of the stops but the gaps. Masses that move into their stop have

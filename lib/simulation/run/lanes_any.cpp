@@ -1,4 +1,4 @@
 #include "lanes.hpp"
 
-template vibro_impact::Outcome vibro_impact::run_lanes<vibro_impact::any_lanes>(
+template vibro_impact::Outcome vibro_impact::run_lanes<Eigen::Dynamic>(
     const Scene &, const Start &, double, const RunOptions &, std::span<const RecorderRef>);

@@ -14,12 +14,6 @@ struct Start {
   const RunState *state = nullptr;
 };
 
-constexpr int any_lanes = Eigen::Dynamic;
-
-// True for two masses under forcing, the paper's case, which get lanes of fixed size; the code is
-// the same. They have no room for a strongly damped mode split in two.
-bool has_four_lanes(const Scene &scene);
-
 // Runs a scene, checked, on D lanes: N + 2 for N masses under forcing, or any number.
 template <int D>
 Outcome run_lanes(const Scene &scene, const Start &start, double until, const RunOptions &options,
