@@ -51,8 +51,7 @@ bool others_stay_clear(Chatter<D> &chatter, const State<D> &state, double left) 
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     if (chatter.hits_contact(k)) continue;
     const Contact<D> &contact = mode.contacts[k];
-    const Reading<D> &watched = contact.watched;
-    const double jumps = contact.held ? (watched.on_slope.abs() * pushes).sum() : 0.0;
+    const double jumps = contact.held ? (contact.watched.on_slope.abs() * pushes).sum() : 0.0;
     // What is read off the lanes has rounding in it, but no more than the motion itself.
     if (!stays_clear(state, contact, watched_now(state, contact), speeds, left, narrow, jumps))
       return false;

@@ -40,7 +40,6 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
   flight.all_clear = true;
   flight.u = 1.0;
   flight.eventful = false;
-  double limit = 1.0;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact<D> &contact = mode.contacts[k];
     const AtStop &stop = state.stops[contact.stop];
@@ -55,11 +54,10 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
     }
     flight.all_clear = false;
     read_along(state, contact, path, scene_rate, watch.polynomial, counters);
-    watch.root = first_root(watch.polynomial, limit, counters);
+    watch.root = first_root(watch.polynomial, std::min(1.0, flight.u + together), counters);
     if (!watch.root) continue;
     flight.eventful = true;
     flight.u = std::min(flight.u, watch.root->at);
-    limit = std::min(1.0, flight.u + together);
   }
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // at the same instant, or later
     std::optional<Root> &root = flight.watched[k].root;

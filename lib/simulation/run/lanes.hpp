@@ -142,14 +142,14 @@ void start_from(Run<D> &run, const RunState &from) {
 }
 
 template <int D>
-Outcome run_lanes(const Scene &scene, const Start &start, double until, const RunOptions &options,
-                  std::span<const RecorderRef> recorders) {
+Outcome run_lanes(const Scene &scene, const MotionState *motion, const RunState *state,
+                  double until, const RunOptions &options, std::span<const RecorderRef> recorders) {
   Run<D> run{scene, options, recorders};
   run.end = run.at_end.now = instant_at(until, run.clock);
-  if (start.motion != nullptr)
-    start_from(run, *start.motion);
+  if (motion != nullptr)
+    start_from(run, *motion);
   else
-    start_from(run, *start.state);
+    start_from(run, *state);
   run_on(run);
   set_motion(run.at_end, scene, run.motion);
   Row row;

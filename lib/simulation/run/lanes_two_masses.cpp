@@ -1,5 +1,6 @@
 #include "lanes.hpp"
 
-template vibro_impact::Outcome vibro_impact::run_lanes<4>(const Scene &, const Start &, double,
+template vibro_impact::Outcome vibro_impact::run_lanes<4>(const Scene &, const MotionState *,
+                                                          const RunState *, double,
                                                           const RunOptions &,
                                                           std::span<const RecorderRef>);

@@ -8,16 +8,11 @@
 
 namespace vibro_impact {
 
-// What a run starts from: the motion at the start, or where another run stood.
-struct Start {
-  const MotionState *motion = nullptr;
-  const RunState *state = nullptr;
-};
-
-// Runs a scene, checked, on D lanes: N + 2 for N masses under forcing, or any number.
+// Runs a scene, checked, from a motion or from where another run stood (the other is null), on D
+// lanes: N + 2 for N masses under forcing, or any number.
 template <int D>
-Outcome run_lanes(const Scene &scene, const Start &start, double until, const RunOptions &options,
-                  std::span<const RecorderRef> recorders);
+Outcome run_lanes(const Scene &scene, const MotionState *motion, const RunState *state,
+                  double until, const RunOptions &options, std::span<const RecorderRef> recorders);
 
 // When the run stood there.
 Instant instant_of(const RunState &state);

@@ -29,8 +29,9 @@ bool has_four_lanes(const Scene &scene) {
          !strongly_damped(scene.beta, largest_eigenvalue_bound(scene));
 }
 
-Outcome run(const Scene &scene, const Start &start, const Instant &from, double until,
-            const RunOptions &options, std::span<const RecorderRef> recorders) {
+Outcome run(const Scene &scene, const MotionState *motion, const RunState *state,
+            const Instant &from, double until, const RunOptions &options,
+            std::span<const RecorderRef> recorders) {
   const Clock clock(scene.omega);
   const double begins = time_of(from, clock);
   check_options(options);
@@ -46,8 +47,8 @@ Outcome run(const Scene &scene, const Start &start, const Instant &from, double 
     const double first = recorder.next_time();
     require(first >= begins, "sample at t = ", first, ": the run begins at ", begins);
   }
-  if (has_four_lanes(scene)) return run_lanes<4>(scene, start, until, options, recorders);
-  return run_lanes<Eigen::Dynamic>(scene, start, until, options, recorders);
+  if (has_four_lanes(scene)) return run_lanes<4>(scene, motion, state, until, options, recorders);
+  return run_lanes<Eigen::Dynamic>(scene, motion, state, until, options, recorders);
 }
 
 }  // namespace
@@ -61,13 +62,13 @@ Outcome simulate_seen(const Scene &scene, const MotionState &start, double until
                       const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
   check(scene, start);
-  return run(scene, {&start, nullptr}, start.instant, until, options, recorders);
+  return run(scene, &start, nullptr, start.instant, until, options, recorders);
 }
 
 Outcome resume_seen(const Scene &scene, const RunState &state, double until,
                     const RunOptions &options, std::span<const RecorderRef> recorders) {
   check(scene);
-  return run(scene, {nullptr, &state}, instant_of(state), until, options, recorders);
+  return run(scene, nullptr, &state, instant_of(state), until, options, recorders);
 }
 
 }  // namespace vibro_impact
