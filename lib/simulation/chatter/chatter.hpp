@@ -126,7 +126,6 @@ template <int D>
 void begin(Chatter<D> &chatter, const ContactMode<D> &mode,
            const std::vector<std::size_t> &contacts) {
   chatter.mode = &mode;
-  chatter.end();
   chatter.impacts.contacts = contacts;
   const double ratio = std::log(node_ratio) / std::log(chatter.hit(0).restitution);
   chatter.stride = static_cast<std::size_t>(std::ceil(std::max(1.0, ratio)));

@@ -1,6 +1,8 @@
 // The loop over the steps of the pipeline, for lanes of one size: fixed, or any.
 #pragma once
 
+#include <utility>
+
 #include "instant_events.hpp"
 #include "run_state.hpp"
 
@@ -133,10 +135,8 @@ void start_from(Run<D> &run, const RunState &from) {
   Row row{.numbers = from.numbers, .reads = true};
   pass(row, run);
   if (!run.chatter.under_way()) return;
-  const ChatterImpacts impacts = run.chatter.impacts;
-  const std::vector<ChatterTable::Node> nodes = run.chatter.table.nodes;
-  begin(run.chatter, *run.state.mode, impacts.contacts);
-  run.chatter.impacts = impacts;
+  const auto nodes = std::exchange(run.chatter.table.nodes, {});
+  begin(run.chatter, *run.state.mode, run.chatter.impacts.contacts);
   for (const ChatterTable::Node &node : nodes) extend(run.chatter.table, node);
   take_limit(run);
 }

@@ -22,13 +22,6 @@ void check_options(const RunOptions &options) {
           "max_impacts_per_period = ", options.max_impacts_per_period, ": must be positive");
 }
 
-// True for two masses under forcing, the paper's case, which get lanes of fixed size; the code is
-// the same. They have no room for a strongly damped mode split in two.
-bool has_four_lanes(const Scene &scene) {
-  return scene.forced() && scene.masses() == 2 &&
-         !strongly_damped(scene.beta, largest_eigenvalue_bound(scene));
-}
-
 Outcome run(const Scene &scene, const MotionState *motion, const RunState *state,
             const Instant &from, double until, const RunOptions &options,
             std::span<const RecorderRef> recorders) {
@@ -47,7 +40,11 @@ Outcome run(const Scene &scene, const MotionState *motion, const RunState *state
     const double first = recorder.next_time();
     require(first >= begins, "sample at t = ", first, ": the run begins at ", begins);
   }
-  if (has_four_lanes(scene)) return run_lanes<4>(scene, motion, state, until, options, recorders);
+  // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. They
+  // have no room for a strongly damped mode split in two.
+  if (scene.forced() && scene.masses() == 2 &&
+      !strongly_damped(scene.beta, largest_eigenvalue_bound(scene)))
+    return run_lanes<4>(scene, motion, state, until, options, recorders);
   return run_lanes<Eigen::Dynamic>(scene, motion, state, until, options, recorders);
 }
 
