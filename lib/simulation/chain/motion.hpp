@@ -100,9 +100,8 @@ void flow(const ContactMode<D> &mode, Eigen::Array<double, D, 1> &value,
 // What a contact watches, read off the lanes now. (A gap does not depend on their slopes.)
 template <int D>
 double watched_now(const State<D> &state, const Contact<D> &contact) {
-  double sum = contact.watched.offset + (contact.watched.on_value * state.value).sum();
-  if (contact.held) sum += (contact.watched.on_slope * state.slope).sum();
-  return sum;
+  if (contact.held) return contact.watched(state.value, state.slope);
+  return contact.watched.offset + (contact.watched.on_value * state.value).sum();
 }
 
 // The sum of the moduli of what that adds up: the scale of its rounding.

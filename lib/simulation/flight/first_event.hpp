@@ -33,9 +33,8 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
                       Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   const Expansion &path = flight.path;
-  const double span = path.span;
-  bound_speeds(state, span, flight.speeds);
-  const double together = same_instant / (path.rate * span);
+  bound_speeds(state, path.span, flight.speeds);
+  const double together = same_instant / (path.rate * path.span);
   if (flight.watched.size() < mode.contacts.size()) flight.watched.resize(mode.contacts.size());
   flight.all_clear = true;
   flight.u = 1.0;
@@ -47,7 +46,7 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
     watch.root.reset();
     const double now = contact.held ? watched_now(state, contact) : stop.gap;
     watch.clear =
-        !stop.decided && stays_clear(state, contact, now, flight.speeds, span, 2.0 * wide);
+        !stop.decided && stays_clear(state, contact, now, flight.speeds, path.span, 2.0 * wide);
     if (watch.clear) {
       ++counters.stops_clear;
       continue;

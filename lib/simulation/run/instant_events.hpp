@@ -2,7 +2,6 @@
 #pragma once
 
 #include "run.hpp"
-#include "simulation/chain/require.hpp"
 #include "simulation/chatter/limit.hpp"
 
 namespace vibro_impact {

@@ -1,8 +1,6 @@
 // The loop over the steps of the pipeline, for lanes of one size: fixed, or any.
 #pragma once
 
-#include <utility>
-
 #include "instant_events.hpp"
 #include "run_state.hpp"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "simulation/chain/forces.hpp"
@@ -66,22 +67,23 @@ template <int D>
 class MomentOf final : public Moment {
  public:
   MomentOf(const State<D> &state, const Instant &at, const Clock &clock)
-      : Moment(at, time_of(at, clock)), state_(state), mode_(*state.mode) {
+      : Moment(at, time_of(at, clock)), state_(state) {
   }
   int masses() const override {
-    return static_cast<int>(mode_.held.size());
+    return static_cast<int>(state_.mode->held.size());
   }
   double displacement(int mass) const override {
     require_mass(mass, masses());
-    return mode_.equilibrium(mass - 1) + mode_.shape.row(mass - 1).dot(state_.value.matrix());
+    return state_.mode->equilibrium(mass - 1) +
+           state_.mode->shape.row(mass - 1).dot(state_.value.matrix());
   }
   double velocity(int mass) const override {
     require_mass(mass, masses());
-    return mode_.shape.row(mass - 1).dot(state_.slope.matrix());
+    return state_.mode->shape.row(mass - 1).dot(state_.slope.matrix());
   }
   double hold_force(int mass) const override {
     require_mass(mass, masses());
-    for (const Contact<D> &contact : mode_.contacts)
+    for (const Contact<D> &contact : state_.mode->contacts)
       if (contact.held && contact.mass + 1 == static_cast<std::size_t>(mass))
         return contact.sigma * contact.watched(state_.value, state_.slope);
     return std::numeric_limits<double>::quiet_NaN();
@@ -89,7 +91,6 @@ class MomentOf final : public Moment {
 
  private:
   const State<D> &state_;
-  const ContactMode<D> &mode_;
 };
 
 // Tells of an event at a stop; velocities of an impact as told.
