@@ -55,14 +55,15 @@ template <int D>
 void drop_dead_lanes(State<D> &state) {
   const ContactMode<D> &mode = *state.mode;
   if (!mode.stiff) return;
-  const auto speed = mode.extent * (mode.rate * state.value.abs() + state.slope.abs());
-  const double acceleration = (speed * mode.rate).sum(),
+  const auto moving = mode.extent * (mode.rate * state.value.abs() + state.slope.abs());
+  const double acceleration = (moving * mode.rate).sum(),
                displacement = (mode.extent * state.value.abs()).sum();
-  for (Eigen::Index j = 0; j < mode.lanes(); ++j)
-    if (mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0 &&
-        speed(j) * mode.rate(j) <= lost * acceleration &&
-        speed(j) / mode.rate(j) <= lost * displacement)
+  for (Eigen::Index j = 0; j < mode.lanes(); ++j) {
+    const double speed = moving(j), rate = mode.rate(j);
+    if (speed * rate <= lost * acceleration && speed / rate <= lost * displacement &&
+        mode.kappa(j) > 0.0 && mode.resonant(j) == 0.0)
       state.value(j) = state.slope(j) = 0.0;
+  }
 }
 
 // Adds to lanes in resonance what the forcing, cos + i sin before and now, has done to them in tau.

@@ -55,8 +55,8 @@ inline Packet powers_of(double x) {
   return Packet(1.0, x, x * x, x * x * x);
 }
 
-inline Packet binomials(std::size_t k, int n) {
-  return packet(binomial[k].data() + n);
+inline Packet binomials(int k, int n) {
+  return packet(binomial[static_cast<std::size_t>(k)].data() + n);
 }
 
 // The polynomial with its `first` leading coefficients divided out, about u >= 0.
@@ -82,12 +82,11 @@ inline Jet jet_at(const Polynomial &p, int first, double u) {
 
 // Upper bound on [0, u] of |p^(k)| / k! of the same. For k = 0 the sum of the moduli of the terms:
 // the scale of the rounding of the value at u.
-inline double derivative_bound(const Polynomial &p, int first, std::size_t k, double u = 1.0) {
-  const int order = static_cast<int>(k);
-  const double *c = p.coefficient.data() + first + order, quartic = u * u * u * u;
+inline double derivative_bound(const Polynomial &p, int first, int k, double u = 1.0) {
+  const double *c = p.coefficient.data() + first + k, quartic = u * u * u * u;
   Packet sum = Packet::Zero(), power = powers_of(u);
-  for (int n = 0; n <= p.order - first - order; n += 4) {
-    sum += binomials(k, n + order) * packet(c + n).abs() * power;
+  for (int n = 0; n <= p.order - first - k; n += 4) {
+    sum += binomials(k, n + k) * packet(c + n).abs() * power;
     power *= quartic;
   }
   return sum.sum();

@@ -13,7 +13,7 @@ void place_at_stop(State<D> &state, const Contact<D> &contact, double speed) {
   const double misdirected = speed - (contact.watched.on_value * state.slope).sum();
   const auto i = static_cast<Eigen::Index>(contact.mass);
   state.value += mode.to_modal.col(i).array() * (contact.sigma * misplaced);
-  state.value += contact.jump_value * misdirected;
+  if (mode.any_decay) state.value += contact.jump_value * misdirected;
   state.slope += contact.jump_slope * misdirected;
   tie_decays(state);
 }
