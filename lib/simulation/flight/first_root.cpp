@@ -9,7 +9,7 @@ namespace {
 
 // A lower bound, over the next h, of the polynomial with this jet, |p^(5)| / 5! being at most
 // `fifth` there: the least value of the lowest parabola that the higher terms can make of it.
-double lower_bound(const Jet &at, double fifth, double h) {
+inline double lower_bound(const Jet &at, double fifth, double h) {
   const double third = at.third + h * std::min(0.0, at.fourth - h * fifth),
                second = at.second + h * std::min(0.0, third);
   const double lowest = second > 0.0 ? std::clamp(-0.5 * at.slope / second, 0.0, h) : h;
