@@ -39,7 +39,8 @@ TEST(Economy, AContactModeIsBuiltWhenItIsFirstEntered) {
   for (const Scene &scene : {paper::figure2(), paper::figure5a(), paper::figure5b(),
                              extremes::long_chain(10, 0.7), without_stops(paper::figure2())}) {
     EventRecorder events;
-    const Outcome outcome = simulate(scene, 300.0, {}, events);
+    SampleRecorder samples{.from = 0.0, .to = 300.0, .every = 0.01};  // and so inside chatters
+    const Outcome outcome = simulate(scene, 300.0, {}, events, samples);
     EXPECT_EQ(outcome.counters.modes_built, modes_entered(events.events, scene.masses()));
   }
 }

@@ -101,18 +101,6 @@ TEST(Refusals, OfStarts) {
   });
 }
 
-// What else a state may be is in resume_test.
-TEST(Refusals, OfStatesOfAnotherScene) {
-  const RunState state = simulate(paper::figure2(), 50.0).resume;
-  Scene unforced = paper::figure2(), with_one_stop = unforced;
-  unforced.amplitude = {0.0, 0.0};
-  with_one_stop.stops.pop_back();
-  expect_refused({
-      {[&] { resume(with_one_stop, state, 60.0); }, "2 stops given, the scene has 1"},
-      {[&] { resume(unforced, state, 60.0); }, "modal coordinates given"},
-  });
-}
-
 TEST(Refusals, OfTimesAndOptions) {
   const Scene scene = paper::figure2();
   const MotionState at_fifty = simulate(scene, 50.0).state;
@@ -124,7 +112,7 @@ TEST(Refusals, OfTimesAndOptions) {
       {until(infinity), "until = inf: must be finite"},
       {until(nan), "until = nan: must be finite"},
       {until(-1.0), "until = -1: lies before the start at 0"},
-      {until(1e300), "until = 1e+300: more forcing periods than double precision can count"},
+      {until(1e300), "time 1e+300: more forcing periods than double precision can count"},
       {[&] { simulate_from(scene, at_fifty, 49.0); }, "until = 49: lies before the start"},
       {with({.resolve_chatter = -1.0}), "resolve_chatter = -1: must be non-negative"},
       {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
@@ -142,6 +130,16 @@ TEST(Refusals, OfTimesAndOptions) {
       {[] { later({}, infinity, Clock(0.0)); }, "time inf: more forcing periods than"},
   });
   EXPECT_EQ(simulate(scene, 1.0, {.max_impacts_per_period = most}).ending, Ending::reached);
+  // Not forced, it has the period of its own mode.
+  const Scene fast{
+      .mass = {1.0}, .stiffness = {1e4}, .stops = {{1, Side::upper, 0.5}}, .displacement = {-1.0}};
+  EXPECT_EQ(simulate(fast, 10.0, {.max_impacts_per_period = 2}).ending, Ending::reached);
+}
+
+TEST(Refusals, OfMotionsBeyondTheRangeOfDoubles) {
+  const Scene leaving{.mass = {1.0}, .stiffness = {0.0}, .velocity = {1e307}};
+  EXPECT_EQ(simulate(leaving, 1.0).ending, Ending::reached);
+  EXPECT_EQ(simulate(leaving, 100.0).ending, Ending::given_up);
 }
 
 // Asks for the same time over and over, an earlier one each time, or none that is one.

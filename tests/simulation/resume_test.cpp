@@ -78,14 +78,27 @@ struct FirstSample {
 // Wherever that is, also inside a chatter that is carried to its limit: the outcome is the state
 // at the sample, to the rounding of a gap that is carried beside the displacement.
 TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
-  for (int k = 0; k < 400; ++k) {
-    FirstSample sample{700.0 + 0.0617 * k};
-    const Outcome outcome = simulate(paper::figure2(), 750.0, {}, sample);
+  for (int k = 0; k < 800; ++k) {
+    FirstSample sample{700.0 + 0.0617 * (k / 2)};
+    const double until = k % 2 == 0 ? 750.0 : sample.at;
+    const Outcome outcome = simulate(paper::figure2(), until, {}, sample);
     ASSERT_EQ(outcome.ending, Ending::stopped);
     EXPECT_EQ(outcome.time, sample.at);
     for (std::size_t i = 0; i < 2; ++i)
       EXPECT_NEAR(outcome.state.displacement[i], sample.displacement[i], 1e-14) << sample.at;
   }
+}
+
+// To its own time, which rounding may put before it, from where it has just been hit; and from
+// where it ended, after 61 periods that, divided by one, are less than 61.
+TEST(Resume, ARunToTheTimeOfItsStartEndsAsItStarts) {
+  Scene scene = paper::figure2();
+  const MotionState left{{7, 1.0}, {0.0, 0.1}, {0.1, -0.5}, {0, 0}};
+  const Outcome same = simulate_from(scene, left, time_of(left.instant, Clock(scene.omega)));
+  EXPECT_NEAR(same.state.velocity[1], -0.5, 1e-15);
+  scene.omega = 1.4456159370241128;
+  const double until = 61.0 * Clock(scene.omega).period;
+  EXPECT_EQ(simulate_from(scene, simulate(scene, until).state, until).ending, Ending::reached);
 }
 
 // 1e-11: the rounding of the state at the restart, passed on by some twenty events.
@@ -157,14 +170,16 @@ TEST(Resume, ATextThatIsDamagedOrOfAnotherSceneIsRefused) {
                         std::to_string(checksum.checksum()) + "\n" + other));
   }
 
-  Scene one = scene, faster = scene, moved = scene, three = scene;
+  Scene one = scene, unforced = scene, faster = scene, moved = scene, three = scene;
   one.stops.pop_back();
+  unforced.amplitude = {0.0, 0.0};
   faster.omega *= 1.01;
   moved.stops[1].position += 0.01;
   three.mass.push_back(1.0);
   three.stiffness.push_back(1.0);
   three.amplitude.push_back(0.0);
   for (const auto &[other, names] : {std::pair{one, "2 stops given, the scene has 1"},
+                                     {unforced, "modal coordinates given"},
                                      {faster, "the forcing has another phase"},
                                      {moved, "at stop 2"},
                                      {three, "the contact mode of 2 masses"}}) {

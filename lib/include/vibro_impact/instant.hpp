@@ -37,7 +37,7 @@ struct Instant {
   double phase = 0.0;
 };
 
-// The whole periods are counted, and the phase kept exact.
+// Up to here a double counts whole periods exactly.
 constexpr double most_periods = 0x1p53;
 
 inline double time_of(const Instant &instant, const Clock &clock) {
@@ -48,7 +48,7 @@ inline double time_of(const Instant &instant, const Clock &clock) {
 
 inline Instant later(Instant instant, double tau, const Clock &clock) {
   instant.phase += tau;
-  if (!(instant.phase < clock.period)) {
+  while (!(instant.phase < clock.period)) {  // again where the quotient was rounded down
     const double cycles = std::floor(instant.phase / clock.period);
     if (!(cycles + static_cast<double>(instant.cycle) <= most_periods)) refuse_time(instant.phase);
     instant.phase = std::fma(-cycles, clock.period, instant.phase) - cycles * clock.period_rest;

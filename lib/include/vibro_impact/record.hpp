@@ -39,7 +39,7 @@ struct Event {
   double time = 0.0;
   double velocity_before = 0.0, velocity_after = 0.0;  // of an impact
   int falling = 0;         // impacts at this stop before this one, each slower than the one before
-  bool by_a_jump = false;  // a release forced by a neighbour's impact, not at a root of the force
+  bool by_a_jump = false;  // a release by a neighbour's impact, or a start: at no root of the force
   Held held;               // contact mode after the event
 };
 

@@ -86,12 +86,14 @@ Decomposition decompose(const Scene &scene, const std::vector<std::size_t> &free
     basis.lambda(j) = energy;
   }
   if (scene.stiffness[0] == 0.0 && free.size() == n) {  // the rigid-body mode, exactly
-    double total = 0.0;
-    for (double m : scene.mass) total += m;
+    const Eigen::Map<const Eigen::RowVectorXd> mass(scene.mass.data(), modes);
     basis.lambda(0) = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      basis.shape(static_cast<Index>(i), 0) = 1.0 / std::sqrt(total);
-      basis.inverse(0, static_cast<Index>(i)) = scene.mass[i] / std::sqrt(total);
+    basis.shape.col(0).setConstant(1.0 / std::sqrt(mass.sum()));
+    basis.inverse.row(0) = mass / std::sqrt(mass.sum());
+    for (Index j = 1; j < modes; ++j) {  // the solver mixes a share of it into a soft mode
+      const double share = basis.inverse.row(0).dot(basis.shape.col(j));
+      basis.shape.col(j) -= share * basis.shape.col(0);
+      basis.inverse.row(j) -= share * basis.inverse.row(0);
     }
   }
   return basis;

@@ -30,8 +30,7 @@ inline OscillatorState free_response(double kappa, double lambda, OscillatorStat
   const double slow = lambda / (alpha + delta), decay = std::exp(-slow * tau);
   const double fast = std::exp(-2 * delta * tau);
   const double s = delta > 0 ? -std::expm1(-2 * delta * tau) / (2 * delta) : tau;
-  // decay * (c - alpha s) with c - alpha s = fast + (slow) * (...) kept free of cancellation:
-  // c - alpha s = (1 + fast) / 2 - alpha s = fast - slow s,  c + alpha s = 1 + slow s.
+  // c = (1 + fast) / 2, so that c - alpha s = fast - slow s and c + alpha s = 1 + slow s.
   return {decay * (start.value * (1 + slow * s) + start.slope * s),
           decay * (start.slope * (fast - slow * s) - lambda * start.value * s)};
 }

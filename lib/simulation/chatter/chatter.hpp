@@ -49,7 +49,7 @@ inline void extend(ChatterTable &table, const ChatterTable::Node &node) {
     table.row[column - 1] = here;
     const double share = node.x / (table.nodes[last - column].x - node.x);
     here += (here - without_newest) * share;
-    // Not much less than that of one impact less, which it may agree with by chance.
+    // Not much below that of one node less: they may agree by chance.
     const double error = std::abs(limit_of(here) - limit_of(without_oldest));
     const double believed = std::max(error, luck * error_before);
     if (believed <= table.error) {
@@ -99,7 +99,7 @@ struct Chatter {
   }
   // True when the latest impact is a node and nothing has been flown since.
   bool at_node() const {
-    return under_way() && impacts.since == 0.0 && !table.nodes.empty() &&
+    return under_way() && impacts.since == 0.0 &&
            table.nodes.back().impact + 1 == impacts.times.size();
   }
   // Hit j of every impact: its contact, and its jump of the gap speed.
@@ -138,8 +138,8 @@ void note_impacts(Chatter<D> &chatter, const State<D> &state,
                   const std::vector<std::size_t> &contacts, double flight, Counters &counters) {
   const ContactMode<D> &mode = *state.mode;
   ChatterImpacts &impacts = chatter.impacts;
-  const bool goes_on = chatter.under_way() && chatter.mode == &mode && flight < impacts.flight &&
-                       contacts == impacts.contacts;
+  const bool goes_on =
+      chatter.under_way() && flight < impacts.flight && contacts == impacts.contacts;
   if (!goes_on) {
     chatter.end();
     const double r = mode.contacts[contacts[0]].restitution;

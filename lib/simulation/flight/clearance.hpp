@@ -3,7 +3,7 @@
 // resonance gains what the forcing does in the time.
 #pragma once
 
-#include "expansion.hpp"
+#include "simulation/chain/motion.hpp"
 
 namespace vibro_impact {
 
@@ -48,14 +48,12 @@ template <int D>
 bool stays_clear_for_ever(const State<D> &state, const Scene &scene) {
   const ContactMode<D> &mode = *state.mode;
   const Eigen::Index modal = mode.modal_lanes(), c = modal, s = modal + 1;
-  for (Eigen::Index j = 0; j < modal; ++j)  // it grows, or is the rigid-body mode
-    if (mode.resonant(j) != 0.0 && mode.kappa(j) * scene.omega == 0.0) return false;
   const auto amplitude = [&](Eigen::Index j) {
     const double y = state.value(j), v = state.slope(j), lambda = mode.lambda(j);
     const double largest = lambda > 0.0 ? std::sqrt(y * y + v * v / lambda) : std::abs(y);
     if (mode.resonant(j) == 0.0) return largest;
     const double detuning = lambda - scene.omega * scene.omega, loss = mode.kappa(j) * scene.omega;
-    // The steady response, and as much once more in the deviation from it.
+    // The steady response, and as much once more in the deviation from it; infinite where it grows.
     return largest +
            2.1 * std::abs(mode.resonant(j)) / std::sqrt(detuning * detuning + loss * loss);
   };
@@ -65,7 +63,7 @@ bool stays_clear_for_ever(const State<D> &state, const Scene &scene) {
     if (!contact.held && stays_at_rest(state.stops[contact.stop])) continue;  // no force acts
     for (Eigen::Index j = 0; j < modal; ++j) {
       if (mode.rate(j) == 0.0) {  // the rigid-body mode: where it is, or moving away
-        if (watched.on_value(j) * state.slope(j) < 0.0) return false;
+        if (mode.resonant(j) != 0.0 || watched.on_value(j) * state.slope(j) < 0.0) return false;
         rest += watched.on_value(j) * state.value(j);
         continue;
       }

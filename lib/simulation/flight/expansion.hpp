@@ -141,20 +141,19 @@ void move_lanes(State<D> &state, const Scene &scene, const Clock &clock, const E
   const Eigen::Index modal = mode.modal_lanes();
   const std::complex<double> before =
       mode.any_resonant ? std::complex(state.value(modal), state.value(modal + 1)) : 0.0;
-  if (path.order == 0 || !(x <= max_reach)) {
+  if (path.order == 0) {
     flow(mode, state.value, state.slope, tau);
   } else {
     FlowWeights<D> &weights = mode.flow_weights;
     if (weights.rate != path.rate) build_flow_weights(mode, path.rate, weights);
     const double w = x * x;
     const Eigen::Index stride = weights.response.rows();
-    const int top = path.order | 1;  // odd
     for (Eigen::Index j = 0; j < modal; j += 2) {
-      const double *s = weights.response.data() + j + top * stride;
-      const double *ds = weights.rate_of_response.data() + j + top * stride;
+      const double *s = weights.response.data() + j + path.order * stride;
+      const double *ds = weights.rate_of_response.data() + j + path.order * stride;
       const auto two = [](const double *at) { return Eigen::Map<const Pair>(at); };
       Pair even = Pair::Zero(), odd = even, even_slope = even, odd_slope = even;
-      for (int n = top; n > 0; n -= 2, s -= 2 * stride, ds -= 2 * stride) {
+      for (int n = path.order; n > 0; n -= 2, s -= 2 * stride, ds -= 2 * stride) {
         odd = odd * w + two(s);
         even = even * w + two(s - stride);
         odd_slope = odd_slope * w + two(ds);

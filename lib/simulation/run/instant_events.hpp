@@ -153,7 +153,7 @@ void take_limit(Run<D> &run) {
           run.options.resolve_chatter))
       return;
   const auto limit = extrapolate(chatter, run.options.chatter_tolerance / fastest);
-  if (!limit || !(limit->left > 0.0 && limit->left * fastest <= max_reach)) return;
+  if (!limit || !(limit->left * fastest <= max_reach)) return;
   if (!others_stay_clear(chatter, state, limit->left)) return;
   Expansion path;
   expand(fastest, limit->left, run.options.flight_tolerance, path, run.counters);
@@ -161,7 +161,7 @@ void take_limit(Run<D> &run) {
   const double error = move_to_limit(chatter, *limit, run.scene, run.clock, run.scene_rate, path,
                                      state, there, run.counters);
   if (chatter.table.error * fastest + error > run.options.chatter_tolerance) return;
-  for (const std::size_t k : chatter.impacts.contacts)  // a border orbit or beyond
+  for (const std::size_t k : chatter.impacts.contacts)  // let go there: a border orbit or beyond
     if (!(state.mode->contacts[k].press(there.value, there.slope) > 0.0)) return;
   const Instant then = there.now;
   if (run.end < then || next_sample(run) <= time_of(then, run.clock)) {
@@ -193,7 +193,7 @@ void follow_chatter(Run<D> &run, const ContactMode<D> *mode) {
   take_limit(run);
 }
 
-// The event at the end of the flight, to which the state has been moved.
+// The events at the end of the flight, if any, to which the state has been moved.
 template <int D>
 void handle_instant(Run<D> &run) {
   const ContactMode<D> *mode = run.state.mode;
@@ -201,6 +201,7 @@ void handle_instant(Run<D> &run) {
   run.roots.clear();
   for (std::size_t k = 0; k < mode->contacts.size(); ++k)
     if (run.flight.watched[k].root) (mode->contacts[k].held ? run.roots : run.hits).push_back(k);
+  if (run.hits.empty() && run.roots.empty()) return;
   apply_impacts(run);
   hold_or_release(run);
   follow_chatter(run, mode);

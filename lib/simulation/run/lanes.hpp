@@ -6,19 +6,26 @@
 
 namespace vibro_impact {
 
+template <int D>
+void require_finite(Run<D> &run, const State<D> &state) {
+  if (!std::isfinite(state.value.sum() + state.slope.sum()))
+    give_up(run, line("the motion leaves the range of double precision before t = ",
+                      time_of(state.now, run.clock), ", given up"));
+}
+
 // The end of the run, in a motion that nothing can happen to: in closed form.
 template <int D>
 void end_undisturbed(Run<D> &run, double remaining) {
-  Expansion &path = run.flight.path;
-  path = {.span = remaining};
+  run.flight.path = {.span = remaining};
   sample_flight(run, remaining);
   if (run.over) return;
   run.at_end = run.state;
-  move_lanes(run.at_end, run.scene, run.clock, path, remaining);
+  move_lanes(run.at_end, run.scene, run.clock, run.flight.path, remaining);
   read_gaps(run.at_end);
   run.at_end.now = run.end;
   ++run.counters.modal_evaluations;
   run.over = true;
+  require_finite(run, run.at_end);
 }
 
 // The span of the next expansion, unless the run has to be given up.
@@ -29,10 +36,8 @@ double choose_span(Run<D> &run, double rate) {
   // flight would run ahead of its time by the rounding of every step, the same one for hundreds.
   const double phase = state.now.phase, most = max_reach / rate, end = phase + most,
                longest = end - phase <= most ? end - phase : std::nextafter(end, phase) - phase;
-  if (!std::isfinite(state.value.sum() + state.slope.sum()))
-    give_up(run, line("the motion leaves the range of double precision before t = ",
-                      time_of(state.now, run.clock), ", given up"));
-  else if (longest == 0.0)
+  require_finite(run, state);
+  if (longest == 0.0 && !run.over)
     give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ",
                       time_of(state.now, run.clock), ", given up"));
   // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
@@ -46,7 +51,7 @@ template <int D>
 void run_on(Run<D> &run) {
   State<D> &state = run.state;
   while (!run.over) {
-    const double remaining = elapsed(state.now, run.end, run.clock);
+    const double remaining = std::max(0.0, elapsed(state.now, run.end, run.clock));
     if (state.clear && (state.mode->contacts.empty() || stays_clear_for_ever(state, run.scene)))
       return end_undisturbed(run, remaining);
     const double rate = fastest_in_motion(state), span = choose_span(run, rate);
@@ -70,14 +75,14 @@ void run_on(Run<D> &run) {
     state.next_flight = std::numeric_limits<double>::infinity();
     run.chatter.impacts.since += tau;
     state.clear = flight.all_clear;
-    if (flight.eventful) handle_instant(run);
+    handle_instant(run);
     if (run.over) break;
     // One that takes neither events nor samples is asked after every flight.
     for (const RecorderRef &ref : run.recorders)
       if (!ref.event && !ref.sample) ask_whether_done(run, ref);
   }
-  // Unless that is a sample, whose time is earlier, a run that ends early ends where it is.
-  if (run.ending != Ending::reached && !(run.at_end.now < run.end)) run.at_end = state;
+  // Unless that is a sample, a run that ends early ends where it is.
+  if (run.at_end.mode == nullptr) run.at_end = state;
 }
 
 template <int D>
@@ -86,16 +91,17 @@ void look_inside(Run<D> &run, const Instant &then) {
   run.chatter_before = run.chatter;
   const Instant end = run.end;
   Counters counters = run.counters;
-  run.end = run.at_end.now = std::min(end, then);
+  run.end = std::min(end, then);
   run.silent = true;
   run_on(run);
   run.silent = false;
   run.over = end < then || run.ending != Ending::reached;
   run.end = end;
-  if (!run.over) run.at_end.now = end;
+  if (!run.over) run.at_end.mode = nullptr;
   std::swap(run.state, run.before);
   std::swap(run.chatter, run.chatter_before);
   counters.modal_evaluations = run.counters.modal_evaluations;
+  counters.modes_built = run.counters.modes_built;
   run.counters = counters;
 }
 
@@ -143,7 +149,7 @@ template <int D>
 Outcome run_lanes(const Scene &scene, const MotionState *motion, const RunState *state,
                   double until, const RunOptions &options, std::span<const RecorderRef> recorders) {
   Run<D> run{scene, options, recorders};
-  run.end = run.at_end.now = instant_at(until, run.clock);
+  run.end = instant_at(until, run.clock);
   if (motion != nullptr)
     start_from(run, *motion);
   else

@@ -1,5 +1,6 @@
 #include "vibro_impact/record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -42,7 +43,7 @@ void ImpactSpeedRecorder::check(const Scene &scene) const {
 
 double sample_time(double from, double to, double every, std::size_t taken) {
   const double next = from + every * static_cast<double>(taken);
-  return next <= to * (1.0 + 4e-16) ? next : std::numeric_limits<double>::infinity();
+  return next <= to * (1.0 + 4e-16) ? std::min(next, to) : std::numeric_limits<double>::infinity();
 }
 
 double SampleRecorder::next_time() const {

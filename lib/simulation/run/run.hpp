@@ -29,14 +29,14 @@ struct Run {
   Modes<D> modes = {};
   State<D> state = {};
   State<D> at_limit = {};  // of a chatter
-  State<D> at_end = {};    // the state at `end`, which lies on the flight from `state`
+  State<D> at_end = {};    // the state at the end, once known: on the flight from `state`
   State<D> between = {};   // at a sample
   State<D> before = {};    // while a chatter is looked into, with `chatter_before`
   Flight<D> flight = {};
   Chatter<D> chatter = {}, chatter_before = {};
   Counters counters = {};
   // In which impacts are counted: the forcing period.
-  double window = scene.omega > 0.0 ? clock.period : 6.3 / scene_rate;
+  double window = scene.forced() && scene.omega > 0.0 ? clock.period : 6.3 / scene_rate;
   bool silent = false;  // a motion is looked at in between: nothing is told but samples
   bool over = false;    // the end is reached, a recorder is done, or the run is given up
   Ending ending = Ending::reached;

@@ -29,8 +29,6 @@ Outcome run(const Scene &scene, const MotionState *motion, const RunState *state
   const double begins = time_of(from, clock);
   check_options(options);
   require(std::isfinite(until), "until = ", until, ": must be finite");
-  require(!(until * scene.omega > most_periods), "until = ", until,
-          ": more forcing periods than double precision can count");
   require(until >= begins || !(instant_at(until, clock) < from), "until = ", until,
           ": lies before the start at ", begins);
   for (const RecorderRef &recorder : recorders) {

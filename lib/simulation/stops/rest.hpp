@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "simulation/chain/motion.hpp"
+#include "vibro_impact/scene.hpp"
 
 namespace vibro_impact {
 
