@@ -1,4 +1,4 @@
-// What is known of a stop beside the lanes, and the one place where that is set.
+// What is known of a stop beside the lanes.
 #pragma once
 
 namespace vibro_impact {
@@ -7,7 +7,7 @@ struct AtStop {
   // Of a free mass in flight, carried on their own because reading a small gap off the lanes loses
   // it to cancellation; a gap of 0 is exact, as after an impact. Both 0 of a mass at rest.
   double gap = 0.0, speed = 0.0;
-  bool below_rounding = false;  // the gap, of what the lanes tell
+  bool below_rounding = false;  // the gap lies below the rounding of the lanes
   // Where it has just been decided whether a mass at rest is held or let go: of the force that
   // keeps it there or takes it away, the first `zeros` derivatives are zero exactly, and `leading`
   // > 0 is the next, in units of the rate of the scene (of a mass let go, of its acceleration);

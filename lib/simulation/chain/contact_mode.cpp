@@ -235,7 +235,7 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
     if (mode.rate(j) > 0.0) slowest = std::min(slowest, mode.rate(j));
   }
   if (mode.fastest == 0.0) mode.fastest = 1.0;  // free fall: a parabola, any rate will do
-  mode.stiff = scene.beta > 0.0 && mode.fastest > stiff * slowest;
+  mode.stiff = scene.beta > 0.0 && mode.fastest > stiff_ratio * slowest;
   mode.extent = mode.shape.cwiseAbs().colwise().maxCoeff().transpose().array();
   add_contacts(scene, mode);
   return mode;

@@ -22,8 +22,8 @@ struct State {
   Instant now;
   const ContactMode<D> *mode = nullptr;
   Lanes value, slope;
-  std::vector<AtStop> stops;                                     // one per stop of the scene
-  double next_flight = std::numeric_limits<double>::infinity();  // expected of the next one
+  std::vector<AtStop> stops;                                       // one per stop of the scene
+  double span_expected = std::numeric_limits<double>::infinity();  // of the next flight
   bool clear = true;     // no stop was near in the latest flight
   Instant window_start;  // of the count of impacts in one forcing period
   long long impacts_in_window = 0;

@@ -39,7 +39,7 @@ void require(bool holds, const Pieces &...pieces) {
   if (!holds) throw std::invalid_argument(line(pieces...));
 }
 
-// Unless the instant lies in a period of the forcing and the masses are held at stops that exist.
+// Throws unless the instant lies in a period of the forcing and masses are held where stops are.
 void check_place(const Scene &scene, const Instant &instant, const Held &held);
 
 inline void require_mass(int mass, int masses) {

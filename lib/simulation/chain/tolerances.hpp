@@ -7,7 +7,7 @@ namespace vibro_impact {
 
 constexpr double near_resonance = 0x1p-6;  // |lambda - Omega^2| in lambda + Omega^2
 constexpr double strong_damping = 1.5;     // damping ratio of a mode that is split in two decays
-constexpr double stiff = 16.0;             // ratio of rates from which on lanes may die out
+constexpr double stiff_ratio = 16.0;       // of rates from which on lanes may die out
 
 constexpr double rounding = 0x1p-49;      // of a reading, in the sum of the moduli of its terms
 constexpr double lost = 0x1p-60;          // what is lost in the rounding of the rest

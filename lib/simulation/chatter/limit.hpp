@@ -149,7 +149,7 @@ double move_to_limit(Chatter<D> &chatter, const ChatterLimit &limit, const Scene
       sum += std::abs(moments.change[static_cast<std::size_t>(n)]) / (factorial *= n);
     error = std::max(error, responses_share * sum / chatter.jump(oldest, j));
   }
-  // The second moments bring the masses to their stops, the first ones to rest there.
+  // M_1 brings the masses to their stops, M_0 to rest there.
   for (std::size_t j = 0; j < hits; ++j) {
     const double gap = watched_now(state, chatter.hit(j));
     const double moments[2] = {0.0, -gap * path.rate};

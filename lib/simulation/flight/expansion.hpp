@@ -101,7 +101,7 @@ void read_along(const State<D> &state, const Contact<D> &contact, const Expansio
   counters.products += (path.order + 1) * columns;
 
   const AtStop &stop = state.stops[contact.stop];
-  // More is zero than at a root of a force where motion has yet to come along the chain.
+  // More than one zero, as at a root of a force: motion has yet to come along the chain.
   if (stop.below_rounding || stop.zeros > 1) drop_rounding(state, of, path, p);
   p.coefficient[0] += contact.watched.offset;
   if (stop.decided) {
@@ -120,9 +120,9 @@ void read_along(const State<D> &state, const Contact<D> &contact, const Expansio
   }
 }
 
-// What lane j changes by where S and S' - 1 have these values. One solution, S with S(0) = 0 and
-// S'(0) = 1, gives all others: C = S' + kappa S, C' = -lambda S. (Changes are added up: C itself, a
-// number next to 1, is rounded alike in all of many flights of one length.)
+// The change of lane j in a time after which S and S' - 1 are these. One solution, S with S(0) = 0
+// and S'(0) = 1, gives all others: C = S' + kappa S, C' = -lambda S. (Changes are added up: C
+// itself, a number next to 1, is rounded alike in all of many flights of one length.)
 template <int D>
 OscillatorState change_of(const ContactMode<D> &mode, Eigen::Index j, double value, double slope,
                           const OscillatorState &s) {

@@ -93,8 +93,8 @@ std::optional<Root> first_root(const Polynomial &p, double limit, Counters &coun
         continue;
       }
     }
-    // Else over a stretch that is clear of zero, by more than the rounding of the value here. (Up
-    // to 1 the bound of p^(5) says nothing of a small polynomial near 0.)
+    // Else over a stretch that is clear of zero, by more than the rounding of the value here. (The
+    // bound of p^(5) up to 1 is far too large for a small polynomial near 0: one up to there.)
     const double rounded = 0.5 * epsilon * derivative_bound(p, first, 0, u);
     double stretch = limit - u;
     const auto is_clear = [&] {

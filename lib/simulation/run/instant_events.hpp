@@ -188,7 +188,7 @@ void follow_chatter(Run<D> &run, const ContactMode<D> *mode) {
     if (leaving) flight = std::max(flight, next_flight(state, run.scene, mode->contacts[k]));
   }
   if (!leaving) return run.chatter.end();
-  state.next_flight = beyond_expected * flight;
+  state.span_expected = beyond_expected * flight;
   note_impacts(run.chatter, state, run.hits, flight, run.counters);
   take_limit(run);
 }

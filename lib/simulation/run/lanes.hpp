@@ -41,7 +41,7 @@ double choose_span(Run<D> &run, double rate) {
     give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ",
                       time_of(state.now, run.clock), ", given up"));
   // Flights may be short without bound (r = 1e-300), spans not: slope * span must not underflow.
-  return std::min(longest, std::max(state.next_flight, lost * longest));
+  return std::min(longest, std::max(state.span_expected, lost * longest));
 }
 
 // Runs on to the end, or until a recorder is done or the run has to be given up. The state it
@@ -72,7 +72,7 @@ void run_on(Run<D> &run) {
     sample_flight(run, tau);
     if (run.over) return;
     move_along(state, flight, flight.u, run.scene, run.clock);
-    state.next_flight = std::numeric_limits<double>::infinity();
+    state.span_expected = std::numeric_limits<double>::infinity();
     run.chatter.impacts.since += tau;
     state.clear = flight.all_clear;
     handle_instant(run);

@@ -95,7 +95,7 @@ void check_numbers(const Run<D> &run) {
     require_sound(at.decided ? at.gap == 0.0 && at.speed == 0.0 : at.zeros == 0);
     require_sound(at.zeros <= 2 * run.scene.masses() + 4);
   }
-  require_sound(state.next_flight >= 0.0 && !(state.now < state.window_start));
+  require_sound(state.span_expected >= 0.0 && !(state.now < state.window_start));
   const ChatterImpacts &impacts = run.chatter.impacts;
   const std::vector<ChatterTable::Node> &nodes = run.chatter.table.nodes;
   require_sound(impacts.jumps.size() == impacts.times.size() * impacts.contacts.size());
@@ -131,7 +131,7 @@ void pass(Row &row, Run<D> &run) {
   }
   for (double &value : state.value) row.pass(value);
   for (double &slope : state.slope) row.pass(slope);
-  row.pass(state.stops, state.next_flight, state.clear, state.window_start,
+  row.pass(state.stops, state.span_expected, state.clear, state.window_start,
            state.impacts_in_window);
   row.pass(impacts.contacts, impacts.times, impacts.jumps, impacts.flight, impacts.since,
            run.chatter.table.nodes);

@@ -50,7 +50,7 @@ std::size_t decide_by_order(const Scene &scene, double phase, double rate, Quest
       const double force = force_of(mass.mass), error = error_of(mass.mass);
       if ((order == 0 && mass.force_is_zero) || std::abs(force) <= error) continue;
       mass.held = mass.sigma * force > 0.0;
-      kind[mass.mass] = mass.held ? Kind::at_rest : Kind::moving;
+      kind[mass.mass] = mass.held ? Kind::held : Kind::moving;
       if (!mass.held) set_acceleration(mass.mass, force, error);
       mass.zeros = order;
       mass.leading = mass.held ? mass.sigma * force : -mass.sigma * at.a[mass.mass];
@@ -77,7 +77,7 @@ void decide(const Scene &scene, const MotionState &motion, double rate, Question
   at.x_error = question.error;
   for (std::size_t i = 0; i < n; ++i) {
     at.v[i] /= rate;
-    kind[i] = motion.held[i] != 0 ? Kind::at_rest : Kind::moving;
+    kind[i] = motion.held[i] != 0 ? Kind::held : Kind::moving;
   }
   for (Resting &mass : question.resting) {
     kind[mass.mass] = Kind::undecided;

@@ -31,7 +31,7 @@ struct Question {
   // How far the displacements, and the velocities in units of the rate, may be off by rounding.
   std::vector<double> error;
   // Of the decision.
-  enum class Kind : char { moving, at_rest, undecided };
+  enum class Kind : char { moving, held, undecided };
   Derivatives at, looked_at;
   std::vector<Kind> kind;
 };
