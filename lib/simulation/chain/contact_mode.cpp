@@ -50,7 +50,6 @@ Decomposition decompose(const Scene &scene, const std::vector<std::size_t> &free
   const std::size_t n = scene.mass.size();
   const auto modes = static_cast<Index>(free.size());
   Decomposition basis;
-  basis.lambda.setZero(modes);
   basis.shape.setZero(static_cast<Index>(n), modes);
   basis.inverse.setZero(modes, static_cast<Index>(n));
   if (modes == 0) return basis;

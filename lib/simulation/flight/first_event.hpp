@@ -23,7 +23,8 @@ struct Flight {
   std::vector<Watch> watched;         // by contact of the mode
   Eigen::Array<double, D, 1> speeds;  // bounds of those of the lanes
   double u = 1.0;                     // of the first event, or the end of the path
-  bool all_clear = false;             // no contact was near
+  bool eventful = false;
+  bool all_clear = false;  // no contact was near
 };
 
 // Finds the first event in (0, 1] of the flight's path, along which `state` moves.
@@ -36,6 +37,7 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
   const double together = same_instant / (path.rate * path.span);
   if (flight.watched.size() < mode.contacts.size()) flight.watched.resize(mode.contacts.size());
   flight.all_clear = true;
+  flight.eventful = false;
   flight.u = 1.0;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact<D> &contact = mode.contacts[k];
@@ -52,7 +54,9 @@ void find_first_event(const State<D> &state, double scene_rate, Flight<D> &fligh
     flight.all_clear = false;
     read_along(state, contact, path, scene_rate, watch.polynomial, counters);
     watch.root = first_root(watch.polynomial, std::min(1.0, flight.u + together), counters);
-    if (watch.root) flight.u = std::min(flight.u, watch.root->at);
+    if (!watch.root) continue;
+    flight.eventful = true;
+    flight.u = std::min(flight.u, watch.root->at);
   }
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // at the same instant, or later
     std::optional<Root> &root = flight.watched[k].root;

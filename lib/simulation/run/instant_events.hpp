@@ -121,8 +121,7 @@ void hold_or_release(Run<D> &run, bool at_start = false) {
     for (std::size_t k = 0; k < run.scene.stops.size(); ++k) {  // a stop across is there again
       const Stop &other = run.scene.stops[k];
       if (k == mass.stop || other.mass != run.scene.stops[mass.stop].mass) continue;
-      state.stops[k] = {};
-      state.stops[k].gap = std::abs(other.position - run.scene.stops[mass.stop].position);
+      state.stops[k] = {.gap = std::abs(other.position - run.scene.stops[mass.stop].position)};
     }
   }
   if (held == state.mode->held) return;
@@ -193,7 +192,7 @@ void follow_chatter(Run<D> &run, const ContactMode<D> *mode) {
   take_limit(run);
 }
 
-// The events at the end of the flight, if any, to which the state has been moved.
+// The events at the end of the flight, to which the state has been moved.
 template <int D>
 void handle_instant(Run<D> &run) {
   const ContactMode<D> *mode = run.state.mode;
@@ -201,7 +200,6 @@ void handle_instant(Run<D> &run) {
   run.roots.clear();
   for (std::size_t k = 0; k < mode->contacts.size(); ++k)
     if (run.flight.watched[k].root) (mode->contacts[k].held ? run.roots : run.hits).push_back(k);
-  if (run.hits.empty() && run.roots.empty()) return;
   apply_impacts(run);
   hold_or_release(run);
   follow_chatter(run, mode);

@@ -75,7 +75,7 @@ void run_on(Run<D> &run) {
     state.span_expected = std::numeric_limits<double>::infinity();
     run.chatter.impacts.since += tau;
     state.clear = flight.all_clear;
-    handle_instant(run);
+    if (flight.eventful) handle_instant(run);
     if (run.over) break;
     // One that takes neither events nor samples is asked after every flight.
     for (const RecorderRef &ref : run.recorders)

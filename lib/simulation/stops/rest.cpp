@@ -82,8 +82,6 @@ void decide(const Scene &scene, const MotionState &motion, double rate, Question
   for (Resting &mass : question.resting) {
     kind[mass.mass] = Kind::undecided;
     at.x[mass.mass] = scene.stops[mass.stop].position;
-    mass.zeros = 0;
-    mass.leading = 0.0;
   }
   for (std::size_t i = 0; i < n; ++i)  // at rest means exactly where its stop is
     if (kind[i] != Kind::moving) at.v[i] = at.x_error[i] = 0.0;
