@@ -15,17 +15,22 @@ struct BadCall {
   const char *says;  // part of the message: the value and the rule
 };
 
+// What std::invalid_argument says that the call throws, or that it was accepted.
+inline std::string refusal(const std::function<void()> &call) {
+  try {
+    call();
+  } catch (const std::invalid_argument &bad) {
+    return bad.what();
+  } catch (const std::exception &other) {
+    return std::string("refused in another way: ") + other.what();
+  }
+  return "accepted";
+}
+
 // Every call throws std::invalid_argument, with one line.
 inline void expect_refused(const std::vector<BadCall> &calls) {
   for (const auto &[call, says] : calls) {
-    std::string message = "accepted";
-    try {
-      call();
-    } catch (const std::invalid_argument &bad) {
-      message = bad.what();
-    } catch (const std::exception &other) {
-      message = std::string("refused in another way: ") + other.what();
-    }
+    const std::string message = refusal(call);
     EXPECT_NE(message.find(says), std::string::npos) << "'" << message << "' for '" << says << "'";
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }

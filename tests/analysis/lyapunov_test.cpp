@@ -132,9 +132,7 @@ TEST(Lyapunov, DISABLED_SurveyOfMotionsThatHaveNotSettled) {
   int points = 0, wrong_over_40 = 0, wrong = 0, not_decided = 0;
   const auto growths = [&](std::size_t k) -> std::vector<double> {
     const Scene &scene = scenes[k];
-    SettleOptions options;
-    options.longest = 200;
-    const SettledMotion motion = settle(scene, start_of(scene), options);
+    const SettledMotion motion = settle(scene, start_of(scene), {.longest = 200});
     if (motion.period > 0) return {};
     const MotionState start = at_quiet_phase(scene, motion.state);
     const Growth growth = mean_growth(scene, start, 1000);

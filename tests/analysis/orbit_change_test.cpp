@@ -87,8 +87,7 @@ TEST(OrbitChange, OfEventsEqualsDifferences) {
       const auto told = [&](double step) {
         const Scene moved = with(scene, parameters[k], get(scene, parameters[k]) + step);
         EventRecorder recorder;
-        RunOptions options;
-        options.resolve_chatter = 1e-3;  // the same impacts whatever the step
+        const RunOptions options{.resolve_chatter = 1e-3};  // the same impacts whatever the step
         stroboscopic_map(moved, moved_orbit(moved, scene, orbit).state, 1, options, recorder);
         std::vector<double> values;
         for (const Event &event : recorder.events) {

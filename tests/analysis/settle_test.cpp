@@ -124,8 +124,7 @@ EventCounts counted_far_out(const Scene &scene, int periods, int after) {
 TEST(Settle, FiftyPointsOfTheAtlasAreThoseOfTwoThousandPeriods) {
   std::mt19937 random(20060401);
   std::uniform_real_distribution<double> omega(0.2, 0.8), restitution(0.0, 0.98);
-  RecordOptions options;
-  options.settle.longest = 2000;
+  const RecordOptions options{.settle = {.longest = 2000}};
   int settled = 0;
   for (int k = 0; k < 50; ++k) {
     Scene scene = paper::figure3(omega(random));
@@ -144,10 +143,8 @@ TEST(Settle, FiftyPointsOfTheAtlasAreThoseOfTwoThousandPeriods) {
 // Period 2 after period 1 in the region of sticking, and what a short wait leaves undecided.
 TEST(Settle, SaysThePeriodOrNone) {
   const auto period_of = [](double omega, int longest) {
-    SettleOptions options;
-    options.longest = longest;
     const Scene scene = paper::figure3(omega);
-    const SettledMotion motion = settle(scene, start_of(scene), options);
+    const SettledMotion motion = settle(scene, start_of(scene), {.longest = longest});
     EXPECT_LE(motion.periods_run, longest);
     EXPECT_TRUE(motion.period > 0 || motion.periods_run == longest);
     return motion.period;
@@ -196,9 +193,7 @@ TEST(Settle, OfSlowAndOfFreeMotionsThePeriodIsThatOfFourThousandPeriods) {
                                            {0.69172932330827075, 0.62602006688963208}})
     scenes.push_back(with(paper::figure3(omega), {Parameter::Kind::restitution}, restitution));
   for (const Scene &scene : scenes) {
-    SettleOptions options;
-    options.longest = 200;
-    const SettledMotion motion = settle(scene, start_of(scene), options);
+    const SettledMotion motion = settle(scene, start_of(scene), {.longest = 200});
     EXPECT_EQ(motion.period, recurrence(scene, vibro_impact::settled(scene, 4000)).periods)
         << scene.omega;
   }
@@ -215,9 +210,7 @@ TEST(Settle, DISABLED_SurveyOfPeriodsAgainstFourThousandPeriods) {
   }
   int another = 0, not_decided = 0;
   const auto periods = [&](std::size_t k) {
-    SettleOptions options;
-    options.longest = 200;
-    return std::pair{settle(scenes[k], start_of(scenes[k]), options).period,
+    return std::pair{settle(scenes[k], start_of(scenes[k]), {.longest = 200}).period,
                      recurrence(scenes[k], vibro_impact::settled(scenes[k], 4000)).periods};
   };
   sweep(scenes.size(), periods, [&](std::size_t, const std::pair<int, int> &found) {

@@ -33,8 +33,8 @@ constexpr double max_reach = 2.0;
 // one per reach of the fastest rate, one per event that ends one early, one to look across the
 // limit of a chatter, and
 //   root iterations <= 12 * polynomials searched :
-// few steps lead to a transversal root, and few over a dip that all but touches zero: stretches that
-// are clear grow shorter by powers of two, until one carries over it.
+// few steps lead to a transversal root, and few over a dip that all but touches zero: stretches
+// that are clear grow shorter by powers of two, until one carries over it.
 void expect_bounded_work(const Case &extreme, const Counters &counters) {
   const double reaches = fastest_rate(extreme.scene) * extreme.until / max_reach;
   const auto events =
@@ -138,10 +138,8 @@ TEST(ZeroHoldForce, NeverSticks) {
 // the one before. The run ends at the stated number of impacts, and says where it was.
 TEST(EndlessImpacts, EndAtTheLimitWithTheState) {
   Scene scene = one_mass(0.0, 1.0, 0.0, 1.0, -1.0, -1.0 - 1e-9);
-  RunOptions options;
-  options.max_impacts_per_period = 5000;
   EventRecorder recorder;
-  const Outcome outcome = simulate(scene, 1e3, options, recorder);
+  const Outcome outcome = simulate(scene, 1e3, {.max_impacts_per_period = 5000}, recorder);
   EXPECT_EQ(outcome.ending, Ending::given_up);
   EXPECT_NE(outcome.reason.find("more than 5000 impacts in one period"), std::string::npos)
       << outcome.reason;

@@ -169,8 +169,7 @@ TEST(ChatterLimit, IsNotTakenBeyondABorderOrbit) {
       (sticks_of(pushed_off(r, v), all_impacts) > 0 ? sticks : escapes) = v;
     }
     for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
-      RunOptions options;
-      options.chatter_tolerance = tolerance;
+      const RunOptions options{.chatter_tolerance = tolerance};
       for (double distance = 1e-1; distance > 1e-12; distance /= 3.0) {
         EXPECT_EQ(sticks_of(pushed_off(r, sticks - distance), options), 1u) << r << " " << distance;
         EXPECT_EQ(sticks_of(pushed_off(r, escapes + distance), options), 0u)

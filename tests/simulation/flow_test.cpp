@@ -152,9 +152,7 @@ TEST(Flow, AnErrorAllowedLowersTheOrders) {
     const Outcome exact = simulate(scene, until);
     long long coefficients = exact.counters.coefficients;
     for (const double tolerance : {1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {
-      RunOptions options;
-      options.flight_tolerance = tolerance;
-      const Outcome outcome = simulate(scene, until, options);
+      const Outcome outcome = simulate(scene, until, {.flight_tolerance = tolerance});
       EXPECT_LT(largest_difference(exact.state.displacement, outcome.state.displacement),
                 10.0 * tolerance);
       EXPECT_LT(largest_difference(exact.state.velocity, outcome.state.velocity), 10.0 * tolerance);

@@ -27,7 +27,7 @@ namespace vibro_impact {
 constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
 
 struct SettleOptions {
-  RunOptions run;
+  RunOptions run = {};
   int longest = 400;         // forcing periods after which the motion counts as not settling, >= 1
   int most = 8;              // largest period looked for, >= 1
   double tolerance = 1e-10;  // of what is still to come, > 0; non-dimensional
