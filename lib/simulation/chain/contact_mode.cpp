@@ -110,9 +110,8 @@ Reading<D> press_reading(const Scene &scene, const ContactMode<D> &mode, const S
     return [&, here](std::size_t j) { return j == p ? here : row_of(static_cast<Index>(j)); };
   };
   const auto none = [](std::size_t) { return 0.0; };
-  const auto at = [&](Index j) { return mode.equilibrium(j); };
   Reading<D> press;
-  press.offset = sigma * force_on(scene, p, beside(stop.position, at), none, 0.0);
+  press.offset = sigma * force_on(scene, p, beside(stop.position, mode.equilibrium), none, 0.0);
   press.on_value.setZero(mode.lanes());
   press.on_slope.setZero(mode.lanes());
   for (Index lane = 0; lane < mode.lanes(); ++lane) {

@@ -7,7 +7,7 @@
 namespace vibro_impact {
 
 template <int D>
-void require_finite(Run<D> &run, const State<D> &state) {
+void give_up_beyond_range(Run<D> &run, const State<D> &state) {
   if (!std::isfinite(state.value.sum() + state.slope.sum()))
     give_up(run, line("the motion leaves the range of double precision before t = ",
                       time_of(state.now, run.clock), ", given up"));
@@ -25,7 +25,7 @@ void end_undisturbed(Run<D> &run, double remaining) {
   run.at_end.now = run.end;
   ++run.counters.modal_evaluations;
   run.over = true;
-  require_finite(run, run.at_end);
+  give_up_beyond_range(run, run.at_end);
 }
 
 // The span of the next expansion, unless the run has to be given up.
@@ -36,7 +36,7 @@ double choose_span(Run<D> &run, double rate) {
   // flight would run ahead of its time by the rounding of every step, the same one for hundreds.
   const double phase = state.now.phase, most = max_reach / rate, end = phase + most,
                longest = end - phase <= most ? end - phase : std::nextafter(end, phase) - phase;
-  require_finite(run, state);
+  give_up_beyond_range(run, state);
   if (longest == 0.0 && !run.over)
     give_up(run, line("the rate ", rate, " of the fastest mode cannot be resolved at t = ",
                       time_of(state.now, run.clock), ", given up"));
