@@ -25,8 +25,8 @@
 # make dist           the source archive, build/vibro-impact-<version>.tar.gz
 # make clean          remove build/
 
-paper  := figure2 figure3 figure4 figure5
-beyond := stability figure3_followed reconstruction multi_sliding bifurcations exit_boundary table1 atlas curves border_cascade basins long_chain
+paper  := figure2 figure3 figure4 figure5 table1 exit_boundary multi_sliding reconstruction
+beyond := stability figure3_followed bifurcations atlas curves border_cascade basins long_chain
 jobs   := $(shell nproc 2>/dev/null || echo 1)
 werror := OFF
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "figures/beyond/curve_starts.hpp"
-#include "figures/beyond/grazing.hpp"
-#include "figures/beyond/table1_scenes.hpp"
+#include "figures/grazing.hpp"
+#include "figures/table1_scenes.hpp"
 #include "figures/panel.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -2,7 +2,7 @@
 // stand in reference/scenes, in double.
 #pragma once
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>

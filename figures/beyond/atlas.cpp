@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "figures/driver.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 
 namespace {
 

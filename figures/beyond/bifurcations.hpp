@@ -15,7 +15,7 @@
 
 #include "curves.hpp"
 #include "figures/parallel.hpp"
-#include "grazing.hpp"
+#include "figures/grazing.hpp"
 
 namespace vibro_impact::figures {
 

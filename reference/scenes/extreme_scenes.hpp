@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 
 namespace vibro_impact::figures {
 

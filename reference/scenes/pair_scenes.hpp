@@ -2,7 +2,7 @@
 // solution is looked for. All numbers are ours.
 #pragma once
 
-#include "paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 
 namespace vibro_impact::pairs {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "figures/beyond/table1_scenes.hpp"
+#include "figures/table1_scenes.hpp"
 #include "reference/table_reader.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"

@@ -12,7 +12,7 @@
 #include "figures/figure3.hpp"
 #include "recurrence.hpp"
 #include "reference/scenes/long_chain.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "figures/beyond/grazing.hpp"
+#include "figures/grazing.hpp"
 #include "reference/table_reader.hpp"
 
 namespace {

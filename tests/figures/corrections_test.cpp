@@ -9,7 +9,7 @@
 
 #include "figures/panel.hpp"
 #include "figures/printed.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "tests/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "figures/figure3.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "tests/events.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "figures/beyond/reconstruction.hpp"
+#include "figures/reconstruction.hpp"
 
 namespace {
 

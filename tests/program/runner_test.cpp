@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "runner_program.hpp"
 #include "vibro_impact/simulate.hpp"
 

@@ -1,4 +1,4 @@
-// The paper's scenes are written down once, in reference/scenes/paper_scenes.hpp. Where they have
+// The paper's scenes are written down once, in reference/paper_scenes.hpp. Where they have
 // to be written once more, beside their words in the table of key numbers, in the defaults of the
 // scene runner and in the examples, which users copy, they are the same.
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "reference/table_reader.hpp"
 
 namespace {

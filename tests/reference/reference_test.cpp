@@ -6,7 +6,7 @@
 
 #include "figures/event_tables.hpp"
 #include "figures/methods/event_comparison.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "tests/events.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 #include "witness.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "tests/refusals.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

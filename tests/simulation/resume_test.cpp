@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "tests/events.hpp"
 #include "tests/refusals.hpp"
 

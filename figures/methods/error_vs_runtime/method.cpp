@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "figures/event_tables.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "reference/table_reader.hpp"
 #include "vibro_impact/record.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
 namespace vibro_impact::figures {

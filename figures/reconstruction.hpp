@@ -19,7 +19,7 @@
 #include "figures/figure3.hpp"
 #include "figures/panel.hpp"
 #include "figures/parallel.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
