@@ -1,6 +1,6 @@
 // The multi-sliding bifurcation of Figure 4 at its located frequency: the hold force on mass 1 just
 // before, at and just after it.
-#include "bifurcations.hpp"
+#include "figures/beyond/bifurcations.hpp"
 #include "figures/driver.hpp"
 #include "figures/panel.hpp"
 
