@@ -38,7 +38,7 @@ inline Scene figure5b_at(double omega) {
 inline MotionState motion_without_second_stop(double omega) {
   Scene scene = figure5b_at(omega);
   scene.stops.pop_back();
-  const MotionState seed = at_quiet_phase(scene, settled(scene, settling));
+  const MotionState seed = at_quiet_phase(scene, state_after_periods(scene, settling));
   return orbit_near(scene, seed, 1);
 }
 
@@ -85,7 +85,7 @@ inline BifurcationPoint impacts_from_rest() {
   const auto located = [](int periods) {
     const Change change = bisect(
         [periods](double omega) {
-          MotionState state = settled(figure5b_at(omega), periods);
+          MotionState state = state_after_periods(figure5b_at(omega), periods);
           return int{mass_2_hits(omega, state)};
         },
         0.2995, 0.2996);
@@ -104,7 +104,7 @@ inline BifurcationPoint impacts_from_rest() {
 // (1 - mu)^2 is smooth and falls to zero there.
 inline BifurcationPoint end_of_impacts() {
   double followed = 0.2996;
-  MotionState last = settled(figure5b_at(followed), settling);
+  MotionState last = state_after_periods(figure5b_at(followed), settling);
   for (double step = 1e-5; step > 1e-12;) {
     MotionState next = stroboscopic_map(figure5b_at(followed - step), last, 300).state;
     if (mass_2_hits(followed - step, next)) {

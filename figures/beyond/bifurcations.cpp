@@ -29,7 +29,7 @@ auto three_ways(const std::vector<double> &omegas, const SceneAt &scene_at, cons
   ways.fill(Values(omegas.size()));
   auto &[rest, up, down] = ways;
   const auto follow = [&](auto omega, const auto &last, auto value) {
-    MotionState state = settled(scene_at(*omega), figures::settling);
+    MotionState state = state_after_periods(scene_at(*omega), figures::settling);
     for (; omega != last; ++omega, ++value) {
       const Scene scene = scene_at(*omega);
       state = stroboscopic_map(scene, state, periods).state;
@@ -40,7 +40,7 @@ auto three_ways(const std::vector<double> &omegas, const SceneAt &scene_at, cons
   follow(omegas.rbegin(), omegas.rend(), down.rbegin());
   figures::in_parallel(omegas.size(), [&](std::size_t i) {
     const Scene scene = scene_at(omegas[i]);
-    MotionState state = settled(scene, figures::settling);
+    MotionState state = state_after_periods(scene, figures::settling);
     rest[i] = read(scene, state);
   });
   return ways;

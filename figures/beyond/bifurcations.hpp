@@ -45,7 +45,7 @@ inline std::optional<Located> multi_sliding(const Change &change, int mass) {
   const double side = change.count_below < change.count_above ? -1.0 : 1.0;
   const double near = change.below + side * 1e-6;
   const Scene scene = paper::stops_of_different_sign(near);
-  const MotionState seed = at_quiet_phase(scene, settled(scene, settling));
+  const MotionState seed = at_quiet_phase(scene, state_after_periods(scene, settling));
   const auto force = [&](double omega) {
     const Scene at = paper::stops_of_different_sign(omega);
     return least_pressing_force(at, orbit_near(at, seed, 1),

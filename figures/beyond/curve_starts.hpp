@@ -129,8 +129,8 @@ inline StartedCurve started(const CurveStart &start) {
   BifurcationCurve curve{start.what, plane.scene, plane.x, plane.y,
                          static_cast<std::size_t>(start.mass - 1)};
   const Scene scene = curve.at(beside);
-  const SettledMotion motion =
-      settle(scene, at_quiet_phase(scene, settled(scene, 1)), {.run = {}, .longest = 1000});
+  const SettledMotion motion = settle(scene, at_quiet_phase(scene, state_after_periods(scene, 1)),
+                                      {.run = {}, .longest = 1000});
   if (motion.period == 0) throw std::runtime_error(start.name + ": no periodic orbit beside");
   curve.periods = motion.period;
   const MotionState seed = at_quiet_phase(scene, motion.state);

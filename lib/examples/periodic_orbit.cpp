@@ -10,7 +10,7 @@ int main() {
   using namespace vibro_impact;
   const Scene scene = paper_scene(0.2797);
 
-  const MotionState guess = at_quiet_phase(scene, settled(scene, 5));
+  const MotionState guess = at_quiet_phase(scene, state_after_periods(scene, 5));
   const PeriodicOrbit orbit = find_periodic_orbit(scene, guess);
   for (const double residual : orbit.residuals) std::printf("residual %.1e\n", residual);
   for (const auto &multiplier : orbit.multipliers)

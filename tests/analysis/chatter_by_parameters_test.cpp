@@ -28,7 +28,7 @@ TEST(ChatterByParameters, DoesNotDependOnWhereChatterIsCarriedToItsLimit) {
   for (const double r : {0.5, 0.7, 0.85})
     for (const Scene &paper_scene : {paper::figure2(), paper::figure5a()}) {
       const Scene scene = with(paper_scene, {Kind::restitution, 0}, r);
-      const MotionState at = at_quiet_phase(scene, settled(scene, 30));
+      const MotionState at = at_quiet_phase(scene, state_after_periods(scene, 30));
       const std::vector<Parameter> by{{Kind::restitution, 0}, {Kind::beta, 0}};
       const StroboscopicImage early = stroboscopic_map_and_derivative(scene, at, 1, {}, by),
                               late = stroboscopic_map_and_derivative(scene, at, 1,

@@ -147,7 +147,7 @@ TEST(BifurcationCurves, OfAPeriodTwoOrbitKeepThatPeriod) {
 TEST(BifurcationCurves, GrazingOfFigure5b) {
   const References stored = read_references(REFERENCE_DIR "/bifurcation_points.csv");
   const Scene scene = paper::figure5b();
-  const MotionState seed = at_quiet_phase(scene, settled(scene, 200));
+  const MotionState seed = at_quiet_phase(scene, state_after_periods(scene, 200));
   BifurcationCurve curve{Bifurcation::grazing,           scene, parameter_named("omega"),
                          parameter_named("restitution"), 1,     1};
   const auto point = point_of(curve, {0.2995, 0.001}, {-1.0, 0.0}, seed);
@@ -162,7 +162,8 @@ TEST(BifurcationCurves, GrazingOfFigure5b) {
   EXPECT_EQ(found.end, CurveEnd::box);
   // On the curve the highest displacement of mass 2, where its stop is far away, is s2.
   Scene without = curve.at({found.points.back().at.x, 0.6});
-  const MotionState orbit = orbit_near(without, at_quiet_phase(without, settled(without, 200)), 1);
+  const MotionState orbit =
+      orbit_near(without, at_quiet_phase(without, state_after_periods(without, 200)), 1);
   EXPECT_NEAR(least_gap(without, orbit, without.stops[1]).value().value,
               0.6 - found.points.back().at.y, 1e-11);
 }

@@ -77,7 +77,7 @@ TEST(Lyapunov, OfALinearMotionIsTheSlowestDecay) {
   ASSERT_EQ(record.period, 1);
   EXPECT_NEAR(*record.lyapunov, expected, 1e-12);  // rounding of the multipliers
   // By growth the angle of the change matters, a factor of order 1 of its length.
-  EXPECT_NEAR(mean_growth(scene, settled(scene, 100), 100).exponent, expected,
+  EXPECT_NEAR(mean_growth(scene, state_after_periods(scene, 100), 100).exponent, expected,
               std::log(10.0) / (100 * Clock(scene.omega).period));
 }
 
@@ -86,7 +86,7 @@ TEST(Lyapunov, OfALinearMotionIsTheSlowestDecay) {
 TEST(Lyapunov, ScalingDoesNotChangeTheGrowth) {
   for (const double omega : {0.69, 0.6, 0.665, 0.28}) {
     const Scene scene = paper::figure3(omega);
-    const MotionState start = at_quiet_phase(scene, settled(scene, 60));
+    const MotionState start = at_quiet_phase(scene, state_after_periods(scene, 60));
     // Rounding, which grows no faster than the change itself; contracting directions cancel in the
     // sum of the columns, which leaves some digits less where all contract.
     EXPECT_NEAR(mean_growth(scene, start, 20).exponent, growth_over(20, scene, start), 1e-8)

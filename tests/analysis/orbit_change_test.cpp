@@ -17,7 +17,7 @@ using Kind = Parameter::Kind;
 
 // The orbit that the motion from rest settles to.
 PeriodicOrbit orbit_of(const Scene &scene, int periods = 1) {
-  const MotionState seed = at_quiet_phase(scene, settled(scene, 200));
+  const MotionState seed = at_quiet_phase(scene, state_after_periods(scene, 200));
   PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods);
   EXPECT_TRUE(orbit.converged);
   return orbit;

@@ -125,14 +125,16 @@ TEST(Refusals, OfOrbits) {
   huge.columns = std::size_t{1} << 62;
   Scene with_one_stop = scene;
   with_one_stop.stops.pop_back();
-  const auto orbit_in_the_scene = [] { return find_periodic_orbit(scene, settled(scene, 20)); };
+  const auto orbit_in_the_scene = [] {
+    return find_periodic_orbit(scene, state_after_periods(scene, 20));
+  };
   expect_refused({
       {[&] { time_after(unforced, start(), 1); }, "omega = 0: a stroboscopic map needs a forcing"},
       {[&] { time_after(scene, start(), -most); }, "periods = -2147483647: must be at least 1"},
       {[&] { time_after(scene, start(far), most); }, "period 9223372036854775807: must lie in"},
       {[&] { stroboscopic_map(scene, start(short_of_one), 1); }, "displacement: 1 values given"},
       {[&] { stroboscopic_map_and_derivative(scene, start(short_of_one), 1); }, "1 values given"},
-      {[&] { settled(scene, 0); }, "periods = 0: must be at least 1"},
+      {[&] { state_after_periods(scene, 0); }, "periods = 0: must be at least 1"},
       {[&] { at_quiet_phase(unforced, start()); }, "omega = 0: a stroboscopic map needs"},
       {[&] { find_periodic_orbit(scene, start(), 0); }, "periods = 0: must be at least 1"},
       {[&] { find_periodic_orbit(scene, start(), 1, {.max_iterations = -1}); }, "= -1: must be"},

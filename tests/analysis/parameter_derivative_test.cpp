@@ -51,7 +51,7 @@ struct Case {
 };
 
 Case case_of(const std::string &name, const Scene &scene) {
-  return {name, scene, at_quiet_phase(scene, settled(scene, 30))};
+  return {name, scene, at_quiet_phase(scene, state_after_periods(scene, 30))};
 }
 
 // Complete chatter and sticking of one and of two masses, a section inside a sticking phase, two

@@ -13,7 +13,7 @@ namespace {
 using namespace vibro_impact;
 
 MotionState section_after(const Scene &scene, int periods) {
-  return at_quiet_phase(scene, settled(scene, periods));
+  return at_quiet_phase(scene, state_after_periods(scene, periods));
 }
 
 TEST(Newton, FindsTheOrbitOfFigure2FromFivePeriods) {

@@ -44,7 +44,8 @@ TEST(Settle, TheDiagramOfFigure3IsThatOfTheFullLength) {
       EXPECT_EQ(found.impact_velocities, (std::vector{one.velocities, two.velocities})) << omega;
       continue;
     }
-    const OrbitRecord expected = record_of(scene, vibro_impact::settled(scene, 400), options);
+    const OrbitRecord expected =
+        record_of(scene, vibro_impact::state_after_periods(scene, 400), options);
     ASSERT_EQ(found.period, expected.period) << omega;
     expect_same_counts(found.counts, expected.counts, omega);
     for (std::size_t mass : {0u, 1u}) {
@@ -131,7 +132,7 @@ TEST(Settle, FiftyPointsOfTheAtlasAreThoseOfTwoThousandPeriods) {
     scene.restitution = restitution(random);
     SCOPED_TRACE(scene.restitution);
     const OrbitRecord found = record_of(scene, options);
-    const Recurrence far_out = recurrence(scene, vibro_impact::settled(scene, 2000));
+    const Recurrence far_out = recurrence(scene, vibro_impact::state_after_periods(scene, 2000));
     ASSERT_EQ(found.period, far_out.periods) << scene.omega;
     if (found.period == 0) continue;
     ++settled;
@@ -194,7 +195,8 @@ TEST(Settle, OfSlowAndOfFreeMotionsThePeriodIsThatOfFourThousandPeriods) {
     scenes.push_back(with(paper::figure3(omega), {Parameter::Kind::restitution}, restitution));
   for (const Scene &scene : scenes) {
     const SettledMotion motion = settle(scene, start_of(scene), {.longest = 200});
-    EXPECT_EQ(motion.period, recurrence(scene, vibro_impact::settled(scene, 4000)).periods)
+    EXPECT_EQ(motion.period,
+              recurrence(scene, vibro_impact::state_after_periods(scene, 4000)).periods)
         << scene.omega;
   }
 }
@@ -210,8 +212,9 @@ TEST(Settle, DISABLED_SurveyOfPeriodsAgainstFourThousandPeriods) {
   }
   int another = 0, not_decided = 0;
   const auto periods = [&](std::size_t k) {
-    return std::pair{settle(scenes[k], start_of(scenes[k]), {.longest = 200}).period,
-                     recurrence(scenes[k], vibro_impact::settled(scenes[k], 4000)).periods};
+    return std::pair{
+        settle(scenes[k], start_of(scenes[k]), {.longest = 200}).period,
+        recurrence(scenes[k], vibro_impact::state_after_periods(scenes[k], 4000)).periods};
   };
   sweep(scenes.size(), periods, [&](std::size_t, const std::pair<int, int> &found) {
     another += found.first > 0 && found.first != found.second ? 1 : 0;
@@ -223,7 +226,7 @@ TEST(Settle, DISABLED_SurveyOfPeriodsAgainstFourThousandPeriods) {
 // The section is the phase of the start.
 TEST(Settle, AnyPhaseMayBeTheSection) {
   const Scene scene = paper::figure2();
-  const MotionState begin = at_quiet_phase(scene, vibro_impact::settled(scene, 3));
+  const MotionState begin = at_quiet_phase(scene, vibro_impact::state_after_periods(scene, 3));
   ASSERT_GT(begin.instant.phase, 0.0);
   EXPECT_EQ(begin.instant.cycle, 0);
   const SettledMotion motion = settle(scene, begin);

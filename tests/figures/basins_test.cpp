@@ -30,7 +30,7 @@ TEST(Basins, AreAsManyAsThereAreAttractors) {
     EXPECT_EQ(points, grid.points()) << "all settle";
     for (int sample = 0; sample < 8; ++sample) {
       const std::size_t point = random() % grid.points();
-      MotionState far_out = vibro_impact::settled(grid.scene_at(point), 5000);
+      MotionState far_out = vibro_impact::state_after_periods(grid.scene_at(point), 5000);
       far_out.instant.cycle = 0;
       const int number = basins.of[point];
       ASSERT_GT(number, 0);

@@ -97,7 +97,7 @@ TEST(Coexistence, OrbitOutlivesTheMotionFromRest) {
   const Scene scene = paper::stops_of_different_sign(between);
   EXPECT_EQ(sticks_from_rest(between, 1), 0);
   const Scene before = paper::stops_of_different_sign(from_rest - 1e-9);
-  const MotionState seed = at_quiet_phase(before, settled(before, 600));
+  const MotionState seed = at_quiet_phase(before, state_after_periods(before, 600));
   const PeriodicOrbit orbit = find_periodic_orbit(scene, seed, 2);
   ASSERT_TRUE(orbit.converged);
   EXPECT_TRUE(orbit.stable());

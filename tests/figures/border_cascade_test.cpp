@@ -88,7 +88,7 @@ TEST(BorderCascade, CountsFromRestAreThoseOfTheOrbitFollowed) {
     if (at.distance < 0.99e-7) continue;
     const Scene scene = paper::stops_of_different_sign(start.at.x - start.whole.x * at.distance);
     ImpactSpeedRecorder impacts{1, -1.0};
-    stroboscopic_map(scene, at_quiet_phase(scene, settled(scene, 400)), 1, {}, impacts);
+    stroboscopic_map(scene, at_quiet_phase(scene, state_after_periods(scene, 400)), 1, {}, impacts);
     EXPECT_EQ(static_cast<int>(impacts.velocities.size()), at.impacts) << at.distance;
   }
 }

@@ -136,7 +136,7 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
   return state;
 }
 
-MotionState settled(const Scene &scene, int periods, const RunOptions &options) {
+MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options) {
   check(scene);
   return stroboscopic_map(scene, start_of(scene), periods, options).state;
 }

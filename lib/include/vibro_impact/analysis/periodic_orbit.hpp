@@ -62,7 +62,7 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options = {});
 
 // The motion after `periods` forcing periods from the scene's own initial state.
-MotionState settled(const Scene &scene, int periods, const RunOptions &options = {});
+MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options = {});
 
 struct NewtonOptions {
   int max_iterations = 20;
