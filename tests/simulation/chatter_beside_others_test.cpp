@@ -9,7 +9,7 @@
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "tests/events.hpp"
-#include "vibro_impact/analysis/hold_force.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 #include "witness.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulation/for_analysis.hpp"
-#include "vibro_impact/analysis/hold_force.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "vibro_impact/analysis/border_orbit.hpp"
+#include "vibro_impact/analysis/chatters.hpp"
 
 namespace vibro_impact {
 

@@ -1,4 +1,4 @@
-#include "vibro_impact/analysis/border_orbit.hpp"
+#include "vibro_impact/analysis/chatters.hpp"
 
 #include <map>
 

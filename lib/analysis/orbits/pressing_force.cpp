@@ -1,4 +1,4 @@
-#include "vibro_impact/analysis/hold_force.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 
 #include <algorithm>
 #include <cmath>

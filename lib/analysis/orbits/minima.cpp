@@ -1,4 +1,4 @@
-#include "vibro_impact/analysis/multi_sliding.hpp"
+#include "vibro_impact/analysis/minima.hpp"
 
 #include <algorithm>
 #include <functional>
