@@ -39,7 +39,7 @@ inline MotionState motion_without_second_stop(double omega) {
   Scene scene = figure5b_at(omega);
   scene.stops.pop_back();
   const MotionState seed = at_quiet_phase(scene, state_after_periods(scene, settling));
-  return orbit_near(scene, seed, 1);
+  return orbit_near(scene, seed, 1).value();
 }
 
 // Velocities of the impacts of mass 2 in some periods from `state` on, which is brought to their
@@ -68,7 +68,7 @@ inline BifurcationPoint grazing() {
     scene.stops.pop_back();
     return least_gap(scene, motion_without_second_stop(omega), second).value().value;
   };
-  const Change change = bisect(
+  const CountJump change = bisect(
       [](double omega) {
         MotionState state = motion_without_second_stop(omega);
         return int{mass_2_hits(omega, state)};
@@ -83,7 +83,7 @@ inline BifurcationPoint grazing() {
 // is reached from here on.
 inline BifurcationPoint impacts_from_rest() {
   const auto located = [](int periods) {
-    const Change change = bisect(
+    const CountJump change = bisect(
         [periods](double omega) {
           MotionState state = state_after_periods(figure5b_at(omega), periods);
           return int{mass_2_hits(omega, state)};

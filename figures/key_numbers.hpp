@@ -137,7 +137,7 @@ inline std::map<std::string, std::function<double()>> key_numbers() {
        [] {  // negative: mass 1 is pressed into a lower stop
          const Scene scene = figure4a();
          const MotionState orbit =
-             orbit_near(scene, at_quiet_phase(scene, state_after_periods(scene, 60)), 1);
+             orbit_near(scene, at_quiet_phase(scene, state_after_periods(scene, 60)), 1).value();
          return -least_pressing_force(scene, orbit, scene.stops[0]).value().value;
        }},
       {"figure5a_stick_time", first(figure5a(), EventKind::stick, 1, figure5a_box)},

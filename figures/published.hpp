@@ -113,7 +113,7 @@ inline int impacts_of_steady_motion(const Scene &scene) {
 
 // The amplitude A at which the motion without impact grazes the stop.
 inline double grazing_amplitude(const Parameters &p) {
-  const Change change = bisect(
+  const CountJump change = bisect(
       [&](double amplitude) {
         return impacts_of_steady_motion(one_mass(p.at("c"), amplitude, p.at("omega"), 0.8, 1.0)) >
                0;

@@ -26,12 +26,12 @@ inline int sticks_from_rest(double omega, int mass) {
 // Every place in [below, above] where the count of a mass changes, by repeated bisection (to 2e-14:
 // closer to a tangency the motion is decided by rounding, and takes long to decide); those
 // closer together than 1e-11 are one, blurred by the settling.
-inline std::vector<Change> changes_between(int mass, double below, double above) {
+inline std::vector<CountJump> changes_between(int mass, double below, double above) {
   const auto count = [mass](double omega) { return sticks_from_rest(omega, mass); };
-  std::vector<Change> changes;
+  std::vector<CountJump> changes;
   const int at_end = count(above);
   while (count(below) != at_end) {
-    const Change change = bisect(count, below, above, 2e-14);
+    const CountJump change = bisect(count, below, above, 2e-14);
     below = std::min(change.above + 1e-11, above);
     changes.push_back(change);
     changes.back().count_above = count(below);
@@ -41,14 +41,14 @@ inline std::vector<Change> changes_between(int mass, double below, double above)
 
 // The zero of the least pressing force, when the change is a multi-sliding bifurcation: on the side
 // with fewer sticking phases the force on `mass` is about to touch zero inside one.
-inline std::optional<Located> multi_sliding(const Change &change, int mass) {
+inline std::optional<Located> multi_sliding(const CountJump &change, int mass) {
   const double side = change.count_below < change.count_above ? -1.0 : 1.0;
   const double near = change.below + side * 1e-6;
   const Scene scene = paper::stops_of_different_sign(near);
   const MotionState seed = at_quiet_phase(scene, state_after_periods(scene, settling));
   const auto force = [&](double omega) {
     const Scene at = paper::stops_of_different_sign(omega);
-    return least_pressing_force(at, orbit_near(at, seed, 1),
+    return least_pressing_force(at, orbit_near(at, seed, 1).value(),
                                 at.stops[static_cast<std::size_t>(mass - 1)]);
   };
   const auto touching = force(near);
@@ -59,7 +59,7 @@ inline std::optional<Located> multi_sliding(const Change &change, int mass) {
 
 // The border orbit at the change: one of the chatters that complete on the side with more sticking
 // phases does not on the other.
-inline StartedCurve border_orbit(const Change &change, int mass) {
+inline StartedCurve border_orbit(const CountJump &change, int mass) {
   const double side = change.count_below > change.count_above ? -1.0 : 1.0;
   return started({"omega_r",
                   fmt::format("border_mass_{}", mass),
@@ -76,14 +76,14 @@ inline double border_by_following(const StartedCurve &found) {
   const auto count = [&](double omega) {
     return count_at(found.curve, found.point, {omega, at.y});
   };
-  const Change change = bisect(count, at.x - 3e-7, at.x + 3e-7);
+  const CountJump change = bisect(count, at.x - 3e-7, at.x + 3e-7);
   return 0.5 * (change.below + change.above);
 }
 
 // The points behind a change of the count from rest: a multi-sliding bifurcation or a border orbit;
 // and, where the motion from rest leaves the orbit for another attractor before its border, the
 // place where it does. Throws std::runtime_error where there is none.
-inline std::vector<BifurcationPoint> locate(const Change &change, int mass) {
+inline std::vector<BifurcationPoint> locate(const CountJump &change, int mass) {
   const double check = 0.5 * (change.below + change.above);
   const std::string counting = "bisection on sticking phases from rest";
   if (const auto tangent = multi_sliding(change, mass))
@@ -99,7 +99,7 @@ inline std::vector<BifurcationPoint> locate(const Change &change, int mass) {
   point.check = border_by_following(found);
   point.checked_by = "bisection on sticking phases of the orbit followed";
   const int m = mass;
-  const Change again = bisect(
+  const CountJump again = bisect(
       [m](double omega) {
         return sticking_phases(paper::stops_of_different_sign(omega), m, 4 * settling, counted);
       },
@@ -139,7 +139,7 @@ inline std::vector<BifurcationPoint> locate_all(const std::vector<double> &omega
   std::vector<std::vector<BifurcationPoint>> found(intervals.size());
   in_parallel(intervals.size(), [&](std::size_t k) {
     const auto [mass, left] = intervals[k];
-    for (const Change &change : changes_between(mass, omegas[left], omegas[left + 1]))
+    for (const CountJump &change : changes_between(mass, omegas[left], omegas[left + 1]))
       for (const BifurcationPoint &point : locate(change, mass)) found[k].push_back(point);
   });
   std::vector<BifurcationPoint> points;

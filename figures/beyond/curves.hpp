@@ -18,7 +18,7 @@ inline int count_at(const BifurcationCurve &curve, const CurvePoint &point, cons
   const bool hits = curve.what == Bifurcation::grazing;
   // Beyond a grazing impacts may come now and then only.
   const int periods = hits ? 60 : curve.periods;
-  const MotionState orbit = orbit_near(scene, seed, curve.periods, 100);
+  const MotionState orbit = orbit_near(scene, seed, curve.periods, 100).value();
   const auto events = events_after(scene, orbit, periods);
   const auto count = std::count_if(events.begin(), events.end(), [&](const Event &event) {
     return event.stop == curve.stop && event.kind == (hits ? EventKind::impact : EventKind::stick);
@@ -36,7 +36,7 @@ inline std::optional<double> distance_by_counting(const BifurcationCurve &curve,
   const auto count = [&](double s) { return count_at(curve, point, moved(point.at, across, s)); };
   for (const double reach : {1e-11, 1e-10, 1e-9, 1e-7}) {
     if (count(-reach) == count(reach)) continue;
-    const Change change = bisect(count, -reach, reach, std::min(1e-12, 0.01 * reach));
+    const CountJump change = bisect(count, -reach, reach, std::min(1e-12, 0.01 * reach));
     return 0.5 * std::abs(change.below + change.above);
   }
   return std::nullopt;

@@ -10,7 +10,7 @@
 #include "event_comparison.hpp"
 #include "figures/event_tables.hpp"
 #include "reference/scenes/extreme_cases.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
+#include "vibro_impact/analysis/natural_modes.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::extremes {

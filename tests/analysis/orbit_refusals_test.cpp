@@ -89,11 +89,6 @@ TEST(Refusals, OfWhatIsLocated) {
       {[&] { bisect(steps, 0.0, 1.0, nan); }, "width = nan: must be non-negative"},
       {[&] { bisect(steps, 0.6, 1.0); }, "no change to locate"},
       {[] { bisect({}, 0.0, 1.0); }, "count: no function given"},
-      {[&] { zero_from_one_side(line, nan, 1.0); }, "from nan to 1: must be two finite numbers"},
-      {[&] { zero_from_one_side(line, 1.0, 1.0); }, "from 1 to 1: must be two finite numbers"},
-      {[] { zero_from_one_side({}, 2.0, 1.0); }, "f: no function given"},
-      {[] { border_chatter(0.0); }, "restitution = 0: a border chatter needs 0 < r < 1"},
-      {[] { border_chatter(1.0); }, "restitution = 1: a border chatter needs 0 < r < 1"},
       {[] { sticking_phases(scene, 3, 1, 1); }, "mass 3: the chain has masses 1 to 2"},
       {[] { sticking_phases(scene, 1, -1, 1); }, "settling = -1: must be non-negative"},
       {[] { sticking_phases(scene, 1, 1, 0); }, "periods = 0: must be at least 1"},
@@ -114,20 +109,11 @@ TEST(Refusals, OfOrbits) {
     const Outcome end = simulate_from(scene, at, 10.0, {}, tangents);
     tangents.finish(end.state.instant);
   };
-  using Kind = Parameter::Kind;
-  const auto by = [](const Scene &of, const Parameter &parameter, std::size_t columns = 1) {
-    return [of, parameter, columns] {
-      TangentRecorder(of, start(), Matrix(4, columns), {.by = {parameter}});
-    };
-  };
   const auto short_of_one = [](MotionState &at) { at.displacement.pop_back(); };
   Matrix huge(4, 0);
   huge.columns = std::size_t{1} << 62;
   Scene with_one_stop = scene;
   with_one_stop.stops.pop_back();
-  const auto orbit_in_the_scene = [] {
-    return find_periodic_orbit(scene, state_after_periods(scene, 20));
-  };
   expect_refused({
       {[&] { time_after(unforced, start(), 1); }, "omega = 0: a stroboscopic map needs a forcing"},
       {[&] { time_after(scene, start(), -most); }, "periods = -2147483647: must be at least 1"},
@@ -145,11 +131,6 @@ TEST(Refusals, OfOrbits) {
        },
        "derivative: 3 x 4 values given"},
       {[&] { TangentRecorder(scene, start(), Matrix(3, 1)); }, "columns"},
-      {by(scene, {}, 0), "columns: 0 given, fewer than the 1 parameters"},
-      {by(scene, {Kind::displacement, 1}), "displacement1: a change of the start"},
-      {by(scene, {Kind::velocity, 2}), "velocity2: a change of the start"},
-      {by(scene, {Kind::stop, 3}), "stop3: the scene has 2 stops"},
-      {by(unforced, {}), "omega = 0: changes at a fixed phase need a forcing period"},
       {[&] {
          TangentRecorder tangents(scene, start(), Matrix(4, 1));
          finish(tangents, start());
@@ -162,8 +143,6 @@ TEST(Refusals, OfOrbits) {
          tangents.finish({0, 10.0});
        },
        "tangents: finished already"},
-      {[] { orbit_change(scene, {}, {}); }, "orbit: has not converged"},
-      {[&] { orbit_change(scene, orbit_in_the_scene(), {}); }, "orbit: no parameters"},
       {[&] { TangentRecorder(scene, start(), huge); }, "columns: 4 rows given"},
       {[&] {
          TangentRecorder tangents(with_one_stop, start(), Matrix(4, 1));
@@ -175,49 +154,6 @@ TEST(Refusals, OfOrbits) {
          tangents.finish({-1, 0.0});
        },
        "in period -1: must not lie before the start"},
-      {[&] {
-         least_gap_change(scene, orbit_in_the_scene(), {{}, Matrix(4, 1), {}}, scene.stops[0]);
-       },
-       "change: 1 columns for 0 parameters"},
-  });
-}
-
-TEST(Refusals, OfCurves) {
-  const Parameter omega{Parameter::Kind::omega}, beta{Parameter::Kind::beta};
-  const BifurcationCurve nowhere{Bifurcation::grazing, scene, omega, beta, 9, 1},
-      good_one{Bifurcation::border_orbit, scene, omega, beta, 0, 1},
-      none{Bifurcation{99}, scene, omega, beta, 0, 1},
-      never{Bifurcation::border_orbit, scene, omega, beta, 0, 0};
-  const auto point = [](const BifurcationCurve &curve, const PlanePoint &guess) {
-    return [=] { point_of(curve, guess, {1.0, 0.0}, {}); };
-  };
-  const auto follow = [](const PlaneBox &box, int direction, const FollowOptions &options = {}) {
-    const CurvePoint at{{2.0, 0.0}, {1.0, 0.0}, 0.0, {}};
-    return [=] { follow_curve({}, at, box, direction, options); };
-  };
-  const PlaneBox good{0.0, 3.0, -1.0, 1.0};
-  expect_refused({
-      {[&] { corrector_of(nowhere); }, "stop 9: the scene has 2 stops"},
-      {[&] {
-         point_of(nowhere, {}, {1.0, 0.0}, start());
-       },
-       "stop 9: the scene has 2 stops"},
-      {follow({1.0, 1.0, 0.0, 1.0}, 1), "box from (1, 0) to (1, 1): must not be empty"},
-      {follow({0.0, 1.0, 0.0, 1.0}, 1), "start (2, 0): outside the box"},
-      {point(none, {0.3, 0.1}), "bifurcation = 99: there are 0 to 2"},
-      {point(never, {0.3, 0.1}), "periods = 0: must be at least 1"},
-      {point(good_one, {nan, 0.1}), "omega = nan: must be"},
-      {point(good_one, {0.3, 0.1}), "displacement: 0 values given"},
-      {[&] {
-         point_of(good_one, {0.3, 0.1}, {infinity, 0.0}, start());
-       },
-       "must be finite"},
-      {[] { name(CurveEnd{99}); }, "end of a curve = 99: there are 0 to 4"},
-      {follow(good, 1, {.step = infinity}), "to inf: must be positive, finite"},
-      {follow(good, 0), "direction = 0: must be 1 or -1"},
-      {follow(good, 1), "corrector: no function given"},
-      {follow(good, 1, {.step = 0.0}), "steps from 1e-06 to 0: must be positive"},
-      {follow(good, 1, {.turn = 0.0}), "turn = 0: must be positive"},
   });
 }
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "event_loop.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
+#include "vibro_impact/analysis/natural_modes.hpp"
 
 namespace vibro_impact::comparison {
 

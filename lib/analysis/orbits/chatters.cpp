@@ -1,40 +1,50 @@
 #include "vibro_impact/analysis/chatters.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <map>
 
 #include "simulation/for_analysis.hpp"
-#include "vibro_impact/analysis/locate.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
 std::vector<Chatter> chatters_of(const std::vector<Event> &events) {
   std::vector<Chatter> chatters;
-  std::map<int, std::size_t> open;  // by mass, where it is among them
+  std::map<int, std::size_t> under_way;  // the index of the chatter of a mass
   for (std::size_t k = 0; k < events.size(); ++k) {
     const Event &event = events[k];
-    const auto now = open.find(event.mass);
+    const auto latest = under_way.find(event.mass);
     if (event.kind != EventKind::impact) {
-      if (now == open.end()) continue;
-      chatters[now->second].complete = event.kind == EventKind::stick;
-      open.erase(now);
+      if (latest == under_way.end()) continue;
+      chatters[latest->second].complete = event.kind == EventKind::stick;
+      under_way.erase(latest);
       continue;
     }
-    if (now == open.end() || event.falling == 0 || chatters[now->second].stop != event.stop) {
-      open[event.mass] = chatters.size();
+    if (latest == under_way.end() || event.falling == 0 ||
+        chatters[latest->second].stop != event.stop) {
+      under_way[event.mass] = chatters.size();
       chatters.push_back({event.stop, {}});
     }
-    chatters[open[event.mass]].impacts.push_back(k);
+    chatters[under_way[event.mass]].impacts.push_back(k);
   }
   return chatters;
 }
 
-BorderChatter border_chatter(double r) {
-  require(r > 0.0 && r < 1.0, "restitution = ", r, ": a border chatter needs 0 < r < 1");
-  const auto balance = [r](double s) { return (3 - s) * (1 - s) * (1 - s) - r * (3 - 2 * s); };
-  const double s = zero(balance, 0.0, 1.0).value, q = 1 - s;
-  const double by_flight =
-      r * ((0.5 - 2 * s / 3) / (q * q) + 2 * (s / 2 - s * s / 3) / (q * q * q));
-  return {s, q, q * q, by_flight / (0.5 - s / 3)};
+int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
+  check(scene);
+  require_mass(mass, scene.masses());
+  require(settling >= 0, "settling = ", settling, ": must be non-negative");
+  require(periods >= 1, "periods = ", periods, ": must be at least 1");
+  require(periods <= std::numeric_limits<int>::max() - settling, "settling = ", settling,
+          " and periods = ", periods, ": more than an int can count");
+  const MotionState start = start_of(scene);
+  EventRecorder recorder{time_of({settling, 0.0}, Clock(scene.omega))};
+  const double until = time_after(scene, start, settling + periods);
+  require_complete(simulate_from(scene, start, until, {}, recorder));
+  return static_cast<int>(std::count_if(
+      recorder.events.begin(), recorder.events.end(),
+      [mass](const Event &event) { return event.kind == EventKind::stick && event.mass == mass; }));
 }
 
 }  // namespace vibro_impact

@@ -7,6 +7,7 @@
 
 #include "motion_state.hpp"
 #include "tolerances.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
@@ -14,39 +15,44 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A sticking phase of one mass, and a contact that either grazes or hits.
-struct HeldPhase {
+// A sticking phase of one mass. A bound that the record does not contain is infinite.
+struct StickingPhase {
   int mass;
   double from, to;
 };
+
+// A contact that either grazes or hits.
 struct TimedContact {
   int mass;
   double time;
   bool grazing;
 };
 
-// Masses that stick as the record begins.
-std::vector<HeldPhase> phases_at_the_start(const std::vector<PressedEvent> &events) {
-  std::vector<HeldPhase> phases;
+// The phases under way as the record begins: those of the masses released at the first instant, and
+// of the masses held after it. One of the latter may have come to stick there (sticking_phases_in).
+std::vector<StickingPhase> phases_under_way(const std::vector<PressedEvent> &events) {
+  std::vector<StickingPhase> phases;
   if (events.empty()) return phases;
   const Event &first = events.front().event;
+  for (const auto &[event, press] : events)
+    if (event.time == first.time && event.kind == EventKind::release)
+      phases.push_back({event.mass, -infinity, infinity});
   for (std::size_t i = 0; i < first.held.size(); ++i)
     if (first.held[i] != 0) phases.push_back({static_cast<int>(i) + 1, -infinity, infinity});
-  if (first.kind == EventKind::release) phases.push_back({first.mass, -infinity, infinity});
   return phases;
 }
 
-std::vector<HeldPhase> held_phases(const std::vector<PressedEvent> &events) {
-  std::vector<HeldPhase> phases = phases_at_the_start(events);
-  for (const PressedEvent &pressed : events) {
-    const Event &event = pressed.event;
-    const auto open = std::find_if(phases.begin(), phases.end(), [&](const HeldPhase &phase) {
-      return phase.mass == event.mass && phase.to == infinity;
+std::vector<StickingPhase> sticking_phases_in(const std::vector<PressedEvent> &events) {
+  std::vector<StickingPhase> phases = phases_under_way(events);
+  for (const auto &[event, press] : events) {
+    const int mass = event.mass;
+    const auto open = std::find_if(phases.begin(), phases.end(), [mass](const auto &phase) {
+      return phase.mass == mass && phase.to == infinity;
     });
     if (event.kind == EventKind::stick) {
       if (open == phases.end())
-        phases.push_back({event.mass, event.time, infinity});
-      else  // it came to stick with the first event
+        phases.push_back({mass, event.time, infinity});
+      else  // the mass came to stick at the first instant
         open->from = event.time;
     } else if (event.kind == EventKind::release && open != phases.end()) {
       open->to = event.time;
@@ -55,8 +61,9 @@ std::vector<HeldPhase> held_phases(const std::vector<PressedEvent> &events) {
   return phases;
 }
 
-// A slow contact is grazing only when the mass is pulled off the stop: the slow impacts of a late
-// chatter are pressed into it, those about an equilibrium at the stop (Figure 5(c)) are neither.
+// A slow contact is grazing only when the mass is pulled off the stop. In the slow impacts of a
+// late chatter the mass is pressed into it; in those about an equilibrium at the stop (Figure 5(c))
+// the force is zero to rounding.
 std::vector<TimedContact> timed_contacts(const std::vector<PressedEvent> &events) {
   std::vector<TimedContact> contacts;
   for (const auto &[event, press] : events)
@@ -66,22 +73,22 @@ std::vector<TimedContact> timed_contacts(const std::vector<PressedEvent> &events
   return contacts;
 }
 
-bool contains(const HeldPhase &phase, double time) {
+bool contains(const StickingPhase &phase, double time) {
   return phase.from - time <= simultaneous && time - phase.to <= simultaneous;
 }
 
-bool sticks_at(int mass, double time, const std::vector<HeldPhase> &phases) {
-  return std::any_of(phases.begin(), phases.end(), [&](const HeldPhase &phase) {
+bool sticks_at(int mass, double time, const std::vector<StickingPhase> &phases) {
+  return std::any_of(phases.begin(), phases.end(), [&](const StickingPhase &phase) {
     return phase.mass == mass && contains(phase, time);
   });
 }
 
-// A pair of equals: the masses in order.
+// A pair of two events of one kind has its masses in order.
 PairedEvents pair_of(EventPair kind, int one, int another, double from, double to) {
   return {kind, std::min(one, another), std::max(one, another), from, to};
 }
 
-void pair_phases(const std::vector<HeldPhase> &phases, std::vector<PairedEvents> &pairs) {
+void pair_phases(const std::vector<StickingPhase> &phases, std::vector<PairedEvents> &pairs) {
   for (auto a = phases.begin(); a != phases.end(); ++a)
     for (auto b = a + 1; b != phases.end(); ++b) {
       const double from = std::max(a->from, b->from), to = std::min(a->to, b->to);
@@ -91,10 +98,10 @@ void pair_phases(const std::vector<HeldPhase> &phases, std::vector<PairedEvents>
 }
 
 void pair_contacts_with_phases(const std::vector<TimedContact> &contacts,
-                               const std::vector<HeldPhase> &phases,
+                               const std::vector<StickingPhase> &phases,
                                std::vector<PairedEvents> &pairs) {
   for (const auto &[mass, time, grazing] : contacts)
-    for (const HeldPhase &phase : phases) {
+    for (const StickingPhase &phase : phases) {
       if (phase.mass == mass || !contains(phase, time)) continue;
       if (grazing)
         pairs.push_back({EventPair::grazing_sticking, mass, phase.mass, time, time});
@@ -107,12 +114,12 @@ PairedEvents pair_of(const TimedContact &a, const TimedContact &b) {
   if (a.grazing == b.grazing)
     return pair_of(a.grazing ? EventPair::dual_grazing : EventPair::double_impact, a.mass, b.mass,
                    a.time, b.time);
-  const auto [grazing, hitting] = a.grazing ? std::pair(a.mass, b.mass) : std::pair(b.mass, a.mass);
+  const int grazing = a.grazing ? a.mass : b.mass, hitting = a.grazing ? b.mass : a.mass;
   return {EventPair::grazing_impact, grazing, hitting, a.time, b.time};
 }
 
-void pair_contacts(const std::vector<TimedContact> &contacts, const std::vector<HeldPhase> &phases,
-                   std::vector<PairedEvents> &pairs) {
+void pair_contacts(const std::vector<TimedContact> &contacts,
+                   const std::vector<StickingPhase> &phases, std::vector<PairedEvents> &pairs) {
   for (auto a = contacts.begin(); a != contacts.end(); ++a)
     for (auto b = a + 1; b != contacts.end() && b->time - a->time <= simultaneous; ++b)
       if (a->mass != b->mass && !sticks_at(a->mass, b->time, phases) &&
@@ -120,9 +127,9 @@ void pair_contacts(const std::vector<TimedContact> &contacts, const std::vector<
         pairs.push_back(pair_of(*a, *b));
 }
 
-// In order of time; a contact within the tolerance of two phases of one mass pairs with that mass
-// once.
-void sort_once_each(std::vector<PairedEvents> &pairs) {
+// Sorts the pairs by time and removes repeated ones: a contact within the tolerance of two phases
+// of one mass pairs with that mass once.
+void sort_and_unite(std::vector<PairedEvents> &pairs) {
   const auto key = [](const PairedEvents &pair) {
     return std::tuple(pair.from, pair.to, pair.kind, pair.mass, pair.other);
   };
@@ -150,13 +157,13 @@ void PressedEventRecorder::event(const Event &event, const Moment &moment) {
 }
 
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {
-  const std::vector<HeldPhase> phases = held_phases(events);
+  const std::vector<StickingPhase> phases = sticking_phases_in(events);
   const std::vector<TimedContact> contacts = timed_contacts(events);
   std::vector<PairedEvents> pairs;
   pair_phases(phases, pairs);
   pair_contacts_with_phases(contacts, phases, pairs);
   pair_contacts(contacts, phases, pairs);
-  sort_once_each(pairs);
+  sort_and_unite(pairs);
   return pairs;
 }
 

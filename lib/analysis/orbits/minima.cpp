@@ -5,45 +5,46 @@
 #include <utility>
 #include <vector>
 
-#include "change_flow.hpp"
 #include "motion_state.hpp"
 #include "tolerances.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
-// What is zero at a bifurcation, where it is defined, and its time derivative.
+// A function of the state where it is defined, and its time derivative.
 struct Quantity {
   std::function<bool(const MotionState &)> defined;
   std::function<double(const MotionState &)> value, rate;
 };
 
-// Where the quantity falls, and whether it rises at the next node. Nodes are the events, on both
-// sides of which the motion is looked at, and uniform times close enough for the fastest mode.
-struct MinimumRecorder {
+// A time without events in which the quantity falls at first and rises at the end.
+struct Bracket {
+  MotionState start;
+  double length, rate_at_end;
+};
+
+// Finds the brackets between neighbouring nodes: the events, with the motion before and after each,
+// and uniform times that are close enough for the fastest mode.
+struct BracketRecorder {
   const Scene &scene;
   const Quantity &quantity;
   Held held;
   double from, to, every;
-  std::size_t asked = 0;
+  std::size_t taken = 0;
   std::optional<MotionState> falling = {};
-  struct Bracket {
-    MotionState start;
-    double length;
-    bool rises;  // at its end
-  };
   std::vector<Bracket> brackets = {};
 
   double next_time() const {
-    return sample_time(from, to, every, asked);
+    return sample_time(from, to, every, taken);
   }
   void sample(const Moment &moment) {
-    ++asked;
-    const MotionState at = state_at(moment, held);
-    node(at, at);
+    ++taken;
+    const MotionState state = state_at(moment, held);
+    node(state, state);
   }
   void event(const Event &event, const Moment &moment) {
     MotionState before = state_at(moment, held);
@@ -53,51 +54,42 @@ struct MinimumRecorder {
     node(before, state_at(moment, held));
   }
   void node(const MotionState &before, const MotionState &after) {
-    if (falling && quantity.defined(before))
-      brackets.push_back({*falling, elapsed(falling->instant, before.instant, Clock(scene.omega)),
-                          quantity.rate(before) > 0.0});
+    if (falling && quantity.defined(before) && quantity.rate(before) > 0.0) {
+      const double length = elapsed(falling->instant, before.instant, Clock(scene.omega));
+      brackets.push_back({*falling, length, quantity.rate(before)});
+    }
     falling.reset();
     if (quantity.defined(after) && quantity.rate(after) < 0.0) falling = after;
   }
 };
 
-// The motion later, no event in between.
-MotionState flown(const Scene &scene, const MotionState &from, double time) {
-  PlainMotion motion{view(from.displacement), view(from.velocity)};
-  Eigen::MatrixXd none(2 * motion.displacement.size(), 0);
-  carry(scene, {}, from.held, from.instant.phase, time, motion, none);
-  return {later(from.instant, time, Clock(scene.omega)),
-          {motion.displacement.begin(), motion.displacement.end()},
-          {motion.velocity.begin(), motion.velocity.end()},
-          from.held};
+// The motion from the start of a bracket, a time later. Only stops that hold a mass take part, so
+// that rounding cannot bring the event at the end of the bracket forward.
+MotionState moved(Scene scene, const MotionState &start, double time) {
+  const auto idle = [&start](const Stop &stop) { return !holds(stop, start.held); };
+  scene.stops.erase(std::remove_if(scene.stops.begin(), scene.stops.end(), idle),
+                    scene.stops.end());
+  const double until = time_of(start.instant, Clock(scene.omega)) + time;
+  return require_complete(simulate_from(scene, start, until)).state;
 }
 
-// Where the rate is largest between two nodes at which it is negative, if there: a minimum and a
-// maximum may lie between them.
-std::optional<double> largest_between(const std::function<double(double)> &rate, double length) {
-  const double step = curvature_step * length;
-  const auto bend = [&](double time) { return rate(time + step) - rate(time); };
-  if (!(bend(0.0) > 0.0 && bend(length - step) < 0.0)) return std::nullopt;
-  return zero(bend, 0.0, length - step).value + 0.5 * step;
-}
-
-// Least interior local minimum over one period from `start`: the zero of the rate between nodes.
 std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
                                         const Quantity &quantity) {
-  start.instant.cycle = 0;  // times are then exact phases; to the motion all cycles are the same
-  const double from = start.instant.phase, period = Clock(scene.omega).period,
-               every = std::min(period / 64.0, 0.125 / rate_of(scene));
-  require(period <= 1e8 * every, "rate = ", rate_of(scene),
+  start.instant.cycle = 0;  // times are then exact phases; the motion is the same in all periods
+  const double from = start.instant.phase, period = Clock(scene.omega).period;
+  const double every = std::min(period / fewest_nodes, node_distance / rate_of(scene));
+  require(period <= most_nodes * every, "rate = ", rate_of(scene),
           ": too fast to look at a whole forcing period of ", period);
-  MinimumRecorder nodes{scene, quantity, start.held, from, from + period, every};
+  BracketRecorder nodes{scene, quantity, start.held, from, from + period, every};
   stroboscopic_map(scene, start, 1, {}, nodes);
   std::optional<LeastValue> least;
-  for (const auto &[at, length, rises] : nodes.brackets) {
-    const auto rate = [&, &node = at](double t) { return quantity.rate(flown(scene, node, t)); };
-    const std::optional<double> until =
-        rises ? std::optional(length) : largest_between(rate, length);
-    if (!until || !(rate(*until) > 0.0)) continue;  // at the node itself, to rounding
-    MotionState lowest = flown(scene, at, zero(rate, 0.0, *until).value);
+  for (const Bracket &bracket : nodes.brackets) {
+    const auto rate = [&](double time) {
+      if (time <= 0.0) return quantity.rate(bracket.start);
+      if (time >= bracket.length) return bracket.rate_at_end;
+      return quantity.rate(moved(scene, bracket.start, time));
+    };
+    MotionState lowest = moved(scene, bracket.start, zero(rate, 0.0, bracket.length).value);
     const double value = quantity.value(lowest);
     if (!least || value < least->value) least = {value, std::move(lowest)};
   }
@@ -111,7 +103,7 @@ std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionS
   require_stop(scene, stop);
   return least_minimum(
       scene, start,
-      {[&](const MotionState &at) { return holds(stop, at.held); },  // not at the stop across
+      {[&](const MotionState &at) { return holds(stop, at.held); },
        [&](const MotionState &at) { return pressing_force(scene, stop, at); },
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
 }

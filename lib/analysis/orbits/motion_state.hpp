@@ -1,12 +1,14 @@
-// The state of a motion as the analysis takes it: what must hold of it and of a stop, from a moment
-// of a run, by its coordinates; vectors and matrices of the public headers as Eigen sees them.
+// States and stops as the analysis takes them: what they must fulfil, a state at a moment of a run,
+// and the vectors and matrices of the public headers as Eigen sees them.
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "simulation/for_analysis.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
+#include "vibro_impact/analysis/matrix.hpp"
+#include "vibro_impact/record.hpp"
 
 namespace vibro_impact {
 
@@ -27,7 +29,7 @@ inline Matrix matrix_of(const Eigen::MatrixXd &from) {
   return matrix;
 }
 
-// Of a stop that the scene need not contain.
+// The scene need not contain the stop.
 inline void require_stop(const Scene &scene, const Stop &stop) {
   check(scene);
   require_mass(stop.mass, scene.masses());
@@ -43,7 +45,7 @@ inline void require_held(const Scene &scene, const Held &held) {
   for (const int how : held) require(how >= -1 && how <= 1, "held = ", how, ": must be -1, 0 or 1");
 }
 
-// Of what is worked out from a state itself; a run checks its start.
+// A run checks its start by itself; functions of a state have to.
 inline void require_fits(const Scene &scene, const MotionState &at) {
   const std::size_t n = scene.mass.size();
   require(at.displacement.size() == n, "displacement: ", at.displacement.size(),
@@ -53,6 +55,7 @@ inline void require_fits(const Scene &scene, const MotionState &at) {
   require_held(scene, at.held);
 }
 
+// The state at a moment of a run in this contact mode.
 inline MotionState state_at(const Moment &moment, const Held &held) {
   MotionState at{moment.instant, {}, {}, held};
   for (int mass = 1; mass <= moment.masses(); ++mass) {
@@ -62,32 +65,9 @@ inline MotionState state_at(const Moment &moment, const Held &held) {
   return at;
 }
 
-// Row `row` of (x_1 .. x_N, x_1' .. x_N').
-inline double &coordinate(MotionState &at, std::size_t row) {
-  const std::size_t n = at.held.size();
-  return row < n ? at.displacement[row] : at.velocity[row - n];
-}
-
+// True where the contact mode holds a mass at this stop.
 inline bool holds(const Stop &stop, const Held &held) {
   return held[static_cast<std::size_t>(stop.mass - 1)] == static_cast<signed char>(stop.side);
-}
-
-// Held masses at rest at their stops, which may not be quite where they were.
-inline void hold_at_stops(const Scene &scene, MotionState &at) {
-  for (const Stop &stop : scene.stops) {
-    if (!holds(stop, at.held)) continue;
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    at.displacement[i] = stop.position;
-    at.velocity[i] = 0.0;
-  }
-}
-
-// (x', x'') of all masses; the stops do not enter.
-inline Eigen::VectorXd vector_field(const Scene &scene, const MotionState &at) {
-  const std::vector<double> a = acceleration(scene, at);
-  Eigen::VectorXd f(2 * static_cast<Eigen::Index>(a.size()));
-  f << view(at.velocity), view(a);
-  return f;
 }
 
 }  // namespace vibro_impact

@@ -12,21 +12,25 @@ namespace {
 
 using Kind = Parameter::Kind;
 
+// The word for a kind of parameter, and where its numbers stand: in the scene itself (named without
+// an index), in a vector with one entry per mass, or in the stops (named with an index).
 struct Word {
   std::string_view word;
-  bool bare, indexed;  // may stand without an index, with one
+  double Scene::*scalar = nullptr;
+  std::vector<double> Scene::*of_masses = nullptr;
+  bool of_stops = false;
 };
 
-// In the order of the kinds.
-constexpr std::array<Word, 9> words{{{"omega", true, false},
-                                     {"beta", true, false},
-                                     {"restitution", true, true},
-                                     {"stop", false, true},
-                                     {"amplitude", false, true},
-                                     {"mass", false, true},
-                                     {"stiffness", false, true},
-                                     {"displacement", false, true},
-                                     {"velocity", false, true}}};
+// In the order of Parameter::Kind.
+constexpr std::array<Word, 9> words{{{"omega", &Scene::omega},
+                                     {"beta", &Scene::beta},
+                                     {"restitution", &Scene::restitution, nullptr, true},
+                                     {"stop", nullptr, nullptr, true},
+                                     {"amplitude", nullptr, &Scene::amplitude},
+                                     {"mass", nullptr, &Scene::mass},
+                                     {"stiffness", nullptr, &Scene::stiffness},
+                                     {"displacement", nullptr, &Scene::displacement},
+                                     {"velocity", nullptr, &Scene::velocity}}};
 
 const Word &word_of(const Parameter &parameter) {
   const auto kind = static_cast<std::size_t>(parameter.kind);
@@ -36,7 +40,8 @@ const Word &word_of(const Parameter &parameter) {
 }
 
 bool has_form(const Word &word, int index) {
-  return index == 0 ? word.bare : word.indexed && index > 0;
+  if (index == 0) return word.scalar != nullptr;
+  return index > 0 && (word.of_masses != nullptr || word.of_stops);
 }
 
 // Entry `index` (from 1) of a vector with one entry per mass, which may have been left empty.
@@ -55,36 +60,18 @@ Stop &stop_of(Scene &scene, const Parameter &parameter) {
   return scene.stops[static_cast<std::size_t>(parameter.index - 1)];
 }
 
-// The scalar itself, written out in the scene.
+// The number itself. Where the scene leaves it out, it is written out first.
 double &value_of(Scene &scene, const Parameter &parameter) {
+  const Word &word = word_of(parameter);
   require(
-      has_form(word_of(parameter), parameter.index), name(parameter), ": ",
+      has_form(word, parameter.index), name(parameter), ": ",
       parameter.index == 0 ? "needs the number of a mass, link or stop" : "no such number of it");
-  switch (parameter.kind) {
-    case Kind::omega:
-      return scene.omega;
-    case Kind::beta:
-      return scene.beta;
-    case Kind::restitution: {
-      if (parameter.index == 0) return scene.restitution;
-      auto &own = stop_of(scene, parameter).restitution;
-      if (!own) own = scene.restitution;
-      return *own;
-    }
-    case Kind::stop:
-      return stop_of(scene, parameter).position;
-    case Kind::amplitude:
-      return of_mass(scene.amplitude, scene, parameter);
-    case Kind::mass:
-      return of_mass(scene.mass, scene, parameter);
-    case Kind::stiffness:
-      return of_mass(scene.stiffness, scene, parameter);
-    case Kind::displacement:
-      return of_mass(scene.displacement, scene, parameter);
-    case Kind::velocity:
-      break;
-  }
-  return of_mass(scene.velocity, scene, parameter);
+  if (parameter.index == 0) return scene.*word.scalar;
+  if (word.of_masses != nullptr) return of_mass(scene.*word.of_masses, scene, parameter);
+  Stop &stop = stop_of(scene, parameter);
+  if (parameter.kind == Kind::stop) return stop.position;
+  if (!stop.restitution) stop.restitution = scene.restitution;
+  return *stop.restitution;
 }
 
 }  // namespace

@@ -7,46 +7,64 @@
 #include <limits>
 
 #include "motion_state.hpp"
-#include "tolerances.hpp"
 #include "vibro_impact/analysis/tangent.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
-// The guess in this scene, which may not be quite the one it was found in: its phase within the
-// period, and held masses at rest at their stops.
-MotionState moved_into(const Scene &scene, MotionState guess) {
+// The state in this scene, which may not be quite the one it was found in: its phase lies within
+// the period, and held masses are at rest at their stops.
+MotionState moved_into(const Scene &scene, MotionState state) {
   check(scene);
-  require_fits(scene, guess);
-  guess.instant = later({guess.instant.cycle, 0.0}, guess.instant.phase, Clock(scene.omega));
-  hold_at_stops(scene, guess);
-  return guess;
+  require_fits(scene, state);
+  state.instant = later({state.instant.cycle, 0.0}, state.instant.phase, Clock(scene.omega));
+  for (const Stop &stop : scene.stops) {
+    if (!holds(stop, state.held)) continue;
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    state.displacement[i] = stop.position;
+    state.velocity[i] = 0.0;
+  }
+  return state;
 }
 
 double largest_component(const Eigen::VectorXd &vector) {
   return vector.size() == 0 ? 0.0 : vector.cwiseAbs().maxCoeff();
 }
 
-// One iterate of Newton's method: the map there, P(z) - z, and the step to the next iterate.
+// One iterate z of Newton's method: the map there, P(z) - z, and the step to the next iterate.
 struct Iterate {
   StroboscopicImage image;
   Eigen::VectorXd residual, step;
-  bool usable = false;  // it returns in the contact mode it has, with finite numbers
+  std::string why_not_usable;  // empty: it returns in its own contact mode, with finite numbers
 };
 
 Iterate evaluate(const Scene &scene, const MotionState &at, int periods) {
-  Iterate iterate{stroboscopic_map_and_derivative(scene, at, periods), {}, {}};
-  if (iterate.image.state.held != at.held) return iterate;
+  Iterate iterate{stroboscopic_map_and_derivative(scene, at, periods), {}, {}, {}};
+  if (iterate.image.state.held != at.held) {
+    iterate.why_not_usable =
+        line("returns with other masses held (", contact_mode_name(iterate.image.state.held),
+             ") than it starts with (", contact_mode_name(at.held), ")");
+    return iterate;
+  }
   const std::vector<std::size_t> free = free_coordinates(at.held);
   const auto unknowns = static_cast<Eigen::Index>(free.size());
   iterate.residual = (view(coordinates(iterate.image.state)) - view(coordinates(at)))(free);
   const Eigen::MatrixXd derivative = view(iterate.image.derivative)(free, free);
-  iterate.usable = iterate.residual.allFinite() && derivative.allFinite();
-  if (!iterate.usable || unknowns == 0) return iterate;
-  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(unknowns, unknowns) - derivative;
-  iterate.step = matrix.partialPivLu().solve(iterate.residual);
+  if (!iterate.residual.allFinite() || !derivative.allFinite())
+    iterate.why_not_usable = "the map or its derivative is not finite";
+  else if (unknowns > 0)
+    iterate.step = (Eigen::MatrixXd::Identity(unknowns, unknowns) - derivative)
+                       .partialPivLu()
+                       .solve(iterate.residual);
   return iterate;
+}
+
+void take_step(const Eigen::VectorXd &step, MotionState &at) {
+  const std::size_t n = at.held.size();
+  Eigen::Index k = 0;
+  for (const std::size_t row : free_coordinates(at.held))
+    (row < n ? at.displacement[row] : at.velocity[row - n]) += step(k++);
 }
 
 // True when every free mass stands clear of its stops.
@@ -83,31 +101,21 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 }
 
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
-                                                  int periods, const RunOptions &options,
-                                                  const std::vector<Parameter> &by) {
+                                                  int periods, const RunOptions &options) {
   const double until = time_after(scene, start, periods);
   const std::vector<std::size_t> free = free_coordinates(start.held);
   const std::size_t n = start.held.size();
-  Matrix columns(2 * n, free.size() + by.size());
+  Matrix columns(2 * n, free.size());
   for (std::size_t k = 0; k < free.size(); ++k) columns(free[k], k) = 1.0;
-  TangentRecorder tangents(scene, start, columns, {.by = by});
-  RunOptions closer = options;
-  closer.chatter_tolerance *= tangents_to_motion;
-  const Outcome end = simulate_from(scene, start, until, closer, tangents);
-  const ChangesAtEnd at_end = tangents.finish(require_complete(end).state.instant);
-  StroboscopicImage image{end.state,
-                          Matrix(2 * n, 2 * n),
-                          Matrix(2 * n, by.size()),
-                          at_end.differentiable,
-                          at_end.chatter_error,
-                          end.counters};
+  TangentRecorder recorder(scene, start, columns);
+  const Outcome end = simulate_from(scene, start, until, options, recorder);
+  const TangentsAtEnd at_end = recorder.finish(require_complete(end).state.instant);
+  StroboscopicImage image{end.state, Matrix(2 * n, 2 * n), at_end.differentiable,
+                          at_end.chatter_error, end.counters};
   image.state.instant = start.instant;
-  const Matrix &tangent = at_end.changes;
-  for (std::size_t i = 0; i < 2 * n; ++i) {
-    for (std::size_t k = 0; k < free.size(); ++k) image.derivative(i, free[k]) = tangent(i, k);
-    for (std::size_t k = 0; k < by.size(); ++k)
-      image.by_parameters(i, k) = tangent(i, free.size() + k);
-  }
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    for (std::size_t k = 0; k < free.size(); ++k)
+      image.derivative(i, free[k]) = at_end.tangents(i, k);
   return image;
 }
 
@@ -166,47 +174,45 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
   PeriodicOrbit orbit;
   orbit.periods = periods;
   MotionState at = orbit.state = moved_into(scene, guess);
+  double best = std::numeric_limits<double>::infinity();
   const auto ended = [&orbit](std::string why) {
     orbit.why_not = std::move(why);
     return orbit;
   };
-  double best = std::numeric_limits<double>::infinity();
   for (int iteration = 0;; ++iteration) {
     const Iterate iterate = evaluate(scene, at, periods);
-    if (iterate.image.state.held != at.held)
-      return ended(line("iterate ", iteration, ": returns with other masses held (",
-                        contact_mode_name(iterate.image.state.held), ") than it starts with (",
-                        contact_mode_name(at.held), ")"));
+    if (!iterate.why_not_usable.empty())
+      return ended(line("iterate ", iteration, ": ", iterate.why_not_usable));
     const double size = largest_component(iterate.residual);
     orbit.residuals.push_back(size);
-    if (!iterate.usable)
-      return ended(line("iterate ", iteration, ": the map or its derivative is not finite"));
     if (size < best) {
       best = size;
       orbit.state = at;
       orbit.multipliers = floquet_multipliers(iterate.image.derivative, at.held);
     }
-    const double scale = std::max(1.0, largest_component(view(coordinates(at))));
-    orbit.converged = size <= options.tolerance * scale;
+    const double allowed =
+        options.tolerance * std::max(1.0, largest_component(view(coordinates(at))));
+    orbit.converged = size <= allowed;
     if (orbit.converged) return orbit;
     if (iteration == options.max_iterations)
-      return ended(line("residual = ", best, " after ", iteration, " iterations: above ",
-                        options.tolerance * scale));
+      return ended(line("residual = ", best, " after ", iteration, " iterations: above ", allowed));
     if (!iterate.step.allFinite())
       return ended(line("iterate ", iteration, ": a Floquet multiplier is 1, no step leads on"));
-    Eigen::Index k = 0;
-    for (const std::size_t row : free_coordinates(at.held))
-      coordinate(at, row) += iterate.step(k++);
+    take_step(iterate.step, at);
     if (!admissible(scene, at))
       return ended(line("iterate ", iteration + 1, ": a mass is beyond its stop"));
   }
 }
 
-MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods, int settling) {
-  const PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods);
-  if (orbit.converged) return orbit.state;
-  const int whole = std::max(periods, settling - settling % periods);
-  return stroboscopic_map(scene, moved_into(scene, seed), whole).state;
+std::optional<MotionState> orbit_near(const Scene &scene, const MotionState &seed, int periods,
+                                      int settling) {
+  PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods);
+  if (!orbit.converged) {
+    const MotionState later = stroboscopic_map(scene, moved_into(scene, seed), settling).state;
+    orbit = find_periodic_orbit(scene, at_quiet_phase(scene, later), periods);
+  }
+  if (!orbit.converged) return std::nullopt;
+  return orbit.state;
 }
 
 }  // namespace vibro_impact

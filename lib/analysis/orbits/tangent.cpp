@@ -1,118 +1,257 @@
-#include <utility>
+#include "vibro_impact/analysis/tangent.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "chatter_extrapolation.hpp"
 #include "motion_state.hpp"
-#include "tangents.hpp"
 #include "tolerances.hpp"
+#include "vibro_impact/analysis/natural_modes.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
-void TangentRecorder::Tangents::event(const Event &event, const Moment &moment) {
-  if (!group.empty() && group.front().instant < event.instant) close();
-  if (group.empty()) carry_to(event.instant);
-  at = state_at(moment, held);
-  if (group.empty()) velocity_before = at.velocity;
-  // All impacts of an instant have been applied when the first of them is told.
-  if (event.kind == EventKind::impact) {
-    const auto hit = static_cast<std::size_t>(event.mass - 1);
-    velocity_before[hit] = event.velocity_before;
-    at.velocity[hit] = event.velocity_after;
+namespace {
+
+// Moves tangents through a flight in one contact mode. In modal coordinates they obey
+// y'' + beta lambda y' + lambda y = 0.
+class TangentFlow {
+ public:
+  TangentFlow(const Scene &scene, const Held &held)
+      : beta_(scene.beta), modes_(natural_modes(scene, held)), shape_(view(modes_.shape)) {
+    to_modal_ = shape_.transpose() * view(scene.mass).asDiagonal();
   }
-  group.push_back(event);
-}
 
-void TangentRecorder::Tangents::finish(const Instant &end) {
-  if (!group.empty()) close();
-  carry_to(end);
-}
-
-Row TangentRecorder::Tangents::ones(Parameter::Kind kind, std::size_t index) const {
-  return columns_of(scene, options.by, kind, index, changes.cols());
-}
-
-// A held mass moves with its stop.
-void TangentRecorder::Tangents::hold(Eigen::MatrixXd &columns, const Held &mode) const {
-  for (std::size_t s = 0; s < scene.stops.size(); ++s) {
-    const auto row = static_cast<Eigen::Index>(scene.stops[s].mass - 1);
-    if (!holds(scene.stops[s], mode)) continue;
-    columns.row(row) = ones(Parameter::Kind::stop, s + 1);
-    columns.row(masses() + row).setZero();
+  void move(Eigen::MatrixXd &tangents, double time) const {
+    const Eigen::Index n = shape_.rows();
+    Eigen::MatrixXd y = to_modal_ * tangents.topRows(n), dy = to_modal_ * tangents.bottomRows(n);
+    for (Eigen::Index j = 0; j < y.rows(); ++j) {
+      const double lambda = modes_.lambda[static_cast<std::size_t>(j)];
+      const OscillatorState of_value = free_response(beta_ * lambda, lambda, {1.0, 0.0}, time);
+      const OscillatorState of_slope = free_response(beta_ * lambda, lambda, {0.0, 1.0}, time);
+      const Eigen::RowVectorXd value = y.row(j), slope = dy.row(j);
+      y.row(j) = of_value.value * value + of_slope.value * slope;
+      dy.row(j) = of_value.slope * value + of_slope.slope * slope;
+    }
+    tangents << shape_ * y, shape_ * dy;
   }
-}
 
-// A short time always by the series: modal coordinates would lose the small change of a chattering
-// mass beside the others.
-void TangentRecorder::Tangents::carry_all(const Held &mode, const Instant &from, double tau,
-                                          PlainMotion &with, Eigen::MatrixXd &columns) {
-  const auto &of_mode = modes.enter(unforced, mode, counters);
-  if (of_mode.fastest * tau < short_flight)
-    return carry(scene, options.by, mode, from.phase, tau, with, columns);
-  Eigen::MatrixXd by_start = columns.leftCols(columns.cols() - parameters()),
-                  by_parameters = columns.rightCols(parameters());
-  carry_by_modes(of_mode, tau, by_start);
-  if (!options.by.empty()) carry(scene, options.by, mode, from.phase, tau, with, by_parameters);
-  columns << by_start, by_parameters;
-}
+ private:
+  double beta_;
+  NaturalModes modes_;
+  Eigen::MatrixXd shape_, to_modal_;
+};
 
-void TangentRecorder::Tangents::carry_to(const Instant &instant) {
-  carry_all(held, now, elapsed(now, instant, clock), motion, changes);
-  now = instant;
-}
+}  // namespace
+
+// The tangents, carried from instant to instant. The events of one instant are gathered in `group_`
+// until a later event, or the end, shows that they are complete.
+class TangentRecorder::Tangents {
+ public:
+  Tangents(const Scene &scene, const MotionState &start, const Matrix &columns)
+      : scene_(scene),
+        clock_(scene.omega),
+        start_(start.instant),
+        now_(start.instant),
+        held_(start.held),
+        tangents_(view(columns)) {
+  }
+
+  void event(const Event &event, const Moment &moment) {
+    require(event.stop < scene_.stops.size() && scene_.stops[event.stop].mass == event.mass &&
+                moment.masses() == scene_.masses(),
+            "tangents: an event at stop ", event.stop, " of mass ", event.mass, " of ",
+            moment.masses(), ": not of the scene they were made for");
+    if (!group_.empty() && group_.front().instant < event.instant) apply_group();
+    if (group_.empty()) carry_to(event.instant);
+    state_ = state_at(moment, held_);
+    if (group_.empty()) velocity_before_ = state_.velocity;
+    // The moment of the first impact of an instant has the velocities after all of them.
+    if (event.kind == EventKind::impact) {
+      const auto mass = static_cast<std::size_t>(event.mass - 1);
+      velocity_before_[mass] = event.velocity_before;
+      state_.velocity[mass] = event.velocity_after;
+    }
+    group_.push_back(event);
+  }
+
+  TangentsAtEnd finish(const Instant &end) {
+    require(end.phase >= 0.0 && end.phase < clock_.period &&
+                static_cast<double>(end.cycle) <= most_periods &&
+                elapsed(start_, end, clock_) >= 0.0,
+            "tangents: an end at phase ", end.phase, " in period ", end.cycle,
+            ": must not lie before the start");
+    if (!group_.empty()) apply_group();
+    carry_to(end);
+    return {matrix_of(tangents_), differentiable_, chatter_error_};
+  }
+
+ private:
+  // An impact of a chatter, and the tangents just after it with the mass held from then on.
+  struct Node {
+    Instant instant;
+    Eigen::MatrixXd tangents;
+  };
+
+  // Consecutive impacts at one stop, each slower than the one before, and nothing else in between.
+  struct Sequence {
+    std::size_t stop = 0;
+    std::vector<Node> nodes = {};
+  };
+
+  Scene scene_;
+  Clock clock_;
+  Instant start_, now_;
+  Held held_;  // before the events of the group
+  Eigen::MatrixXd tangents_;
+  std::map<Held, TangentFlow> flows_ = {};
+  bool differentiable_ = true;
+  double chatter_error_ = 0.0;
+  std::vector<Event> group_ = {};
+  MotionState state_ = {};                    // after the events of the group
+  std::vector<double> velocity_before_ = {};  // before them
+  Sequence sequence_ = {};
+
+  void carry(const Held &held, double time, Eigen::MatrixXd &tangents) {
+    if (!(time > 0.0)) return;
+    flows_.try_emplace(held, scene_, held).first->second.move(tangents, time);
+  }
+
+  void carry_to(const Instant &instant) {
+    carry(held_, elapsed(now_, instant, clock_), tangents_);
+    now_ = instant;
+  }
+
+  // A held mass has no freedom.
+  static void hold(Eigen::MatrixXd &tangents, const Held &held) {
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      if (held[i] == 0) continue;
+      tangents.row(static_cast<Eigen::Index>(i)).setZero();
+      tangents.row(static_cast<Eigen::Index>(held.size() + i)).setZero();
+    }
+  }
+
+  // (x', x'') where the masses are now, in a contact mode and at velocities of its own.
+  Eigen::VectorXd vector_field(const Held &held, const std::vector<double> &velocity) const {
+    const MotionState state{state_.instant, state_.displacement, velocity, held};
+    const std::vector<double> a = acceleration(scene_, state);
+    Eigen::VectorXd field(2 * static_cast<Eigen::Index>(a.size()));
+    field << view(velocity), view(a);
+    return field;
+  }
+
+  void apply_group() {
+    const Held after = group_.back().held;
+    std::vector<const Event *> impacts;
+    bool sticks = false;
+    for (const Event &event : group_) {
+      if (event.kind == EventKind::impact) impacts.push_back(&event);
+      sticks = sticks || event.kind == EventKind::stick;
+    }
+    if (impacts.size() > 1) differentiable_ = false;  // it depends on which mass is first
+    if (!impacts.empty())
+      apply_impacts(impacts, after);
+    else if (sticks)
+      apply_stick(after);
+    else  // at roots of the hold force state and vector field are continuous
+      sequence_.nodes.clear();
+    held_ = after;
+    hold(tangents_, held_);
+    group_.clear();
+  }
+
+  void apply_impacts(const std::vector<const Event *> &impacts, const Held &after) {
+    const bool alone = group_.size() == 1;
+    if (!alone) sequence_.nodes.clear();
+    std::vector<double> velocity = velocity_before_;
+    for (const Event *impact : impacts) {
+      const double speed = impact->velocity_before;
+      if (speed == 0.0) {
+        differentiable_ = false;
+        continue;
+      }
+      const auto mass = static_cast<std::size_t>(impact->mass - 1);
+      const auto row = static_cast<Eigen::Index>(mass);
+      const Eigen::RowVectorXd dt = -tangents_.row(row) / speed;
+      tangents_ += vector_field(held_, velocity) * dt;
+      tangents_.row(row).setZero();
+      const ImpactLaw law = law_of(scene_, scene_.stops[impact->stop]);
+      tangents_.row(scene_.masses() + row) *= -law.slope(std::abs(speed));
+      velocity[mass] = impact->velocity_after;
+      if (alone) extend_sequence(*impact, dt);
+      tangents_ -= (impact == impacts.back() ? vector_field(after, state_.velocity)
+                                             : vector_field(held_, velocity)) *
+                   dt;
+    }
+  }
+
+  // Adds a node where the tangents are still those of the states at their events.
+  void extend_sequence(const Event &impact, const Eigen::RowVectorXd &dt) {
+    if (impact.falling == 0 || sequence_.nodes.empty() || sequence_.stop != impact.stop)
+      sequence_ = {impact.stop};
+    if (sequence_.nodes.size() == most_tangent_nodes)
+      sequence_.nodes.erase(sequence_.nodes.begin());
+    const auto mass = static_cast<std::size_t>(impact.mass - 1);
+    Held held = held_;
+    held[mass] = static_cast<signed char>(impact.side);
+    std::vector<double> velocity = state_.velocity;
+    velocity[mass] = 0.0;
+    Eigen::MatrixXd at_rest = tangents_ - vector_field(held, velocity) * dt;
+    hold(at_rest, held);
+    sequence_.nodes.push_back({impact.instant, std::move(at_rest)});
+  }
+
+  // A mass comes to rest: at the end of a chatter, or in the initial state, where it counts as
+  // held. Without either the state is not differentiable.
+  void apply_stick(const Held &after) {
+    const Sequence chatter = std::exchange(sequence_, {});
+    if (chatter.nodes.empty() || group_.size() > 1 || chatter.stop != group_.front().stop) {
+      differentiable_ = differentiable_ && elapsed(start_, now_, clock_) == 0.0;
+      return;
+    }
+    std::vector<double> time_left;
+    std::vector<Eigen::MatrixXd> values;
+    for (const Node &node : chatter.nodes) {
+      time_left.push_back(elapsed(node.instant, now_, clock_));
+      values.push_back(node.tangents);
+      carry(after, time_left.back(), values.back());
+    }
+    const double last_error = std::pow(time_left.back() * rate_of(scene_), 2);
+    const ExtrapolatedLimit limit = extrapolate_chatter(values, time_left, last_error);
+    tangents_ = limit.values;
+    chatter_error_ = std::max(chatter_error_, limit.error);
+  }
+};
 
 TangentRecorder::TangentRecorder(const Scene &scene, const MotionState &start,
-                                 const Matrix &columns, const TangentOptions &options) {
+                                 const Matrix &columns) {
   check(scene);
-  require_differentiable(scene, options.by);
   require_fits(scene, start);
   const std::size_t n = scene.mass.size();
   require(columns.rows == 2 * n && columns.values.size() % (2 * n) == 0 &&
               columns.values.size() / (2 * n) == columns.columns,
           "columns: ", columns.rows, " rows given, the chain has ", 2 * n,
           " coordinates and velocities");
-  require(columns.columns >= options.by.size(), "columns: ", columns.columns,
-          " given, fewer than the ", options.by.size(), " parameters");
   for (std::size_t i = 0; i < 2 * n; ++i)
-    for (std::size_t k = 0; k + options.by.size() < columns.columns; ++k)
+    for (std::size_t k = 0; k < columns.columns; ++k)
       require(start.held[i % n] == 0 || columns(i, k) == 0.0, "column ", k + 1,
               ": must be zero for mass ", i % n + 1, ", which is held");
-  tangents_ = std::make_unique<Tangents>(
-      Tangents{.scene = scene,
-               .options = options,
-               .clock = Clock(scene.omega),
-               .started = start.instant,
-               .now = start.instant,
-               .held = start.held,
-               .changes = view(columns),
-               .motion = {view(start.displacement), view(start.velocity)},
-               .unforced = scene});
-  tangents_->unforced.amplitude.clear();
-  tangents_->unforced.stops.clear();
-  tangents_->hold(tangents_->changes, start.held);
+  tangents_ = std::make_unique<Tangents>(scene, start, columns);
 }
 
 TangentRecorder::~TangentRecorder() = default;
 
 void TangentRecorder::event(const Event &event, const Moment &moment) {
   require(tangents_ != nullptr, "tangents: an event after the end");
-  const Scene &scene = tangents_->scene;
-  require(event.stop < scene.stops.size() && scene.stops[event.stop].mass == event.mass &&
-              moment.masses() == scene.masses(),
-          "tangents: an event at stop ", event.stop, " of mass ", event.mass, " of ",
-          moment.masses(), ": not of the scene they were made for");
   tangents_->event(event, moment);
 }
 
-ChangesAtEnd TangentRecorder::finish(const Instant &end) {
+TangentsAtEnd TangentRecorder::finish(const Instant &end) {
   require(tangents_ != nullptr, "tangents: finished already");
-  const Clock &clock = tangents_->clock;
-  require(end.phase >= 0.0 && end.phase < clock.period &&
-              static_cast<double>(end.cycle) <= most_periods &&
-              elapsed(tangents_->started, end, clock) >= -repeats * clock.period,
-          "tangents: an end at phase ", end.phase, " in period ", end.cycle,
-          ": must not lie before the start");
-  const auto at_end = std::exchange(tangents_, nullptr);
-  at_end->finish(end);
-  return {matrix_of(at_end->changes), at_end->differentiable, at_end->chatter_error,
-          std::move(at_end->told)};
+  return std::exchange(tangents_, nullptr)->finish(end);
 }
 
 }  // namespace vibro_impact

@@ -69,7 +69,7 @@ class GrowthRecorder {
     }
     next_.cycle += rescaled_after;
     const MotionState at = state_at(moment, held_);
-    follow(at, tangents_->finish(at.instant).changes);
+    follow(at, tangents_->finish(at.instant).tangents);
     if (at.instant.cycle - block_begin_.cycle >= block_length) end_block(at.instant);
   }
 
@@ -78,7 +78,7 @@ class GrowthRecorder {
   }
 
   Growth finish(const Instant &end) {
-    logarithm_ += std::log(length_of(tangents_->finish(end).changes));
+    logarithm_ += std::log(length_of(tangents_->finish(end).tangents));
     return {logarithm_ / elapsed(started_, end, clock_), sign_is_certain_,
             end.cycle - started_.cycle};
   }

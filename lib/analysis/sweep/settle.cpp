@@ -9,6 +9,7 @@
 #include "analysis/orbits/tolerances.hpp"
 #include "event_counts.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 

@@ -5,11 +5,11 @@
 // instant. Two contacts pair when their times agree, a contact and a sticking phase when the phase
 // contains the contact, two sticking phases when they overlap.
 //
-// The paper asks whether an impact of one mass while the other sticks is a double impact, the other
-// being in contact with its stop too. It is not: the sticking mass has no impact at that instant,
-// it is held, and that its sticking phase was reached through infinitely many impacts does not
-// change this. Such an impact is a sticking-impact, and sticking takes precedence wherever both
-// readings would apply, that is, within the tolerance of the end of a chatter as well.
+// The paper asks whether an impact of one mass while the other sticks is a double impact, since the
+// other mass is in contact with its stop too. It is not: the sticking mass has no impact at that
+// instant. That infinitely many impacts led to its sticking phase does not change this. Such an
+// impact is a sticking-impact. Where both readings apply, within the tolerance of the end of a
+// chatter, sticking takes precedence.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ constexpr std::array<EventPair, 6> all_event_pairs{
 // The paper's abbreviation: DG, DS, DI, GS, GI, SI.
 const char *abbreviation(EventPair kind);
 
-// An event and the force that presses its mass into the stop (hold_force.hpp) right after it.
+// An event and the force that presses its mass into the stop (pressing_force.hpp) right after it.
 struct PressedEvent {
   Event event;
   double press = 0.0;
@@ -53,9 +53,9 @@ struct PressedEventRecorder {
 };
 
 // One pair. In a mixed pair `mass` (from 1) has the event named first and `other` the second (GS:
-// `mass` grazes, `other` sticks); in a pair of equals `mass` < `other`. `from` and `to` are the
-// bounds of the common sticking phase (DS), the time of the contact (GS, SI) or the two times of
-// contact in order (DG, DI, GI). A bound the record does not contain is infinite.
+// `mass` grazes, `other` sticks). In a pair of two events of one kind `mass` < `other`. `from` and
+// `to` are the bounds of the common sticking phase (DS), the time of the contact (GS, SI) or the
+// two times of contact in order (DG, DI, GI). A bound that the record does not contain is infinite.
 struct PairedEvents {
   EventPair kind = EventPair::double_impact;
   int mass = 1, other = 2;
@@ -63,9 +63,10 @@ struct PairedEvents {
   friend bool operator==(const PairedEvents &, const PairedEvents &) = default;
 };
 
-// The pairs of events among `events` (in order of time, as a run reports them), in order of time,
-// for every two masses of the chain. Events at most 1e-6 apart are simultaneous; contacts at most
-// 1e-6 fast are grazing if the mass is pulled off its stop by more than 1e-9 (non-dimensional).
+// The pairs among `events`, for every two masses of the chain, in order of time. The events must be
+// in order of time, as a run reports them. Events at most 1e-6 apart are simultaneous. A contact is
+// grazing if its speed is at most 1e-6 and the mass is pulled off its stop by more than 1e-9 (all
+// non-dimensional).
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events);
 
 }  // namespace vibro_impact

@@ -1,4 +1,4 @@
-// The scalars of a scene by name: what is swept, continued in, or differentiated by.
+// The numbers of a scene by name, as sweeps vary them.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace vibro_impact {
 
-// One scalar of a scene. `index` counts from 1: masses (of `stiffness`, links), or for `stop`, the
-// position of a stop, and `restitution` the stops in the order of Scene::stops. Restitution without
-// an index (0) is the scene's, that of every stop that has none of its own; omega and beta have no
-// index. All are non-dimensional.
+// One number of a scene (non-dimensional). `index` counts from 1: the masses, the links for
+// `stiffness`, and for `stop` (the position of a stop) and `restitution` the stops in the order of
+// Scene::stops. omega and beta have the index 0. So has the restitution of the scene, which holds
+// for every stop that has none of its own.
 struct Parameter {
   enum class Kind {
     omega,
@@ -37,12 +37,14 @@ std::string name(const Parameter &parameter);
 // The parameter of that name. Throws std::invalid_argument for any other text.
 Parameter parameter_named(std::string_view name);
 
-// Its value. Throws std::invalid_argument for an index that the scene does not have.
+// The value of the parameter. Throws std::invalid_argument for an index that the scene does not
+// have.
 double get(const Scene &scene, const Parameter &parameter);
 
-// The scene with another value of it. Where the scene leaves it out it is written out first with
-// the value it stands for: an empty vector becomes zeros, a stop's restitution that of the scene.
-// Throws as `get` does; what the scene as a whole must fulfil is left to `check`.
+// The scene with another value of the parameter. A number that the scene leaves out is first
+// written out with the value it stands for: an empty vector becomes zeros, the restitution of a
+// stop that of the scene. Throws std::invalid_argument for an index that the scene does not have;
+// `check` judges the value.
 Scene with(Scene scene, const Parameter &parameter, double value);
 
 }  // namespace vibro_impact

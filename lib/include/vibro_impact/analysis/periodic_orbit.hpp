@@ -1,19 +1,20 @@
 // Periodic orbits as fixed points of the stroboscopic map, found by Newton's method with the exact
 // derivative of the map, and their Floquet multipliers.
 //
-// The stroboscopic map takes the state at one phase of the forcing to the state n forcing periods
-// later. Masses held at that phase have no freedom: the unknowns are the displacements and
-// velocities of the free ones.
+// The stroboscopic map takes the state at one phase of the forcing, the section, to the state a
+// whole number of forcing periods later. Masses held at the section have no freedom: the unknowns
+// are the displacements and velocities of the free masses.
 //
-// A run that is given up on the way ends these functions with std::runtime_error.
+// All functions throw std::invalid_argument for a scene, a state or a number of periods out of
+// range, and std::runtime_error when a run is given up.
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "matrix.hpp"
-#include "parameter.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact {
@@ -29,39 +30,36 @@ std::vector<double> coordinates(const MotionState &motion);
 double time_after(const Scene &scene, const MotionState &start, int periods);
 
 struct StroboscopicImage {
-  MotionState state;           // n periods later, cycle count as at the start
-  Matrix derivative;           // 2N x 2N; rows and columns of held masses are zero
-  Matrix by_parameters;        // 2N x parameters, at a fixed phase of the section
-  bool differentiable = true;  // see ChangesAtEnd
-  double chatter_error = 0.0;  // see ChangesAtEnd
+  MotionState state;  // n periods later; the period has the number that it had at the start
+  Matrix derivative;  // 2N x 2N; rows and columns of held masses are zero
+  bool differentiable = true;  // see TangentsAtEnd
+  double chatter_error = 0.0;  // see TangentsAtEnd
   Counters counters;
 };
 
-// The state `periods` forcing periods after `start`, at the same phase and with the same cycle
-// count. `recorders` see the run.
+// The state `periods` forcing periods after `start`. `recorders` see the run.
 template <class... Recorders>
 StroboscopicImage stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
                                    const RunOptions &options = {}, Recorders &...recorders) {
   const Outcome end =
       simulate_from(scene, start, time_after(scene, start, periods), options, recorders...);
-  StroboscopicImage image{require_complete(end).state, {}, {}, true, 0.0, end.counters};
+  StroboscopicImage image{require_complete(end).state, {}, true, 0.0, end.counters};
   image.state.instant = start.instant;
   return image;
 }
 
-// The same with its derivative by the coordinates of the masses free at the start, and by
-// parameters of the scene (TangentRecorder). `start` should lie away from events
-// (`at_quiet_phase`): there the map is smooth.
+// The same with its derivative by the coordinates of the masses that are free at the start. `start`
+// should lie away from events (`at_quiet_phase`), where the map is smooth.
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
-                                                  int periods, const RunOptions &options = {},
-                                                  const std::vector<Parameter> &by = {});
+                                                  int periods, const RunOptions &options = {});
 
 // The motion from `start` brought to the phase, within the next forcing period, that is farthest
-// from every event of that period; the cycle count is set to zero.
+// from every event of that period. The period there has the number 0.
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options = {});
 
-// The motion after `periods` forcing periods from the scene's own initial state.
+// The state `periods` forcing periods after the scene's own initial state. The period there has the
+// number 0.
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options = {});
 
 struct NewtonOptions {
@@ -74,8 +72,8 @@ struct PeriodicOrbit {
   int periods = 1;
   MotionState state;                              // at the section
   std::vector<std::complex<double>> multipliers;  // Floquet multipliers, largest modulus first
-  bool converged = false;                         // false: the rest describes the best iterate
-  std::string why_not;                            // ... and why, in one line
+  bool converged = false;                         // if false, this is the best iterate
+  std::string why_not;                            // ... and this says why, in one line
   std::vector<double> residuals;  // largest component of P(z) - z, one per map evaluation
 
   bool stable() const {
@@ -87,15 +85,15 @@ struct PeriodicOrbit {
 std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, const Held &held);
 
 // Newton's method for the fixed point of the `periods`-fold stroboscopic map near `guess`, whose
-// phase is the section. The contact mode at the section is that of the guess; the search ends
-// without convergence, and says so in `why_not`, when an iterate returns in another one or leaves
-// the admissible region, when a multiplier is 1, and after the most iterations allowed.
+// phase is the section. The contact mode at the section is that of the guess. The search ends
+// without convergence, and says so in `why_not`, when an iterate returns in another contact mode or
+// has a mass beyond its stop, when a multiplier is 1, and after the most iterations allowed.
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods = 1,
                                   const NewtonOptions &options = {});
 
-// The periodic orbit near `seed`: by Newton's method, or where that fails (a border in between) by
-// following the motion for `settling` periods.
-MotionState orbit_near(const Scene &scene, const MotionState &seed, int periods,
-                       int settling = 200);
+// A state on a periodic orbit near `seed`: by Newton's method from `seed`, or, if that fails, from
+// a quiet phase of the motion `settling` periods later. Returns nullopt if neither converges.
+std::optional<MotionState> orbit_near(const Scene &scene, const MotionState &seed, int periods,
+                                      int settling = 200);
 
 }  // namespace vibro_impact

@@ -1,0 +1,21 @@
+// The natural modes of a contact mode (Eqs. 6-7).
+#pragma once
+
+#include <vector>
+
+#include "matrix.hpp"
+#include "vibro_impact/scene.hpp"
+
+namespace vibro_impact {
+
+// The modes of the free masses, by ascending frequency. `shape` is N x modes, normalised to unit
+// modal mass; its rows of held masses are zero.
+struct NaturalModes {
+  std::vector<double> lambda;  // squares of the natural frequencies
+  Matrix shape;
+};
+
+// Throws std::invalid_argument for a bad scene or a contact mode that does not fit it.
+NaturalModes natural_modes(const Scene &scene, const Held &held);
+
+}  // namespace vibro_impact

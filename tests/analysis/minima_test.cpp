@@ -1,0 +1,101 @@
+// The natural modes, and the least pressing force and the least gap of a motion.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reference/paper_scenes.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+// One mass that its spring presses into a lower stop at s = 0.8 with k s - A cos(Omega t) > 0: the
+// least force is k s - A, at phase 0. The force is evaluated with a few roundings.
+TEST(LeastPressingForce, OfAHeldMassIsThatOfTheForcing) {
+  const Scene scene{.mass = {2.0},
+                    .stiffness = {1.5},
+                    .beta = 0.1,
+                    .amplitude = {0.7},
+                    .omega = 0.9,
+                    .stops = {{1, Side::lower, 0.8}},
+                    .displacement = {0.8}};
+  MotionState start = start_of(scene);
+  start.instant.phase = 1.0;
+  start.held = {-1};
+  const auto least = least_pressing_force(scene, start, scene.stops[0]);
+  ASSERT_TRUE(least.has_value());
+  EXPECT_NEAR(least->value, 1.5 * 0.8 - 0.7, 1e-15);
+  EXPECT_NEAR(std::cos(scene.omega * least->at.instant.phase), 1.0, 1e-15);
+  EXPECT_FALSE(least_pressing_force(scene, start, {1, Side::upper, 0.8}).has_value());
+}
+
+// One mass in its steady motion of amplitude A / |k - m Omega^2|, without damping: the least gap to
+// a stop that the scene does not have is the distance to the turning point.
+TEST(LeastGap, OfASteadyMotionIsTheDistanceToItsTurningPoint) {
+  Scene scene{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.3}, .omega = 0.5};
+  const double amplitude = 0.3 / (1.0 - 0.25);
+  scene.displacement = {amplitude};
+  MotionState start = start_of(scene);
+  start.instant.phase = 1.0;
+  start.displacement = {amplitude * std::cos(0.5)};
+  start.velocity = {-0.5 * amplitude * std::sin(0.5)};
+  const auto upper = least_gap(scene, start, {1, Side::upper, 0.6});
+  const auto lower = least_gap(scene, start, {1, Side::lower, -0.5});
+  ASSERT_TRUE(upper.has_value() && lower.has_value());
+  EXPECT_NEAR(upper->value, 0.6 - amplitude, 2e-15);
+  EXPECT_NEAR(lower->value, 0.5 - amplitude, 2e-15);
+}
+
+// In Figure 4(a) mass 2 chatters while mass 1 sticks. The least force is no greater than any sample
+// of it, and as small as the samples beside it: a step of 1e-4 makes 1e-8 of the curvature, here 1.
+TEST(LeastPressingForce, IsTheLeastOfManySamples) {
+  const Scene scene = paper::figure4a();
+  const MotionState start = at_quiet_phase(scene, state_after_periods(scene, 60));
+  const auto least = least_pressing_force(scene, start, scene.stops[0]);
+  ASSERT_TRUE(least.has_value());
+  const double time = time_of(least->at.instant, Clock(scene.omega));
+  double smallest = INFINITY;
+  for (int k = -50; k <= 50; ++k) {
+    const Outcome end = simulate_from(scene, start, time + 1e-4 * k);
+    ASSERT_EQ(end.state.held[0], -1);
+    smallest = std::min(smallest, pressing_force(scene, scene.stops[0], end.state));
+  }
+  EXPECT_NEAR(least->value, smallest, 1e-8);
+  EXPECT_LE(least->value, smallest + 1e-16);
+  EXPECT_NEAR(pressing_force_rate(scene, scene.stops[0], least->at), 0.0, 1e-15);
+}
+
+// K phi = lambda M phi, phi^T M phi = 1, lambda ascending, for a chain with links from 1e-6 to 1e6
+// of which mass 3 is held.
+TEST(NaturalModes, SolveTheEigenvalueProblem) {
+  const Scene scene{.mass = {1.0, 2.0, 0.5, 1.0, 3.0},
+                    .stiffness = {1e6, 1.0, 2.0, 1e-6, 1e-3},
+                    .stops = {{3, Side::upper, 0.1}}};
+  const Held held{0, 0, 1, 0, 0};
+  const NaturalModes modes = natural_modes(scene, held);
+  ASSERT_EQ(modes.lambda.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(modes.lambda.begin(), modes.lambda.end()));
+  for (std::size_t k = 0; k < 4; ++k) {
+    double modal_mass = 0.0;
+    for (std::size_t i = 0; i < 5; ++i) {
+      modal_mass += scene.mass[i] * modes.shape(i, k) * modes.shape(i, k);
+      if (held[i] != 0) {
+        EXPECT_EQ(modes.shape(i, k), 0.0);
+        continue;
+      }
+      const double left = i > 0 ? modes.shape(i - 1, k) : 0.0;
+      const double right =
+          i < 4 ? scene.stiffness[i + 1] * (modes.shape(i + 1, k) - modes.shape(i, k)) : 0.0;
+      const double force = scene.stiffness[i] * (left - modes.shape(i, k)) + right;
+      // Rounding relative to the stiffest link.
+      EXPECT_NEAR(-force, modes.lambda[k] * scene.mass[i] * modes.shape(i, k), 1e-9);
+    }
+    EXPECT_NEAR(modal_mass, 1.0, 1e-14);
+  }
+}
+
+}  // namespace
