@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "motion_state.hpp"
 #include "tolerances.hpp"
@@ -15,127 +17,94 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A sticking phase of one mass. A bound that the record does not contain is infinite.
-struct StickingPhase {
+// What a mass does at its stop, in the order in which the names of mixed pairs have it.
+enum class ContactKind { grazing, sticking, impact };
+
+// A grazing contact or an impact has from = to. A bound of a sticking phase that the record does
+// not contain is infinite.
+struct StopContact {
+  ContactKind kind;
   int mass;
   double from, to;
 };
 
-// A contact that either grazes or hits.
-struct TimedContact {
-  int mass;
-  double time;
-  bool grazing;
-};
-
 // The phases under way as the record begins: those of the masses released at the first instant, and
-// of the masses held after it. One of the latter may have come to stick there (sticking_phases_in).
-std::vector<StickingPhase> phases_under_way(const std::vector<PressedEvent> &events) {
-  std::vector<StickingPhase> phases;
+// of the masses held after it. One of the latter may have come to stick there (contacts_of).
+std::vector<StopContact> phases_under_way(const std::vector<PressedEvent> &events) {
+  std::vector<StopContact> phases;
   if (events.empty()) return phases;
   const Event &first = events.front().event;
   for (const auto &[event, press] : events)
     if (event.time == first.time && event.kind == EventKind::release)
-      phases.push_back({event.mass, -infinity, infinity});
+      phases.push_back({ContactKind::sticking, event.mass, -infinity, infinity});
   for (std::size_t i = 0; i < first.held.size(); ++i)
-    if (first.held[i] != 0) phases.push_back({static_cast<int>(i) + 1, -infinity, infinity});
-  return phases;
-}
-
-std::vector<StickingPhase> sticking_phases_in(const std::vector<PressedEvent> &events) {
-  std::vector<StickingPhase> phases = phases_under_way(events);
-  for (const auto &[event, press] : events) {
-    const int mass = event.mass;
-    const auto open = std::find_if(phases.begin(), phases.end(), [mass](const auto &phase) {
-      return phase.mass == mass && phase.to == infinity;
-    });
-    if (event.kind == EventKind::stick) {
-      if (open == phases.end())
-        phases.push_back({mass, event.time, infinity});
-      else  // the mass came to stick at the first instant
-        open->from = event.time;
-    } else if (event.kind == EventKind::release && open != phases.end()) {
-      open->to = event.time;
-    }
-  }
+    if (first.held[i] != 0)
+      phases.push_back({ContactKind::sticking, static_cast<int>(i) + 1, -infinity, infinity});
   return phases;
 }
 
 // A slow contact is grazing only when the mass is pulled off the stop. In the slow impacts of a
 // late chatter the mass is pressed into it; in those about an equilibrium at the stop (Figure 5(c))
 // the force is zero to rounding.
-std::vector<TimedContact> timed_contacts(const std::vector<PressedEvent> &events) {
-  std::vector<TimedContact> contacts;
-  for (const auto &[event, press] : events)
-    if (event.kind == EventKind::impact)
-      contacts.push_back({event.mass, event.time,
-                          std::abs(event.velocity_before) <= slow_contact && press < -pulled_off});
+bool grazes(const PressedEvent &impact) {
+  return std::abs(impact.event.velocity_before) <= slow_contact && impact.press < -pulled_off;
+}
+
+std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
+  std::vector<StopContact> contacts = phases_under_way(events);
+  for (const PressedEvent &pressed : events) {
+    const Event &event = pressed.event;
+    const auto phase =
+        std::find_if(contacts.begin(), contacts.end(), [&](const StopContact &contact) {
+          return contact.mass == event.mass && contact.to == infinity;
+        });
+    if (event.kind == EventKind::impact) {
+      const auto kind = grazes(pressed) ? ContactKind::grazing : ContactKind::impact;
+      contacts.push_back({kind, event.mass, event.time, event.time});
+    } else if (event.kind == EventKind::release) {
+      if (phase != contacts.end()) phase->to = event.time;
+    } else if (phase == contacts.end()) {
+      contacts.push_back({ContactKind::sticking, event.mass, event.time, infinity});
+    } else {  // the mass came to stick at the first instant
+      phase->from = event.time;
+    }
+  }
   return contacts;
 }
 
-bool contains(const StickingPhase &phase, double time) {
-  return phase.from - time <= simultaneous && time - phase.to <= simultaneous;
-}
-
-bool sticks_at(int mass, double time, const std::vector<StickingPhase> &phases) {
-  return std::any_of(phases.begin(), phases.end(), [&](const StickingPhase &phase) {
-    return phase.mass == mass && contains(phase, time);
+bool sticks_at(int mass, double time, const std::vector<StopContact> &contacts) {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const StopContact &contact) {
+    return contact.kind == ContactKind::sticking && contact.mass == mass &&
+           contact.from - time <= simultaneous && time - contact.to <= simultaneous;
   });
 }
 
-// A pair of two events of one kind has its masses in order.
-PairedEvents pair_of(EventPair kind, int one, int another, double from, double to) {
-  return {kind, std::min(one, another), std::max(one, another), from, to};
+EventPair kind_of(ContactKind first, ContactKind second) {
+  using enum EventPair;
+  constexpr EventPair kinds[3][3] = {{dual_grazing, grazing_sticking, grazing_impact},
+                                     {grazing_sticking, dual_sticking, sticking_impact},
+                                     {grazing_impact, sticking_impact, double_impact}};
+  return kinds[static_cast<std::size_t>(first)][static_cast<std::size_t>(second)];
 }
 
-void pair_phases(const std::vector<StickingPhase> &phases, std::vector<PairedEvents> &pairs) {
-  for (auto a = phases.begin(); a != phases.end(); ++a)
-    for (auto b = a + 1; b != phases.end(); ++b) {
-      const double from = std::max(a->from, b->from), to = std::min(a->to, b->to);
-      if (a->mass != b->mass && to - from > simultaneous)
-        pairs.push_back(pair_of(EventPair::dual_sticking, a->mass, b->mass, from, to));
-    }
-}
-
-void pair_contacts_with_phases(const std::vector<TimedContact> &contacts,
-                               const std::vector<StickingPhase> &phases,
-                               std::vector<PairedEvents> &pairs) {
-  for (const auto &[mass, time, grazing] : contacts)
-    for (const StickingPhase &phase : phases) {
-      if (phase.mass == mass || !contains(phase, time)) continue;
-      if (grazing)
-        pairs.push_back({EventPair::grazing_sticking, mass, phase.mass, time, time});
-      else
-        pairs.push_back({EventPair::sticking_impact, phase.mass, mass, time, time});
-    }
-}
-
-PairedEvents pair_of(const TimedContact &a, const TimedContact &b) {
-  if (a.grazing == b.grazing)
-    return pair_of(a.grazing ? EventPair::dual_grazing : EventPair::double_impact, a.mass, b.mass,
-                   a.time, b.time);
-  const int grazing = a.grazing ? a.mass : b.mass, hitting = a.grazing ? b.mass : a.mass;
-  return {EventPair::grazing_impact, grazing, hitting, a.time, b.time};
-}
-
-void pair_contacts(const std::vector<TimedContact> &contacts,
-                   const std::vector<StickingPhase> &phases, std::vector<PairedEvents> &pairs) {
-  for (auto a = contacts.begin(); a != contacts.end(); ++a)
-    for (auto b = a + 1; b != contacts.end() && b->time - a->time <= simultaneous; ++b)
-      if (a->mass != b->mass && !sticks_at(a->mass, b->time, phases) &&
-          !sticks_at(b->mass, a->time, phases))
-        pairs.push_back(pair_of(*a, *b));
-}
-
-// Sorts the pairs by time and removes repeated ones: a contact within the tolerance of two phases
-// of one mass pairs with that mass once.
-void sort_and_unite(std::vector<PairedEvents> &pairs) {
-  const auto key = [](const PairedEvents &pair) {
-    return std::tuple(pair.from, pair.to, pair.kind, pair.mass, pair.other);
-  };
-  std::sort(pairs.begin(), pairs.end(),
-            [&key](const PairedEvents &a, const PairedEvents &b) { return key(a) < key(b); });
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+// The pair of two contacts of different masses. Returns nullopt if they do not coincide, and for
+// two contacts at an instant one of which belongs to a sticking phase.
+std::optional<PairedEvents> pair_of(StopContact a, StopContact b,
+                                    const std::vector<StopContact> &contacts) {
+  if (std::pair(b.kind, b.mass) < std::pair(a.kind, a.mass)) std::swap(a, b);
+  const bool a_sticks = a.kind == ContactKind::sticking, b_sticks = b.kind == ContactKind::sticking;
+  const double begin = std::max(a.from, b.from), end = std::min(a.to, b.to);
+  PairedEvents pair{kind_of(a.kind, b.kind), a.mass, b.mass, begin, end};
+  if (a_sticks && b_sticks) return end - begin > simultaneous ? std::optional(pair) : std::nullopt;
+  if (begin - end > simultaneous) return std::nullopt;
+  if (a_sticks || b_sticks) {
+    pair.from = pair.to = a_sticks ? b.from : a.from;
+    return pair;
+  }
+  if (sticks_at(a.mass, b.from, contacts) || sticks_at(b.mass, a.from, contacts))
+    return std::nullopt;
+  std::swap(pair.from, pair.to);  // the earlier of the two instants is the end of their overlap
+  return pair;
 }
 
 }  // namespace
@@ -157,13 +126,19 @@ void PressedEventRecorder::event(const Event &event, const Moment &moment) {
 }
 
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {
-  const std::vector<StickingPhase> phases = sticking_phases_in(events);
-  const std::vector<TimedContact> contacts = timed_contacts(events);
+  const std::vector<StopContact> contacts = contacts_of(events);
   std::vector<PairedEvents> pairs;
-  pair_phases(phases, pairs);
-  pair_contacts_with_phases(contacts, phases, pairs);
-  pair_contacts(contacts, phases, pairs);
-  sort_and_unite(pairs);
+  for (auto a = contacts.begin(); a != contacts.end(); ++a)
+    for (auto b = a + 1; b != contacts.end(); ++b)
+      if (a->mass != b->mass)
+        if (const auto pair = pair_of(*a, *b, contacts)) pairs.push_back(*pair);
+  const auto key = [](const PairedEvents &pair) {
+    return std::tuple(pair.from, pair.to, pair.kind, pair.mass, pair.other);
+  };
+  std::sort(pairs.begin(), pairs.end(),
+            [&key](const PairedEvents &a, const PairedEvents &b) { return key(a) < key(b); });
+  // A contact within the tolerance of two phases of one mass pairs with that mass once.
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

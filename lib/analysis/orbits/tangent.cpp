@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "chatter_extrapolation.hpp"
 #include "motion_state.hpp"
 #include "tolerances.hpp"
 #include "vibro_impact/analysis/natural_modes.hpp"
@@ -45,6 +44,51 @@ class TangentFlow {
   Eigen::MatrixXd shape_, to_modal_;
 };
 
+// The extrapolated limit of a chatter, and its estimated error relative to the largest value.
+struct ExtrapolatedLimit {
+  Eigen::MatrixXd values;
+  double error;
+};
+
+double largest(const Eigen::MatrixXd &matrix) {
+  return matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff();
+}
+
+// The value at x = 0 of the polynomial without x and x^2 through the values from `first` on. Its
+// weights are those of Lagrange for 1/x^2 times the polynomial, divided by their sum.
+Eigen::MatrixXd polynomial_at_zero(const std::vector<Eigen::MatrixXd> &values,
+                                   const std::vector<double> &x, std::size_t first) {
+  Eigen::MatrixXd weighted = 0.0 * values.back();
+  double sum = 0.0;
+  for (std::size_t i = first; i < values.size(); ++i) {
+    double product = x[i] * x[i];
+    for (std::size_t j = first; j < values.size(); ++j)
+      if (j != i) product *= 1.0 - x[i] / x[j];
+    weighted += (1.0 / product) * values[i];
+    sum += 1.0 / product;
+  }
+  return weighted / sum;
+}
+
+// Extrapolates values at consecutive impacts to the limit of their chatter. Value k, a time x[k]
+// before the limit, differs from the limit by x[k]^3 times a smooth function of x. `error` is the
+// estimated relative error of the last value alone. More values approach the limit faster, but
+// amplify rounding. So of the limits extrapolated from the last 1, 2, ... values the one is taken
+// that differs least from the one before.
+ExtrapolatedLimit extrapolate_chatter(const std::vector<Eigen::MatrixXd> &values,
+                                      const std::vector<double> &x, double error) {
+  ExtrapolatedLimit best{values.back(), error};
+  const double size = std::max(largest(values.back()), 1e-300);
+  Eigen::MatrixXd previous = values.back();
+  for (std::size_t first = values.size() - 1; first-- > 0;) {
+    Eigen::MatrixXd limit = polynomial_at_zero(values, x, first);
+    const double difference = largest(limit - previous) / size;
+    if (difference < best.error) best = {limit, difference};
+    previous = std::move(limit);
+  }
+  return best;
+}
+
 }  // namespace
 
 // The tangents, carried from instant to instant. The events of one instant are gathered in `group_`
@@ -73,7 +117,6 @@ class TangentRecorder::Tangents {
     if (event.kind == EventKind::impact) {
       const auto mass = static_cast<std::size_t>(event.mass - 1);
       velocity_before_[mass] = event.velocity_before;
-      state_.velocity[mass] = event.velocity_after;
     }
     group_.push_back(event);
   }
@@ -90,16 +133,10 @@ class TangentRecorder::Tangents {
   }
 
  private:
-  // An impact of a chatter, and the tangents just after it with the mass held from then on.
+  // An impact, and the tangents just after it with its mass held from then on.
   struct Node {
     Instant instant;
     Eigen::MatrixXd tangents;
-  };
-
-  // Consecutive impacts at one stop, each slower than the one before, and nothing else in between.
-  struct Sequence {
-    std::size_t stop = 0;
-    std::vector<Node> nodes = {};
   };
 
   Scene scene_;
@@ -113,7 +150,8 @@ class TangentRecorder::Tangents {
   std::vector<Event> group_ = {};
   MotionState state_ = {};                    // after the events of the group
   std::vector<double> velocity_before_ = {};  // before them
-  Sequence sequence_ = {};
+  std::vector<Node> nodes_ = {};  // consecutive impacts at one stop, with nothing in between
+  std::size_t nodes_stop_ = 0;    // the index of the stop
 
   void carry(const Held &held, double time, Eigen::MatrixXd &tangents) {
     if (!(time > 0.0)) return;
@@ -145,76 +183,71 @@ class TangentRecorder::Tangents {
 
   void apply_group() {
     const Held after = group_.back().held;
-    std::vector<const Event *> impacts;
+    std::vector<Event> impacts;
     bool sticks = false;
     for (const Event &event : group_) {
-      if (event.kind == EventKind::impact) impacts.push_back(&event);
+      if (event.kind == EventKind::impact) impacts.push_back(event);
       sticks = sticks || event.kind == EventKind::stick;
     }
-    if (impacts.size() > 1) differentiable_ = false;  // it depends on which mass is first
+    const Event &first = group_.front();
+    if (group_.size() > 1 || first.kind == EventKind::release || first.stop != nodes_stop_)
+      nodes_.clear();
+    nodes_stop_ = first.stop;
     if (!impacts.empty())
       apply_impacts(impacts, after);
     else if (sticks)
       apply_stick(after);
-    else  // at roots of the hold force state and vector field are continuous
-      sequence_.nodes.clear();
+    // A release at a root of the hold force changes nothing: state and vector field are continuous.
     held_ = after;
     hold(tangents_, held_);
     group_.clear();
   }
 
-  void apply_impacts(const std::vector<const Event *> &impacts, const Held &after) {
-    const bool alone = group_.size() == 1;
-    if (!alone) sequence_.nodes.clear();
+  void apply_impacts(const std::vector<Event> &impacts, const Held &after) {
+    if (impacts.size() > 1) differentiable_ = false;  // it depends on which mass is first
     std::vector<double> velocity = velocity_before_;
-    for (const Event *impact : impacts) {
-      const double speed = impact->velocity_before;
+    for (std::size_t k = 0; k < impacts.size(); ++k) {
+      const Event &impact = impacts[k];
+      const double speed = impact.velocity_before;
       if (speed == 0.0) {
         differentiable_ = false;
         continue;
       }
-      const auto mass = static_cast<std::size_t>(impact->mass - 1);
+      const auto mass = static_cast<std::size_t>(impact.mass - 1);
       const auto row = static_cast<Eigen::Index>(mass);
       const Eigen::RowVectorXd dt = -tangents_.row(row) / speed;
       tangents_ += vector_field(held_, velocity) * dt;
       tangents_.row(row).setZero();
-      const ImpactLaw law = law_of(scene_, scene_.stops[impact->stop]);
+      const ImpactLaw law = law_of(scene_, scene_.stops[impact.stop]);
       tangents_.row(scene_.masses() + row) *= -law.slope(std::abs(speed));
-      velocity[mass] = impact->velocity_after;
-      if (alone) extend_sequence(*impact, dt);
-      tangents_ -= (impact == impacts.back() ? vector_field(after, state_.velocity)
-                                             : vector_field(held_, velocity)) *
-                   dt;
+      velocity[mass] = impact.velocity_after;
+      if (group_.size() == 1) add_node(impact, dt, velocity);
+      tangents_ -= vector_field(k + 1 < impacts.size() ? held_ : after, velocity) * dt;
     }
   }
 
-  // Adds a node where the tangents are still those of the states at their events.
-  void extend_sequence(const Event &impact, const Eigen::RowVectorXd &dt) {
-    if (impact.falling == 0 || sequence_.nodes.empty() || sequence_.stop != impact.stop)
-      sequence_ = {impact.stop};
-    if (sequence_.nodes.size() == most_tangent_nodes)
-      sequence_.nodes.erase(sequence_.nodes.begin());
+  // To be called while the tangents are still those of the states at their events.
+  void add_node(const Event &impact, const Eigen::RowVectorXd &dt, std::vector<double> velocity) {
+    if (nodes_.size() == most_tangent_nodes) nodes_.erase(nodes_.begin());
     const auto mass = static_cast<std::size_t>(impact.mass - 1);
     Held held = held_;
     held[mass] = static_cast<signed char>(impact.side);
-    std::vector<double> velocity = state_.velocity;
     velocity[mass] = 0.0;
     Eigen::MatrixXd at_rest = tangents_ - vector_field(held, velocity) * dt;
     hold(at_rest, held);
-    sequence_.nodes.push_back({impact.instant, std::move(at_rest)});
+    nodes_.push_back({impact.instant, std::move(at_rest)});
   }
 
   // A mass comes to rest: at the end of a chatter, or in the initial state, where it counts as
   // held. Without either the state is not differentiable.
   void apply_stick(const Held &after) {
-    const Sequence chatter = std::exchange(sequence_, {});
-    if (chatter.nodes.empty() || group_.size() > 1 || chatter.stop != group_.front().stop) {
+    if (nodes_.empty()) {
       differentiable_ = differentiable_ && elapsed(start_, now_, clock_) == 0.0;
       return;
     }
     std::vector<double> time_left;
     std::vector<Eigen::MatrixXd> values;
-    for (const Node &node : chatter.nodes) {
+    for (const Node &node : nodes_) {
       time_left.push_back(elapsed(node.instant, now_, clock_));
       values.push_back(node.tangents);
       carry(after, time_left.back(), values.back());
