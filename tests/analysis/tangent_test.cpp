@@ -49,6 +49,18 @@ Scene slow_chatter() {
   return scene;
 }
 
+// The dampers are strong enough that an impact of one mass lets go of the other by a jump of its
+// hold force.
+Scene released_by_a_jump() {
+  return {.mass = {1.0, 1.0},
+          .stiffness = {1.0, 1.0},
+          .beta = 0.7,
+          .amplitude = {0.8, 0.3},
+          .omega = 0.5,
+          .restitution = 0.5,
+          .stops = {{1, Side::upper, 0.2}, {2, Side::upper, 0.2}}};
+}
+
 // A scene and a quiet section of its motion after 30 periods.
 struct Case {
   std::string name;
@@ -71,6 +83,7 @@ std::vector<Case> cases() {
           case_of("r = 0.001", with_restitution(plastic(), 0.001)),
           case_of("r = 0.95", with_restitution(paper::figure5a(), 0.95)),
           case_of("slow chatter", slow_chatter()),
+          case_of("released by a jump", released_by_a_jump()),
           case_of("chain of five", chain_of_five())};
 }
 
@@ -170,22 +183,61 @@ TEST(Multipliers, HaveTheProductOfAllShrinking) {
   EXPECT_NEAR(product.imag() / expected, 0.0, 1e-11);
 }
 
-// Two equal masses that move as one hit their stops at one instant. Which of them would hit first
-// in a neighbouring motion is open.
-TEST(Tangents, SayThatTwoImpactsAtOnceAreNotDifferentiable) {
-  const Scene scene{.mass = {1.0, 1.0},
-                    .stiffness = {0.0, 1.0},
-                    .amplitude = {0.5, 0.5},
-                    .omega = 1.0,
-                    .restitution = 0.7,
-                    .stops = {{1, Side::upper, 0.3}, {2, Side::upper, 0.3}},
-                    .displacement = {0.0, 0.0},
-                    .velocity = {0.1, 0.1}};
-  EventRecorder recorder;
-  simulate(scene, 6.0, {}, recorder);
-  ASSERT_GT(recorder.events.size(), 1u);
-  ASSERT_EQ(recorder.events[0].time, recorder.events[1].time);
-  EXPECT_FALSE(stroboscopic_map_and_derivative(scene, start_of(scene), 1).differentiable);
+// A moment at which both masses move, wherever they are.
+class Moving : public Moment {
+ public:
+  using Moment::Moment;
+  int masses() const override {
+    return 2;
+  }
+  double displacement(int) const override {
+    return 0.1;
+  }
+  double velocity(int) const override {
+    return 0.2;
+  }
+  double hold_force(int) const override {
+    return NAN;
+  }
+};
+
+struct BriefEvent {
+  double time;
+  EventKind kind;
+  int mass;
+  double speed = 0.3;
+};
+
+bool differentiable_after(const std::vector<BriefEvent> &events) {
+  const Scene scene = paper::figure5a();  // stop k is that of mass k + 1
+  TangentRecorder tangents(scene, start_of(scene), Matrix(4, 1));
+  Held held{0, 0};
+  for (const auto &[time, kind, mass, speed] : events) {
+    const auto stop = static_cast<std::size_t>(mass - 1);
+    if (kind != EventKind::impact) held[stop] = kind == EventKind::stick ? 1 : 0;
+    const Instant instant{0, time};
+    const Event event{kind, stop, mass, Side::upper, instant, time, speed, -speed, 0, false, held};
+    tangents.event(event, Moving(instant, time));
+  }
+  return tangents.finish({0, 5.0}).differentiable;
+}
+
+// A mass comes to rest differentiably by a plastic impact, or after impacts at its own stop with
+// nothing else in between. Neither two impacts at once nor a contact without speed are
+// differentiable.
+TEST(Tangents, SayWhereTheMotionIsNotDifferentiable) {
+  constexpr EventKind impact = EventKind::impact, stick = EventKind::stick,
+                      release = EventKind::release;
+  EXPECT_TRUE(differentiable_after({{1, impact, 1}, {2, stick, 1}}));
+  EXPECT_TRUE(differentiable_after({{1, impact, 1}, {1, stick, 1}}));
+  EXPECT_TRUE(differentiable_after({{0, stick, 1}}));  // as it starts
+  EXPECT_FALSE(differentiable_after({{2, stick, 1}}));
+  EXPECT_FALSE(differentiable_after({{1, impact, 2}, {2, stick, 1}}));
+  EXPECT_FALSE(differentiable_after({{1, impact, 1}, {1.5, release, 1}, {2, stick, 1}}));
+  EXPECT_FALSE(differentiable_after({{1, impact, 1}, {2, stick, 1}, {2, stick, 2}}));
+  EXPECT_FALSE(differentiable_after({{1, impact, 1}, {1, release, 2}, {2, stick, 1}}));
+  EXPECT_FALSE(differentiable_after({{1, impact, 1}, {1, impact, 2}}));
+  EXPECT_FALSE(differentiable_after({{1, impact, 1, 0.0}}));
 }
 
 }  // namespace

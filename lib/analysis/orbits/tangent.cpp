@@ -153,23 +153,14 @@ class TangentRecorder::Tangents {
   std::vector<Node> nodes_ = {};  // consecutive impacts at one stop, with nothing in between
   std::size_t nodes_stop_ = 0;    // the index of the stop
 
+  // Rows of held masses become zero, also where no time passes.
   void carry(const Held &held, double time, Eigen::MatrixXd &tangents) {
-    if (!(time > 0.0)) return;
     flows_.try_emplace(held, scene_, held).first->second.move(tangents, time);
   }
 
   void carry_to(const Instant &instant) {
     carry(held_, elapsed(now_, instant, clock_), tangents_);
     now_ = instant;
-  }
-
-  // A held mass has no freedom.
-  static void hold(Eigen::MatrixXd &tangents, const Held &held) {
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      if (held[i] == 0) continue;
-      tangents.row(static_cast<Eigen::Index>(i)).setZero();
-      tangents.row(static_cast<Eigen::Index>(held.size() + i)).setZero();
-    }
   }
 
   // (x', x'') where the masses are now, in a contact mode and at velocities of its own.
@@ -199,7 +190,6 @@ class TangentRecorder::Tangents {
       apply_stick(after);
     // A release at a root of the hold force changes nothing: state and vector field are continuous.
     held_ = after;
-    hold(tangents_, held_);
     group_.clear();
   }
 
@@ -226,16 +216,12 @@ class TangentRecorder::Tangents {
     }
   }
 
-  // To be called while the tangents are still those of the states at their events.
+  // To be called while the tangents are still those of the states at their events. The mass is held
+  // from then on, at rest; its own rows drop out when the node is carried to the limit.
   void add_node(const Event &impact, const Eigen::RowVectorXd &dt, std::vector<double> velocity) {
     if (nodes_.size() == most_tangent_nodes) nodes_.erase(nodes_.begin());
-    const auto mass = static_cast<std::size_t>(impact.mass - 1);
-    Held held = held_;
-    held[mass] = static_cast<signed char>(impact.side);
-    velocity[mass] = 0.0;
-    Eigen::MatrixXd at_rest = tangents_ - vector_field(held, velocity) * dt;
-    hold(at_rest, held);
-    nodes_.push_back({impact.instant, std::move(at_rest)});
+    velocity[static_cast<std::size_t>(impact.mass - 1)] = 0.0;
+    nodes_.push_back({impact.instant, tangents_ - vector_field(held_, velocity) * dt});
   }
 
   // A mass comes to rest: at the end of a chatter, or in the initial state, where it counts as
