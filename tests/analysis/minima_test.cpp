@@ -50,6 +50,24 @@ TEST(LeastGap, OfASteadyMotionIsTheDistanceToItsTurningPoint) {
   EXPECT_NEAR(lower->value, 0.5 - amplitude, 2e-15);
 }
 
+// A damped oscillation turns at ever smaller displacements, so the first turning point is nearest
+// to the stop. An impact is no turning point.
+TEST(LeastGap, IsTheLeastOfSeveralMinima) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {9.0},
+                    .beta = 0.02,
+                    .omega = 1.0,
+                    .displacement = {0.0},
+                    .velocity = {1.0}};
+  const auto least = least_gap(scene, start_of(scene), {1, Side::upper, 1.0});
+  ASSERT_TRUE(least.has_value());
+  const double decay = 0.09, frequency = std::sqrt(9.0 - decay * decay);
+  EXPECT_NEAR(least->at.instant.phase, std::atan(frequency / decay) / frequency, 1e-14);
+  const Scene impacting = paper::stops_of_different_sign(0.6);
+  const auto beside = least_gap(impacting, state_after_periods(impacting, 60), impacting.stops[1]);
+  EXPECT_GT(beside ? beside->value : 1.0, 1e-3);
+}
+
 // In Figure 4(a) mass 2 chatters while mass 1 sticks. The least force is no greater than any sample
 // of it, and as small as the samples beside it: a step of 1e-4 makes 1e-8 of the curvature, here 1.
 TEST(LeastPressingForce, IsTheLeastOfManySamples) {

@@ -54,7 +54,7 @@ struct BracketRecorder {
     node(before, state_at(moment, held));
   }
   void node(const MotionState &before, const MotionState &after) {
-    if (falling && quantity.defined(before) && quantity.rate(before) > 0.0) {
+    if (falling && quantity.rate(before) > 0.0) {
       const double length = elapsed(falling->instant, before.instant, Clock(scene.omega));
       brackets.push_back({*falling, length, quantity.rate(before)});
     }
@@ -63,12 +63,8 @@ struct BracketRecorder {
   }
 };
 
-// The motion from the start of a bracket, a time later. Only stops that hold a mass take part, so
-// that rounding cannot bring the event at the end of the bracket forward.
-MotionState moved(Scene scene, const MotionState &start, double time) {
-  const auto idle = [&start](const Stop &stop) { return !holds(stop, start.held); };
-  scene.stops.erase(std::remove_if(scene.stops.begin(), scene.stops.end(), idle),
-                    scene.stops.end());
+// The motion a time after the start of a bracket.
+MotionState moved(const Scene &scene, const MotionState &start, double time) {
   const double until = time_of(start.instant, Clock(scene.omega)) + time;
   return require_complete(simulate_from(scene, start, until)).state;
 }
