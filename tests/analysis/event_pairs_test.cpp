@@ -70,8 +70,8 @@ TEST(EventPairs, AnImpactAtTheEndOfAChatterIsAStickingImpact) {
   EXPECT_EQ(count(pairs, EventPair::double_impact), 0);
 }
 
-// Of a contact at a speed of 1e-7 the force decides: pulled off, the mass grazes; pressed into its
-// stop, as late in a chatter, it hits.
+// The force decides about a contact at a speed of 1e-7. A mass that is pulled off grazes. A mass
+// that is pressed into its stop, as late in a chatter, hits.
 TEST(EventPairs, ASlowContactGrazesOnlyIfTheMassIsPulledOff) {
   for (const double press : {-0.1, 0.0, 0.1}) {
     const auto pairs = event_pairs(

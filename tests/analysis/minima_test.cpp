@@ -110,8 +110,8 @@ TEST(NaturalModes, SolveTheEigenvalueProblem) {
   }
 }
 
-// Also in chains whose masses and links differ by many orders of magnitude, where the eigenvalues
-// of a solver are not in the order of the frequencies.
+// The masses and links of these chains differ by many orders of magnitude. The errors of a solver
+// are then larger than its least eigenvalues, and disturb their order.
 TEST(NaturalModes, AreInAscendingOrder) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(-9.0, 9.0);

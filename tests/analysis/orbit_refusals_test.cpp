@@ -22,7 +22,7 @@ constexpr int most = std::numeric_limits<int>::max();
 const Scene scene = paper::figure2();
 const MotionState start = start_of(scene);
 
-// At rest, with a displacement too few, or in the last period that can be counted.
+// The start with a displacement too few; below, the start in the last period that can be counted.
 MotionState short_of_one() {
   MotionState at = start;
   at.displacement.pop_back();
@@ -152,7 +152,7 @@ TEST(Refusals, OfParameters) {
     expect_refused({{[&] { get(scene, parameter_named(word)); }, "3: the "}});
 }
 
-// Next to the largest double the middle does not overflow.
+// The middle of two numbers next to the largest double does not overflow.
 TEST(Bisection, WorksNextToTheLargestNumber) {
   const auto huge = [](double x) { return x > 1.5e308 ? 1 : 0; };
   EXPECT_NEAR(bisect(huge, 1e308, 1.7e308).below / 1.5e308, 1.0, 1e-15);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// What a mass does at its stop, in the order in which the names of mixed pairs have it.
+// A mass at its stop grazes, sticks or impacts. The order is that of the names of mixed pairs.
 enum class ContactKind { grazing, sticking, impact };
 
 // A grazing contact or an impact has from = to. A bound of a sticking phase that the record does
