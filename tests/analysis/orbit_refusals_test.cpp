@@ -1,7 +1,8 @@
 // Every public function of the analysis of orbits refuses bad input, with one line that names the
-// value and the rule.
+// value and the rule. A bisection does what it promises.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "reference/paper_scenes.hpp"
@@ -150,6 +151,15 @@ TEST(Refusals, OfParameters) {
     expect_refused({{[&] { parameter_named(word); }, "': must be omega"}});
   for (const char *word : {"stop3", "restitution3", "amplitude3", "mass3", "velocity3"})
     expect_refused({{[&] { get(scene, parameter_named(word)); }, "3: the "}});
+}
+
+// The first of two jumps between the ends is located, between neighbouring numbers.
+TEST(Bisection, FindsWhereTheCountFirstDiffers) {
+  const CountJump jump = bisect([](double x) { return (x > 0.3) + (x > 0.6); }, 0.0, 1.0);
+  EXPECT_EQ(jump.below, 0.3);
+  EXPECT_EQ(jump.above, std::nextafter(0.3, 1.0));
+  EXPECT_EQ(jump.count_below, 0);
+  EXPECT_EQ(jump.count_above, 1);
 }
 
 // The middle of two numbers next to the largest double does not overflow.
