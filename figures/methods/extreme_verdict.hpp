@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "event_comparison.hpp"
 #include "figures/event_tables.hpp"
+#include "reference/event_comparison.hpp"
 #include "reference/scenes/extreme_cases.hpp"
 #include "vibro_impact/analysis/natural_modes.hpp"
 #include "vibro_impact/simulate.hpp"

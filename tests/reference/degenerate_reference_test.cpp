@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "figures/event_tables.hpp"
-#include "figures/methods/event_comparison.hpp"
+#include "reference/event_comparison.hpp"
 #include "reference/scenes/degenerate_cases.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "figures/event_tables.hpp"
-#include "figures/methods/event_comparison.hpp"
+#include "reference/event_comparison.hpp"
 #include "reference/paper_scenes.hpp"
 #include "tests/events.hpp"
 
