@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "two_masses.hpp"
+#include "figures/methods/error_vs_runtime/two_masses.hpp"
 
 namespace vibro_impact::comparison {
 

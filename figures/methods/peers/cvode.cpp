@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "two_masses.hpp"
+#include "figures/methods/error_vs_runtime/two_masses.hpp"
 
 namespace vibro_impact::comparison {
 
