@@ -104,23 +104,28 @@ inline Differences compare(const std::vector<TrueEvent> &events,
   return result;
 }
 
-// Contacts at a stop that the motion just touches. No double tells a touch from a miss or from a
-// shallow hit; what must hold is that the run is the exact one of a stop at most 100 roundings
-// away: s (1 - 100 eps) is hit with the speed sqrt(200 eps) omega a, the time sqrt(200 eps) / omega
-// early, and after that one touch a period later at the earliest.
+// The fastest impact that may be reported for a touch, relative to the largest speed of the motion.
+// A stop nearer by n roundings, s (1 - n eps), is hit with the speed sqrt(2 n eps) omega a, the
+// time sqrt(2 n eps) / omega early. 5e-8 belongs to n = 5.6; three roundings are measured.
+constexpr double grazing_speed = 5e-8;
+
+// Compares the contacts of one mass, of unit speed and frequency, at a stop that its motion just
+// touches. No double tells a touch from a miss or from a shallow hit. The run must be the exact one
+// of a stop so near that no impact is faster than `grazing_speed`. The touch after an impact comes
+// a period later at the earliest.
 inline Differences compare_grazing(const std::vector<TrueEvent> &events,
                                    const std::vector<TrueEvent> &touches, const Scene &scene) {
-  const double blur = std::sqrt(200.0 * std::numeric_limits<double>::epsilon());
   Differences result;
   std::size_t at = 0;
   for (const TrueEvent &event : events) {
     const double time = time_of({event.cycle, event.time}, Clock(scene.omega));
     // An impact makes every later touch as uncertain as itself.
-    while (at < touches.size() && touches[at].time + blur * static_cast<double>(at + 1) < time)
+    while (at < touches.size() &&
+           touches[at].time + grazing_speed * static_cast<double>(at + 1) < time)
       ++at;
     const double error = at < touches.size() ? std::abs(time - touches[at].time) : time;
-    if (event.event != "impact" || !(error <= blur * static_cast<double>(at + 1)) ||
-        !(std::abs(event.velocity_before) <= blur)) {
+    if (event.event != "impact" || !(error <= grazing_speed * static_cast<double>(at + 1)) ||
+        !(std::abs(event.velocity_before) <= grazing_speed)) {
       result.first = fmt::format("spurious {} at {:.17g} with velocity {:.3g}", event.event, time,
                                  event.velocity_before);
       return result;

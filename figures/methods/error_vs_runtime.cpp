@@ -1,5 +1,6 @@
-// Error against run time: this library beside what one would otherwise pick, every method over its
-// own tolerance or step. See README and error_vs_runtime/ for how each is used.
+// Error against run time of this library and of the methods that one would otherwise pick, each
+// method swept over its own tolerance or step. README.md and error_vs_runtime/ say how each is
+// used.
 #include "figures/methods/error_vs_runtime/method.hpp"
 
 #include <fmt/format.h>
@@ -7,11 +8,12 @@
 #include <algorithm>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <ctime>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "figures/driver.hpp"
-#include "figures/platform.hpp"
+#include "figures/methods/error_vs_runtime/summary.hpp"
 #include "reference/table_reader.hpp"
 
 namespace {
@@ -28,14 +30,19 @@ struct Trial {
   Errors errors = {};
   long long runs_per_sample = 1;
   std::vector<double> microseconds = {};  // per forcing period, one entry per repeat
+
+  double median() const {
+    std::vector<double> sorted = microseconds;
+    return boost::math::statistics::median(sorted);
+  }
 };
 
-// A sample lasts at least this long, in seconds: the methods take turns, and what the first run
-// after another method pays for cold caches (some 0.1 ms) should not count for any of them.
+// A sample lasts at least this long, in seconds. The methods take turns, and the first run after
+// another method pays some 0.1 ms for cold caches, which should not count for any of them.
 constexpr double shortest_sample = 5e-3;
 
-// Processor time of this thread: it leaves out what others do on the machine meanwhile, among them
-// the idle threads of OpenBLAS (behind Siconos), which spin. All methods run in one thread.
+// Processor time of this thread, in which all methods run. It leaves out other programs, and the
+// idle threads of OpenBLAS behind Siconos, which spin.
 double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -58,8 +65,8 @@ std::vector<Trial> trials_of(const std::vector<Problem> &problems,
   return trials;
 }
 
-// First run of each trial, untimed: its errors, and how many runs make a sample.
-void try_out(Trial &trial) {
+// The first run of a trial gives its errors; further ones give how many runs make a sample.
+void run_first(Trial &trial) {
   trial.result = trial.method->run(*trial.problem, trial.setting);
   trial.errors = errors_of(trial.result, *trial.problem);
   double seconds = seconds_of(trial);
@@ -76,45 +83,58 @@ Table table_of(const std::vector<Trial> &trials) {
   for (const Trial &trial : trials) {
     const auto [low, high] =
         std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
-    std::vector<double> sorted = trial.microseconds;
-    const double median = boost::math::statistics::median(sorted);
     std::string failure = trial.errors.failure;
     std::replace(failure.begin(), failure.end(), ',', ';');
     table.row(trial.problem->name, figures::in_quotes(trial.method->name), trial.setting,
-              trial.errors.time, trial.errors.state, median, *low, *high, trial.result.work,
+              trial.errors.time, trial.errors.state, trial.median(), *low, *high, trial.result.work,
               trial.result.impacts, figures::in_quotes(failure));
   }
   return table;
 }
 
-// What was measured where, what the columns of the first table mean for each method, and who is
-// missing.
-Table conditions(const Methods &all, int repeats) {
-  Table table("what,value");
-  table.row("processor", figures::in_quotes(figures::processor()));
-  table.row("compiler", figures::in_quotes(figures::compiler()));
-  table.row("repeats", repeats);
-  table.row("time", figures::in_quotes("processor time of the thread"));
-  table.row("low; high", figures::in_quotes("fastest and slowest of the repeats"));
-  for (const Method &method : all.methods)
-    table.row(figures::in_quotes(method.name),
-              figures::in_quotes("setting: " + method.setting + "; work: " + method.work));
-  for (const std::string &line : all.left_out) table.row("missing", figures::in_quotes(line));
-  return table;
+const Trial *trial_of(const std::vector<Trial> &trials, const SummaryRow &row) {
+  for (const Trial &trial : trials)
+    if (trial.problem->name == row.problem && trial.method->name == row.method &&
+        trial.setting == row.setting)
+      return &trial;
+  return nullptr;
 }
 
-void compare(const std::filesystem::path &output, int repeats) {
+// The table of README.md, without the methods that are not installed.
+void print_markdown(const std::vector<Trial> &trials) {
+  fmt::print("| motion | method | setting | largest error of an event time | us per period | ");
+  fmt::print("times the library at 1e-13 |\n|---|---|---|---|---|---|\n");
+  const auto short_number = [](double x) { return fmt::format("{:.{}f}", x, x < 100.0 ? 1 : 0); };
+  for (const SummaryRow &row : summary_rows()) {
+    const Trial *const trial = trial_of(trials, row);
+    if (trial == nullptr) continue;
+    const double median = trial->median();
+    const double unit = trial_of(trials, unit_of(row.problem))->median();
+    fmt::print("{}{:.1e} | {} | {} |\n", row_start(row), trial->errors.time, short_number(median),
+               short_number(median / unit));
+  }
+}
+
+// Throws std::runtime_error naming a method that breaks its promise.
+void check_promises(const std::vector<Method> &methods, const std::vector<Problem> &problems) {
+  for (const Method &method : methods)
+    if (const std::string broken = broken_promise(method, problems); !broken.empty())
+      throw std::runtime_error(broken);
+}
+
+void compare(const std::filesystem::path &output, int repeats, bool markdown) {
   const std::vector<Problem> cases = problems(REFERENCE_DIR);
   const Methods all = all_methods();
   for (const std::string &line : all.left_out)
     fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
+  check_promises(all.methods, cases);
   std::vector<Trial> trials = trials_of(cases, all.methods);
   Progress progress("error_vs_runtime", static_cast<double>(trials.size()) * (repeats + 1));
   for (Trial &trial : trials) {
-    try_out(trial);
+    run_first(trial);
     progress.advance();
   }
-  // Round robin: what disturbs the machine for a while disturbs all methods alike.
+  // The methods take turns, so that a busy machine disturbs all of them alike.
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (Trial &trial : trials) {
       trial.microseconds.push_back(1e6 * seconds_of(trial) /
@@ -123,15 +143,17 @@ void compare(const std::filesystem::path &output, int repeats) {
       progress.advance();
     }
   write(table_of(trials), output / "error_vs_runtime.csv");
-  write(conditions(all, repeats), output / "error_vs_runtime_conditions.csv");
+  if (markdown) print_markdown(trials);
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
   int repeats = 5;
+  bool markdown = false;
   return figures::drive(
       argc, argv, "Error against run time of this library and other methods",
-      [&](const std::filesystem::path &output) { compare(output, repeats); },
-      {{"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats}});
+      [&](const std::filesystem::path &output) { compare(output, repeats, markdown); },
+      {{"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats},
+       {"--markdown", "Print the table of figures/methods/README.md", &markdown}});
 }

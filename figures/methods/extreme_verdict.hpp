@@ -1,4 +1,4 @@
-// One extreme case run and judged: its errors, how sensitive it is, its work.
+// Runs one extreme case and judges it by its errors and its sensitivity to the start.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +18,17 @@ namespace vibro_impact::extremes {
 using figures::Differences;
 using figures::EventTables;
 
-// Samples between the events: the deepest penetration of a stop, the size of the motion.
+// Samples of the motion between its events: the largest displacement and speed, and the deepest
+// penetration of a stop of `scene`.
 struct Samples {
   const Scene *scene;
-  double from, until, every;
+  double until;
   std::size_t taken = 0;
   double penetration = 0.0, size = 0.0, speed = 0.0;
   bool finite = true;
 
   double next_time() const {
-    return sample_time(from, until, every, taken);
+    return sample_time(0.0, until, until / 1000, taken);
   }
   void sample(const Moment &moment) {
     ++taken;
@@ -43,17 +44,36 @@ struct Samples {
   }
 };
 
-// What a case came to. Times relative to `period`, velocities to the largest, displacements to the
-// largest.
+// Times relative to `period`, velocities relative to the largest speed, displacements relative to
+// the largest one.
+struct Relative {
+  double time = 0.0, velocity = 0.0;
+};
+
 struct Measured {
-  double period = 0.0;
-  Differences differences;
-  double conditioning = 0.0;  // largest change of an event time per relative change of the start
+  std::string difference;  // the first event without a counterpart; empty when all agree
+  std::size_t events = 0;  // compared
+  Relative error;          // largest, of the events
+  Relative sensitivity;    // largest change of an event per relative change of the start
   double penetration = 0.0;
   bool finite = true;
   Counters counters;
-  bool pass = false;
 };
+
+// A case passes when every event has its counterpart, all numbers are finite, no stop is penetrated
+// by more than 1e-12 of the motion, and times and velocities are right to 1e-10, or to 100
+// roundings times the sensitivity where the scene amplifies a change of its start. The events of a
+// touch pass by having counterparts: compare_grazing allows them no more than a stop some roundings
+// away does.
+inline bool passes(const Measured &measured, Truth truth) {
+  const auto right = [](double error, double sensitivity) {
+    return error <= 1e-10 || error <= 100.0 * std::numeric_limits<double>::epsilon() * sensitivity;
+  };
+  return measured.difference.empty() && measured.finite && measured.penetration <= 1e-12 &&
+         (truth == Truth::grazing ||
+          (right(measured.error.time, measured.sensitivity.time) &&
+           right(measured.error.velocity, measured.sensitivity.velocity)));
+}
 
 // The forcing period; without forcing, the longest natural period of the chain.
 inline double period_of(const Scene &scene) {
@@ -66,119 +86,114 @@ inline double period_of(const Scene &scene) {
 
 namespace detail {
 
-// Events of a run that are compared.
-inline std::vector<TrueEvent> events_of(const Scene &scene, const Case &extreme,
+inline std::vector<TrueEvent> events_of(const Scene &scene, double from, double until,
                                         Outcome *outcome = nullptr) {
-  EventRecorder recorder{extreme.from};
-  const Outcome result = require_complete(simulate(scene, extreme.until, {}, recorder));
+  EventRecorder recorder{from};
+  const Outcome result = require_complete(simulate(scene, until, {}, recorder));
   if (outcome != nullptr) *outcome = result;
   return figures::as_truth(recorder.events);
 }
 
-// The changes made to a start to see what becomes of them, relative to the motion. The smaller one
-// is tried where the larger one makes other events, as with a contact that it undoes. It is large
-// enough for noise not to excuse itself: an error e that comes from nothing raises the sensitivity
-// by e / 1e-13, and with it what 100 roundings excuse by a fifth of e only.
+// The perturbations of a start, relative to the motion. The smaller one is tried where the larger
+// one makes other events, as it does where it undoes a contact. An error e that comes from nothing
+// raises the sensitivity by e / 1e-13, so that 100 roundings of it excuse a fifth of e only.
 constexpr double perturbations[] = {1e-10, 1e-13};
 
-// What is changed: displacements or velocities, of neighbours alike or in turn (which strains every
-// link), or the forcing.
-struct Change {
+// A perturbation of the displacements or velocities, of neighbours alike or with alternating signs,
+// which strains every link; or of the forcing.
+struct Perturbation {
   enum class Of { displacement, velocity, amplitude } of;
-  bool in_turn;
+  bool alternating;
 };
 
-// Masses on their stops stay there: leaving would be another scene.
-inline Scene perturbed(const Scene &scene, const Change &change, double relative, double size,
-                       double speed) {
+// Masses on their stops stay there, because a start away from the stop is another scene.
+inline Scene perturbed(const Scene &scene, const Perturbation &perturbation, double relative,
+                       const Samples &motion) {
+  using Of = Perturbation::Of;
   Scene result = scene;
-  if (change.of == Change::Of::amplitude) {
+  if (perturbation.of == Of::amplitude) {
     for (double &a : result.amplitude) a *= 1.0 + relative;
     return result;
   }
   result.displacement.resize(scene.mass.size(), 0.0);
   result.velocity.resize(scene.mass.size(), 0.0);
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    bool near = false;
-    for (const Stop &stop : scene.stops)
-      near = near || (stop.mass == static_cast<int>(i) + 1 &&
-                      std::abs(stop.position - result.displacement[i]) <= 2 * relative * size);
-    if (near) continue;
-    const double sense = change.in_turn && i % 2 == 1 ? -1.0 : 1.0;
-    if (change.of == Change::Of::displacement)
-      result.displacement[i] += sense * relative * size;
+    const auto holds_it = [&](const Stop &stop) {
+      return stop.mass == static_cast<int>(i) + 1 &&
+             std::abs(stop.position - result.displacement[i]) <= 2 * relative * motion.size;
+    };
+    if (std::any_of(scene.stops.begin(), scene.stops.end(), holds_it)) continue;
+    const double step = perturbation.alternating && i % 2 == 1 ? -relative : relative;
+    if (perturbation.of == Of::displacement)
+      result.displacement[i] += step * motion.size;
     else
-      result.velocity[i] += sense * relative * speed;
+      result.velocity[i] += step * motion.speed;
   }
   return result;
 }
 
-// Every change tried.
-inline std::vector<Change> changes(const Scene &scene) {
-  std::vector<Change> all;
-  for (const auto of : {Change::Of::displacement, Change::Of::velocity})
-    for (const bool in_turn : {false, true})
-      if (!in_turn || scene.masses() > 1) all.push_back({of, in_turn});
-  if (scene.forced()) all.push_back({Change::Of::amplitude, false});
+inline std::vector<Perturbation> perturbations_of(const Scene &scene) {
+  using Of = Perturbation::Of;
+  std::vector<Perturbation> all{{Of::displacement, false}, {Of::velocity, false}};
+  if (scene.masses() > 1) all.insert(all.end(), {{Of::displacement, true}, {Of::velocity, true}});
+  if (scene.forced()) all.push_back({Of::amplitude, false});
   return all;
+}
+
+inline Relative relative(const Differences &differences, double period, double speed) {
+  return {differences.time / period,
+          speed > 0.0 ? differences.velocity / speed : differences.velocity};
+}
+
+inline Relative sensitivity_of(const Scene &scene, double until, double period,
+                               const Samples &motion) {
+  const std::vector<TrueEvent> unperturbed = events_of(scene, 0.0, until);
+  Relative largest;
+  for (const Perturbation &perturbation : perturbations_of(scene)) {
+    for (const double by : perturbations) {
+      const Differences differences =
+          compare(events_of(perturbed(scene, perturbation, by, motion), 0.0, until), unperturbed,
+                  scene, {.period = period, .runs = true});
+      const Relative found = relative(differences, period, motion.speed);
+      largest.time = std::max(largest.time, found.time / by);
+      largest.velocity = std::max(largest.velocity, found.velocity / by);
+      if (differences.first.empty()) break;
+    }
+  }
+  return largest;
 }
 
 }  // namespace detail
 
-// Runs a case: once as it is, once sampled, and perturbed. `tables` holds the truth of the
-// generator's cases.
+// Runs a case once as it is, once sampled, and perturbed. `tables` holds the events of the cases
+// that are compared with the 50-digit generator.
 inline Measured measure(const Case &extreme, const EventTables &tables) {
   const Scene &scene = extreme.scene;
-  Measured result;
-  result.period = period_of(scene);
+  const double period = period_of(scene);
   Outcome outcome;
-  const std::vector<TrueEvent> events = detail::events_of(scene, extreme, &outcome);
-  result.counters = outcome.counters;
+  const auto events = detail::events_of(scene, extreme.from, extreme.until, &outcome);
   const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events;
-  result.differences = extreme.truth == Truth::grazing
-                           ? compare_grazing(events, truth, scene)
-                           : compare(events, truth, scene, {.period = result.period});
+  const Differences differences = extreme.truth == Truth::grazing
+                                      ? compare_grazing(events, truth, scene)
+                                      : compare(events, truth, scene, {.period = period});
 
   // A long run is sampled and perturbed over its first 1000 periods only.
-  Case shorter = extreme;
-  if (extreme.from > 0.0) {
-    shorter.from = 0.0;
-    shorter.until = std::min(extreme.until, 1000.0 * result.period);
-  }
-  Samples samples{&scene, 0.0, shorter.until, shorter.until / 1000};
-  require_complete(simulate(scene, shorter.until, {}, samples));
+  const double until =
+      extreme.from > 0.0 ? std::min(extreme.until, 1000.0 * period) : extreme.until;
+  Samples motion{&scene, until};
+  require_complete(simulate(scene, until, {}, motion));
+  for (const TrueEvent &event : truth)
+    motion.speed = std::max(motion.speed, std::abs(event.velocity_before));
   const auto finite = [](const std::vector<double> &values) {
-    return std::all_of(values.begin(), values.end(),
-                       [](double value) { return std::isfinite(value); });
+    return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
   };
-  result.finite =
-      samples.finite && finite(outcome.state.displacement) && finite(outcome.state.velocity);
-  double speed = samples.speed;
-  for (const TrueEvent &event : truth) speed = std::max(speed, std::abs(event.velocity_before));
-  const auto relative = [](double value, double scale) {
-    return scale > 0.0 ? value / scale : value;
-  };
-  result.penetration = relative(samples.penetration, samples.size);
-
-  const auto unchanged = extreme.from > 0.0 ? detail::events_of(scene, shorter) : events;
-  for (const detail::Change &change : detail::changes(scene)) {
-    for (const double by : detail::perturbations) {
-      const Scene changed = detail::perturbed(scene, change, by, samples.size, speed);
-      const Differences difference = compare(detail::events_of(changed, shorter), unchanged, scene,
-                                             {.period = result.period, .runs = true});
-      result.conditioning = std::max(result.conditioning, difference.time / result.period / by);
-      if (difference.first.empty()) break;
-    }
-  }
-  result.differences.time /= result.period;
-  result.differences.velocity = relative(result.differences.velocity, speed);
-
-  // A touch is compared within what a stop 100 roundings away would do, so it passes by agreeing.
-  const double rounding = 100.0 * std::numeric_limits<double>::epsilon();
-  result.pass = result.differences.first.empty() && result.finite && result.penetration <= 1e-12 &&
-                (extreme.truth == Truth::grazing || result.differences.time <= 1e-10 ||
-                 result.differences.time <= rounding * result.conditioning);
-  return result;
+  return {differences.first,
+          differences.matched,
+          detail::relative(differences, period, motion.speed),
+          detail::sensitivity_of(scene, until, period, motion),
+          motion.size > 0.0 ? motion.penetration / motion.size : motion.penetration,
+          motion.finite && finite(outcome.state.displacement) && finite(outcome.state.velocity),
+          outcome.counters};
 }
 
 }  // namespace vibro_impact::extremes

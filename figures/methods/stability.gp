@@ -13,9 +13,9 @@ shown(x) = x < 0.1 ? 0.1 : x
 opens(group) = group eq last ? 0 : (last = group, 1)
 per_impact(name) = column(name) / (column('impacts') > 0 ? column('impacts') : 1)
 # eval rules(x1, x2) draws the lines between the groups.
-rules(x1, x2) = sprintf("last = ''; plot table using (%g):(opens(strcol('group')) ? row($0) + 0.5 : NaN):(%g):(0) with vectors nohead linecolor rgb '#a0a0a0' linewidth 0.8 notitle", x1, x2 - x1)
+rules(x1, x2) = sprintf("last = ''; plot table using (%g):(opens(strcol('group')) ? row($0) + 0.5 : NaN):(%g):(0) with vectors nohead linetype 4 notitle", x1, x2 - x1)
 
-eval canvas('stability', 4.4)
+eval canvas('stability', 0.05 * cases)
 set multiplot
 set key autotitle columnhead samplen 1 maxrows 2 right top
 set yrange [-cases + 0.3 : 0.7]
@@ -32,8 +32,8 @@ set xtics ('≤ 0.1' 0.1, '10^2' 1e2, '10^4' 1e4, '10^6' 1e6, '10^8' 1e8)
 set grid x linetype 3
 set xlabel 'error of event times / rounding'
 set key at screen 0.66, screen 0.985
-plot table using (shown(column('conditioning'))):(row($0)):ytic(strcol('case')) \
-    with points pointtype 6 pointsize 1 linecolor rgb '#9a9a9a' title 'sensitivity to the start', \
+plot table using (shown(column('time_sensitivity'))):(row($0)):ytic(strcol('case')) \
+    with points pointtype 6 pointsize 1 linetype 4 title 'sensitivity to the start', \
   '' using (shown(column('time_error') / epsilon)):(row($0)) \
     with points pointtype 7 pointsize 1 linetype 1 title 'error', \
   '' using (strcol('verdict') eq 'pass' ? NaN : shown(column('time_error') / epsilon)):(row($0)) \

@@ -1,89 +1,115 @@
-// The methods of the work-precision figure are correct implementations: each gets the releases of
-// Figure 2 over ten periods to what its tolerance promises, and this library has the least error.
-// No assertion on run times.
-#include <fmt/format.h>
+// The methods of error against run time are correct implementations, the measure of their errors
+// sees what it should, and the README has their errors. No test asserts a run time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <string>
 
 #include "figures/methods/error_vs_runtime/method.hpp"
+#include "figures/methods/error_vs_runtime/summary.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::comparison;
 
-const Problem &problem_named(const std::string &name) {
+const std::vector<Problem> &all_problems() {
   static const std::vector<Problem> all = problems(REFERENCE_DIR);
-  return *std::find_if(all.begin(), all.end(), [&](const Problem &p) { return p.name == name; });
-}
-
-// Largest error in the time of a release, NaN where one is missing or too much: what else happens
-// is left out.
-double release_error(Result result, Problem problem) {
-  const auto is_other = [](const Happened &event) { return event.kind != release; };
-  std::erase_if(result.events, is_other);
-  std::erase_if(problem.reference_events, is_other);
-  return errors_of(result, problem).time;
-}
-
-// Release times to within `factor` times the power `order` of the setting.
-struct Promise {
-  double setting, factor, order;
-};
-
-const std::map<std::string, Promise> &promises() {
-  // Tolerances bound the error of a step. A release is the root of a hold force with a slope of
-  // about 0.1 whose error is that of the state, gathered in some 20 to 100 steps since the last
-  // stick, from where on the motion has forgotten most of what came before: factor 1e3. A threshold
-  // of speed changes what follows by the cube of it over the square of the pressing acceleration,
-  // 0.01 at the least: 1e4. Time stepping is of order one, and its releases are read off to half a
-  // step; a spring yields by contacts that last pi / sqrt(kappa).
-  static const std::map<std::string, Promise> all{
-      {"this library", {1e-13, 1e3, 1.0}},
-      {"this library (every impact)", {2.2e-16, 1e3, 1.0}},
-      {"plain event-driven", {1e-4, 1e4, 3.0}},
-      {"odeint runge_kutta_dopri5", {1e-10, 1e3, 1.0}},
-      {"odeint runge_kutta_fehlberg78", {1e-10, 1e3, 1.0}},
-      {"odeint bulirsch_stoer_dense_out", {1e-10, 1e3, 1.0}},
-      {"odeint rosenbrock4", {1e-10, 1e3, 1.0}},
-      {"CVODE Adams", {1e-10, 1e3, 1.0}},
-      {"CVODE BDF", {1e-10, 1e3, 1.0}},
-      {"Siconos Moreau-Jean", {5e-3, 10.0, 1.0}},
-      {"stiff spring (dopri5)", {1e8, 30.0, -0.5}}};
   return all;
 }
 
-TEST(ErrorAgainstRunTime, EveryMethodGetsTheReleasesOfFigure2ToWhatItPromises) {
-  const Problem &problem = problem_named("figure2");
-  for (const Method &method : all_methods().methods) {
-    const auto promise = promises().find(method.name);
-    if (promise == promises().end()) {
-      // The one that cannot: see the next test.
-      EXPECT_EQ(method.name, "Siconos LsodarOSI");
-      continue;
-    }
-    const auto [setting, factor, order] = promise->second;
-    const double error = release_error(method.run(problem, setting), problem);
-    fmt::print("{:32} at {:7.1e}: {:.2e}\n", method.name, setting, error);
-    EXPECT_LT(error, factor * std::pow(setting, order)) << method.name;
+const Problem &problem_named(const std::string &name) {
+  return problem_named(all_problems(), name);
+}
+
+std::vector<std::string> lines_of(const std::string &file) {
+  std::ifstream stream(REFERENCE_DIR "/../" + file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+const char *const methods[] = {"this library",
+                               "this library (every impact)",
+                               "plain event-driven",
+                               "odeint runge_kutta_dopri5",
+                               "odeint runge_kutta_fehlberg78",
+                               "stiff spring (dopri5)",
+                               "CVODE Adams",
+                               "Siconos Moreau-Jean",
+                               "Siconos LsodarOSI"};
+
+// A method of the list; the test is skipped where the method is not installed.
+class OfMethod : public ::testing::TestWithParam<const char *> {
+ protected:
+  Method method = {};
+
+  void SetUp() override {
+    const Methods all = all_methods();
+    for (const std::string &family : all.left_out)
+      if (std::string(GetParam()).starts_with(family))
+        GTEST_SKIP() << family << " is not installed";
+    for (const Method &found : all.methods)
+      if (found.name == GetParam()) method = found;
+    ASSERT_EQ(method.name, GetParam());
+  }
+};
+
+TEST_P(OfMethod, KeepsItsPromise) {
+  EXPECT_EQ(broken_promise(method, all_problems()), "");
+}
+
+// Another compiler rounds otherwise, which moves an error by less than 10 percent, and one that is
+// rounding itself by some roundings of t = 200.
+TEST_P(OfMethod, HasTheErrorThatTheReadmeShows) {
+  const auto readme = lines_of("figures/methods/README.md");
+  for (const SummaryRow &row : summary_rows()) {
+    if (row.method != method.name) continue;
+    const std::string start = row_start(row);
+    const auto line = std::find_if(readme.begin(), readme.end(), [&](const std::string &text) {
+      return text.starts_with(start);
+    });
+    ASSERT_NE(line, readme.end()) << start;
+    const Problem &problem = problem_named(row.problem);
+    const double error = errors_of(method.run(problem, row.setting), problem).time;
+    EXPECT_NEAR(std::stod(line->substr(start.size())), error, 0.1 * error + 1e-13) << *line;
   }
 }
 
-// It does what it can do: one flight to its tolerance (1e2 times: LSODAR bounds the error of a
-// step). What it cannot, it says in one line.
-TEST(ErrorAgainstRunTime, TheEventDrivenSchemeOfSiconosIsRightUntilItMeetsAChatter) {
+INSTANTIATE_TEST_SUITE_P(Methods, OfMethod, ::testing::ValuesIn(methods), [](const auto &method) {
+  std::string name = method.param;
+  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+  return name;
+});
+
+TEST(ErrorAgainstRunTime, EveryMethodIsInTheListOfThisTest) {
+  for (const Method &method : all_methods().methods)
+    EXPECT_NE(std::find(std::begin(methods), std::end(methods), method.name), std::end(methods))
+        << method.name;
+}
+
+TEST(ErrorAgainstRunTime, TheTopReadmeShowsRowsOfTheTable) {
+  const auto readme = lines_of("README.md"), table = lines_of("figures/methods/README.md");
+  for (const std::string &line : readme)
+    for (const SummaryRow &row : summary_rows())
+      if (line.starts_with(row_start(row))) {
+        EXPECT_NE(std::find(table.begin(), table.end(), line), table.end()) << line;
+      }
+}
+
+// In Siconos' own examples of one mass the scheme goes through a chatter to rest, not so here.
+TEST(ErrorAgainstRunTime, TheEventDrivenSchemeOfSiconosStopsInAChatterWithOneLine) {
   for (const Method &method : all_methods().methods) {
     if (method.name != "Siconos LsodarOSI") continue;
-    const Problem &flight = problem_named("flight"), &chatter = problem_named("chatter");
-    EXPECT_LT(errors_of(method.run(flight, 1e-10), flight).time, 1e-8);
-    const std::string failure = method.run(chatter, 1e-10).failure;
+    const std::string failure = method.run(problem_named("chatter"), 1e-10).failure;
     EXPECT_NE(failure, "");
     EXPECT_EQ(failure.find('\n'), std::string::npos);
+    return;
   }
+  GTEST_SKIP() << "Siconos is not installed";
 }
 
 TEST(ErrorAgainstRunTime, NoMethodReachesALowerErrorThanThisLibrary) {
@@ -93,16 +119,16 @@ TEST(ErrorAgainstRunTime, NoMethodReachesALowerErrorThanThisLibrary) {
     for (const Method &method : all_methods().methods)
       for (const double setting : method.settings) {
         const Errors errors = errors_of(method.run(problem, setting), problem);
-        double &so_far = least.try_emplace(method.name, HUGE_VAL).first->second;
-        if (errors.failure.empty()) so_far = std::min(so_far, errors.time);
+        double &least_error = least.try_emplace(method.name, HUGE_VAL).first->second;
+        if (errors.failure.empty()) least_error = std::min(least_error, errors.time);
       }
-    const double here = std::min(least["this library"], least["this library (every impact)"]);
-    for (const auto &[method, error] : least) EXPECT_LE(here, error) << method << " on " << name;
+    const double library = std::min(least["this library"], least["this library (every impact)"]);
+    for (const auto &[method, error] : least) EXPECT_LE(library, error) << method << " on " << name;
   }
 }
 
-// A contact with a spring lasts pi sqrt(m / kappa), and what it does to the motion is of that
-// order: a hundred times the stiffness for one digit more.
+// A contact with a spring lasts pi sqrt(m / kappa), and its effect on the motion is of that order:
+// a hundred times the stiffness for one digit more.
 TEST(ErrorAgainstRunTime, TheErrorOfAStiffSpringFallsWithTheRootOfItsStiffness) {
   const Problem &problem = problem_named("figure2");
   const Method spring = stiff_spring().front();
@@ -112,8 +138,8 @@ TEST(ErrorAgainstRunTime, TheErrorOfAStiffSpringFallsWithTheRootOfItsStiffness) 
 }
 
 // A gap is known to the rounding of x, 5e-17, and a mass pressed by a = 0.055 falls through that at
-// sqrt(2 a 5e-17) = 2.3e-9: slower impacts of a chatter are not its own. So a threshold of speed
-// has to be chosen: far below 1e-6 it makes the stick worse, and without one no chatter ends.
+// sqrt(2 a 5e-17) = 2.3e-9: impacts of a chatter slower than this are rounding. So a threshold of
+// speed has to be chosen. Far below 1e-6 it makes the stick worse; without one no chatter ends.
 TEST(ErrorAgainstRunTime, ThePlainSchemeStallsNearTheRootOfRoundingUnlessGivenAThreshold) {
   const Problem &problem = problem_named("chatter");
   const Method plain = plain_event_driven().front();
@@ -126,28 +152,78 @@ TEST(ErrorAgainstRunTime, ThePlainSchemeStallsNearTheRootOfRoundingUnlessGivenAT
   EXPECT_LT(stalled.end.time, problem.until);
 }
 
-// The measure of error sees what is missing and what is too much.
-TEST(ErrorAgainstRunTime, AMissedReleaseAndASpuriousStickAreFailures) {
+// The reference's own events and end of ten periods of Figure 2, spoilt in turn.
+class Measure : public ::testing::Test {
+ protected:
   const Problem &problem = problem_named("figure2");
-  Result result;
-  result.events = problem.reference_events;
-  result.end = problem.reference_end;
-  EXPECT_EQ(errors_of(result, problem).failure, "");
-  EXPECT_EQ(errors_of(result, problem).time, 0.0);
-  EXPECT_EQ(errors_of(result, problem).state, 0.0);
-  Result late = result, missed = result, spurious = result, impact_missed = result;
-  const auto first_release =
-      std::find_if(result.events.begin(), result.events.end(),
-                   [](const Happened &event) { return event.kind == release; }) -
-      result.events.begin();
-  late.events[static_cast<std::size_t>(first_release)].time += 1e-3;
-  EXPECT_NEAR(errors_of(late, problem).time, 1e-3, 1e-13);  // rounding of t = 14
-  missed.events.erase(missed.events.begin() + first_release);
-  EXPECT_NE(errors_of(missed, problem).failure, "");
-  spurious.events.push_back({problem.until, 1, stick});
-  EXPECT_NE(errors_of(spurious, problem).failure, "");
-  impact_missed.events.erase(impact_missed.events.begin());
-  EXPECT_GT(errors_of(impact_missed, problem).time, 0.1);
+  Result result = exact(problem, 0.0);
+
+  // A method without error but for a release that is late by `delay`, as is the state by itself.
+  static Result exact(const Problem &problem, double delay) {
+    Result result;
+    result.events = problem.reference_events;
+    result.end = problem.reference_end;
+    release_of(result).time += delay;
+    return result;
+  }
+  static MassEvent &release_of(Result &result) {
+    return *std::find_if(result.events.begin(), result.events.end(),
+                         [](const MassEvent &event) { return event.kind == EventKind::release; });
+  }
+  Errors errors() const {
+    return errors_of(result, problem);
+  }
+};
+
+TEST_F(Measure, IsTheLargestErrorOfATimeAndOfTheState) {
+  EXPECT_EQ(errors().failure, "");
+  EXPECT_EQ(errors().time, 0.0);
+  EXPECT_EQ(errors().state, 0.0);
+  release_of(result).time += 1e-3;
+  EXPECT_NEAR(errors().time, 1e-3, 1e-13);  // rounding of t = 14
+  result.end.displacement[1] += 1e-4;
+  EXPECT_NEAR(errors().state, 1e-4, 1e-15);
+  result.end.velocity[0] -= 1e-2;
+  EXPECT_NEAR(errors().state, 1e-2, 1e-15);
+}
+
+TEST_F(Measure, FailsForAnEventThatIsMissingOrSpurious) {
+  const Result right = result;
+  result.events.erase(result.events.begin() + (&release_of(result) - result.events.data()));
+  EXPECT_NE(errors().failure, "");
+  result = right;
+  result.events.push_back({problem.until, 1, EventKind::stick});
+  EXPECT_NE(errors().failure, "");
+  result = right;
+  result.events.erase(result.events.begin());  // an impact, for which the next one is taken
+  EXPECT_GT(errors().time, 0.1);
+  result = right;
+  result.end.velocity[1] = NAN;
+  EXPECT_NE(errors().failure, "");
+  result = right;
+  result.failure = "lost";
+  EXPECT_EQ(errors().failure, "lost");
+}
+
+// The setting of these methods is the delay of a release, or the error of the state.
+TEST_F(Measure, SeesABrokenPromise) {
+  Method late;
+  late.promise = {"figure2", 1e-6, 2.0, 1.0};
+  late.run = [](const Problem &given, double delay) { return exact(given, delay); };
+  EXPECT_EQ(broken_promise(late, all_problems()), "");
+  late.promise.factor = 0.5;
+  EXPECT_NE(broken_promise(late, all_problems()), "");
+  Method off = late;
+  off.run = [](const Problem &given, double error) {
+    Result run = exact(given, 0.0);
+    run.end.velocity[1] += error;
+    return run;
+  };
+  EXPECT_NE(broken_promise(off, all_problems()), "");
+  off.promise.factor = 2.0;
+  EXPECT_EQ(broken_promise(off, all_problems()), "");
+  off.run = [](const Problem &, double) { return Result{.failure = "lost"}; };
+  EXPECT_NE(broken_promise(off, all_problems()), "");
 }
 
 }  // namespace

@@ -3,50 +3,75 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "figures/event_tables.hpp"
 #include "reference/paper_scenes.hpp"
 #include "reference/table_reader.hpp"
-#include "vibro_impact/record.hpp"
 
 namespace vibro_impact::comparison {
 
 namespace {
 
-static_assert(impact == EventKind::impact && stick == EventKind::stick &&
-              release == EventKind::release);
-
-EventKind kind_named(const std::string &name) {
-  return name == "stick" ? stick : name == "release" ? release : impact;
+EventKind kind_named(const std::string &text) {
+  for (const EventKind kind : {EventKind::stick, EventKind::release})
+    if (text == name(kind)) return kind;
+  return EventKind::impact;
 }
 
 // The events of one mass, split at its sticks and releases.
 struct Course {
   std::vector<std::vector<double>> impacts = {{}};  // times, one list per stretch between two marks
-  std::vector<Happened> marks = {};                 // sticks and releases
+  std::vector<MassEvent> marks = {};                // sticks and releases
 };
 
-// `slowest` > 0: of every stretch only the impacts up to the first slower one.
-Course course_of(const std::vector<Happened> &events, int mass, double slowest) {
+// `slowest` > 0: of every stretch only the impacts before the first slower one.
+Course course_of(const std::vector<MassEvent> &events, int mass, double slowest) {
   Course course;
-  bool open = true;
-  for (const Happened &event : events) {
+  bool compared = true;
+  for (const MassEvent &event : events) {
     if (event.mass != mass) continue;
-    if (event.kind != impact) {
+    if (event.kind != EventKind::impact) {
       course.marks.push_back(event);
       course.impacts.emplace_back();
-      open = true;
+      compared = true;
       continue;
     }
-    open = open && std::abs(event.velocity_before) >= slowest;
-    if (open || slowest == 0.0) course.impacts.back().push_back(event.time);
+    compared = compared && std::abs(event.velocity_before) >= slowest;
+    if (compared || slowest == 0.0) course.impacts.back().push_back(event.time);
   }
   return course;
+}
+
+// Compares the sticks and releases, then the impacts between them. A mark more than `reach` away is
+// not the expected one. Raises `worst` to the largest error of a time; returns what is missing or
+// spurious, or nothing.
+std::string compare(const Course &found, const Course &expected, double reach, double &worst) {
+  for (std::size_t i = 0; i < std::max(expected.marks.size(), found.marks.size()); ++i) {
+    if (i == expected.marks.size())
+      return fmt::format("spurious {} at t = {:.6f}", name(found.marks[i].kind),
+                         found.marks[i].time);
+    const MassEvent &mark = expected.marks[i];
+    if (i == found.marks.size() || found.marks[i].kind != mark.kind ||
+        !(std::abs(found.marks[i].time - mark.time) < reach))
+      return fmt::format("{} at t = {:.6f} missed", name(mark.kind), mark.time);
+    worst = std::max(worst, std::abs(found.marks[i].time - mark.time));
+  }
+  for (std::size_t i = 0; i < expected.impacts.size(); ++i)
+    for (std::size_t j = 0; j < expected.impacts[i].size(); ++j) {
+      if (j == found.impacts[i].size())
+        return fmt::format("impact at t = {:.6f} missed", expected.impacts[i][j]);
+      worst = std::max(worst, std::abs(found.impacts[i][j] - expected.impacts[i][j]));
+    }
+  return {};
+}
+
+Errors failed(const std::string &failure) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan, failure};
 }
 
 }  // namespace
@@ -61,60 +86,64 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
   const auto events = figures::read_event_tables(reference / "work_precision_events.csv");
   for (const auto &row : figures::read_rows(states, 14)) {
     const auto number = [&](std::size_t i) { return figures::number_in(states, row[i]); };
-    const std::array<bool, 2> held{row[8] == "1", row[9] == "1"};
-    all.push_back({row[0],
-                   paper::scene_named(row[1]).scene,
-                   {number(2), {number(4), number(5)}, {number(6), number(7)}, held},
-                   number(3),
-                   {},
-                   {number(3), {number(10), number(11)}, {number(12), number(13)}, {}}});
-    const auto happened = events.find(row[0]);
-    if (happened == events.end()) continue;
-    for (const figures::TrueEvent &event : happened->second)
-      all.back().reference_events.push_back(
+    Problem &problem = all.emplace_back();
+    problem.name = row[0];
+    problem.scene = paper::scene_named(row[1]).scene;
+    problem.start = {
+        number(2), {number(4), number(5)}, {number(6), number(7)}, {row[8] == "1", row[9] == "1"}};
+    problem.until = number(3);
+    problem.reference_end = {
+        number(3), {number(10), number(11)}, {number(12), number(13)}, {false, false}};
+    const auto events_of_it = events.find(row[0]);
+    if (events_of_it == events.end()) continue;
+    for (const figures::TrueEvent &event : events_of_it->second)
+      problem.reference_events.push_back(
           {event.time, event.mass, kind_named(event.event), event.velocity_before});
   }
   return all;
 }
 
+const Problem &problem_named(const std::vector<Problem> &problems, const std::string &name) {
+  for (const Problem &problem : problems)
+    if (problem.name == name) return problem;
+  throw std::runtime_error(name + ": no such problem of work_precision_states.csv");
+}
+
 Errors errors_of(const Result &result, const Problem &problem) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  if (!result.failure.empty()) return {nan, nan, result.failure};
-  double worst = 0.0;
+  if (!result.failure.empty()) return failed(result.failure);
+  const double tenth_of_a_period = 0.1 * 2.0 * std::numbers::pi / problem.scene.omega;
+  Errors errors{0.0, 0.0};
   for (const int mass : {1, 2}) {
     const Course expected = course_of(problem.reference_events, mass, slowest_impact_compared);
-    const Course found = course_of(result.events, mass, 0.0);
-    for (std::size_t i = 0; i < std::max(expected.marks.size(), found.marks.size()); ++i) {
-      if (i == expected.marks.size())
-        return {nan, nan,
-                fmt::format("mass {}: spurious {} at t = {:.6f}", mass, name(found.marks[i].kind),
-                            found.marks[i].time)};
-      // A mark that comes more than a tenth of a forcing period away is not the one expected.
-      const Happened &mark = expected.marks[i];
-      const double reach = 0.1 * 2.0 * std::numbers::pi / problem.scene.omega;
-      if (i == found.marks.size() || found.marks[i].kind != mark.kind ||
-          !(std::abs(found.marks[i].time - mark.time) < reach))
-        return {nan, nan,
-                fmt::format("mass {}: {} at t = {:.6f} missed", mass, name(mark.kind), mark.time)};
-      worst = std::max(worst, std::abs(found.marks[i].time - mark.time));
+    const std::string difference =
+        compare(course_of(result.events, mass, 0.0), expected, tenth_of_a_period, errors.time);
+    if (!difference.empty()) return failed(fmt::format("mass {}: {}", mass, difference));
+  }
+  const TwoMassState &end = result.end, &expected = problem.reference_end;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const double error :
+         {end.displacement[i] - expected.displacement[i], end.velocity[i] - expected.velocity[i]}) {
+      if (!std::isfinite(error)) return failed("the state at the end is not finite");
+      errors.state = std::max(errors.state, std::abs(error));
     }
-    for (std::size_t i = 0; i < expected.impacts.size(); ++i)
-      for (std::size_t j = 0; j < expected.impacts[i].size(); ++j) {
-        if (j == found.impacts[i].size())
-          return {
-              nan, nan,
-              fmt::format("mass {}: impact at t = {:.6f} missed", mass, expected.impacts[i][j])};
-        worst = std::max(worst, std::abs(found.impacts[i][j] - expected.impacts[i][j]));
-      }
-  }
-  double state = 0.0;
-  for (std::size_t i = 0; i < 2; ++i) {
-    state = std::max(state,
-                     std::abs(result.end.displacement[i] - problem.reference_end.displacement[i]));
-    state = std::max(state, std::abs(result.end.velocity[i] - problem.reference_end.velocity[i]));
-  }
-  if (!std::isfinite(state)) return {nan, nan, "the state at the end is not finite"};
-  return {worst, state, {}};
+  return errors;
+}
+
+std::string broken_promise(const Method &method, const std::vector<Problem> &problems) {
+  const auto [name, setting, factor, order] = method.promise;
+  Problem problem = problem_named(problems, name);
+  Result result = method.run(problem, setting);
+  const auto is_no_release = [](const MassEvent &event) {
+    return event.kind != EventKind::release;
+  };
+  std::erase_if(result.events, is_no_release);
+  std::erase_if(problem.reference_events, is_no_release);
+  const Errors errors = errors_of(result, problem);
+  const double bound = factor * std::pow(setting, order);
+  if (errors.time <= bound && errors.state <= bound) return {};
+  return fmt::format(
+      "{} at {:g} on {}: releases off by {:.1e}, state by {:.1e}, promised {:.1e} {}", method.name,
+      setting, name, errors.time, errors.state, bound, errors.failure);
 }
 
 Methods all_methods() {
@@ -128,7 +157,7 @@ Methods all_methods() {
 #ifdef WITH_CVODE
   add(cvode());
 #else
-  all.left_out.emplace_back("CVODE (SUNDIALS)");
+  all.left_out.emplace_back("CVODE");
 #endif
 #ifdef WITH_SICONOS
   add(siconos());

@@ -1,5 +1,7 @@
-// What every method of the work-precision figure is given, what it returns, and how far that is
-// from the 50-digit reference. C++17: two of the methods do not compile as C++20.
+// The methods that are compared by error against run time: what each is given, what it returns, and
+// how far that is from the 50-digit reference.
+//
+// This header is C++17, because Siconos does not compile as C++20 (peers/siconos.cpp).
 #pragma once
 
 #include <array>
@@ -7,41 +9,35 @@
 #include <string>
 #include <vector>
 
+#include "vibro_impact/event_kind.hpp"
 #include "vibro_impact/scene.hpp"
-
-// Of record.hpp, which is C++20. method.cpp checks that these are its values.
-namespace vibro_impact {
-enum class EventKind;
-}
 
 namespace vibro_impact::comparison {
 
-constexpr EventKind impact{0}, stick{1}, release{2};
-
-// Displacement and velocity of both masses, and which of them rests on its stop.
+// Displacement and velocity of both masses, and which of them sticks at its stop.
 struct TwoMassState {
   double time = 0.0;
   std::array<double, 2> displacement = {}, velocity = {};
   std::array<bool, 2> held = {};
 };
 
-// One event of one mass, counted from 1. `velocity_before` is known for the impacts of the
-// reference and may be left out by a method.
-struct Happened {
+// One event of one mass, counted from 1. The velocity before it is known for the impacts of the
+// reference; a method may leave it out.
+struct MassEvent {
   double time = 0.0;
   int mass = 1;
-  EventKind kind = impact;
+  EventKind kind = EventKind::impact;
   double velocity_before = 0.0;
 };
 
-// A stretch of the motion of a scene with two masses, one stop each, and what the 50-digit
-// generator says of it.
+// A stretch of the motion of a scene with two masses and one stop each, with its events and its end
+// as the 50-digit generator has them.
 struct Problem {
   std::string name;
   Scene scene;
   TwoMassState start;
   double until = 0.0;
-  std::vector<Happened> reference_events = {};
+  std::vector<MassEvent> reference_events = {};
   TwoMassState reference_end = {};
 
   double periods() const;  // of the forcing
@@ -51,41 +47,60 @@ struct Problem {
 // std::runtime_error naming the file that cannot be read or the scene that is not known.
 std::vector<Problem> problems(const std::filesystem::path &reference);
 
-// What a run of a method gives. `failure` is empty when it reached the end; otherwise it says in
-// one line where and why it did not.
+// The problem of that name. Throws std::runtime_error where there is none.
+const Problem &problem_named(const std::vector<Problem> &problems, const std::string &name);
+
+// What a run of a method gives. `failure` is empty when the run reached the end; otherwise it says
+// in one line where and why it did not.
 struct Result {
-  std::vector<Happened> events = {};
+  std::vector<MassEvent> events = {};
   TwoMassState end = {};
   long long work = 0;  // right-hand sides, time steps or expansions: see Method::work
   long long impacts = 0;
   std::string failure = {};
 };
 
-// Impacts of the reference at least this fast are compared, up to the first slower one since the
-// mass was last released (or the start): those a method has to resolve, whatever it does with the
-// end of a chatter. Flights between them last longer than 0.05.
+// Of the impacts after the start or a release, those before the first slower one are compared.
+// Every method has to resolve them, whatever it does with the end of a chatter: the flights between
+// them last longer than 0.05.
 constexpr double slowest_impact_compared = 1e-2;
 
 // Largest error in the time of a stick, a release or such an impact, and in the displacements and
-// velocities at the end. NaN where `failure` says what is missing, what should not be there or why
-// the method gave up.
+// velocities at the end. Both are NaN where `failure` says what is missing, what should not be
+// there or why the method gave up.
 struct Errors {
   double time, state;
   std::string failure = {};
 };
 Errors errors_of(const Result &result, const Problem &problem);
 
-// A method and the settings it is swept over. A method with the same settings on every machine does
-// the same work on every machine.
+// What a method promises at one setting: the times of the releases of `problem`, and the state at
+// its end, are right to factor * setting^order.
+struct Promise {
+  const char *problem;
+  double setting, factor, order;
+};
+
+// A tolerance bounds the error of a step. A release is the root of a hold force with a slope of
+// about 0.1. The error of that force is the error of the state, gathered in some 20 to 100 steps
+// since the last stick; from there on the motion has forgotten most of what came before.
+constexpr double steps_and_slope = 1e3;
+
+// A method and the settings it is swept over. Settings are the same on every machine, and so is the
+// work done.
 struct Method {
   std::string name;
   std::string setting;  // what is swept: tolerance, time step, stiffness
   std::string work;     // what Result::work counts
   std::vector<double> settings;
+  Promise promise;
   Result (*run)(const Problem &problem, double setting);
 };
 
-// The families, one file each. cvode and siconos are built if their packages are found.
+// One line that says how `method` breaks its promise; empty where it keeps it.
+std::string broken_promise(const Method &method, const std::vector<Problem> &problems);
+
+// The families, one file each. cvode and siconos are built where their packages are found.
 std::vector<Method> this_library();
 std::vector<Method> plain_event_driven();
 std::vector<Method> odeint();
@@ -93,7 +108,7 @@ std::vector<Method> cvode();
 std::vector<Method> siconos();
 std::vector<Method> stiff_spring();
 
-// All of them, and the families that are not built.
+// All methods that are built, and the names of the families that are not.
 struct Methods {
   std::vector<Method> methods;
   std::vector<std::string> left_out;

@@ -9,9 +9,9 @@ namespace vibro_impact::comparison {
 
 namespace {
 
-// What the comparison keeps of an event.
-struct Kept {
-  std::vector<Happened> *events;
+// Records of an event what is compared.
+struct MassEventRecorder {
+  std::vector<MassEvent> *events;
   void event(const Event &event, const Moment &) {
     events->push_back({event.time, event.mass, event.kind, event.velocity_before});
   }
@@ -25,8 +25,8 @@ Result run_with(const Problem &problem, const RunOptions &options) {
   for (std::size_t i = 0; i < 2; ++i)
     if (problem.start.held[i])
       start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
-  Kept kept{&result.events};
-  const Outcome outcome = simulate_from(problem.scene, start, problem.until, options, kept);
+  MassEventRecorder recorder{&result.events};
+  const Outcome outcome = simulate_from(problem.scene, start, problem.until, options, recorder);
   result.end.time = outcome.time;
   for (std::size_t i = 0; i < 2; ++i) {
     result.end.displacement[i] = outcome.state.displacement[i];
@@ -42,23 +42,26 @@ Result run_with(const Problem &problem, const RunOptions &options) {
 }  // namespace
 
 std::vector<Method> this_library() {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
   return {
       {"this library",
        "tolerance of the chatter limit, ten times that of a flight",
        "expansions",
        {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
+       {"figure2", 1e-13, steps_and_slope, 1.0},
        [](const Problem &problem, double tolerance) {
          RunOptions options;
          options.chatter_tolerance = tolerance;
          options.flight_tolerance = std::max(0.1 * tolerance, options.flight_tolerance);
          return run_with(problem, options);
        }},
-      // Until what is left of a chatter lies below rounding. There is nothing to sweep: flow and
-      // roots are exact to rounding.
+      // Every impact is made until the rest of a chatter lies below rounding. There is nothing to
+      // sweep, because flow and roots are exact to rounding.
       {"this library (every impact)",
        "none",
        "expansions",
-       {std::numeric_limits<double>::epsilon()},
+       {rounding},
+       {"figure2", rounding, steps_and_slope, 1.0},
        [](const Problem &problem, double) { return run_with(problem, {.resolve_chatter = 0.0}); }}};
 }
 

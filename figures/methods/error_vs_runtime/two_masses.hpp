@@ -1,8 +1,8 @@
 // The chain of two masses with one stop each as a first-order system, and what a careful user does
-// at its events. Shared by every method that is given a right-hand side.
+// at its events. Every method that is given a right-hand side shares this.
 //
 // The coordinates are the gaps g_i and the gap speeds u_i. A mass at its stop then has g_i = 0
-// exactly, and a chatter does not drown in the rounding of x_i - s_i: this helps these methods.
+// exactly, and a chatter does not drown in the rounding of x_i - s_i, which helps these methods.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct TwoMasses {
   std::array<double, 2> side, stop;  // +1 for an upper stop
   double omega, restitution;
 
-  template <class State>
+  template <class State>  // Vec, or the numbers of a vector of CVODE
   double acceleration(std::size_t i, const State &y, double cosine) const {
     const GapEquation &e = equation[i];
     return e.gap[0] * y[0] + e.speed[0] * y[1] + e.gap[1] * y[2] + e.speed[1] * y[3] + e.rest +
@@ -38,7 +38,7 @@ struct TwoMasses {
 // Throws std::invalid_argument unless the scene has two masses with stops[i] on mass i + 1.
 TwoMasses two_masses(const Scene &scene);
 
-// Where a run in gap coordinates stands.
+// The state of a run in gap coordinates.
 struct GapState {
   double time = 0.0;
   Vec y = {};
@@ -57,21 +57,7 @@ void right_hand_side(const TwoMasses &chain, const std::array<bool, 2> &held, co
   }
 }
 
-// The derivatives of the right-hand side by the state that are not always zero:
-// set(row, column, value).
-template <class Set>
-void set_jacobian(const TwoMasses &chain, const std::array<bool, 2> &held, const Set &set) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double free = held[i] ? 0.0 : 1.0;
-    set(2 * i, 2 * i + 1, free);
-    for (std::size_t j = 0; j < 2; ++j) {
-      set(2 * i + 1, 2 * j, free * chain.equation[i].gap[j]);
-      set(2 * i + 1, 2 * j + 1, free * chain.equation[i].speed[j]);
-    }
-  }
-}
-
-// What must stay positive until the next event of mass i + 1: its gap, or the force holding it.
+// The gap of mass i + 1, or the force that holds it: positive until the next event of the mass.
 template <class State>
 double guard(const TwoMasses &chain, const std::array<bool, 2> &held, std::size_t i, const State &y,
              double t) {
@@ -89,19 +75,21 @@ inline double stick_below(double tolerance) {
   return std::pow(tolerance, 2.0 / 3.0);
 }
 
-// The event of mass i + 1 at the present state: an impact, or the release of a held mass. After an
-// impact slower than `slowest` a mass that is pressed into its stop sticks; its stick is
-// recorded when the rest of the chatter, a geometric series of flights 2 u / a, would be over. That
-// leaves an error of the order of its square in the time of the stick and of its cube in what
-// follows. A neighbour whose holding force the impact turns round leaves at once.
-void happen(const TwoMasses &chain, GapState &state, std::size_t i, double slowest, Result &result);
+// Makes the event of mass i + 1 at the present state: an impact, or the release of a held mass.
+// After an impact slower than `slowest` a mass that is pressed into its stop sticks. Its stick is
+// recorded when the rest of the chatter, a geometric series of flights 2 u / a, would be over. The
+// error in the time of the stick is of the order of `slowest` squared, the error in the motion
+// behind it of the order of `slowest` cubed. A neighbour whose hold force the impact turns round
+// leaves at once.
+void apply_event(const TwoMasses &chain, GapState &state, std::size_t i, double slowest,
+                 Result &result);
 
 // A method that resolves a chatter impact by impact and ends here is lost in it.
 constexpr long long impacts_at_most = 20'000;
 std::string lost_in_impacts(double time, int mass, double speed);
 
-// Duration of the flight that begins at the present state, as far as speed and acceleration tell:
-// a first step that reaches just beyond its end. Infinite when no mass has just hit.
+// Duration 2 u / a of the flight that begins at the present state with speed u and acceleration -a,
+// which decides on the length of a first step. Infinite when no mass has just hit.
 double flight_ahead(const TwoMasses &chain, const GapState &state);
 
 }  // namespace vibro_impact::comparison

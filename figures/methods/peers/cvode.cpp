@@ -1,16 +1,14 @@
-// SUNDIALS CVODE with its own root finding on the gaps and hold forces (CVodeRootInit); after every
-// event the solver is re-initialised, as its manual asks for discontinuities. Adams with
-// fixed-point iteration (the manual's choice for non-stiff problems) and BDF with Newton iteration,
-// a dense matrix and the exact Jacobian.
+// SUNDIALS CVODE: Adams with fixed-point iteration, the manual's choice for problems that are not
+// stiff, and CVODE's own root finding on the gaps and hold forces (CVodeRootInit). After every
+// event the solver is initialised again, as its manual asks for discontinuities.
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
@@ -42,29 +40,21 @@ int guards(double t, N_Vector y, double *values, void *user) {
   return 0;
 }
 
-int jacobian(double, N_Vector, N_Vector, SUNMatrix matrix, void *user, N_Vector, N_Vector,
-             N_Vector) {
-  const Model &model = *static_cast<Model *>(user);
-  SUNMatZero(matrix);
-  set_jacobian(model.chain, model.now.held, [&](auto row, auto column, double value) {
-    SM_ELEMENT_D(matrix, static_cast<sunindextype>(row), static_cast<sunindextype>(column)) = value;
-  });
-  return 0;
-}
-
 void require(bool holds, const char *call) {
   if (!holds) throw std::runtime_error(fmt::format("{} failed", call));
 }
 
+// A pointer of SUNDIALS that is freed with its last copy.
 template <class Pointer, class Free>
-auto owned(Pointer pointer, Free free) {
+std::shared_ptr<std::remove_pointer_t<Pointer>> owned(Pointer pointer, Free free) {
   require(pointer != nullptr, "allocation by SUNDIALS");
-  return std::unique_ptr<std::remove_pointer_t<Pointer>, Free>(pointer, free);
+  return {pointer, free};
 }
 
-// The absolute tolerances of the coming flights: relative to its height and speed for a mass that
-// has just hit its stop. With one absolute tolerance for all, flights lower than it would be taken
-// in one step of order one whatever their error, and the end of a chatter would come wrong by 1e-5.
+// Makes the absolute tolerances of the coming flight of a mass that has just hit its stop relative
+// to the height and speed of that flight. With one absolute tolerance for all, flights lower than
+// it would be taken in one step of order one whatever their error, and the end of a chatter would
+// be wrong by 1e-5.
 void set_tolerances(const Model &model, double tolerance, N_Vector absolute) {
   const double cosine = std::cos(model.chain.omega * model.now.time);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -78,77 +68,74 @@ void set_tolerances(const Model &model, double tolerance, N_Vector absolute) {
   }
 }
 
-Result integrate(const Problem &problem, int linear_multistep, double tolerance) {
+// CVODE's memory and what it refers to.
+struct Solver {
+  std::shared_ptr<_SUNContext> context;
+  std::shared_ptr<_generic_N_Vector> y, absolute;
+  std::shared_ptr<_generic_SUNNonlinearSolver> fixed_point;
+  std::shared_ptr<void> memory;
+
+  void tolerate(const Model &model, double tolerance) const {
+    set_tolerances(model, tolerance, absolute.get());
+    require(CVodeSVtolerances(memory.get(), tolerance, absolute.get()) == CV_SUCCESS,
+            "CVodeSVtolerances");
+  }
+};
+
+Solver solver_for(Model &model, double tolerance, double until) {
+  Solver solver;
+  SUNContext context = nullptr;
+  require(SUNContext_Create(nullptr, &context) == 0, "SUNContext_Create");
+  solver.context = owned(context, [](SUNContext c) { SUNContext_Free(&c); });
+  solver.y = owned(N_VMake_Serial(4, model.now.y.data(), context), N_VDestroy);
+  solver.absolute = owned(N_VNew_Serial(4, context), N_VDestroy);
+  solver.fixed_point = owned(SUNNonlinSol_FixedPoint(solver.y.get(), 0, context), SUNNonlinSolFree);
+  solver.memory = owned(CVodeCreate(CV_ADAMS, context), [](void *m) { CVodeFree(&m); });
+  void *const memory = solver.memory.get();
+  require(CVodeInit(memory, derivative, model.now.time, solver.y.get()) == CV_SUCCESS, "CVodeInit");
+  CVodeSetErrHandlerFn(
+      memory, [](int, const char *, const char *, char *, void *) {}, nullptr);
+  solver.tolerate(model, tolerance);
+  CVodeSetUserData(memory, &model);
+  CVodeSetMaxNumSteps(memory, 1'000'000);
+  CVodeSetMaxStep(memory, longest_unseen);
+  CVodeSetStopTime(memory, until);
+  require(CVodeRootInit(memory, 2, guards) == CV_SUCCESS, "CVodeRootInit");
+  std::array<int, 2> falling{-1, -1};
+  CVodeSetRootDirection(memory, falling.data());
+  require(CVodeSetNonlinearSolver(memory, solver.fixed_point.get()) == CV_SUCCESS,
+          "CVodeSetNonlinearSolver");
+  return solver;
+}
+
+Result adams(const Problem &problem, double tolerance) try {
   Model model{two_masses(problem.scene), {}};
   GapState &now = model.now;
   now = gap_state(model.chain, problem.start);
+  const Solver solver = solver_for(model, tolerance, problem.until);
+  void *const memory = solver.memory.get();
   Result result;
-
-  SUNContext raw_context = nullptr;
-  require(SUNContext_Create(nullptr, &raw_context) == 0, "SUNContext_Create");
-  const auto context = owned(raw_context, [](SUNContext c) { SUNContext_Free(&c); });
-  const auto y = owned(N_VMake_Serial(4, now.y.data(), raw_context), N_VDestroy);
-  const auto solver =
-      owned(CVodeCreate(linear_multistep, raw_context), [](void *memory) { CVodeFree(&memory); });
-  require(CVodeInit(solver.get(), derivative, now.time, y.get()) == CV_SUCCESS, "CVodeInit");
-  CVodeSetErrHandlerFn(
-      solver.get(), [](int, const char *, const char *, char *, void *) {}, nullptr);
-  const auto absolute = owned(N_VNew_Serial(4, raw_context), N_VDestroy);
-  const auto tolerate = [&] {
-    set_tolerances(model, tolerance, absolute.get());
-    require(CVodeSVtolerances(solver.get(), tolerance, absolute.get()) == CV_SUCCESS,
-            "CVodeSVtolerances");
-  };
-  tolerate();
-  CVodeSetUserData(solver.get(), &model);
-  CVodeSetMaxNumSteps(solver.get(), 1'000'000);
-  CVodeSetMaxStep(solver.get(), longest_unseen);
-  CVodeSetStopTime(solver.get(), problem.until);
-  require(CVodeRootInit(solver.get(), 2, guards) == CV_SUCCESS, "CVodeRootInit");
-  std::array<int, 2> falling{-1, -1};
-  CVodeSetRootDirection(solver.get(), falling.data());
-
-  const auto matrix = owned(SUNDenseMatrix(4, 4, raw_context), SUNMatDestroy);
-  const auto linear = owned(SUNLinSol_Dense(y.get(), matrix.get(), raw_context),
-                            [](SUNLinearSolver s) { SUNLinSolFree(s); });
-  const auto fixed_point = owned(SUNNonlinSol_FixedPoint(y.get(), 0, raw_context),
-                                 [](SUNNonlinearSolver s) { SUNNonlinSolFree(s); });
-  if (linear_multistep == CV_ADAMS) {
-    require(CVodeSetNonlinearSolver(solver.get(), fixed_point.get()) == CV_SUCCESS,
-            "CVodeSetNonlinearSolver");
-  } else {
-    require(CVodeSetLinearSolver(solver.get(), linear.get(), matrix.get()) == CV_SUCCESS,
-            "CVodeSetLinearSolver");
-    require(CVodeSetJacFn(solver.get(), jacobian) == CV_SUCCESS, "CVodeSetJacFn");
-  }
-
   while (result.failure.empty()) {
-    const int flag = CVode(solver.get(), problem.until, y.get(), &now.time, CV_NORMAL);
-    if (flag != CV_ROOT_RETURN && flag != CV_TSTOP_RETURN && flag != CV_SUCCESS) {
+    const int flag = CVode(memory, problem.until, solver.y.get(), &now.time, CV_NORMAL);
+    if (flag < 0) {
       const std::unique_ptr<char, decltype(&std::free)> reason(CVodeGetReturnFlagName(flag),
                                                                &std::free);
       result.failure = fmt::format("{} at t = {:.6f}", reason.get(), now.time);
-      break;
     }
     if (flag != CV_ROOT_RETURN) break;
     std::array<int, 2> found{};
-    CVodeGetRootInfo(solver.get(), found.data());
+    CVodeGetRootInfo(memory, found.data());
     for (std::size_t i = 0; i < 2; ++i)
-      if (found[i] < 0) happen(model.chain, now, i, stick_below(tolerance), result);
-    tolerate();
-    CVodeReInit(solver.get(), now.time, y.get());
-    // A first step that is not longer than the flight ahead, else one of the solver's own choice.
+      if (found[i] < 0) apply_event(model.chain, now, i, stick_below(tolerance), result);
+    solver.tolerate(model, tolerance);
+    CVodeReInit(memory, now.time, solver.y.get());
+    // The first step is not longer than the flight ahead; without one, CVODE chooses.
     const double flight = flight_ahead(model.chain, now);
-    CVodeSetInitStep(solver.get(), flight < longest_unseen ? 0.1 * flight : 0.0);
+    CVodeSetInitStep(memory, flight < longest_unseen ? 0.1 * flight : 0.0);
   }
   result.work = model.evaluations;
   result.end = physical_state(model.chain, now);
   return result;
-}
-
-template <int linear_multistep>
-Result run(const Problem &problem, double tolerance) try {
-  return integrate(problem, linear_multistep, tolerance);
 } catch (const std::runtime_error &error) {
   Result failed;
   failed.failure = error.what();
@@ -158,9 +145,12 @@ Result run(const Problem &problem, double tolerance) try {
 }  // namespace
 
 std::vector<Method> cvode() {
-  const std::vector<double> tolerances{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
-  return {{"CVODE Adams", "tolerance", "right-hand sides", tolerances, run<CV_ADAMS>},
-          {"CVODE BDF", "tolerance", "right-hand sides", tolerances, run<CV_BDF>}};
+  return {{"CVODE Adams",
+           "tolerance",
+           "right-hand sides",
+           {1e-4, 1e-6, 1e-8, 1e-10, 1e-12},
+           {"figure2", 1e-10, steps_and_slope, 1.0},
+           adams}};
 }
 
 }  // namespace vibro_impact::comparison

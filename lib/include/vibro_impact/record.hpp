@@ -16,15 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "event_kind.hpp"
 #include "instant.hpp"
 #include "scene.hpp"
 
 namespace vibro_impact {
-
-enum class EventKind { impact, stick, release };
-
-// "impact", "stick" or "release".
-const char *name(EventKind kind);
 
 // The stuck masses of a contact mode as `-`, `1`, `2`, `1+2`.
 std::string contact_mode_name(const Held &held);
