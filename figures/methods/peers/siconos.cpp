@@ -1,15 +1,9 @@
-// The chain of two masses in Siconos, by its time stepping and by its event-driven scheme: a
-// LagrangianLinearTIDS with the forcing as external force, and one NewtonImpactNSL on the gap of
-// each mass. C++17: the headers of Siconos instantiate uBLAS of Boost 1.74, which is not C++20.
-#include <fmt/format.h>
-
+// The chain of two masses in Siconos, by its time stepping: a LagrangianLinearTIDS with the forcing
+// as external force, and one NewtonImpactNSL on the gap of each mass. C++17: the headers of Siconos
+// instantiate uBLAS of Boost 1.74, which is not C++20.
 #include <SiconosKernel.hpp>
 #include <array>
-#include <boost/exception/diagnostic_information.hpp>
 #include <cmath>
-#include <iostream>
-#include <sstream>
-#include <string>
 
 #include "figures/methods/error_vs_runtime/two_masses.hpp"
 
@@ -73,34 +67,6 @@ SiconosModel siconos_model(const Problem &problem) {
   return model;
 }
 
-TwoMassState state_of(const SiconosModel &model, double time) {
-  TwoMassState state{time, {}, {}, {}};
-  for (unsigned int i = 0; i < 2; ++i) {
-    state.displacement[i] = (*model.chain->q())(i);
-    state.velocity[i] = (*model.chain->velocity())(i);
-  }
-  return state;
-}
-
-// Calls Siconos without what it prints on std::cout. A failure of Siconos becomes one line of the
-// result: the time of the last event and the last sentence that Siconos printed.
-template <class Call>
-void quietly(Result &result, const double &time, const Call &call) {
-  std::ostringstream printed;
-  std::streambuf *const before = std::cout.rdbuf(printed.rdbuf());
-  try {
-    call();
-  } catch (...) {
-    // The diagnostic lists source line, exception type and error number; the sentence comes last.
-    std::string why = boost::current_exception_diagnostic_information();
-    const std::string label = "[Siconos::message*] = ";
-    if (const auto at = why.find(label); at != std::string::npos)
-      why = why.substr(at + label.size());
-    result.failure = fmt::format("behind t = {:.6f}: {}", time, why.substr(0, why.find('\n')));
-  }
-  std::cout.rdbuf(before);
-}
-
 // Shorter runs of steps with an impulse are impacts that took more than one step.
 constexpr int steps_of_a_stick = 8;
 
@@ -125,87 +91,30 @@ Result time_stepping(const Problem &problem, double step) {
   std::array<int, 2> in_contact{};  // steps in a row with an impulse
   for (std::size_t i = 0; i < 2; ++i)
     if (problem.start.held[i]) in_contact[i] = steps_of_a_stick;
-  double time = problem.start.time;
-  quietly(result, time, [&] {
-    for (long long n = 1; n <= steps; ++n) {
-      simulation->computeOneStep();
-      time = problem.start.time + h * static_cast<double>(n);
-      for (std::size_t i = 0; i < 2; ++i) {
-        const int mass = static_cast<int>(i) + 1;
-        if ((*model.contact[i]->lambda(1))(0) > 0.0) {
-          if (++in_contact[i] == 1) {
-            // The impulse of the step from time - h to time stands for one at its middle.
-            result.events.push_back({time - 0.5 * h, mass, EventKind::impact});
-            ++result.impacts;
-          } else if (in_contact[i] == steps_of_a_stick) {
-            result.events.push_back({time - (steps_of_a_stick - 0.5) * h, mass, EventKind::stick});
-          }
-        } else {
-          if (in_contact[i] >= steps_of_a_stick)
-            result.events.push_back({time - 0.5 * h, mass, EventKind::release});
-          in_contact[i] = 0;
+  for (long long n = 1; n <= steps; ++n) {
+    simulation->computeOneStep();
+    const double time = problem.start.time + h * static_cast<double>(n);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int mass = static_cast<int>(i) + 1;
+      if ((*model.contact[i]->lambda(1))(0) > 0.0) {
+        if (++in_contact[i] == 1) {
+          // The impulse of the step from time - h to time stands for one at its middle.
+          result.events.push_back({time - 0.5 * h, mass, EventKind::impact});
+          ++result.impacts;
+        } else if (in_contact[i] == steps_of_a_stick) {
+          result.events.push_back({time - (steps_of_a_stick - 0.5) * h, mass, EventKind::stick});
         }
+      } else {
+        if (in_contact[i] >= steps_of_a_stick)
+          result.events.push_back({time - 0.5 * h, mass, EventKind::release});
+        in_contact[i] = 0;
       }
-      simulation->nextStep();
     }
-  });
+    simulation->nextStep();
+  }
   result.work = steps;
-  result.end = state_of(model, problem.until);
-  return result;
-}
-
-// The event-driven scheme: LsodarOSI between events, one LCP at impacts and one for the
-// accelerations of masses in contact, set up as in Siconos' bouncing-ball examples. The tolerance
-// is that of LSODAR. A gap or a gap speed below the same tolerance counts as zero
-// (EventDriven::setToleranceED).
-//
-// In those examples, one mass under a constant force, the scheme goes through a chatter to rest. In
-// the scenes here it ends in the first chatter, so that its promise is for one flight.
-Result event_driven(const Problem &problem, double tolerance) {
-  const SiconosModel model = siconos_model(problem);
-  // The user's grid of time points: none needed but the end.
-  constexpr int points = 64;
-  auto discretisation = std::make_shared<TimeDiscretisation>(
-      problem.start.time, (problem.until - problem.start.time) / points);
-  auto simulation = std::make_shared<EventDriven>(model.system, discretisation);
-  auto integrator = std::make_shared<LsodarOSI>();
-  simulation->insertIntegrator(integrator);
-  simulation->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_IMPACT);
-  simulation->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_SMOOTH_ACC);
-  simulation->setToleranceED(tolerance);
-  simulation->initialize();
-  integrator->setTol(1, tolerance, tolerance);
-
-  Result result;
-  std::array<bool, 2> held = problem.start.held;
-  double time = problem.start.time;
-  quietly(result, time, [&] {
-    while (simulation->hasNextEvent()) {
-      simulation->advanceToEvent();
-      ++result.work;
-      const bool nonsmooth = simulation->eventsManager()->nextEvent()->getType() == NS_EVENT;
-      const TwoMassState before = state_of(model, time);
-      simulation->processEvents();
-      time = simulation->startingTime();
-      const TwoMassState after = state_of(model, time);
-      if (!nonsmooth) continue;
-      for (std::size_t i = 0; i < 2; ++i) {
-        const int mass = static_cast<int>(i) + 1;
-        const bool now_held = simulation->indexSet(2)->is_vertex(model.contact[i]);
-        if (!held[i] && after.velocity[i] != before.velocity[i]) {
-          result.events.push_back({time, mass, EventKind::impact, before.velocity[i]});
-          if (++result.impacts > impacts_at_most) {
-            result.failure = lost_in_impacts(time, mass, before.velocity[i]);
-            return;
-          }
-        }
-        if (now_held != held[i])
-          result.events.push_back({time, mass, now_held ? EventKind::stick : EventKind::release});
-        held[i] = now_held;
-      }
-    }
-  });
-  result.end = state_of(model, time);
+  const auto &q = *model.chain->q(), &v = *model.chain->velocity();
+  result.end = {problem.until, {q(0), q(1)}, {v(0), v(1)}, {}};
   return result;
 }
 
@@ -218,13 +127,7 @@ std::vector<Method> siconos() {
            "time steps",
            {2e-2, 1e-2, 5e-3, 2e-3},
            {"figure2", 5e-3, 10.0, 1.0},
-           time_stepping},
-          {"Siconos LsodarOSI",
-           "tolerance",
-           "events",
-           {1e-6, 1e-8, 1e-10, 1e-12},
-           {"flight", 1e-10, 1e2, 1.0},
-           event_driven}};
+           time_stepping}};
 }
 
 }  // namespace vibro_impact::comparison
