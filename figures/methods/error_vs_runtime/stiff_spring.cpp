@@ -11,6 +11,8 @@
 #include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <functional>
+#include <limits>
 #include <numbers>
 
 #include "event_loop.hpp"
@@ -23,55 +25,48 @@ namespace {
 // about one.
 constexpr double half_periods_of_a_stick = 6.0;
 
-// The springs at the two stops, and the contacts with them.
+// The springs at the two stops, per mass, and the contacts with them.
 struct Springs {
   TwoMasses chain;
-  std::array<double, 2> stiffness = {}, damping = {}, lasting = {};  // per mass; of a stick
+  GapState now;
+  std::array<double, 2> stiffness = {}, damping = {};
+  std::array<double, 2> stick = {};  // the duration of a contact that counts as a stick
   std::array<bool, 2> contact = {};
   std::array<double, 2> since = {};  // beginning of the last contact
-  double start = 0.0;
-  long long evaluations = 0;
+  Result result = {};
 
   Springs(const Problem &problem, double kappa)
-      : chain(two_masses(problem.scene)), contact(problem.start.held), start(problem.start.time) {
+      : chain(two_masses(problem.scene)),
+        now(gap_state(chain, problem.start)),
+        contact(problem.start.held) {
     const double log_r = std::log(problem.scene.restitution);
     const double zeta = -log_r / std::hypot(std::numbers::pi, log_r);
+    const double cosine = std::cos(chain.omega * now.time);
     for (std::size_t i = 0; i < 2; ++i) {
       stiffness[i] = kappa / problem.scene.mass[i];
       damping[i] = 2.0 * zeta * std::sqrt(stiffness[i]);
-      lasting[i] = half_periods_of_a_stick * std::numbers::pi / std::sqrt(stiffness[i]);
-      since[i] = start - lasting[i];
+      stick[i] = half_periods_of_a_stick * std::numbers::pi / std::sqrt(stiffness[i]);
+      since[i] = -std::numeric_limits<double>::infinity();
     }
+    for (std::size_t i = 0; i < 2; ++i)  // A held mass rests on its compressed spring.
+      if (now.held[i]) now.y[2 * i] = chain.acceleration(i, now.y, cosine) / stiffness[i];
   }
 
-  // The start of the problem, where a held mass rests on its compressed spring.
-  GapState start_of(const Problem &problem) const {
-    GapState state = gap_state(chain, problem.start);
-    for (std::size_t i = 0; i < 2; ++i)
-      if (state.held[i])
-        state.y[2 * i] =
-            chain.acceleration(i, state.y, std::cos(chain.omega * state.time)) / stiffness[i];
-    return state;
-  }
-
-  void operator()(const Vec &y, Vec &dydt, double t) {
-    ++evaluations;
-    right_hand_side(chain, {false, false}, y, dydt, t);
+  void operator()(const Vec &y, Vec &dydt, double tau) {
+    ++result.work;
+    right_hand_side(chain, {false, false}, y, dydt, now.time + tau);
     for (std::size_t i = 0; i < 2; ++i)
       if (contact[i]) dydt[2 * i + 1] -= stiffness[i] * y[2 * i] + damping[i] * y[2 * i + 1];
   }
 
-  bool lasts(std::size_t i, double time) const {
-    return time - since[i] > lasting[i];
-  }
-  // A contact that has lasted counts as a stick from its beginning, unless it was there at the
-  // start.
-  void record_stick(std::size_t i, double time, Result &result) const {
-    if (contact[i] && lasts(i, time) && since[i] >= start)
+  // A contact that has lasted counts as a stick from its beginning, unless the run began in it.
+  void record_stick(std::size_t i) {
+    if (contact[i] && now.time - since[i] > stick[i] && std::isfinite(since[i]))
       result.events.push_back({since[i], static_cast<int>(i) + 1, EventKind::stick});
   }
+
   // Begins or ends the contact of mass i + 1.
-  void toggle(std::size_t i, GapState &now, Result &result) {
+  void toggle(std::size_t i) {
     const int mass = static_cast<int>(i) + 1;
     now.y[2 * i] = 0.0;
     if (!contact[i]) {
@@ -79,8 +74,8 @@ struct Springs {
       since[i] = now.time;
       if (++result.impacts > impacts_at_most)
         result.failure = lost_in_impacts(now.time, mass, now.y[2 * i + 1]);
-    } else if (lasts(i, now.time)) {
-      record_stick(i, now.time, result);
+    } else if (now.time - since[i] > stick[i]) {
+      record_stick(i);
       result.events.push_back({now.time, mass, EventKind::release});
     }
     contact[i] = !contact[i];
@@ -88,27 +83,23 @@ struct Springs {
 };
 
 Result integrate(const Problem &problem, double kappa) {
-  Result result;
   Springs springs(problem, kappa);
-  GapState now = springs.start_of(problem);
-  const auto system = [&](const Vec &y, Vec &dydt, double tau) {
-    springs(y, dydt, now.time + tau);
-  };
   const auto stepper = boost::numeric::odeint::make_dense_output(
       1e-3 / kappa, 1e-9, boost::numeric::odeint::runge_kutta_dopri5<Vec>());
-  DenseOutput<std::decay_t<decltype(stepper)>, decltype(system)> steps{now, stepper, system};
+  DenseOutput<std::decay_t<decltype(stepper)>, std::reference_wrapper<Springs>> steps{
+      springs.now, stepper, std::ref(springs)};
   const double first_step = 0.1 / std::sqrt(kappa);
   const auto guard = [&](std::size_t i, const Vec &y, double) {
     return springs.contact[i] ? -y[2 * i] : y[2 * i];
   };
   const auto event_of = [&](std::size_t i) {
-    springs.toggle(i, now, result);
+    springs.toggle(i);
     return first_step;
   };
-  advance(steps, now, problem.until, first_step, guard, event_of, result.failure);
-  for (std::size_t i = 0; i < 2; ++i) springs.record_stick(i, now.time, result);
-  result.work = springs.evaluations;
-  result.end = physical_state(springs.chain, now);
+  Result &result = springs.result;
+  advance(steps, springs.now, problem.until, first_step, guard, event_of, result.failure);
+  for (std::size_t i = 0; i < 2; ++i) springs.record_stick(i);
+  result.end = physical_state(springs.chain, springs.now);
   return result;
 }
 
