@@ -21,7 +21,7 @@ const std::vector<Problem> &all_problems() {
   return all;
 }
 
-const Problem &problem_named(const std::string &name) {
+Problem problem_named(const std::string &name) {
   return problem_named(all_problems(), name);
 }
 
@@ -72,7 +72,7 @@ TEST_P(OfMethod, HasTheErrorThatTheReadmeShows) {
       return text.starts_with(start);
     });
     ASSERT_NE(line, readme.end()) << start;
-    const Problem &problem = problem_named(row.problem);
+    const Problem problem = problem_named(row.problem);
     const double error = errors_of(method.run(problem, row.setting), problem).time;
     EXPECT_NEAR(std::stod(line->substr(start.size())), error, 0.1 * error + 1e-13) << *line;
   }
@@ -100,7 +100,7 @@ TEST(ErrorAgainstRunTime, TheTopReadmeShowsRowsOfTheTable) {
 
 TEST(ErrorAgainstRunTime, NoMethodReachesALowerErrorThanThisLibrary) {
   for (const char *name : {"figure2", "figure4", "chatter"}) {
-    const Problem &problem = problem_named(name);
+    const Problem problem = problem_named(name);
     std::map<std::string, double> least;
     for (const Method &method : all_methods().methods)
       for (const double setting : method.settings) {
@@ -116,7 +116,7 @@ TEST(ErrorAgainstRunTime, NoMethodReachesALowerErrorThanThisLibrary) {
 // A contact with a spring lasts pi sqrt(m / kappa), and its effect on the motion is of that order:
 // a hundred times the stiffness for one digit more.
 TEST(ErrorAgainstRunTime, TheErrorOfAStiffSpringFallsWithTheRootOfItsStiffness) {
-  const Problem &problem = problem_named("figure2");
+  const Problem problem = problem_named("figure2");
   const Method spring = stiff_spring().front();
   const double soft = errors_of(spring.run(problem, 1e6), problem).time;
   const double stiff = errors_of(spring.run(problem, 1e8), problem).time;
@@ -127,7 +127,7 @@ TEST(ErrorAgainstRunTime, TheErrorOfAStiffSpringFallsWithTheRootOfItsStiffness) 
 // sqrt(2 a 5e-17) = 2.3e-9: impacts of a chatter slower than this are rounding. So a threshold of
 // speed has to be chosen. Far below 1e-6 it makes the stick worse; without one no chatter ends.
 TEST(ErrorAgainstRunTime, ThePlainSchemeStallsNearTheRootOfRoundingUnlessGivenAThreshold) {
-  const Problem &problem = problem_named("chatter");
+  const Problem problem = problem_named("chatter");
   const Method plain = plain_event_driven().front();
   const double chosen = errors_of(plain.run(problem, 1e-6), problem).time;
   EXPECT_LT(chosen, 1e-8);
@@ -152,7 +152,7 @@ Result exact(const Problem &problem, double delay = 0.0) {
 }
 
 TEST(Measure, IsTheLargestErrorOfATimeAndOfTheState) {
-  const Problem &problem = problem_named("figure2");
+  const Problem problem = problem_named("figure2");
   EXPECT_EQ(errors_of(exact(problem), problem).failure, "");
   EXPECT_EQ(errors_of(exact(problem), problem).time, 0.0);
   EXPECT_EQ(errors_of(exact(problem), problem).state, 0.0);
@@ -165,7 +165,7 @@ TEST(Measure, IsTheLargestErrorOfATimeAndOfTheState) {
 }
 
 TEST(Measure, FailsForAnEventThatIsMissingOrSpurious) {
-  const Problem &problem = problem_named("figure2");
+  const Problem problem = problem_named("figure2");
   const auto failure_of = [&](const auto &spoil) {
     Result result = exact(problem);
     spoil(result);

@@ -117,6 +117,10 @@ TEST(Verdict, FailsForAnImpactWhereThereIsATouch) {
   EXPECT_TRUE(passes(measure(nearer, reference()), nearer.truth));
   nearer.scene.stops[0].position *= 1.0 - 1e-13;
   EXPECT_FALSE(passes(measure(nearer, reference()), nearer.truth));
+  std::vector<TrueEvent> fast = nearer.events;
+  EXPECT_EQ(compare_grazing(fast, nearer.events, nearer.scene).first, "");
+  fast[0].velocity_before = 6e-8;
+  EXPECT_NE(compare_grazing(fast, nearer.events, nearer.scene).first, "");
 }
 
 TEST(Verdict, FailsForAPenetrationAndForANumberThatIsNotFinite) {
