@@ -111,20 +111,21 @@ constexpr double grazing_speed = 5e-8;
 
 // Compares the contacts of one mass, of unit speed and frequency, at a stop that its motion just
 // touches. No double tells a touch from a miss or from a shallow hit. The run must be the exact one
-// of a stop so near that no impact is faster than `grazing_speed`. The touch after an impact comes
-// a period later at the earliest.
+// of a stop so near that no impact is faster than `grazing_speed`. An impact at that speed is early
+// by as much, and makes all later touches earlier by the velocity that it takes from the motion,
+// (1 + r) times that speed.
 inline Differences compare_grazing(const std::vector<TrueEvent> &events,
                                    const std::vector<TrueEvent> &touches, const Scene &scene) {
+  const auto allowed = [&](std::size_t touch) {
+    return grazing_speed * (1.0 + (1.0 + scene.restitution) * static_cast<double>(touch));
+  };
   Differences result;
   std::size_t at = 0;
   for (const TrueEvent &event : events) {
     const double time = time_of({event.cycle, event.time}, Clock(scene.omega));
-    // An impact makes every later touch as uncertain as itself.
-    while (at < touches.size() &&
-           touches[at].time + grazing_speed * static_cast<double>(at + 1) < time)
-      ++at;
+    while (at < touches.size() && touches[at].time + allowed(at) < time) ++at;
     const double error = at < touches.size() ? std::abs(time - touches[at].time) : time;
-    if (event.event != "impact" || !(error <= grazing_speed * static_cast<double>(at + 1)) ||
+    if (event.event != "impact" || !(error <= allowed(at)) ||
         !(std::abs(event.velocity_before) <= grazing_speed)) {
       result.first = fmt::format("spurious {} at {:.17g} with velocity {:.3g}", event.event, time,
                                  event.velocity_before);

@@ -26,7 +26,9 @@ void judge_all(const std::filesystem::path &output) {
               m.sensitivity.time, m.error.velocity, m.sensitivity.velocity, m.penetration,
               m.counters.expansions, m.counters.root_iterations, m.counters.impacts,
               pass ? "pass" : "fail");
-    if (!pass) failed += fmt::format("; {}: {}", extreme.name, m.difference);
+    if (!pass)
+      failed += fmt::format("; {}: {} time off by {:.1e}, velocity by {:.1e}", extreme.name,
+                            m.difference, m.error.time, m.error.velocity);
     progress.advance();
   }
   write(table, output / "stability.csv");
