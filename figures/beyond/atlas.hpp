@@ -11,10 +11,9 @@ namespace vibro_impact::figures {
 inline Table map_of(const Grid &grid, const RecordOptions &options, Progress &progress) {
   Table map = sweep_table(grid, options);
   sweep(
-      grid.points(),
-      [&](std::size_t point) { return row_of(record_of(grid.scene_at(point), options), options); },
-      [&](std::size_t point, const std::vector<double> &row) {
-        add_row(map, grid, options, point, row);
+      grid.points(), [&](std::size_t point) { return record_of(grid.scene_at(point), options); },
+      [&](std::size_t point, const OrbitRecord &record) {
+        add_row(map, grid, options, point, record);
         progress.advance();
       });
   return map;

@@ -1,52 +1,49 @@
-// vibro-impact: runs the user's own scene and writes its event and sample tables, or sweeps over
-// its parameters.
-#include <fcntl.h>
-
+// vibro-impact: runs a scene of the user's and writes its tables, or sweeps over its parameters.
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
+#include <exception>
 #include <stdexcept>
 #include <string>
 
 #include "options.hpp"
+#include "refuse.hpp"
 
 namespace {
 
 using namespace vibro_impact::runner;
 
-// One line on standard error, from one of all processes.
-int ends_with(int status, std::string said, bool speaks) {
-  std::replace(said.begin(), said.end(), '\n', ' ');
-  if (speaks && !said.empty()) std::fputs(("vibro-impact: " + said + "\n").c_str(), stderr);
+// Writes one line to standard error, and returns the exit status.
+int fail(int status, std::string message, bool speaks) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  if (speaks) std::fputs(("vibro-impact: " + message + "\n").c_str(), stderr);
   return status;
+}
+
+void carry_out(const Request &request, const vibro_impact::Processes &processes) {
+  if (const auto *sweep = std::get_if<SweepRequest>(&request)) return run_sweep(*sweep, processes);
+  if (processes.rank() > 0) return;
+  if (const auto *run = std::get_if<RunRequest>(&request)) return run_scene(*run);
+  std::fputs(std::get<std::string>(request).c_str(), stdout);
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  // Whatever of 0, 1 and 2 is closed must not become one of the program's files.
-  for (int opened = 0; opened >= 0 && opened <= 2;) opened = open("/dev/null", O_RDONLY);
-  // A reader that leaves a pipe is met like a full disk: no table is left half written.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
   const vibro_impact::Processes processes;
-  const bool speaks = processes.rank() == 0;
+  bool all_alike = true;  // until the work begins, all processes fail alike, and one speaks
+  int status = 0;
+  const auto speaks = [&] { return !all_alike || processes.rank() == 0; };
   try {
-    Request request;
-    const auto answer = parse(argc, argv, request);
-    if (request.sweep) {
-      run_sweep(*request.sweep, processes);
-    } else if (speaks && answer) {
-      std::fputs(answer->c_str(), stdout);
-    } else if (speaks) {
-      run_scene(request);
-    }
-    return 0;
-  } catch (const EndedBySignal &end) {
-    return ends_with(128 + end.signal, end.said, speaks);
-  } catch (const std::invalid_argument &bad) {
-    return ends_with(2, bad.what(), speaks);
+    if (processes.size() > 1 && !vibro_impact::Processes::with_mpi())
+      refuse("started as {} processes, but built without MPI", processes.size());
+    const Request request = parse(argc, argv, vibro_impact::Processes::with_mpi());
+    all_alike = false;
+    carry_out(request, processes);
+  } catch (const std::invalid_argument &refused) {
+    status = fail(2, refused.what(), speaks());
   } catch (const std::exception &failure) {
-    return ends_with(1, failure.what(), speaks);
+    status = fail(1, failure.what(), speaks());
   }
+  if (status != 0 && !all_alike) processes.end_others(status);
+  return status;
 }

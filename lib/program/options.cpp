@@ -12,37 +12,41 @@ namespace vibro_impact::runner {
 namespace {
 
 constexpr const char *notes =
-    R"(All quantities are non-dimensional. Masses are counted
-from 1; the link of mass i joins it to mass i - 1 (mass 1 to the ground). A single value stands
-for all masses; a list has one value per mass, separated by commas. The defaults are those of
-Wagg (2006), Figure 2 (its omega is reconstructed, not printed).
+    R"(All quantities are non-dimensional. Masses are counted from 1; the link of mass i joins
+it to mass i - 1, and that of mass 1 to the ground. A single value stands for all masses; a list
+has one value per mass, separated by commas. The defaults are those of Wagg (2006), Figure 2; its
+omega is inferred, not printed.
 
-Example:
-  vibro-impact run --omega 0.2797 --stop 1:lower:-0.3 --stop 2:upper:0.1 --until 750 --from 700
-    --events events.csv --samples samples.csv --every 0.01 --plot run.png
+Example of a run:
+  vibro-impact run --from 700 --events events.csv --samples samples.csv --plot run.png
 Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick or
-release; contact_mode lists the stuck masses after the event (-, 1, 2, 1+2).
+release; contact_mode lists the sticking masses after the event (-, 1, 2, 1+2).
 
-Example:
-  mpirun -n 4 vibro-impact sweep --vary omega=0.25:0.7:901 --vary stop1=-0.4:-0.2:81
-    --table atlas.csv
-The points are those of nested loops, the first range outermost; the table does not depend on
-threads (OMP_NUM_THREADS, of the first process) and processes. Columns: the parameters; period
-(in forcing periods, 0: none up to 8); sticks and impacts of every mass per forcing period (a
-mean over the period, or over 40; impacts of a complete chatter, infinitely many, are not
-counted); dual_sticking (1: two masses are held at some time); lyapunov (greatest Lyapunov
-exponent, per unit of time; empty: its sign is not certain); pairs (DG, DS, DI, GS, GI, SI or
--). A point that is given up has empty cells. FILE.partial has the rows until all are there.
+Example of a sweep:
+  vibro-impact sweep --vary omega=0.25:0.7:10 --vary stop1=-0.4:-0.2:3 --table atlas.csv
+The points are those of nested loops, the first range outermost. They are computed on
+OMP_NUM_THREADS threads{}; the table does not depend on their number.
+FILE.partial has the rows until all are there. A point that is refused or given up has empty cells.
+Columns behind the parameters, for a chain of one mass:
+{}
+Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input.)";
 
-Ctrl-C ends both; --resume goes on, a run from --save-state, a sweep from its rows.
-Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input, 130
-ended by Ctrl-C (128 + the number of the signal).)";
+constexpr const char *notes_of_mpi =
+    ", or with `mpirun -n 4 vibro-impact sweep ...`\non as many processes of one thread each";
+
+std::string footer(bool with_mpi) {
+  std::string columns;
+  RecordOptions all;
+  all.lyapunov = all.pairs = true;
+  for (const Column &column : record_columns(1, all))
+    columns += fmt::format("  {:<14} {}\n", column.name, column.meaning);
+  return fmt::format(notes, with_mpi ? notes_of_mpi : "", columns);
+}
 
 const CLI::Range any_count(1LL, 1'000'000'000'000'000LL);
 
-void add_run_options(CLI::App &run, Request &request) {
-  run.option_defaults()->configurable(false);  // the motion does not depend on them
-  option(run, "--until", request.until, "TIME", "End of the run, > 0");
+void add_run_options(CLI::App &run, RunRequest &request) {
+  option(run, "--until", request.until, "TIME", "End of the run");
   option(run, "--from", request.from, "TIME",
          "Start of both tables; the run itself starts at t = 0");
   option(run, "--every", request.every, "TIME",
@@ -53,12 +57,6 @@ void add_run_options(CLI::App &run, Request &request) {
   option(run, "--plot", request.plot, "FILE",
          "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
          "impacts of --events; .png, .pdf or .svg");
-  option(run, "--save-state", request.save_state, "FILE",
-         "The scene and the state at the end of the run, for --resume");
-  option(run, "--resume", request.resume, "FILE",
-         "Go on from a saved state, with its scene: options of the scene cannot be\n"
-         "given. The tables hold what comes after it; for those of one whole run,\n"
-         "give the other options as before");
   option(run, "--resolve-chatter", request.options.resolve_chatter, "SPEED",
          "Resolve and record every chatter impact faster than this; below it a\n"
          "complete chatter may be carried to its limit. Default: as soon as the\n"
@@ -68,24 +66,19 @@ void add_run_options(CLI::App &run, Request &request) {
       ->check(any_count);
 }
 
-void check_run(const Request &request) {
-  if (!(request.until > 0.0 && std::isfinite(request.until)))
-    refuse("--until {}: must be positive and finite", request.until);
+void check_times(const RunRequest &request) {
   if (!(request.from >= 0.0 && request.from <= request.until))
     refuse("--from {}: must lie between 0 and --until {}", request.from, request.until);
-  if (!(request.every > 0.0 && std::isfinite(request.every)))
-    refuse("--every {}: must be positive and finite", request.every);
   // Sample times that rounding makes equal would never come to an end.
-  if (!request.samples.empty() && !(request.until + request.every > request.until))
+  if (!request.samples.empty() && request.every > 0.0 &&
+      request.until + request.every == request.until)
     refuse("--every {}: too short for double precision to tell samples at --until {} apart",
            request.every, request.until);
-  if (!(request.options.resolve_chatter >= 0.0))
-    refuse("--resolve-chatter {}: must be non-negative", request.options.resolve_chatter);
 }
 
-void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::string> &ranges) {
+void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::string> &ranges,
+                       bool &no_lyapunov) {
   SettleOptions &settle = request.records.settle;
-  request.records.lyapunov = true;
   option(sweep, "--vary", ranges, "RANGE",
          "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
          "restitution, or restitution2 (of a stop), stop1 (its position),\n"
@@ -98,33 +91,34 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
   option(sweep, "--max-impacts", settle.run.max_impacts_per_period, "N",
          "Give up a point beyond this many impacts in one forcing period")
       ->check(any_count);
-  sweep.add_flag("--no-lyapunov{false}", request.records.lyapunov,
-                 "Leave out the Lyapunov exponent");
+  sweep.add_flag("--no-lyapunov", no_lyapunov, "Leave out the Lyapunov exponent");
   sweep.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
-  sweep.option_defaults()->configurable(false);  // the rows do not depend on them
+  sweep.option_defaults()->configurable(false);  // the rows do not depend on these
   option(sweep, "--table", request.table, "FILE", "The table (CSV)")->required();
   sweep.add_flag("--resume", request.resume,
-                 "Go on with what a sweep that was ended left of --table");
+                 "Go on with the rows that a sweep that was ended has left in FILE.partial");
 }
 
 }  // namespace
 
-std::optional<std::string> parse(int argc, char **argv, Request &request) {
+Request parse(int argc, const char *const *argv, bool with_mpi) {
   SceneOptions scene;
-  SweepRequest swept;
+  RunRequest run_request;
+  SweepRequest sweep_request;
   std::vector<std::string> ranges;
+  bool no_lyapunov = false;
   CLI::App app("Simulates a chain of masses with rigid stops under harmonic forcing",
                "vibro-impact");
-  app.footer(notes);
+  app.footer(footer(with_mpi));
   app.set_version_flag("--version", "vibro-impact " VIBRO_IMPACT_VERSION);
   app.require_subcommand(0, 1);
-  CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables"),
-           &sweep =
-               *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
+  CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
+  CLI::App &sweep =
+      *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
   add_scene_options(run, scene);
-  add_run_options(run, request);
+  add_run_options(run, run_request);
   add_scene_options(sweep, scene);
-  add_sweep_options(sweep, swept, ranges);
+  add_sweep_options(sweep, sweep_request, ranges, no_lyapunov);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion &version) {
@@ -134,28 +128,20 @@ std::optional<std::string> parse(int argc, char **argv, Request &request) {
   } catch (const CLI::ParseError &error) {
     const std::vector<std::string> others = app.remaining(true);
     if (!others.empty()) refuse("not expected: {}", fmt::join(others, " "));
-    const std::string said = error.what();
-    const std::size_t twice = said.find("At Most 1");
-    refuse("{}", twice < said.size() ? said.substr(0, twice) + "may be given once" : said);
+    refuse("{}", error.what());
   }
   if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
-
-  if (run.parsed()) check_run(request);
-  request.scene_text = given(run);
-  if (!request.resume.empty()) {
-    if (!request.scene_text.empty())
-      refuse("--resume {}: the scene comes from there, and cannot be changed by{}", request.resume,
-             request.scene_text);
-    return std::nullopt;
+  if (run.parsed()) {
+    check_times(run_request);
+    run_request.scene = scene_of(scene);
+    return run_request;
   }
-  request.scene = scene_of(scene);
-  if (run.parsed()) return std::nullopt;
-  swept.grid.scene = request.scene;
-  for (const std::string &range : ranges) swept.grid.axes.push_back(axis_of(range));
-  check(swept.grid);
-  swept.definition = VIBRO_IMPACT_VERSION + given(sweep);
-  request.sweep = std::move(swept);
-  return std::nullopt;
+  sweep_request.grid.scene = scene_of(scene);
+  for (const std::string &range : ranges) sweep_request.grid.axes.push_back(axis_of(range));
+  check(sweep_request.grid);
+  sweep_request.records.lyapunov = !no_lyapunov;
+  sweep_request.definition = given(sweep);
+  return sweep_request;
 }
 
 }  // namespace vibro_impact::runner

@@ -1,47 +1,46 @@
-// What a user asks of `vibro-impact` on its command line, and the two commands that do it.
+// The command line of `vibro-impact`, and the two commands that it asks for.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <variant>
 
-#include "interrupt.hpp"
 #include "processes.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::runner {
 
+// One run. An empty path means that the file is not wanted; `-` is standard output.
+struct RunRequest {
+  Scene scene;
+  RunOptions options;
+  double until = 750.0, from = 0.0, every = 0.01;  // non-dimensional times
+  std::string events, samples, plot;
+};
+
+// A sweep. `definition` has in one line the options on which the rows of its table depend.
 struct SweepRequest {
-  Grid grid = {};
-  RecordOptions records = {};
+  Grid grid;
+  RecordOptions records;
   std::string table;
   bool resume = false;
-  std::string definition = {};  // everything that the table depends on, in one line
+  std::string definition;
 };
 
-// One run, or a sweep, as the user asked for it; an empty path means that the file is not wanted.
-struct Request {
-  Scene scene;             // empty with `resume`: the scene stands in that file
-  std::string scene_text;  // the options that gave it
-  RunOptions options;
-  double until = 750.0, from = 0.0, every = 0.01;
-  std::string events, samples, save_state, resume, plot;
-  std::optional<SweepRequest> sweep = {};  // instead of a run
-};
+// What the command line asks for: a run, a sweep, or the text of --help or --version.
+using Request = std::variant<RunRequest, SweepRequest, std::string>;
 
-// Reads the command line into `request`, and no file; returns the text that --help and --version
-// ask for instead of a run.
-// Throws std::invalid_argument with one line, that of `check` for a scene or a grid that makes no
-// sense.
-std::optional<std::string> parse(int argc, char **argv, Request &request);
+// Reads the command line, and no file. The help offers processes of MPI if `with_mpi`. Throws
+// std::invalid_argument with one line for a command line that makes no sense, and for a scene or a
+// grid that `check` refuses.
+Request parse(int argc, const char *const *argv, bool with_mpi = false);
 
-// Both throw std::invalid_argument, std::runtime_error and EndedBySignal with one line.
+// Runs the scene and writes its files. Throws std::invalid_argument for a file that cannot be
+// written, before the run, and std::runtime_error when the run is given up or writing fails.
+void run_scene(const RunRequest &request);
 
-// Runs the scene and writes its files. Ends early, with EndedBySignal, when `signal`, asked at
-// every flight and sample, gives the number of one.
-void run_scene(const Request &request, int (*signal)() = signal_that_came);
-
-// Computes the table of a sweep. On ranks above 0, lends a hand and touches no file.
+// Computes the table of a sweep. To be called by all processes; that of rank 0 writes the files.
+// Throws as `run_scene` does, and std::invalid_argument for rows of another sweep or program.
 void run_sweep(const SweepRequest &request, const Processes &processes);
 
 }  // namespace vibro_impact::runner

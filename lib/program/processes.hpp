@@ -1,15 +1,11 @@
-// The processes that one program was started as by mpirun: with MPI, where it was found when the
-// project was built; else, and when mpirun did not start the program, one.
+// The processes that mpirun started the program as, which share out the points of a sweep. Without
+// MPI, and without mpirun, there is one.
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <vector>
+#include <string>
 
 namespace vibro_impact {
-
-// The row of numbers of a point; several threads may ask at once.
-using ComputeRow = std::function<std::vector<double>(std::size_t point)>;
 
 class Processes {
  public:
@@ -18,15 +14,23 @@ class Processes {
   Processes(const Processes &) = delete;
   Processes &operator=(const Processes &) = delete;
 
+  // Whether the program was built with MPI. Without it, processes started by mpirun know their
+  // number and cannot share anything out.
+  static bool with_mpi();
+
   int rank() const {
     return rank_;
   }
-  // To be called once, by all. On rank 0: use(all, row) is called with `threads` and one for every
-  // other process, and a `compute` that leaves the points of these to them. On the others: computes
-  // what rank 0 asks for until `use` is over. What `compute` throws there is said in one line, and
-  // ends all.
-  void share_out(int threads, const ComputeRow &compute,
-                 const std::function<void(int all, const ComputeRow &row)> &use) const;
+  int size() const {
+    return size_;
+  }
+  // To be called by all, with one value each: returns the value of rank 0.
+  std::size_t value_of_first(std::size_t value) const;
+  // To be called by all, with one text each: returns the texts, joined in the order of the ranks,
+  // on rank 0, and nothing elsewhere.
+  std::string joined(const std::string &text) const;
+  // Ends the other processes, which would wait for this one, with an exit status.
+  void end_others(int status) const;
 
  private:
   int rank_ = 0, size_ = 1;

@@ -11,17 +11,21 @@ namespace vibro_impact {
 
 constexpr const char *wipe = "\r\033[K";
 
-std::string progress_line(const std::string &of_what, double before, double done, double total,
+std::string progress_line(const std::string &name, double before, double done, double total,
                           double seconds) {
   const double percent = total > 0.0 ? std::floor(100.0 * (done / total)) : 100.0;
-  std::string line = fmt::format("{}: {:.6g} of {:.6g} ({:.0f} %)", of_what, done, total, percent);
+  std::string line = fmt::format("{}: {:.6g} of {:.6g} ({:.0f} %)", name, done, total, percent);
   if (done > before)
     line += fmt::format(", {:.3g} min left", seconds / 60.0 * ((total - done) / (done - before)));
   return line;
 }
 
-Progress::Progress(std::string of_what, double total, double before)
-    : of_what_(std::move(of_what)),
+bool is_progress_due(double seconds, double last_shown) {
+  return seconds >= 2.0 && seconds >= last_shown + 0.2;
+}
+
+Progress::Progress(std::string name, double total, double before)
+    : name_(std::move(name)),
       total_(total),
       before_(before),
       done_(before),
@@ -29,20 +33,19 @@ Progress::Progress(std::string of_what, double total, double before)
 }
 
 void Progress::advance(double by) {
+  if (!terminal_) return;
   const std::lock_guard lock(mutex_);
   done_ += by;
-  const auto now = Clock::now();
-  if (now < next_) return;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  const std::string line = progress_line(of_what_, before_, done_, total_, seconds);
-  // Not fmt::print, which throws where the terminal is gone.
-  std::fprintf(stderr, "%s%s%s", terminal_ ? wipe : "", line.c_str(), terminal_ ? "" : "\n");
-  shown_ = true;
-  next_ = terminal_ ? now + std::chrono::milliseconds(200) : start_ + 2 * (now - start_);
+  const auto elapsed = std::chrono::steady_clock::now() - start_;
+  const double seconds = std::chrono::duration<double>(elapsed).count();
+  if (!is_progress_due(seconds, last_shown_)) return;
+  const std::string line = progress_line(name_, before_, done_, total_, seconds);
+  std::fprintf(stderr, "%s%s", wipe, line.c_str());
+  last_shown_ = seconds;
 }
 
 Progress::~Progress() {
-  if (terminal_ && shown_) std::fputs(wipe, stderr);
+  if (last_shown_ > 0.0) std::fputs(wipe, stderr);
 }
 
 }  // namespace vibro_impact

@@ -1,4 +1,5 @@
-// How far a long computation has come and how long it will still take, on standard error.
+// How far a long computation has come and how long it will still take: one line on the terminal
+// that is rewritten, and wiped at the end. Nothing is written where standard error is no terminal.
 #pragma once
 
 #include <chrono>
@@ -7,18 +8,20 @@
 
 namespace vibro_impact {
 
-// "time: 12.5 of 750 (1 %), 2.95 min left": the rest at the pace since `before`, where the
-// computation began `seconds` ago.
-std::string progress_line(const std::string &of_what, double before, double done, double total,
+// "time: 12.5 of 750 (1 %), 2.95 min left": at the pace since `before`, where the computation began
+// `seconds` ago.
+std::string progress_line(const std::string &name, double before, double done, double total,
                           double seconds);
 
-// Says nothing in the first two seconds. On a terminal one line is rewritten, at most five times a
-// second, and wiped at the end; elsewhere a line follows after 2, 4, 8, ... seconds. May be called
-// from several threads.
+// Whether the line is written `seconds` after the computation began, and after it was written at
+// `last_shown`: not in the first two seconds, and at most five times a second.
+bool is_progress_due(double seconds, double last_shown);
+
+// May be advanced from several threads.
 class Progress {
  public:
-  // `before`: what of `total` was done before the computation began.
-  Progress(std::string of_what, double total, double before = 0.0);
+  // `before`: how much of `total` was done before the computation began.
+  Progress(std::string name, double total, double before = 0.0);
   ~Progress();
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
@@ -26,13 +29,11 @@ class Progress {
   void advance(double by = 1.0);
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  std::string of_what_;
+  std::string name_;
   double total_, before_, done_;
-  bool terminal_, shown_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point next_ = start_ + std::chrono::seconds(2);  // before it nothing is written
+  bool terminal_;
+  double last_shown_ = 0.0;  // seconds after the start; 0: never
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::mutex mutex_ = {};
 };
 

@@ -1,4 +1,4 @@
-// What the user is told of a wrong command line or a wrong file.
+// The refusal of a wrong command line or of a file that cannot be used.
 #pragma once
 
 #include <fmt/format.h>

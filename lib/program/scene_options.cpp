@@ -9,15 +9,18 @@ namespace vibro_impact::runner {
 
 namespace {
 
+constexpr double default_amplitude = 0.5;  // on mass 1
+
 // Longer chains are taken for a slip of the pen: the modes of a chain take cubic work.
 constexpr int most_masses = 10000;
 
-// The parts of `text` between separators, also empty ones.
+// The parts of `text` between separators. Parts may be empty.
 std::vector<std::string> split(const std::string &text, char separator) {
   return CLI::detail::split(text + separator, separator);
 }
 
-// A word of what was given as a number, in full; from_chars takes no locale and no leading space.
+// The number that a whole word of `given` stands for; from_chars knows no locale and no leading
+// space.
 double number(const std::string &given, const std::string &word) {
   double value = 0.0;
   const char *end = word.data() + word.size();
@@ -34,7 +37,7 @@ int whole_number(const std::string &given, const std::string &word, double most)
   return static_cast<int>(value);
 }
 
-// A list with one value per mass, or one value for all, separated by commas.
+// The values of a list separated by commas: one value per mass, or a single one for all.
 std::vector<double> per_mass(const std::string &option, const std::string &text,
                              std::size_t masses) {
   const std::string given = option + " " + text;
@@ -46,7 +49,7 @@ std::vector<double> per_mass(const std::string &option, const std::string &text,
   return values;
 }
 
-// mass:side:position, with a restitution of its own as a fourth part if it likes.
+// The stop given as mass:side:position, or with a restitution of its own as a fourth part.
 Stop stop_of(const std::string &text) {
   const std::string given = "--stop " + text;
   const auto parts = split(text, ':');
@@ -69,19 +72,18 @@ void add_scene_options(CLI::App &app, SceneOptions &words) {
   option(app, "--stiffness", words.stiffness, "LIST",
          "k_i > 0, link by link; k_1 = 0: a free chain, not tied to the ground");
   option(app, "--beta", words.beta, "NUMBER",
-         "Of the damping C = beta K (the paper's c / k): the dampers of the links are\n"
-         "proportional to their stiffness");
+         "Factor of the damping C = beta K, the paper's c / k: the dampers of the links\n"
+         "are proportional to their stiffness");
   option(app, "--restitution", words.restitution, "NUMBER",
          "Coefficient of restitution r in [0, 1] of the stops that have none of their own");
-  option(app, "--amplitude", words.amplitude, "LIST",
-         "A_i of the forcing A cos(Omega t). Default: 0.5 on mass 1");
+  option(
+      app, "--amplitude", words.amplitude, "LIST",
+      fmt::format("A_i of the forcing A cos(Omega t). Default: {} on mass 1", default_amplitude));
   option(app, "--omega", words.omega, "NUMBER",
-         "Forcing frequency Omega >= 0; the default is reconstructed, not printed");
+         "Forcing frequency Omega >= 0; the default is inferred, not printed");
   option(app, "--stop", words.stops, "STOP",
          "mass:side:position or mass:side:position:restitution, with side lower or\n"
-         "upper, repeatable; none: a chain without stops. Default: 1:lower:-0.3 and\n"
-         "2:upper:0.1")
-      ->default_str("");
+         "upper, repeatable; none: a chain without stops");
   option(app, "--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
   option(app, "--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
 }
@@ -91,15 +93,14 @@ Scene scene_of(const SceneOptions &words) {
   Scene scene;
   scene.mass = per_mass("--mass", words.mass, size);
   scene.stiffness = per_mass("--stiffness", words.stiffness, size);
-  scene.beta = number("--beta " + words.beta, words.beta);
-  scene.restitution = number("--restitution " + words.restitution, words.restitution);
+  scene.beta = words.beta;
+  scene.restitution = words.restitution;
   scene.amplitude.assign(size, 0.0);
-  scene.amplitude.front() = 0.5;
+  scene.amplitude.front() = default_amplitude;
   if (!words.amplitude.empty()) scene.amplitude = per_mass("--amplitude", words.amplitude, size);
-  scene.omega = number("--omega " + words.omega, words.omega);
+  scene.omega = words.omega;
   scene.displacement = per_mass("--initial-displacement", words.displacement, size);
   scene.velocity = per_mass("--initial-velocity", words.velocity, size);
-  if (words.stops.empty()) scene.stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.1}};
   if (words.stops != std::vector<std::string>{"none"})
     for (const std::string &stop : words.stops) scene.stops.push_back(stop_of(stop));
   check(scene);
@@ -121,18 +122,6 @@ std::string given(const CLI::App &app) {
     for (const std::string &value : option->results())
       if (option->get_configurable()) text += fmt::format(" {}={}", option->get_name(), value);
   return text;
-}
-
-Scene scene_in(const std::string &text) {
-  CLI::App app;
-  SceneOptions options;
-  add_scene_options(app, options);
-  try {
-    app.parse(text);
-  } catch (const CLI::ParseError &error) {
-    refuse("{}", error.what());
-  }
-  return scene_of(options);
 }
 
 }  // namespace vibro_impact::runner

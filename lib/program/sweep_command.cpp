@@ -1,9 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
 #include <string>
 
+#include "files.hpp"
 #include "options.hpp"
-#include "output.hpp"
 #include "partial_table.hpp"
 #include "progress.hpp"
 #include "refuse.hpp"
@@ -12,51 +19,86 @@ namespace vibro_impact::runner {
 
 namespace {
 
-// A point at which the run is given up leaves the others alone: its row is empty.
-std::vector<double> row_at(const SweepRequest &request, std::size_t point) {
+// A number for this very program: rows that another build of it has computed may differ.
+std::string checksum_of_program() {
+  std::ifstream program("/proc/self/exe", std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(program), {});
+  boost::crc_32_type checksum;
+  checksum.process_bytes(bytes.data(), bytes.size());
+  return fmt::format("{:08x}", checksum.checksum());
+}
+
+PartialTable begin(const SweepRequest &request, const std::string &header) {
+  if (request.table == "-") refuse("--table -: must be a file, beside which the rows are kept");
+  check_files({{"--table", request.table}});
+  const std::string definition =
+      fmt::format("vibro-impact sweep, program {},{}", checksum_of_program(), request.definition);
+  return PartialTable(request.table + ".partial", definition, header, request.resume);
+}
+
+// The record of a point, or nullopt where its scene is refused or its run given up: the sweep goes
+// on with the others. What makes no sense at any point has been refused before the sweep began.
+std::optional<OrbitRecord> record_at(const SweepRequest &request, std::size_t point) {
   try {
-    return row_of(record_of(request.grid.scene_at(point), request.records), request.records);
+    return record_of(request.grid.scene_at(point), request.records);
+  } catch (const std::invalid_argument &) {
+    return std::nullopt;
   } catch (const std::runtime_error &) {
-    return {};
+    return std::nullopt;
   }
 }
 
-// On rank 0, with a function that may leave a point to another process.
-void run_with(const SweepRequest &request, int threads, const ComputeRow &row_of_point) {
-  const Destination to(request.table);
-  if (to.direct || Destination(to.path + ".partial").direct)
-    refuse("--table {}: it and its .partial must be files, for which the rows are kept",
-           request.table);
-  remember_signals();
-  Table text = sweep_table(request.grid, request.records);  // not yet handed on
-  PartialTable partial(to.path + ".partial", request.definition, text.text, request.resume);
-  const std::size_t points = request.grid.points(), first = partial.points();
-  std::size_t given_up = 0;
-  Progress progress("sweep", static_cast<double>(points), static_cast<double>(first));
-  const auto take = [&](std::size_t point, const std::vector<double> &row) {
-    if (row.empty()) ++given_up;
-    text.text.clear();
-    add_row(text, request.grid, request.records, point, row);
-    partial.add(text.text);
-    progress.advance();
-    if (const int signal = signal_that_came())
-      throw EndedBySignal{signal, fmt::format("interrupted; the rows so far stand in {}.partial: "
-                                              "--resume goes on with them",
-                                              to.path)};
-  };
-  sweep(points, row_of_point, take, {.threads = threads, .first = first});
-  partial.finish(to.path);
-  const std::string sum = fmt::format("{} points: {} computed, of which {} were given up\n", points,
-                                      points - first, given_up);
-  std::fputs(sum.c_str(), stderr);
+// The number of points without a record: all cells behind their parameters are empty.
+std::size_t empty_rows(const SweepRequest &request, const std::string &table) {
+  const std::string empty(record_columns(request.grid.scene.masses(), request.records).size(), ',');
+  std::istringstream rows(table);
+  std::size_t count = 0;
+  for (std::string row; std::getline(rows, row);) count += row.ends_with(empty) ? 1 : 0;
+  return count;
+}
+
+void finish(const SweepRequest &request, PartialTable &partial, std::size_t computed) {
+  Table table = sweep_table(request.grid, request.records);
+  table.text = partial.text();
+  write_table(table, request.table);
+  partial.remove();
+  const std::string summary =
+      fmt::format("{} points, {} computed now; {} were refused or given up, and have empty cells\n",
+                  partial.rows(), computed, empty_rows(request, table.text));
+  std::fputs(summary.c_str(), stderr);
 }
 
 }  // namespace
 
+// The points are computed in blocks. Every process computes its share of a block, consecutive
+// points on its own threads; the rows of the shares, joined in the order of the processes, are
+// those of the block.
 void run_sweep(const SweepRequest &request, const Processes &processes) {
-  processes.share_out(
-      available_threads(), [&request](std::size_t point) { return row_at(request, point); },
-      [&request](int all, const ComputeRow &row) { run_with(request, all, row); });
+  const std::size_t points = request.grid.points();
+  std::optional<PartialTable> partial;  // on rank 0
+  Table rows = sweep_table(request.grid, request.records);
+  if (processes.rank() == 0) partial.emplace(begin(request, rows.text));
+  const std::size_t first = processes.value_of_first(partial ? partial->rows() : 0);
+  const int threads = processes.size() > 1 ? 1 : available_threads();
+  const std::size_t share = block_size(points, {.threads = threads}),
+                    block = share * static_cast<std::size_t>(processes.size());
+  Progress progress("sweep", static_cast<double>(points), static_cast<double>(first));
+  for (std::size_t begin = first; begin < points; begin += block) {
+    const std::size_t own =
+        std::min(points, begin + share * static_cast<std::size_t>(processes.rank()));
+    rows.text.clear();
+    sweep(
+        std::min(points, own + share), [&](std::size_t point) { return record_at(request, point); },
+        [&](std::size_t point, const std::optional<OrbitRecord> &record) {
+          add_row(rows, request.grid, request.records, point, record);
+        },
+        {.threads = threads, .first = own});
+    const std::string all = processes.joined(rows.text);
+    if (!partial) continue;
+    partial->add(all);
+    progress.advance(static_cast<double>(std::min(block, points - begin)));
+  }
+  if (partial) finish(request, *partial, points - first);
 }
 
 }  // namespace vibro_impact::runner

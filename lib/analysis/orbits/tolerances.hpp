@@ -21,8 +21,8 @@ constexpr double same_section = 10.0;    // distance, in tolerances of what is s
 constexpr double not_decided = 1e4;      // likewise
 constexpr double sections_apart = 1e-6;  // distance of two sections of one orbit
 
-constexpr long long rescaled_after = 8;  // forcing periods
-constexpr long long block_length = 40;   // forcing periods
+constexpr int rescaled_after = 8;        // forcing periods
+constexpr int block_length = 40;         // forcing periods
 constexpr std::size_t least_blocks = 4;  // of a mean growth
 constexpr double least_ratio = 4.0;      // of the mean to its standard error
 constexpr int most_averaged = 1000;      // forcing periods

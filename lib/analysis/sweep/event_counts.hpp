@@ -1,4 +1,4 @@
-// The events of some whole periods of a motion that repeats with them: a chatter under way at the
+// Events of whole periods of a motion that repeats after them, so that a chatter under way at the
 // end goes on at the beginning.
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace vibro_impact {
 
-// All but the impacts of complete chatters.
+// The events without the impacts of complete chatters.
 std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events);
 
-// `held`: the contact mode at the start.
+// The counts of these events; `held` is the contact mode at the start.
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held);
 

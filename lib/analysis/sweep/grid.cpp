@@ -1,5 +1,4 @@
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "simulation/for_analysis.hpp"
@@ -71,63 +70,6 @@ void check(const Grid &grid) {
     check(scene);
     require(scene.omega > 0.0, "omega = ", scene.omega, ": a sweep needs a forcing period");
   }
-}
-
-namespace {
-
-// "DS SI", "-" for none, of the sum of row_of.
-std::string listed(double sum) {
-  require(sum >= 0.0 && sum < std::exp2(all_event_pairs.size()), "pairs = ", sum,
-          ": must be a sum of 2^k for pairs of events");
-  std::string text;
-  for (std::size_t k = 0; k < all_event_pairs.size(); ++k)
-    if (static_cast<unsigned>(sum) >> k & 1) {
-      if (!text.empty()) text += ' ';
-      text += abbreviation(all_event_pairs[k]);
-    }
-  return text.empty() ? "-" : text;
-}
-
-}  // namespace
-
-std::vector<double> row_of(const OrbitRecord &record, const RecordOptions &records) {
-  const EventCounts &counts = record.counts;
-  std::vector<double> row{static_cast<double>(record.period)};
-  for (const auto *what : {&counts.sticks, &counts.impacts})
-    for (const int count : *what) row.push_back(count / static_cast<double>(counts.periods));
-  row.push_back(counts.dual_sticking ? 1.0 : 0.0);
-  if (records.lyapunov) row.push_back(record.lyapunov.value_or(NAN));
-  double pairs = 0.0;
-  for (const EventPair pair : record.pairs) pairs += std::exp2(static_cast<int>(pair));
-  if (records.pairs) row.push_back(pairs);
-  return row;
-}
-
-Table sweep_table(const Grid &grid, const RecordOptions &records) {
-  std::string header;
-  for (const Axis &axis : grid.axes) header += name(axis.parameter) + ",";
-  header += "period";
-  for (const char *what : {",sticks", ",impacts"})
-    for (int i = 1; i <= grid.scene.masses(); ++i) header += what + std::to_string(i);
-  header += ",dual_sticking";
-  if (records.lyapunov) header += ",lyapunov";
-  return Table(records.pairs ? header + ",pairs" : header);
-}
-
-void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::size_t point,
-             std::span<const double> row) {
-  const std::size_t wanted = 2 * grid.scene.mass.size() + 2 + records.lyapunov + records.pairs;
-  require(row.empty() || row.size() == wanted, "a row of ", row.size(), " numbers: the table has ",
-          wanted, " columns beside the parameters");
-  for (const double value : grid.values(point)) table.cell(value);
-  for (std::size_t k = 0; k < wanted; ++k)
-    if (row.empty() || std::isnan(row[k]))
-      table.cell(std::string_view());
-    else if (records.pairs && k + 1 == wanted)
-      table.cell(listed(row[k]));
-    else
-      table.cell(row[k]);
-  table.end_row();
 }
 
 }  // namespace vibro_impact

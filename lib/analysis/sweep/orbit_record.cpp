@@ -14,7 +14,7 @@ namespace vibro_impact {
 
 namespace {
 
-// The motion goes on from where it settled for as many periods as are recorded.
+// Follows the motion from where it settled for `periods` forcing periods, and records them.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                const RecordOptions &options, OrbitRecord &record) {
   const double begin = time_of(motion.state.instant, Clock(scene.omega)),
@@ -35,7 +35,7 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
     record.impact_velocities.push_back(std::move(speed.velocities));
 }
 
-// Nothing where the sign is not certain.
+// The exponent, or nullopt where its sign is not certain.
 std::optional<double> exponent_of(const Scene &scene, const RecordOptions &options,
                                   OrbitRecord &record) {
   const RunOptions &run = options.settle.run;
@@ -68,16 +68,16 @@ std::vector<EventPair> pairs_of(const Scene &scene, const RecordOptions &options
   return found;
 }
 
-// The record of the motion followed from `start`, as far as `longest` says; `before`: work so far.
-OrbitRecord record_within(const Scene &scene, const MotionState &start, int longest,
-                          const RecordOptions &options, const RecordWork &before = {}) {
-  SettleOptions settling = options.settle;
-  settling.longest = longest;
-  SettledMotion motion = settle(scene, start, settling);
+}  // namespace
+
+OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
+  require(options.counted >= 1 && options.counted <= most_periods_run,
+          "counted = ", options.counted, ": must lie from 1 to ", most_periods_run);
+  require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
+  SettledMotion motion = settle(scene, start, options.settle);
   OrbitRecord record;
   record.period = motion.period;
-  record.work = before;
-  record.work.settling += motion.periods_run;
+  record.work.settling = motion.periods_run;
   if (motion.period == 0 || options.impact_velocities)
     record_on(scene, motion, motion.period > 0 ? motion.period : options.counted, options, record);
   else
@@ -85,21 +85,6 @@ OrbitRecord record_within(const Scene &scene, const MotionState &start, int long
   record.state = std::move(motion.state);
   record.state.instant.cycle = 0;
   if (options.lyapunov) record.lyapunov = exponent_of(scene, options, record);
-  return record;
-}
-
-}  // namespace
-
-OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
-  require(options.counted >= 1 && options.counted <= most_periods_run,
-          "counted = ", options.counted, ": must lie from 1 to ", most_periods_run);
-  require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
-  require(options.longest_if_stable >= 0 && (options.lyapunov || options.longest_if_stable == 0),
-          "longest_if_stable = ", options.longest_if_stable,
-          ": must be non-negative, and zero unless the exponent is asked for");
-  OrbitRecord record = record_within(scene, start, options.settle.longest, options);
-  if (options.longest_if_stable > 0 && record.period == 0 && record.lyapunov.value_or(0.0) < 0.0)
-    record = record_within(scene, record.state, options.longest_if_stable, options, record.work);
   if (options.pairs) record.pairs = pairs_of(scene, options, record);
   return record;
 }

@@ -15,30 +15,31 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr int largest_period = 10'000;  // that can be looked for: all states are kept
+constexpr int largest_period = 10'000;  // the states of so many periods are kept
 
-constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The distances of one period p, section by section.
+// The distances d_n of sections p periods apart, for one p. Infinite: not known yet.
 struct Contraction {
-  std::vector<double> distances = {};  // the last p of them, by section modulo p
-  std::vector<double> ratios = {};     // d_n / d_(n-p) before those
-  double to_come = unknown;
+  std::vector<double> distances = {};  // the latest p, by section modulo p
+  std::vector<double> ratios = {};     // the latest d_n / d_(n-p), likewise
+  double to_come = infinity;           // the estimate of settle.hpp
 
-  explicit Contraction(std::size_t p) : distances(p, unknown), ratios(p, unknown) {
+  explicit Contraction(std::size_t p) : distances(p, infinity), ratios(p, infinity) {
   }
+  // Distances below `floor` cannot be told from zero.
   void add(std::size_t section, double distance, double floor) {
-    double &before = distances[section % distances.size()],
-           &ratio = ratios[section % distances.size()];
-    if (before > floor && before < unknown)
+    double &before = distances[section % distances.size()];
+    double &ratio = ratios[section % distances.size()];
+    if (before > floor && before < infinity)
       ratio = distance / before;
-    else if (distance > floor || before == unknown)
-      ratio = unknown;
-    else if (ratio == unknown)  // twice below what can be told apart
+    else if (distance > floor || before == infinity)
+      ratio = infinity;
+    else if (ratio == infinity)  // both distances are below the floor
       ratio = 0.0;
-    // A single small ratio may be chance: no less than the distance, where that can be told.
-    to_come = ratio < 1.0 ? distance * std::max(ratio / (1.0 - ratio), distance > floor ? 1.0 : 0.0)
-                          : unknown;
+    // A single small ratio may be chance: the estimate is no less than a distance above the floor.
+    const double least = distance > floor ? 1.0 : 0.0;
+    to_come = ratio < 1.0 ? distance * std::max(ratio / (1.0 - ratio), least) : infinity;
     before = distance;
   }
 };
@@ -73,7 +74,7 @@ class Sections {
   }
 
   double next_time() const {
-    return taken_ > options_.longest ? unknown : time_of(section_at(taken_), clock_);
+    return taken_ > options_.longest ? infinity : time_of(section_at(taken_), clock_);
   }
 
   void sample(const Moment &moment) {
@@ -134,8 +135,8 @@ class Sections {
     events_.clear();
   }
 
-  // A sample is asked for by its time, which is the section's to the rounding of a long time only:
-  // along the motion to the section itself.
+  // Moves a sample along the motion to its section. A sample is taken at a time, and the rounding
+  // of a long time puts it beside the section.
   void bring_to_section(MotionState &at) const {
     const double tau = elapsed(at.instant, section_at(taken_), clock_);
     if (tau == 0.0) return;
@@ -147,24 +148,24 @@ class Sections {
     }
   }
 
-  // Of the vibration of which the difference of two states is a phase: the largest of a mass, in
-  // displacement or velocity, whichever is larger.
-  double amplitude(const std::vector<double> &now, const std::vector<double> &then) const {
+  // The amplitude of the vibration of which the difference of two states is one phase: that of the
+  // mass with the largest, in displacement or velocity, whichever is larger.
+  double amplitude(const std::vector<double> &a, const std::vector<double> &b) const {
     const std::size_t n = frequency_.size();
     double largest = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-      const double w = frequency_[i], x = now[i] - then[i], v = now[n + i] - then[n + i];
+      const double w = frequency_[i], x = a[i] - b[i], v = a[n + i] - b[n + i];
       largest = std::max(largest, std::max(1.0, 1.0 / w) * std::hypot(w * x, v));
     }
     return largest;
   }
 
-  // Of the states `back` and `back` + p periods ago.
-  double distance(int p, int back = 0) const {
-    return amplitude(latest(back).z, latest(back + p).z);
+  // The distance of the latest section and that p periods before.
+  double distance(int p) const {
+    return amplitude(latest(0).z, latest(p).z);
   }
 
-  // The events of `p` periods, `back` periods ago.
+  // The events of the p periods that ended `back` periods ago.
   std::vector<Event> events_of(int p, int back) const {
     std::vector<Event> events;
     for (int k = p; k-- > 0;) {
@@ -174,8 +175,8 @@ class Sections {
     return events;
   }
 
-  // Of the last p periods and the p before: after the same sticks and releases the contact modes
-  // are the same, too.
+  // Whether the last p periods had the events of the p before. After the same sticks and releases
+  // the contact modes are the same, too.
   bool same_events(int p) const {
     const auto same = [](const Event &a, const Event &b) {
       return a.kind == b.kind && a.stop == b.stop;
@@ -187,7 +188,7 @@ class Sections {
   void judge() {
     for (int p = 1; p <= options_.most && 2 * p < taken_; ++p) {
       if (!(contractions_[index(p - 1)].to_come <= options_.tolerance) || !same_events(p)) continue;
-      // A motion of period q has settled in p periods, too: it may be the one that shows it.
+      // A motion of period q, a divisor of p, has settled after p periods, too.
       for (int q = 1; q < p; ++q) {
         if (p % q != 0) continue;
         const double apart = distance(q);
@@ -195,7 +196,7 @@ class Sections {
           period_ = q;
           return;
         }
-        // Sections of one orbit are not so near each other, but at a period doubling.
+        // The sections of one orbit are so near each other at a period doubling alone.
         if (apart <= not_decided * options_.tolerance) return;
       }
       period_ = p;

@@ -4,10 +4,7 @@
 #include <omp.h>
 #endif
 
-#include <algorithm>
-#include <exception>
-#include <map>
-#include <mutex>
+#include <atomic>
 
 #include "simulation/for_analysis.hpp"
 
@@ -15,9 +12,12 @@ namespace vibro_impact {
 
 namespace {
 
-using Take = std::function<void()>;
-
 constexpr int most_threads = 1024;
+constexpr std::size_t points_per_thread = 32;  // of a block
+
+int threads_of(int asked) {
+  return asked > 0 ? asked : available_threads();
+}
 
 }  // namespace
 
@@ -29,47 +29,31 @@ int available_threads() {
 #endif
 }
 
-void sweep_in_order(std::size_t points, const std::function<Take(std::size_t)> &compute,
-                    const SweepOptions &options) {
+std::size_t block_size(std::size_t points, const SweepOptions &options) {
   require(options.threads >= 0 && options.threads <= most_threads, "threads = ", options.threads,
           ": must lie from 0 to ", most_threads);
   require(options.first <= points, "first = ", options.first, ": there are ", points, " points");
-  require(compute != nullptr, "sweep: a function is missing");
-  [[maybe_unused]] const int threads = options.threads > 0 ? options.threads : available_threads();
-  std::mutex mutex;
-  std::size_t end = points, next = options.first, taken = options.first;
-  std::map<std::size_t, Take> waiting;  // for points before them
+  return points_per_thread * static_cast<std::size_t>(threads_of(options.threads));
+}
+
+std::exception_ptr compute_block(std::size_t begin, std::size_t end, [[maybe_unused]] int threads,
+                                 const std::function<void(std::size_t point)> &compute) {
   std::exception_ptr failure;
-  const auto take_next = [&] {
+  std::atomic<std::size_t> failed_point = end;  // the first point that failed
+#pragma omp parallel for schedule(dynamic) num_threads(threads_of(threads))
+  for (std::size_t point = begin; point < end; ++point) {
+    if (point > failed_point) continue;
     try {
-      waiting.extract(waiting.begin()).mapped()();
-      ++taken;
-      if (options.progress) options.progress(taken);
+      compute(point);
     } catch (...) {
-      failure = std::current_exception();
-      end = 0;
+#pragma omp critical(sweep_failure)
+      if (point < failed_point) {
+        failed_point = point;
+        failure = std::current_exception();
+      }
     }
-  };
-#pragma omp parallel num_threads(threads)
-  for (std::unique_lock lock(mutex); next < end;) {
-    const std::size_t point = next++;
-    lock.unlock();
-    Take take;
-    bool is_error = false;
-    try {
-      take = compute(point);
-      require(take != nullptr, "sweep: nothing that takes point ", point);
-    } catch (...) {
-      is_error = true;
-      take = [error = std::current_exception()] { std::rethrow_exception(error); };
-    }
-    lock.lock();
-    // An error is taken in its turn, too; no point after it is handed out any more.
-    if (is_error) end = std::min(end, point + 1);
-    waiting.emplace(point, std::move(take));
-    while (!failure && !waiting.empty() && waiting.begin()->first == taken) take_next();
   }
-  if (failure) std::rethrow_exception(failure);
+  return failure;
 }
 
 }  // namespace vibro_impact

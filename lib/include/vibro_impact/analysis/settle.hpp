@@ -1,5 +1,5 @@
-// The motion from a start followed, forcing period by forcing period, until it has settled; and the
-// events of a motion counted.
+// A motion followed, forcing period by forcing period, until it has settled, and its events
+// counted.
 //
 // At the section of the stroboscopic map (the phase of the start) the state z_n is compared with
 // that p periods before. With the distance d_n of the two and the contraction mu = d_n / d_(n-p),
@@ -11,11 +11,11 @@
 // so the stiffer the chain.
 //
 // A motion counts as settled, of period p, when the estimate lies below a tolerance and the events
-// of the last p periods are those of the p before them (and so the contact modes at the sections),
-// but for the impacts of a complete chatter: of its infinitely many, as many are told as it takes
-// to find the limit. Where states q periods apart, q a divisor of p, are within ten tolerances the
-// period is q; where they are within 10,000 it is not decided yet: a motion that turns around its
-// orbit comes near to itself after some number of periods long before it is there.
+// of the last p periods are those of the p before them (and so the contact modes at the sections).
+// Impacts of a complete chatter are not compared: a run reports only as many of them as it needed
+// to find the limit. Where states q periods apart, q a divisor of p, are within ten tolerances, the
+// period is q. Where they are within 10,000 tolerances it is not decided yet: a motion that turns
+// around its orbit comes near to itself after some number of periods long before it is there.
 #pragma once
 
 #include <vector>
@@ -30,16 +30,16 @@ struct SettleOptions {
   RunOptions run = {};
   int longest = 400;         // forcing periods after which the motion counts as not settling, >= 1
   int most = 8;              // largest period looked for, >= 1
-  double tolerance = 1e-10;  // of what is still to come, > 0; non-dimensional
+  double tolerance = 1e-10;  // largest estimate of what is still to come, > 0; non-dimensional
 };
 
-// What happens in some whole periods, per mass.
+// The events of some whole forcing periods, per mass.
 struct EventCounts {
-  int periods = 0;             // counted over
-  std::vector<int> impacts;    // but for those of complete chatters, which have infinitely many
+  int periods = 0;             // forcing periods counted over
+  std::vector<int> impacts;    // without those of complete chatters, which are infinitely many
   std::vector<int> sticks;     // sticking phases begun
-  std::vector<int> chatters;   // complete ones: sticks that end impacts of restitution > 0
-  bool dual_sticking = false;  // two masses or more are held at some time
+  std::vector<int> chatters;   // complete chatters: sticks at stops with restitution > 0
+  bool dual_sticking = false;  // two or more masses stick at the same time
 };
 
 struct SettledMotion {

@@ -1,12 +1,16 @@
-// Sweeps: what the user wants to know of many parameter points, on all threads of the machine.
+// Sweeps: something computed at many parameter points, on all threads of the machine.
 //
-// Every point is computed on its own by whichever thread is free, and the results are handed over
-// in the order of the points: nothing depends on the number of threads.
+// The points are computed in blocks. The threads share the points of a block, each computed by one
+// of them, and its results are handed over in the order of the points before the next block begins.
+// So neither the results nor their order depend on the number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <functional>
-#include <span>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -19,34 +23,40 @@ namespace vibro_impact {
 struct SweepOptions {
   int threads = 0;        // 0 to 1024; 0: available_threads()
   std::size_t first = 0;  // point to begin with: those before it have been taken already
-  std::function<void(std::size_t done)> progress = {};  // told the number of points taken so far
 };
 
-// The threads that a sweep uses if it is not told: those of OpenMP, or 1 without it.
+// The threads that a sweep uses unless it is told: those of OpenMP, or 1 without OpenMP.
 int available_threads();
 
-// Calls `compute` for the points from SweepOptions::first to `points`, on several threads at once,
-// and what it returns in the order of the points, one at a time. The sweep ends with what either
-// throws: of several errors that of the first point, when all before it have been taken. Throws
-// std::invalid_argument for threads beyond 0 to 1024, a first point beyond the last, no function.
-void sweep_in_order(std::size_t points,
-                    const std::function<std::function<void()>(std::size_t point)> &compute,
-                    const SweepOptions &options = {});
+// The number of points in a block, so many for each thread that the wait for the last of them is
+// short beside the work. Throws std::invalid_argument for threads beyond 0 to 1024 and for a first
+// point beyond `points`.
+std::size_t block_size(std::size_t points, const SweepOptions &options);
 
-// The same with a result of any type: take(point, compute(point)).
+// Calls `compute` for the points from `begin` to `end`, without `end`, on several threads at once.
+// Returns the error of the first point that failed, or null; all points before it are computed.
+std::exception_ptr compute_block(std::size_t begin, std::size_t end, int threads,
+                                 const std::function<void(std::size_t point)> &compute);
+
+// Calls take(point, compute(point)) for the points from SweepOptions::first to `points`: `compute`
+// on several threads at once, `take` on the calling thread in the order of the points. The sweep
+// ends with what either throws; an error of `compute` is thrown when all points before it have been
+// taken. Throws std::invalid_argument as `block_size` does.
 template <class Compute, class Take>
 void sweep(std::size_t points, const Compute &compute, const Take &take,
            const SweepOptions &options = {}) {
   using Result = std::invoke_result_t<const Compute &, std::size_t>;
-  const std::function<Result(std::size_t)> computed(compute);
-  const std::function<void(std::size_t, const Result &)> taken(take);
-  if (!computed || !taken) return sweep_in_order(points, nullptr, options);
-  sweep_in_order(
-      points,
-      [&](std::size_t point) -> std::function<void()> {
-        return [&taken, point, result = computed(point)] { taken(point, result); };
-      },
-      options);
+  const std::size_t block = block_size(points, options);
+  for (std::size_t begin = options.first; begin < points; begin += block) {
+    const std::size_t end = std::min(points, begin + block);
+    std::vector<std::optional<Result>> results(end - begin);
+    const std::exception_ptr failure =
+        compute_block(begin, end, options.threads,
+                      [&](std::size_t point) { results[point - begin].emplace(compute(point)); });
+    for (std::size_t point = begin; point < end && results[point - begin]; ++point)
+      take(point, *results[point - begin]);
+    if (failure) std::rethrow_exception(failure);
+  }
 }
 
 // The values of one parameter at equal distances, both ends included.
@@ -74,33 +84,36 @@ struct Grid {
 // `check` rejects or that has no forcing period anywhere on the grid.
 void check(const Grid &grid);
 
-// What `observable` makes of the scene of every point, be it a row of numbers or anything else:
+// What `observable` makes of the scene of every point, in the order of the points. The result may
+// be a row of numbers or anything else:
 //   sweep(grid, [](const Scene &scene) { return std::vector{energy_of(scene), ...}; })
-// in the order of the points.
 template <class Observable>
 auto sweep(const Grid &grid, const Observable &observable, const SweepOptions &options = {}) {
   using Result = std::invoke_result_t<const Observable &, const Scene &>;
   check(grid);
-  const std::function<Result(const Scene &)> observed(observable);
-  std::function<Result(std::size_t)> compute;
-  if (observed) compute = [&](std::size_t point) { return observed(grid.scene_at(point)); };
-  std::vector<Result> found;
+  std::vector<Result> results;
   sweep(
-      grid.points(), compute,
-      [&found](std::size_t, const Result &result) { found.push_back(result); }, options);
-  return found;
+      grid.points(), [&](std::size_t point) { return observable(grid.scene_at(point)); },
+      [&](std::size_t, const Result &result) { results.push_back(result); }, options);
+  return results;
 }
 
-// The row of numbers of a record: period, sticks of every mass, impacts of every mass (both per
-// forcing period), dual_sticking (0 or 1) and, where RecordOptions asks for them, the Lyapunov
-// exponent (NaN: not decided) and the pairs (2^k for the k-th of Table I, added up).
-std::vector<double> row_of(const OrbitRecord &record, const RecordOptions &records);
+// A column of the table of a sweep: its name, what it says, and how it writes the cell of a record.
+struct Column {
+  std::string name, meaning;
+  std::function<void(Table &, const OrbitRecord &)> add_cell;
+};
 
-// The table of such rows behind the parameters of the axes: period, sticks1 .., impacts1 ..,
-// dual_sticking, lyapunov, pairs ("DS SI", "-" for none). A cell that is NaN is empty; an empty row
-// stands for a point that was given up, and leaves all its cells empty.
-Table sweep_table(const Grid &grid, const RecordOptions &records);
-void add_row(Table &table, const Grid &grid, const RecordOptions &records, std::size_t point,
-             std::span<const double> row);
+// The columns behind those of the axes, for a chain of so many masses. The exponent and the pairs
+// of events have a column where RecordOptions asks for them.
+std::vector<Column> record_columns(int masses, const RecordOptions &options);
+
+// The table of a sweep without its rows: one column for each axis, then the columns of the records.
+Table sweep_table(const Grid &grid, const RecordOptions &options);
+
+// Adds the row of a point. The cells of a point without a record are empty behind the values of its
+// parameters.
+void add_row(Table &table, const Grid &grid, const RecordOptions &options, std::size_t point,
+             const std::optional<OrbitRecord> &record);
 
 }  // namespace vibro_impact
