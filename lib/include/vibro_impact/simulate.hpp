@@ -5,7 +5,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "counters.hpp"
@@ -28,20 +27,12 @@ struct RunOptions {
   long long max_impacts_per_period = 1'000'000;
 };
 
-// Where a run stands, in full: what `resume` needs to go on as if it had never ended, also inside a
-// chatter. It may lie a little before the end of the run, at its last step; it belongs to the scene
-// of that run, and what its numbers mean is the simulation's own affair.
+// Where a run stands: what `resume` needs to go on, bit for bit, as if the run had never ended, also
+// inside a chatter. It may lie a little before the end of the run, at its last step. It belongs to
+// the scene of that run; what its numbers mean is the simulation's own affair.
 struct RunState {
-  std::vector<double> numbers = {};  // none: of no run, which `resume` and `save` refuse
+  std::vector<double> numbers = {};  // empty: there is no run to go on from, which `resume` refuses
 };
-
-// The state as text: a line with a checksum, then numbers, one a line, in the digits that give them
-// back bit for bit.
-std::string save(const RunState &state);
-
-// The state of a run of `scene` from what `save` wrote. Throws std::invalid_argument, with one
-// line, for a text that was cut short or changed, and for one that contradicts the scene.
-RunState load(const Scene &scene, std::string_view text);
 
 // Why a run ended: it reached its time, a recorder was done, or it was given up.
 enum class Ending { reached, stopped, given_up };
@@ -66,7 +57,8 @@ Outcome simulate_seen(const Scene &scene, const MotionState &start, double until
                       const RunOptions &options, std::span<const RecorderRef> recorders);
 
 // The same from where another run of the same scene stood: event by event, bit for bit, what that
-// run would have gone on with. Throws std::invalid_argument for a state that contradicts the scene.
+// run would have gone on with. Throws std::invalid_argument for no state, and for that of a run of
+// another scene as far as its numbers show it.
 Outcome resume_seen(const Scene &scene, const RunState &state, double until,
                     const RunOptions &options, std::span<const RecorderRef> recorders);
 
