@@ -10,16 +10,10 @@
 
 namespace {
 
+using namespace vibro_impact;
 using namespace vibro_impact::runner;
 
-// Writes one line to standard error, and returns the exit status.
-int fail(int status, std::string message, bool speaks) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  if (speaks) std::fputs(("vibro-impact: " + message + "\n").c_str(), stderr);
-  return status;
-}
-
-void carry_out(const Request &request, const vibro_impact::Processes &processes) {
+void carry_out(const Request &request, const Processes &processes) {
   if (const auto *sweep = std::get_if<SweepRequest>(&request)) return run_sweep(*sweep, processes);
   if (processes.rank() > 0) return;
   if (const auto *run = std::get_if<RunRequest>(&request)) return run_scene(*run);
@@ -29,21 +23,26 @@ void carry_out(const Request &request, const vibro_impact::Processes &processes)
 }  // namespace
 
 int main(int argc, char **argv) {
-  const vibro_impact::Processes processes;
-  bool all_alike = true;  // until the work begins, all processes fail alike, and one speaks
-  int status = 0;
-  const auto speaks = [&] { return !all_alike || processes.rank() == 0; };
+  const Processes processes;
+  bool at_work = false;  // before, all processes fail alike; then one may fail alone
+  int status = 1;
+  std::string message;
   try {
-    if (processes.size() > 1 && !vibro_impact::Processes::with_mpi())
+    if (processes.size() > 1 && !Processes::with_mpi())
       refuse("started as {} processes, but built without MPI", processes.size());
-    const Request request = parse(argc, argv, vibro_impact::Processes::with_mpi());
-    all_alike = false;
+    const Request request = parse(argc, argv, Processes::with_mpi());
+    at_work = true;
     carry_out(request, processes);
+    return 0;
   } catch (const std::invalid_argument &refused) {
-    status = fail(2, refused.what(), speaks());
+    status = 2;
+    message = refused.what();
   } catch (const std::exception &failure) {
-    status = fail(1, failure.what(), speaks());
+    message = failure.what();
   }
-  if (status != 0 && !all_alike) processes.end_others(status);
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  if (at_work || processes.rank() == 0)
+    std::fputs(("vibro-impact: " + message + "\n").c_str(), stderr);
+  if (at_work) processes.end_others(status);
   return status;
 }

@@ -1,6 +1,5 @@
 // The one list of the columns that the table of a sweep has for its records.
 #include <string_view>
-#include <utility>
 
 #include "vibro_impact/analysis/sweep.hpp"
 
@@ -8,64 +7,51 @@ namespace vibro_impact {
 
 namespace {
 
-using Counts = std::vector<int> EventCounts::*;
-
-// The mean of a count of one mass over the forcing periods that it was counted over.
-auto per_period(Counts counts, int mass) {
-  return [counts, mass](Table &table, const OrbitRecord &record) {
-    const int count = (record.counts.*counts)[static_cast<std::size_t>(mass - 1)];
-    table.cell(count / static_cast<double>(record.counts.periods));
-  };
+// Adds a column for each mass: the mean of a count over the forcing periods that it was taken over.
+void add_per_mass(std::vector<Column> &columns, int masses, const char *name, const char *meaning,
+                  std::vector<int> EventCounts::*counts) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(masses); ++k)
+    columns.push_back(
+        {name + std::to_string(k + 1), meaning, [counts, k](Table &row, const OrbitRecord &record) {
+           const EventCounts &of = record.counts;
+           row.cell((of.*counts)[k] / static_cast<double>(of.periods));
+         }});
 }
 
-void add_dual_sticking(Table &table, const OrbitRecord &record) {
-  table.cell(record.counts.dual_sticking ? 1 : 0);
-}
-
-void add_exponent(Table &table, const OrbitRecord &record) {
+void add_exponent(Table &row, const OrbitRecord &record) {
   if (record.lyapunov)
-    table.cell(*record.lyapunov);
+    row.cell(*record.lyapunov);
   else
-    table.cell(std::string_view());
+    row.cell(std::string_view());
 }
 
-void add_pairs(Table &table, const OrbitRecord &record) {
+void add_pairs(Table &row, const OrbitRecord &record) {
   std::string text;
-  for (const EventPair pair : record.pairs) {
-    if (!text.empty()) text += ' ';
-    text += abbreviation(pair);
-  }
-  table.cell(text.empty() ? "-" : text);
+  for (const EventPair pair : record.pairs)
+    text += (text.empty() ? "" : " ") + std::string(abbreviation(pair));
+  row.cell(text.empty() ? "-" : text);
 }
 
 }  // namespace
 
 std::vector<Column> record_columns(int masses, const RecordOptions &options) {
-  std::vector<Column> columns{
-      {"period", "in forcing periods; 0: none was found",
-       [](Table &table, const OrbitRecord &record) { table.cell(record.period); }}};
-  for (int mass = 1; mass <= masses; ++mass) {
-    const std::string number = std::to_string(mass);
-    columns.push_back({"sticks" + number,
-                       "sticking phases of mass " + number + " per forcing period",
-                       per_period(&EventCounts::sticks, mass)});
-  }
-  for (int mass = 1; mass <= masses; ++mass) {
-    const std::string number = std::to_string(mass);
-    columns.push_back({"impacts" + number,
-                       "its impacts per forcing period, but for those of complete chatters, which "
-                       "are infinitely many",
-                       per_period(&EventCounts::impacts, mass)});
-  }
-  columns.push_back({"dual_sticking", "1: two masses stick at the same time", add_dual_sticking});
+  std::vector<Column> columns;
+  columns.push_back({"period", "in forcing periods; 0: none was found",
+                     [](Table &row, const OrbitRecord &record) { row.cell(record.period); }});
+  add_per_mass(columns, masses, "sticks", "sticking phases of a mass per forcing period",
+               &EventCounts::sticks);
+  add_per_mass(columns, masses, "impacts", "likewise, without those of complete chatters",
+               &EventCounts::impacts);
+  columns.push_back({"dual_sticking", "1: two masses stick at the same time",
+                     [](Table &row, const OrbitRecord &record) {
+                       row.cell(record.counts.dual_sticking ? 1 : 0);
+                     }});
   if (options.lyapunov)
-    columns.push_back({"lyapunov",
-                       "greatest Lyapunov exponent, per unit of time; empty: its sign is not "
-                       "certain",
-                       add_exponent});
+    columns.push_back(
+        {"lyapunov", "greatest exponent, per time; empty: its sign is not certain", add_exponent});
   if (options.pairs)
     columns.push_back(
-        {"pairs", "pairs of events of Table I: DG, DS, DI, GS, GI, SI; -: none", add_pairs});
+        {"pairs", "of events of Table I: DG, DS, DI, GS, GI, SI; -: none", add_pairs});
   return columns;
 }
 
