@@ -9,10 +9,6 @@ namespace {
 
 using namespace vibro_impact::testing;
 
-bool there_is_gnuplot() {
-  return std::system("gnuplot -d -e 'set terminal pngcairo' >/dev/null 2>&1") == 0;
-}
-
 // The rows that the script draws as points, or as pieces of a line, with numbers in both columns.
 // With `set table`, gnuplot writes one block of rows for each plot instead of drawing.
 std::vector<int> rows_drawn(const std::string &table) {

@@ -56,6 +56,10 @@ inline std::string mpirun(int processes) {
 }
 constexpr bool with_mpi = MPIRUN[0] != '\0';
 
+inline bool there_is_gnuplot() {
+  return std::system("gnuplot -d -e 'set terminal pngcairo' >/dev/null 2>&1") == 0;
+}
+
 // A folder of its own for every test, in which the program runs.
 struct Runner : ::testing::Test {
   fs::path folder;

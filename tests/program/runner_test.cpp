@@ -98,6 +98,7 @@ TEST_F(Runner, TheFirstLinkMayBeAbsent) {
 }
 
 TEST_F(Runner, TheExamplesOfTheHelpWork) {
+  if (!there_is_gnuplot()) GTEST_SKIP() << "gnuplot is not there";
   const Result help = run("--help");
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.err, "");

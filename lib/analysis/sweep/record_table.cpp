@@ -27,8 +27,10 @@ void add_exponent(Table &row, const OrbitRecord &record) {
 
 void add_pairs(Table &row, const OrbitRecord &record) {
   std::string text;
-  for (const EventPair pair : record.pairs)
-    text += (text.empty() ? "" : " ") + std::string(abbreviation(pair));
+  for (const EventPair pair : record.pairs) {
+    if (!text.empty()) text += ' ';
+    text += abbreviation(pair);
+  }
   row.cell(text.empty() ? "-" : text);
 }
 
