@@ -105,4 +105,19 @@ TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
   EXPECT_EQ(slow, 3);
 }
 
+// Motions on a torus never settle, and their exponent is zero: its sign is never certain, although
+// the mean over the first four blocks has one.
+TEST(Lyapunov, TheSignOfAZeroExponentIsNotGiven) {
+  RecordOptions options = with_exponent;
+  options.settle.longest = 200;
+  for (const auto &[omega, amplitude] :
+       {std::pair{0.711738, 0.688186}, {0.674954, 0.768820}, {0.456886, 0.224487}}) {
+    Scene scene = paper::figure3(omega);
+    scene.amplitude[0] = amplitude;
+    const OrbitRecord record = record_of(scene, options);
+    EXPECT_EQ(record.period, 0) << omega;
+    EXPECT_FALSE(record.lyapunov.has_value()) << omega << ": " << *record.lyapunov;
+  }
+}
+
 }  // namespace

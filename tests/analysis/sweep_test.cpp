@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "reference/paper_scenes.hpp"
@@ -57,22 +58,26 @@ TEST(Sweep, NeitherThreadsNorWhereItBeginsChangeABit) {
   }
 }
 
-// The first error is thrown when all points before it have been taken, and ends the sweep with its
-// block, however many points there are.
+// The error of point 100 is thrown when all points before it have been taken, and ends the sweep
+// with its block. Point 100 fails after a later one has been computed, if there is a thread that
+// does so.
 TEST(Sweep, AnErrorEndsItInTheOrderOfThePoints) {
   for (const int threads : {1, 2, 4}) {
     std::atomic<std::size_t> last = 0;
     std::size_t taken = 0;
-    const auto bad_from_100 = [&](std::size_t point) {
+    const auto bad_at_100 = [&](std::size_t point) {
+      if (point == 100) {
+        for (int waits = 0; threads > 1 && last <= 100 && waits < 1'000'000; ++waits)
+          std::this_thread::yield();
+        throw std::runtime_error("given up at 100");
+      }
       last = std::max(last.load(), point);
-      if (point >= 100) throw std::runtime_error("given up at " + std::to_string(point));
       return point;
     };
     const SweepOptions options{.threads = threads};
     try {
       sweep(
-          100000, bad_from_100, [&](std::size_t point, std::size_t) { taken = point + 1; },
-          options);
+          100000, bad_at_100, [&](std::size_t point, std::size_t) { taken = point + 1; }, options);
       FAIL();
     } catch (const std::runtime_error &error) {
       EXPECT_EQ(std::string(error.what()), "given up at 100");
