@@ -117,24 +117,24 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   const std::size_t head = partial.find('\n') + 1;
   EXPECT_TRUE(whole.starts_with(partial.substr(head, partial.rfind('\n') + 1 - head)));
 
-  // Not over what was computed by mistake, not as another sweep, and not by another program.
-  std::string of_another = partial;
-  const std::size_t digit = of_another.find("program ") + 8;
-  of_another[digit] = of_another[digit] == '0' ? '1' : '0';
+  // Not over what was computed by mistake, not as another sweep, and not by another program: one
+  // byte more is another file.
   const struct {
-    std::string file, options, message;
-  } refused[] = {{partial, "", "--resume goes on with it"},
-                 {partial, "--resume --beta 0.2", "not the rows of this sweep"},
-                 {of_another, "--resume", "not the rows of this sweep"}};
-  for (const auto &[file, options, message] : refused) {
-    std::ofstream(path) << file;
-    const Result result = run(sweep + options);
+    std::string options, program, message;
+  } refused[] = {{"", VIBRO_IMPACT_PROGRAM, "--resume goes on with it"},
+                 {"--resume --beta 0.2", VIBRO_IMPACT_PROGRAM, "not the rows of this sweep"},
+                 {"--resume", folder.string() + "-other", "not the rows of this sweep"}};
+  fs::copy_file(VIBRO_IMPACT_PROGRAM, folder.string() + "-other");
+  std::ofstream(folder.string() + "-other", std::ios::app) << 'x';
+  for (const auto &[options, program, message] : refused) {
+    const Result result = run(sweep + options, "true", "", program);
     EXPECT_EQ(result.status, 2);
     EXPECT_TRUE(is_one_message(result.err)) << result.err;
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
-    EXPECT_EQ(contents(path), file);
-    EXPECT_FALSE(fs::exists(folder / "t.csv"));
+    EXPECT_EQ(contents(path), partial);
+    EXPECT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
   }
+  fs::remove(folder.string() + "-other");
 
   // Cut within its head, within a row, and not at all.
   for (const std::size_t size : {head / 2, partial.size() - 5, partial.size()}) {
