@@ -1,5 +1,7 @@
 #include "driver.hpp"
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

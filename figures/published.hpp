@@ -1,6 +1,6 @@
-// Published results: numbers that others printed, each with what the library makes of it. A row of
-// reference/published.csv names its quantity, one of the functions here, and the parameters that it
-// is given; reference/README.md has the sources.
+// Published results: numbers that others printed, each as the library computes it. A row of
+// reference/published.csv names its quantity, which is one of the functions here, and the
+// parameters that this function is given. reference/README.md has the sources.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ struct OneImpactOrbit {
   double speed() const {
     return std::abs(impact.velocity_before);
   }
-  // The multiplier next to -1: zero, with one added, at a period doubling.
+  // The multiplier nearest to -1. At a period doubling it is -1.
   double doubling_multiplier() const {
     double nearest = orbit.multipliers.front().real();
     for (const auto &multiplier : orbit.multipliers)
@@ -50,8 +50,8 @@ struct OneImpactOrbit {
   }
 };
 
-// By Newton's method on the stroboscopic map, from an impact near `time` with about `speed`. Throws
-// std::runtime_error where there is none.
+// Finds the orbit by Newton's method on the stroboscopic map, from an impact near `time` with about
+// `speed`. Throws std::runtime_error if there is no such orbit.
 inline OneImpactOrbit one_impact_orbit(const Parameters &p) {
   const int periods = static_cast<int>(p.at("n"));
   const Scene scene =
@@ -63,16 +63,16 @@ inline OneImpactOrbit one_impact_orbit(const Parameters &p) {
   guess = at_quiet_phase(scene, guess);
   const PeriodicOrbit orbit = find_periodic_orbit(scene, guess, periods);
   if (!orbit.converged) throw std::runtime_error("no orbit of one impact: " + orbit.why_not);
-  EventRecorder told;
-  stroboscopic_map(scene, orbit.state, periods, {}, told);
-  if (told.events.size() != 1)
-    throw std::runtime_error("the orbit has " + std::to_string(told.events.size()) +
+  EventRecorder recorder;
+  stroboscopic_map(scene, orbit.state, periods, {}, recorder);
+  if (recorder.events.size() != 1)
+    throw std::runtime_error("the orbit has " + std::to_string(recorder.events.size()) +
                              " events, not one impact");
-  return {scene, orbit, told.events.front()};
+  return {scene, orbit, recorder.events.front()};
 }
 
-// The value of a parameter, near the one given, at which f of the orbit is zero: by secants from
-// there and `step` away, to rounding.
+// The parameters, of which the named one is moved to where f of the orbit is zero. Secants start at
+// the given value and `step` away from it, and end at rounding.
 inline Parameters solved_for(const std::string &name, double step, Parameters p,
                              const std::function<double(const OneImpactOrbit &)> &f) {
   double &x = p.at(name), last = x, value = f(one_impact_orbit(p));
@@ -86,20 +86,20 @@ inline Parameters solved_for(const std::string &name, double step, Parameters p,
   return p;
 }
 
-// Of the orbit with this very impact speed.
+// The amplitude of the orbit with the impact speed `speed`.
 inline double amplitude_of_speed(const Parameters &p) {
   const double speed = p.at("speed");
   return solved_for("A", 1e-7, p, [=](const auto &orbit) { return orbit.speed() - speed; }).at("A");
 }
 
-// Where a multiplier reaches -1 as the amplitude or the stop is moved.
+// The parameters at which a multiplier is -1, the amplitude or the stop being moved.
 inline Parameters period_doubling(const std::string &moved, double step, const Parameters &p) {
   return solved_for(moved, step, p,
                     [](const auto &orbit) { return orbit.doubling_multiplier() + 1.0; });
 }
 
-// Impacts in one forcing period of the motion that is periodic where there is no stop, from a phase
-// at which it is on the far side.
+// Number of impacts in one forcing period of the motion that is periodic without the stop. It
+// starts at a phase at which the mass is on the side away from the stop.
 inline int impacts_of_steady_motion(const Scene &scene) {
   Scene without = scene;
   without.stops.clear();
@@ -124,7 +124,8 @@ inline double grazing_amplitude(const Parameters &p) {
 
 // --- Runs ------------------------------------------------------------------------------------
 
-// The `count`th event of a kind, every impact resolved or chatter carried to its limit.
+// The event of that number (from 1) and kind. Chatter is carried to its limit, or every impact is
+// resolved.
 inline Event event_of(const Scene &scene, double until, EventKind kind, double count = 1.0,
                       bool every_impact = false) {
   EventRecorder recorder;
@@ -136,7 +137,7 @@ inline Event event_of(const Scene &scene, double until, EventKind kind, double c
   throw std::runtime_error("the run has no such event");
 }
 
-// A ball, below a ceiling if one is given.
+// A ball above the floor, and below a ceiling if the parameters have one.
 inline Scene ball_of(const Parameters &p) {
   Scene scene =
       ball(p.at("mass"), p.at("k"), p.at("force"), p.at("r"), p.at("height"), p.at("velocity"));
@@ -150,33 +151,13 @@ inline Event impact_of_ball(const Parameters &p) {
 
 // --- The bar -----------------------------------------------------------------------------------
 
-constexpr double end_of_bar = 0.0015;  // it has left the wall by then
+constexpr double end_of_bar = 0.0015;  // the bar has left the wall by this time
 
+// From the first contact of the bar of that many elements with the wall to the release.
 inline double contact_time(int elements) {
   const Scene scene = bar(elements, elements);
   return event_of(scene, end_of_bar, EventKind::release).time -
          event_of(scene, end_of_bar, EventKind::stick).time;
-}
-
-// The limit of the contact time of the lumped bar for N -> infinity, from N = 50, 100, 200, 400:
-// its error is a series in N^(-2/3) (the front of the returning wave, dispersed by the lattice, is
-// an Airy function of width N^(1/3)), of which three terms are eliminated.
-inline double limit_of_contact_time() {
-  std::vector<double> h, t;
-  for (int n : {50, 100, 200, 400}) {
-    h.push_back(std::pow(n, -2.0 / 3.0));
-    t.push_back(contact_time(n));
-  }
-  for (std::size_t order = 1; order < t.size(); ++order)
-    for (std::size_t i = t.size() - 1; i >= order; --i)
-      t[i] += (t[i] - t[i - 1]) * h[i] / (h[i - order] - h[i]);
-  return t.back();
-}
-
-// The power of 1 / N with which the contact time falls to that limit, between N = 200 and 400.
-inline double rate_of_contact_time() {
-  const double limit = 2.0 / std::sqrt(elasticity / density);
-  return std::log2((contact_time(200) - limit) / (contact_time(400) - limit));
 }
 
 inline Scene bar_of(const Parameters &p) {
@@ -221,8 +202,7 @@ inline const std::map<std::string, double (*)(const Parameters &)> &quantities()
        }},
       {"chatter_limit", [](P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; }},
       {"impact_time", [](P p) { return impact_of_ball(p).time; }},
-      {"bar_contact_time", [](P) { return limit_of_contact_time(); }},
-      {"bar_rate", [](P) { return rate_of_contact_time(); }},
+      {"bar_contact_time", [](P p) { return contact_time(static_cast<int>(p.at("elements"))); }},
       {"bar_end_of_contact",
        [](P p) {
          return p.at("start") + event_of(bar_of(p), end_of_bar, EventKind::release).time;
@@ -236,10 +216,10 @@ struct Result {
   std::string id, source, quantity;
   std::string given;    // the parameters, as the table has them
   std::string printed;  // as it stands in the source
-  std::string kind;     // printed, formula or summed
+  std::string kind;     // printed, formula, summed or derived (reference/README.md)
   double value = 0.0;   // of what is printed
   double tolerance = 0.0;
-  std::string limited_by;  // what limits the agreement: theirs, ours or both, and why
+  std::string limited_by;  // whose error limits the agreement (theirs, ours or both), and why
   Parameters parameters = {};
 
   // The library's value. Throws std::runtime_error naming a row of which it cannot be computed.

@@ -22,7 +22,7 @@ namespace vibro_impact_reference {
 /// at the end. Looked at eight times. `state` tells who is free.
 inline bool stands(const Scene &scene, const State &state, const Flow &flow,
                    const std::vector<std::size_t> &in_question, const Real &duration) {
-  const Real noise = small(44);  // gaps and forces, of order one, are known to about this
+  const Real noise = Real("1e-44");  // gaps and forces, of order one, are known to about this
   constexpr int samples = 8;
   for (int n = samples; n > 0; --n) {
     const Motion motion = motion_at(flow, duration * n / samples);

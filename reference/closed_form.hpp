@@ -166,7 +166,7 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
   const Real phase = chain.frequency * t;
   const Real cosine = cos(phase);
   const Real sine = sin(phase);
-  const Real critical = small(40);
+  const Real critical = Real("1e-40");
   for (std::size_t j = 0; j < size; ++j) {
     Mode mode;
     mode.lambda = flow.eigen->values[j];

@@ -21,10 +21,10 @@
 
 namespace vibro_impact_reference {
 
-/// The thresholds of the generator, sized for the digits of Real.
+/// The thresholds of the generator.
 struct Resolution {
-  Real speed_floor = small(20);  // a chatter is followed down to this speed
-  RootSearch roots = {};         // relative to the time since the last event
+  Real speed_floor = Real("1e-20");  // a chatter is followed down to this speed
+  RootSearch roots = {};             // relative to the time since the last event
 };
 
 /// The thresholds with chatter followed down to `floor`, and zeros narrowed down as the flights of
@@ -34,7 +34,7 @@ inline Resolution resolution_down_to(const Real &floor) {
 }
 
 /// A hold force below this counts as zero: no stick.
-inline const Real pressing_floor = small(30);
+inline const Real pressing_floor = Real("1e-30");
 
 struct Event {
   enum class Kind { impact, stick, release };

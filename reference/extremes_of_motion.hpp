@@ -19,7 +19,8 @@ void each_turn(const Flow &flow, const Real &begin, const Real &end, const RateA
   for (Real a = begin; a < end; a += step) {
     const Real b = std::min<Real>(a + step, end);
     if (rising == (rate_at(b) > 0)) continue;
-    found(bisect([&](const Real &tau) { return (rate_at(tau) > 0) == rising; }, a, b, small(36)));
+    found(
+        bisect([&](const Real &tau) { return (rate_at(tau) > 0) == rising; }, a, b, Real("1e-36")));
     rising = !rising;
   }
 }

@@ -1,53 +1,48 @@
-// The tables of numbers: their words stand in the files of reference/, the generator fills in what
-// it finds.
+// The table of key numbers, whose words stand in the file and whose values the generator fills in.
 #pragma once
 
 #include "reference/table_reader.hpp"
 
-#include <cstddef>
 #include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace vibro_impact_reference {
 
-/// A number as it is written, and an estimate of its error where the table has one.
-struct Found {
-  std::string value, error = {};
-};
+/// The digits of a number by the symbol of its row.
+using Numbers = std::map<std::string, std::string>;
 
-/// By the symbol of the row.
-using Numbers = std::map<std::string, Found>;
+/// A row of a table. A cell with a comma stands in quotes.
+inline std::string line_of(const std::vector<std::string> &cells) {
+  std::string line;
+  for (const std::string &cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    line += cell.find(',') == std::string::npos ? cell : '"' + cell + '"';
+  }
+  return line + '\n';
+}
 
-/// The table reference/`name` with these numbers in the columns `value` and `error`. Its words, and
-/// the rows of numbers that are printed or reconstructed, stay as they are. Throws
-/// std::runtime_error if a number has no row, or a row that is derived or computed no number.
-inline std::string filled_table(const std::string &name, const Numbers &numbers) {
+/// The table reference/`name`, of which the first columns are symbol and value, with these values.
+/// All other cells stay as they are. Throws std::runtime_error if a number has no row, or a row no
+/// number.
+inline std::string filled_table(const std::string &name, Numbers numbers) {
   std::ifstream file = vibro_impact::figures::opened(REFERENCE_DIR "/" + name);
   std::string table, line;
   std::getline(file, line);
   table = line + '\n';
-  std::size_t filled = 0;
   while (std::getline(file, line)) {
-    // symbol,value,kind[,error],words: no quotes in any of the first three or four.
-    const auto cells = vibro_impact::figures::cells_of(line);
-    const std::string &symbol = cells[0], &kind = cells.at(2);
-    const auto found = numbers.find(symbol);
-    if (found != numbers.end()) {
-      const auto &[value, error] = found->second;
-      const std::size_t at = symbol.size() + 1;  // of the value
-      line.replace(at, cells[1].size(), value);
-      if (!error.empty())
-        line.replace(at + value.size() + kind.size() + 2, cells.at(3).size(), error);
-      ++filled;
-    } else if (kind == "derived" || kind == "computed") {
-      throw std::runtime_error("table '" + name + "': nothing found for " + symbol);
-    }
-    table += line + '\n';
+    std::vector<std::string> cells = vibro_impact::figures::cells_of(line);
+    const auto found = numbers.find(cells.at(0));
+    if (found == numbers.end())
+      throw std::runtime_error("table '" + name + "': nothing was found for " + cells[0]);
+    cells.at(1) = found->second;
+    table += line_of(cells);
+    numbers.erase(found);
   }
-  if (filled != numbers.size())
-    throw std::runtime_error("table '" + name + "': a row is missing for what has been found");
+  if (!numbers.empty())
+    throw std::runtime_error("table '" + name + "': it has no row for " + numbers.begin()->first);
   return table;
 }
 

@@ -3,7 +3,6 @@
 #include "event_driven.hpp"
 #include "filled_table.hpp"
 #include "key_numbers.hpp"
-#include "located.hpp"
 #include "reference/scenes/degenerate_cases.hpp"
 #include "reference/scenes/extreme_cases.hpp"
 #include "scenes.hpp"
@@ -106,7 +105,6 @@ std::string work_precision_table(bool states) {
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
   if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
-  if (name == "located") return filled_table("located.csv", located_numbers());
   if (name == "extremes") return cases_table(vibro_impact::extremes::all_cases());
   if (name == "degenerate") return cases_table(vibro_impact::extremes::degenerate_cases());
   if (name == "work_precision_states") return work_precision_table(true);
@@ -121,7 +119,7 @@ int main(int argc, char **argv) try {
   if (argc != 3) {
     std::cerr
         << "usage: generate <table> <out.csv>   with table one of figure2, figure4a, figure4b, "
-           "figure5a, figure5b, figure5c, key_numbers, located, extremes, degenerate, "
+           "figure5a, figure5b, figure5c, key_numbers, extremes, degenerate, "
            "work_precision_states, work_precision_events\n";
     return 2;
   }

@@ -28,8 +28,8 @@ Real bisect(const Predicate &before, Real a, Real b, const Real &relative_width)
 
 /// How far, and how, a zero is narrowed down.
 struct RootSearch {
-  Real width = small(36);  // a bracket this part of its right end is a zero
-  bool newton = false;     // steps by the rate, inside the bracket: fewer, and not to the last bit
+  Real width = Real("1e-36");  // a bracket this part of its right end is a zero
+  bool newton = false;  // steps by the rate, inside the bracket: fewer, and not to the last bit
 };
 
 /// The signal falls through zero between a, where `before` holds of it, and b, where it does not.
@@ -38,7 +38,7 @@ Real fall_between(const SignalAt &signal_at, const Before &before, Real a, Real 
                   const RootSearch &search) {
   if (!search.newton)
     return bisect([&](const Real &tau) { return before(signal_at(tau)); }, a, b, search.width);
-  const Real rounding = small(49);  // of a signal of order one
+  const Real rounding = Real("1e-49");  // of a signal of order one
   Real at = b, last = b - a;
   for (Signal signal = signal_at(b); b - a > search.width * b;) {
     Real next = signal.rate < 0 ? Real(at - signal.value / signal.rate) : b;

@@ -6,20 +6,13 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace vibro_impact_reference {
 
-/// The number type of the whole generator. The same source makes two programs: REFERENCE_DIGITS is
-/// 50 or 100.
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<REFERENCE_DIGITS>>;
-
-/// 10^-exponent with 50 digits; the same part of all digits with more.
-inline Real small(int exponent) {
-  return Real("1e-" + std::to_string(exponent * std::numeric_limits<Real>::digits10 / 50));
-}
+/// The number type of the whole generator.
+using Real = boost::multiprecision::cpp_bin_float_50;
 
 /// Link i joins mass i-1 to mass i, link 1 joins mass 1 to ground, the last mass is free: Eqs. 1-2.
 /// The dampers are proportional to the springs, c_i = damping_ratio * k_i (the paper's assumption

@@ -1,0 +1,97 @@
+// Frequencies at which a settled motion changes, by bisection on what is counted in it.
+#pragma once
+
+#include "event_driven.hpp"
+#include "extremes_of_motion.hpp"
+#include "reference/scenes/frequency_brackets.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace vibro_impact_reference {
+
+/// A whole number read off a run, such as the number of its sticking phases.
+using Count = std::function<std::size_t(const Run &)>;
+
+/// Two frequencies at which a count differs.
+struct Bracket {
+  Real near, far;
+};
+
+/// Forcing periods: for the motion from rest to settle at the first frequency, and at each further
+/// frequency to settle from the motion of the frequency beside it, and counted over. A motion may
+/// have period two.
+constexpr int settling_from_rest = 40, settling_from_beside = 8, counted = 2;
+
+/// A bracket is bisected until it is narrower than this. A double has 17 digits.
+inline const Real bracket_width = Real("1e-20");
+
+/// The motion that goes on from `state`, at phase zero of the forcing, for some forcing periods.
+/// Brings the state to their end, where the phase is zero again and the time is counted anew.
+inline Run carried_on(Scene scene, State &state, int periods, const Resolution &resolution) {
+  Run run;
+  scene.end_time = periods * 2 * acos(Real(-1)) / scene.chain.frequency;
+  advance(scene, state, run, resolution);
+  state.time = 0;
+  return run;
+}
+
+/// The frequency between the ends of the bracket at which the count changes. The motion is followed
+/// from `near`: every trial goes on from the settled motion at the nearest frequency known to have
+/// the same count as `near`. The distance of that motion from the one looked for is proportional to
+/// the width of the bracket, so that a few periods are enough each time.
+inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
+  const Resolution resolution = resolution_down_to(Real("1e-17"));
+  const auto count_at = [&](const Real &frequency, State &state, int settling) {
+    scene.chain.frequency = frequency;
+    carried_on(scene, state, settling, resolution);
+    return count(carried_on(scene, state, counted, resolution));
+  };
+  Run start;
+  scene.chain.frequency = bracket.near;
+  State settled = initial_state(scene, resolution, start);
+  const std::size_t count_near = count_at(bracket.near, settled, settling_from_rest);
+  State beyond = settled;
+  if (count_at(bracket.far, beyond, settling_from_rest) == count_near)
+    throw std::logic_error("the counts at " + bracket.near.str(8) + " and " + bracket.far.str(8) +
+                           " agree");
+  while (abs(bracket.far - bracket.near) > bracket_width) {
+    const Real middle = (bracket.near + bracket.far) / 2;
+    State trial = settled;
+    if (count_at(middle, trial, settling_from_beside) == count_near) {
+      bracket.near = middle;
+      settled = trial;
+    } else {
+      bracket.far = middle;
+    }
+  }
+  return bracket.far;
+}
+
+/// Of a change in the number of sticking phases of a mass.
+inline Real changing_frequency(const vibro_impact::paper::StickingChange &change) {
+  const auto sticks = [mass = static_cast<std::size_t>(change.mass - 1)](const Run &run) {
+    return static_cast<std::size_t>(
+        std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
+          return event.kind == Event::Kind::stick && event.mass == mass;
+        }));
+  };
+  return changing_frequency(scene_named("figure2"), {Real(change.near), Real(change.far)}, sticks);
+}
+
+/// Of Figure 5(b): where the greatest displacement of mass 2, its stop taken away, reaches that
+/// stop.
+inline Real grazing_frequency() {
+  using namespace vibro_impact::paper;
+  const Real place = Real(figure5b().stops[1].position);
+  const auto reaches = [&](const Run &run) -> std::size_t {
+    return extremes(run, Real(0), Real("1e9")).highest[1] >= place ? 1 : 0;
+  };
+  return changing_frequency(in_digits(figure5b_without_second_stop(grazing_below), 0.0),
+                            {Real(grazing_below), Real(grazing_above)}, reaches);
+}
+
+}  // namespace vibro_impact_reference
