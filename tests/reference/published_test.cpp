@@ -1,8 +1,12 @@
-// What others printed: what the rows of `make check`, which judges every entry, do not show.
+// What others printed, beyond the one number of each row that `make check` judges, and how the
+// library approaches what is printed as a limit only.
 #include "figures/published.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/airy.hpp>
 #include <set>
 
 namespace {
@@ -10,33 +14,30 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::published;
 
-const std::string folder = REFERENCE_DIR;
-
 std::vector<Result> results_of(const std::string &source, const std::string &quantity) {
   std::vector<Result> some;
-  for (const Result &result : results(folder))
+  for (const Result &result : results(REFERENCE_DIR))
     if (result.source == source && result.quantity == quantity) some.push_back(result);
   return some;
 }
 
 TEST(PublishedTable, EveryRowHasItsOwnNameAToleranceAndWhatLimitsIt) {
-  std::set<std::string> ids, named;
-  for (const auto &result : results(folder)) {
+  std::set<std::string> ids, quantities_printed;
+  for (const Result &result : results(REFERENCE_DIR)) {
     EXPECT_TRUE(ids.insert(result.id).second) << result.id;
     EXPECT_GT(result.tolerance, 0.0) << result.id;
     const std::string whose = result.limited_by.substr(0, result.limited_by.find(':'));
     EXPECT_TRUE(whose == "theirs" || whose == "ours" || whose == "both") << result.id;
-    named.insert(result.quantity);
+    quantities_printed.insert(result.quantity);
   }
-  EXPECT_EQ(ids.size(), 140u);
-  EXPECT_EQ(named.size(), quantities().size());  // every quantity that is known is published
+  EXPECT_EQ(quantities_printed.size(), quantities().size());  // no function without a row
 }
 
-// At the printed speed. Their times end at 1e-10 (bisection); a multiplier feels the error of a
+// At the printed speed. Their times end at 1e-10 (bisection). A multiplier feels the error of a
 // time or a position divided by the impact speed, where 1e-9 covers what is left of theirs.
 TEST(Vivid, MultiplierAndTimeOfTheImpactAreThePrintedOnes) {
-  const auto points = results_of("vivid", "amplitude_of_speed");
-  ASSERT_EQ(points.size(), 24u);
+  const std::vector<Result> points = results_of("vivid", "amplitude_of_speed");
+  ASSERT_FALSE(points.empty());
   for (const Result &point : points) {
     Parameters p = point.parameters;
     p["A"] = point.compute();
@@ -45,21 +46,20 @@ TEST(Vivid, MultiplierAndTimeOfTheImpactAreThePrintedOnes) {
     EXPECT_NEAR(std::remainder(found.impact.time - p["time"], period), 0.0, 1e-9) << point.id;
     const double multiplier = found.doubling_multiplier();
     EXPECT_NEAR(multiplier, p["multiplier"], 1e-9 / speed) << point.id;
-    // What the source promises of its points: 1e-5, its bisection's tolerance.
+    // The source guarantees its bisection's tolerance, 1e-5.
     EXPECT_NEAR(multiplier, -1.0, 1e-5 + 1e-9 / speed);
-    // r^2 exp(-0.04 * two periods): Liouville.
-    const auto both = found.orbit.multipliers.at(0) * found.orbit.multipliers.at(1);
-    EXPECT_NEAR(both.real(), 0.81 * std::exp(-0.08 * period), 1e-10) << point.id;
+    // Liouville: the product is r^2 exp(-0.04 * two periods).
+    const auto product = found.orbit.multipliers.at(0) * found.orbit.multipliers.at(1);
+    EXPECT_NEAR(product.real(), 0.81 * std::exp(-0.08 * period), 1e-10) << point.id;
   }
 }
 
-// Siconos locates an impact where the gap is below some 3e-13: that error over the impact speed, in
-// the time, is left by every impact and grows with the number of them. The speed feels it by the
-// pressing acceleration, 10 near the stop in all of them, and the integrator's error in the
-// displacement, 3e-13, by the frequency, 316 at most.
+// Siconos locates an impact where the gap is below some 3e-13. Every impact leaves that error over
+// the impact speed in the time. The speed feels it by the pressing acceleration, which is 10 near
+// the stop in all rows, and the integrator's error in the displacement, 3e-13, by the frequency.
 TEST(Siconos, TolerancesAndSpeedsOfTheImpactsFollowFromTheirTolerance) {
-  const auto impacts = results_of("siconos", "impact_time");
-  ASSERT_EQ(impacts.size(), 44u);
+  const std::vector<Result> impacts = results_of("siconos", "impact_time");
+  ASSERT_FALSE(impacts.empty());
   for (const Result &impact : impacts) {
     const double velocity = impact.parameters.at("velocity_before");
     EXPECT_LE(impact.tolerance, 3e-13 / std::abs(velocity) + 1e-15) << impact.id;
@@ -70,28 +70,58 @@ TEST(Siconos, TolerancesAndSpeedsOfTheImpactsFollowFromTheirTolerance) {
   }
 }
 
-// A coefficient of restitution off by 1e-6 must be seen: the tolerances are not wide. Near grazing
-// the amplitude depends on the restitution with the square of the speed only, the multiplier more.
+// A coefficient of restitution off by 1e-6 moves every number that depends on it by more than its
+// tolerance. At the first impact of a ball nothing depends on it yet. The amplitude of an orbit
+// near grazing depends on it with the square of the speed only, but its multiplier does at once.
 TEST(PublishedTable, AnErrorOfAMillionthInTheRestitutionIsSeen) {
-  int seen = 0;
-  for (Result result : results(folder)) {
-    if (!result.parameters.contains("r") || result.parameters["impact"] == 1.0) continue;
-    const bool formula = result.kind == "formula" && result.limited_by.starts_with("ours");
-    if (!formula && result.quantity != "amplitude_of_speed" && result.source != "siconos") continue;
-    result.parameters["r"] += 1e-6;
-    const double changed = result.compute(), by = std::abs(changed - result.value);
-    double multiplier = 0.0;
-    if (result.quantity == "amplitude_of_speed") {
-      result.parameters["A"] = changed;
-      multiplier = std::abs(one_impact_orbit(result.parameters).doubling_multiplier() -
-                            result.parameters["multiplier"]);
+  for (const std::string quantity :
+       {"amplitude_of_speed", "impact_time", "chatter_limit", "impact_speed", "doubling_speed"}) {
+    for (Result result : results(REFERENCE_DIR)) {
+      Parameters &p = result.parameters;
+      if (result.quantity != quantity || !p.contains("r") || p["impact"] == 1.0) continue;
+      p["r"] += 1e-6;
+      const double computed = result.compute();
+      bool seen = std::abs(computed - result.value) > result.tolerance;
+      if (quantity == "amplitude_of_speed") {
+        p["A"] = computed;
+        const double multiplier = one_impact_orbit(p).doubling_multiplier();
+        seen = seen || std::abs(multiplier - p["multiplier"]) > 1e-9 / p["speed"];
+      }
+      EXPECT_TRUE(seen) << result.id;
     }
-    EXPECT_TRUE(by > (formula ? 1e3 : 1.0) * result.tolerance ||
-                multiplier > 1e-9 / result.parameters["speed"])
-        << result.id;
-    ++seen;
   }
-  EXPECT_GE(seen, 25 + 60);
+}
+
+// The lumped bar: the contact outlasts 2 L / c by the width of the front, which the lattice
+// disperses into an Airy function. The force returns to zero where the front has brought half its
+// step, that is at xi with int_0^xi Ai(-s) ds = 1/6, so that
+//   T_N / T = 1 + xi / (2 4^(1/3)) N^(-2/3) + ...
+TEST(Bar, ContactTimeFallsToTheLimitAsTheDispersedFrontSays) {
+  const auto integral = [](double xi) {
+    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+        [](double s) { return boost::math::airy_ai(-s); }, 0.0, xi);
+  };
+  const double xi = zero([&](double x) { return integral(x) - 1.0 / 6.0; }, 0.0, 1.0).value,
+               constant = xi / (2.0 * std::cbrt(4.0)),
+               limit = 2.0 / std::sqrt(elasticity / density);
+  std::vector<double> scaled;
+  for (int n : {25, 50, 100, 200, 400}) {
+    scaled.push_back((contact_time(n) / limit - 1.0) * std::pow(n, 2.0 / 3.0));
+    // The rest is of the next order, N^(-2/3), and its constant was measured as 0.073.
+    EXPECT_NEAR(scaled.back(), constant, 0.08 * std::pow(n, -2.0 / 3.0)) << n;
+  }
+  EXPECT_TRUE(std::is_sorted(scaled.begin(), scaled.end()));
+}
+
+// Budd and Dux give the limit of a chatter to leading order in its first speed: the rest falls with
+// the cube of the speed.
+TEST(BuddAndDux, TheChatterLimitIsOfLeadingOrder) {
+  const auto excess = [](double speed) {
+    const Parameters p{{"omega", 2.0}, {"r", 0.5}, {"stop", 0.0}, {"speed", speed}};
+    return quantities().at("first_order_chatter_limit")(p) - 4.0 * speed;
+  };
+  // The lesser one is 2.7e-8 of a time of 4e-3, which is known to 1e-16 or so.
+  EXPECT_NEAR(excess(2e-3) / excess(1e-3), 8.0, 1e-3);
 }
 
 TEST(PublishedTable, UnknownParametersAndQuantitiesAreNamed) {
