@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,16 @@ constexpr const char *explanation_of_published =
     "source: reference/README.md\n"
     "limited by: what keeps the two apart, our computation, theirs, or both\n";
 
-// The documents with computed parts. The last one may have numbers that are no key numbers.
-constexpr const char *documents[] = {"README.md", "figures/README.md", "reference/README.md"};
-constexpr std::string_view with_other_numbers = "reference/README.md";
+// A document with computed parts: what it must have, and whether its numbers are key numbers only.
+struct Document {
+  std::string name;
+  std::vector<std::string> required;
+  bool only_key_numbers;
+};
+
+const Document documents[] = {{"README.md", {"few", "counts", "published"}, true},
+                              {"figures/README.md", {"counts", "inferred"}, true},
+                              {"reference/README.md", {"tables", "published"}, false}};
 
 std::string content_of(const std::string &path) {
   std::ostringstream text;
@@ -38,28 +46,34 @@ std::string content_of(const std::string &path) {
   return text.str();
 }
 
-// What is wrong with a document: its first line that must be another one, and numbers that are no
-// key numbers.
-std::vector<std::string> faults_of(const Findings &findings, const std::string &folder,
-                                   const std::string &name) {
-  const std::string document = content_of(folder + "/" + name);
-  std::vector<std::string> faults;
-  std::istringstream found(document), expected(with_computed_parts(findings, document));
+// Adds what is wrong with a document: a missing part, its first line that must be another one, and
+// numbers that are no key numbers.
+void add_faults(const Findings &findings, const std::string &folder, const Document &document,
+                std::vector<std::string> &faults) {
+  const std::string text = content_of(folder + "/" + document.name);
+  for (const std::string &part : document.required)
+    if (text.find("<!--check " + part + "-->") == std::string::npos)
+      faults.push_back(fmt::format("{}: has no <!--check {}-->", document.name, part));
+  std::istringstream found(text), expected(with_computed_parts(findings, text));
   std::string line, right;
-  for (int number = 1; std::getline(expected, right) && faults.empty(); ++number)
-    if (!std::getline(found, line) || line != right)
-      faults.push_back(fmt::format("{}:{}: must be: {}", name, number, right));
-  if (name == with_other_numbers) return faults;
-  for (const std::string &word : unknown_numbers(findings, document))
-    faults.push_back(fmt::format("{}: {} is no key number rounded", name, word));
-  return faults;
+  for (int number = 1; std::getline(expected, right); ++number) {
+    if (std::getline(found, line) && line == right) continue;
+    faults.push_back(fmt::format("{}:{}: must be: {}", document.name, number, right));
+    break;
+  }
+  if (!document.only_key_numbers) return;
+  for (const std::string &word : unknown_numbers(findings, text))
+    faults.push_back(fmt::format("{}: {} is no key number rounded", document.name, word));
 }
 
 void write_documents(const Findings &findings, const std::string &folder) {
-  for (const std::string name : documents) {
-    const std::string path = folder + "/" + name;
+  for (const Document &document : documents) {
+    const std::string path = folder + "/" + document.name;
     const std::string text = with_computed_parts(findings, content_of(path));
-    std::ofstream(path) << text;
+    std::ofstream file(path);
+    file << text;
+    file.close();
+    if (!file) throw std::runtime_error(path + ": cannot be written");
   }
 }
 
@@ -86,18 +100,17 @@ int conclude(const Findings &findings, const std::vector<std::string> &faults) {
 
 int main(int argc, char **argv) {
   std::string reference = REFERENCE_DIR, compared, written;
-  bool markdown = false, few = false;
+  bool markdown = false;
   return command(argc, argv,
                  "Computes every key number and every published result and compares them",
                  {{"--reference", "Folder of the tables of references", &reference},
                   {"--documents", "Folder of the project, whose documents are compared", &compared},
                   {"--write", "Folder of the project, whose documents are written", &written},
-                  {"--markdown", "Print the tables of key numbers and nothing else", &markdown},
-                  {"--few", "Print the table of the README and nothing else", &few}},
+                  {"--markdown", "Print the tables of key numbers and nothing else", &markdown}},
                  [&] {
                    const Findings findings{checked_numbers(reference), checked_results(reference)};
-                   if (markdown || few) {
-                     fmt::print("{}", text_of(findings, few ? "few" : "tables"));
+                   if (markdown) {
+                     fmt::print("{}", text_of(findings, "tables"));
                      return 0;
                    }
                    fmt::print("{}{}\n**Published by others**\n\n{}\n{}", explanation,
@@ -105,10 +118,8 @@ int main(int argc, char **argv) {
                               table_of_results(findings.results));
                    if (!written.empty()) write_documents(findings, written);
                    std::vector<std::string> faults;
-                   if (!compared.empty())
-                     for (const std::string name : documents)
-                       for (const std::string &fault : faults_of(findings, compared, name))
-                         faults.push_back(fault);
+                   for (const Document &document : documents)
+                     if (!compared.empty()) add_faults(findings, compared, document, faults);
                    return conclude(findings, faults);
                  });
 }

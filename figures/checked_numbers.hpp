@@ -96,7 +96,7 @@ inline std::string tables_by_verdict(const std::vector<CheckedNumber> &numbers, 
       row = {number.meaning, number.printed.words, number.formatted(checked.computed)};
       if (differs) row.push_back(number.printed.difference(checked.computed));
       if (with_errors) row.push_back(fmt::format("{:.1e}", checked.error()));
-      row.push_back(fmt::format("{:.0e}", number.tolerance) + (checked.pass() ? "" : " FAILS"));
+      row.push_back(fmt::format("{:.2g}", number.tolerance) + (checked.pass() ? "" : " FAILS"));
       row.push_back(number.kind);
       row.push_back(number.reference_digits);
     }
