@@ -45,8 +45,8 @@ inline std::size_t agreeing_by_inference(const Findings &findings) {
 // The text that belongs to a name: few, tables, counts, inferred, published, "verdict Figure 3", or
 // a symbol with a format, as "figure5b_nearest_gap .1e". Throws std::runtime_error for any other.
 inline std::string text_of(const Findings &findings, const std::string &name) {
-  if (name == "few") return "\n" + table_of_few(findings.numbers);
-  if (name == "tables") return "\n" + tables_by_verdict(findings.numbers, false);
+  if (name == "few") return fmt::format("\n{}", table_of_few(findings.numbers));
+  if (name == "tables") return fmt::format("\n{}", tables_by_verdict(findings.numbers, false));
   if (name == "counts") return count_of_verdicts(findings.numbers);
   if (name == "inferred") return std::to_string(agreeing_by_inference(findings));
   if (name == "published") return count_of_results(findings.results);
