@@ -21,13 +21,13 @@ struct Bracket {
   Real near, far;
 };
 
-/// Forcing periods: for the motion from rest to settle at the first frequency, and at each further
-/// frequency to settle from the motion of the frequency beside it, and counted over. A motion may
-/// have period two.
-constexpr int settling_from_rest = 40, settling_from_beside = 8, counted = 2;
+/// Forcing periods: for the motion from rest to settle, for the motion to settle that begins near
+/// the settled one, and counted over. Beyond the change, but close to it, motions of long period
+/// occur in which only some of the chatters are incomplete.
+constexpr int settling_from_rest = 100, settling_from_near = 6, counted = 8;
 
 /// A bracket is bisected until it is narrower than this. A double has 17 digits.
-inline const Real bracket_width = Real("1e-20");
+inline const Real bracket_width = Real("1e-18");
 
 /// The motion that goes on from `state`, at phase zero of the forcing, for some forcing periods.
 /// Brings the state to their end, where the phase is zero again and the time is counted anew.
@@ -39,10 +39,28 @@ inline Run carried_on(Scene scene, State &state, int periods, const Resolution &
   return run;
 }
 
-/// The frequency between the ends of the bracket at which the count changes. The motion is followed
-/// from `near`: every trial goes on from the settled motion at the nearest frequency known to have
-/// the same count as `near`. The distance of that motion from the one looked for is proportional to
-/// the width of the bracket, so that a few periods are enough each time.
+/// A settled motion at phase zero of the forcing.
+struct Settled {
+  Real frequency;
+  State state;
+};
+
+/// The state at another frequency on the line through two settled motions, up to the square of the
+/// distance.
+inline State extrapolated(const Settled &one, const Settled &other, const Real &frequency) {
+  const Real part = (frequency - one.frequency) / (other.frequency - one.frequency);
+  State state = one.state;
+  for (std::size_t i = 0; i < state.x.size(); ++i) {
+    state.x[i] += part * (other.state.x[i] - one.state.x[i]);
+    state.v[i] += part * (other.state.v[i] - one.state.v[i]);
+  }
+  return state;
+}
+
+/// The frequency between the ends of the bracket at which the count changes. The settled motion is
+/// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
+/// known to have the same count as `near`, so that what has not settled of a trial is small beside
+/// the bracket. Throws std::logic_error if the counts at the ends agree.
 inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
   const Resolution resolution = resolution_down_to(Real("1e-17"));
   const auto count_at = [&](const Real &frequency, State &state, int settling) {
@@ -51,19 +69,21 @@ inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count)
     return count(carried_on(scene, state, counted, resolution));
   };
   Run start;
-  scene.chain.frequency = bracket.near;
-  State settled = initial_state(scene, resolution, start);
-  const std::size_t count_near = count_at(bracket.near, settled, settling_from_rest);
-  State beyond = settled;
+  const State rest = initial_state(scene, resolution, start);
+  Settled before{2 * bracket.near - bracket.far, rest}, last{bracket.near, rest};
+  State beyond = rest;
+  count_at(before.frequency, before.state, settling_from_rest);
+  const std::size_t count_near = count_at(bracket.near, last.state, settling_from_rest);
   if (count_at(bracket.far, beyond, settling_from_rest) == count_near)
     throw std::logic_error("the counts at " + bracket.near.str(8) + " and " + bracket.far.str(8) +
                            " agree");
   while (abs(bracket.far - bracket.near) > bracket_width) {
     const Real middle = (bracket.near + bracket.far) / 2;
-    State trial = settled;
-    if (count_at(middle, trial, settling_from_beside) == count_near) {
+    Settled trial{middle, extrapolated(before, last, middle)};
+    if (count_at(middle, trial.state, settling_from_near) == count_near) {
       bracket.near = middle;
-      settled = trial;
+      before = last;
+      last = trial;
     } else {
       bracket.far = middle;
     }
