@@ -21,10 +21,14 @@ struct Bracket {
   Real near, far;
 };
 
-/// Forcing periods: for the motion from rest to settle, for the motion to settle that begins near
-/// the settled one, and counted over. Beyond the change, but close to it, motions of long period
-/// occur in which only some of the chatters are incomplete.
-constexpr int settling_from_rest = 100, settling_from_near = 6, counted = 8;
+/// Forcing periods: for the motion from rest to settle, and counted over. Beyond the change, but
+/// close to it, motions of long period occur in which only some of the chatters are incomplete. The
+/// first period beyond the change tells, and the others let the motion settle.
+constexpr int settling_from_rest = 100, counted = 8;
+
+/// A chatter followed down to a speed v tells whether it is complete where the frequency is farther
+/// from the change than some 500 v (measured at border_mass_2_4).
+inline const Real chatter_floor = Real("1e-22");
 
 /// A bracket is bisected until it is narrower than this. A double has 17 digits.
 inline const Real bracket_width = Real("1e-18");
@@ -62,25 +66,28 @@ inline State extrapolated(const Settled &one, const Settled &other, const Real &
 /// known to have the same count as `near`, so that what has not settled of a trial is small beside
 /// the bracket. Throws std::logic_error if the counts at the ends agree.
 inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
-  const Resolution resolution = resolution_down_to(Real("1e-17"));
-  const auto count_at = [&](const Real &frequency, State &state, int settling) {
+  const Resolution resolution = resolution_down_to(chatter_floor);
+  const auto count_at = [&](const Real &frequency, State &state) {
     scene.chain.frequency = frequency;
-    carried_on(scene, state, settling, resolution);
     return count(carried_on(scene, state, counted, resolution));
   };
-  Run start;
-  const State rest = initial_state(scene, resolution, start);
-  Settled before{2 * bracket.near - bracket.far, rest}, last{bracket.near, rest};
-  State beyond = rest;
-  count_at(before.frequency, before.state, settling_from_rest);
-  const std::size_t count_near = count_at(bracket.near, last.state, settling_from_rest);
-  if (count_at(bracket.far, beyond, settling_from_rest) == count_near)
+  const auto settled_at = [&](const Real &frequency) {
+    scene.chain.frequency = frequency;
+    Run run;
+    State state = initial_state(scene, resolution, run);
+    carried_on(scene, state, settling_from_rest, resolution);
+    return Settled{frequency, state};
+  };
+  Settled before = settled_at(2 * bracket.near - bracket.far), last = settled_at(bracket.near),
+          beyond = settled_at(bracket.far);
+  const std::size_t count_near = count_at(bracket.near, last.state);
+  if (count_at(bracket.far, beyond.state) == count_near)
     throw std::logic_error("the counts at " + bracket.near.str(8) + " and " + bracket.far.str(8) +
                            " agree");
   while (abs(bracket.far - bracket.near) > bracket_width) {
     const Real middle = (bracket.near + bracket.far) / 2;
     Settled trial{middle, extrapolated(before, last, middle)};
-    if (count_at(middle, trial.state, settling_from_near) == count_near) {
+    if (count_at(middle, trial.state) == count_near) {
       bracket.near = middle;
       before = last;
       last = trial;

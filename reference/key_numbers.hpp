@@ -110,7 +110,7 @@ inline void add_figures_3_and_4(Numbers &numbers) {
       side_sign(figure4a.stops[mass_1]) *
           least_pressing(figure4a, run4a, mass_1, figure4a.end_time - two_periods));
   for (const auto &change : vibro_impact::paper::sticking_changes())
-    numbers[change.symbol] = changing_frequency(change).str(20);
+    numbers[change.symbol] = changing_frequency(change).str(18);
 }
 
 inline void add_figure5(Numbers &numbers) {
@@ -126,7 +126,7 @@ inline void add_figure5(Numbers &numbers) {
   add(numbers, "figure5b_nearest_gap", b.stops[mass_2].position - while_stuck.highest[mass_2]);
   add(numbers, "figure5b_x2_min", extremes(run_b, Real(916), Real(930)).lowest[mass_2]);
   add_count(numbers, "figure5b_dual_sticks", dual_sticks(run_b));
-  numbers["grazing_mass_2_figure5b"] = grazing_frequency().str(20);
+  numbers["grazing_mass_2_figure5b"] = grazing_frequency().str(18);
   const Real release = first(run_c, Kind::release, mass_1, Real(900), Real(1000)).time;
   add(numbers, "figure5c_release_time", release);
   add_count(numbers, "figure5c_impacts_before_release",
