@@ -31,10 +31,16 @@ struct CheckedNumber {
   }
 };
 
+// Throws std::runtime_error if a row has no function, or a function no row.
 inline std::vector<CheckedNumber> checked_numbers(const std::string &folder) {
+  const std::string table = folder + "/key_numbers.csv";
   std::vector<CheckedNumber> checked;
-  for (const KeyNumber &number : read_key_numbers(folder + "/key_numbers.csv"))
+  for (const KeyNumber &number : read_key_numbers(table))
     checked.push_back({number, key_number(number.symbol)});
+  const auto computable = key_number_functions().size() + paper::sticking_changes().size();
+  if (checked.size() != computable)
+    throw std::runtime_error(fmt::format("{}: has {} rows, but {} key numbers are computed", table,
+                                         checked.size(), computable));
   return checked;
 }
 
