@@ -1,0 +1,56 @@
+// The comparison of the documents with what `check` computes: an edited number is found, a computed
+// part is written anew, and nothing else changes.
+#include "figures/documents.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace vibro_impact::figures;
+
+CheckedNumber checked(const std::string &symbol, const std::string &meaning, const Printed &printed,
+                      double computed) {
+  KeyNumber number{};
+  number.symbol = symbol;
+  number.meaning = meaning;
+  number.printed = printed;
+  return {number, computed};
+}
+
+// Two key numbers, of which the second differs from the paper.
+Findings findings() {
+  return {{checked("start", "Figure 2: start", {"715 to 716", 715.0, 716.0}, 715.561564510661),
+           checked("gap", "Figure 5(b): gap", {"it grazes", 0.0, 0.0}, 7.53817007e-05)},
+          {}};
+}
+
+using Words = std::vector<std::string>;
+
+TEST(Documents, ANumberOfFiveDigitsThatIsNoKeyNumberIsFound) {
+  const auto unknown = [](const std::string &text) { return unknown_numbers(findings(), text); };
+  EXPECT_EQ(unknown("from 715.5616 to 715.5617, 715.56156 and -715.561564511"), Words{"715.5617"});
+  EXPECT_EQ(unknown("a gap of 7.5382e-05, not 7.5381e-05"), Words{"7.5381e-05"});
+  EXPECT_EQ(unknown("0.29655-0.33098"), (Words{"0.29655", "0.33098"}));
+  EXPECT_EQ(unknown("four digits: 0.2797, 12.33, 0.0025; doi 10.1007/s11071-006-0757-7"), Words{});
+  EXPECT_EQ(unknown("```\n0.123456\n```\n0.123457\n"), Words{"0.123457"});
+}
+
+TEST(Documents, ComputedPartsAreWrittenAnewAndNothingElse) {
+  const auto written = [](const std::string &text) {
+    return with_computed_parts(findings(), text);
+  };
+  EXPECT_EQ(written("no part"), "no part");
+  EXPECT_EQ(written("a <!--check gap .1e-->7.4e-05<!--end--> b"),
+            "a <!--check gap .1e-->7.5e-05<!--end--> b");
+  EXPECT_EQ(written("<!--check verdict Figure 2-->differs<!--end-->, "
+                    "<!--check verdict Figure 5(b)-->agrees<!--end-->"),
+            "<!--check verdict Figure 2-->agrees<!--end-->, "
+            "<!--check verdict Figure 5(b)-->differs<!--end-->");
+  EXPECT_EQ(written("<!--check counts-->0<!--end-->"),
+            "<!--check counts-->2 key numbers: 1 agree with the paper, 1 differ from it, 0 are not "
+            "in it<!--end-->");
+  EXPECT_THROW(written("<!--check gap .1e-->7.5e-05"), std::runtime_error);
+  EXPECT_THROW(written("<!--check nothing-->1<!--end-->"), std::runtime_error);
+}
+
+}  // namespace
