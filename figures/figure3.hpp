@@ -1,11 +1,10 @@
-// The bifurcation diagrams of Figure 3: impact velocities against the forcing frequency, from rest
-// as in the paper and followed upwards and downwards.
+// Diagrams like Figure 3: impact velocities against the forcing frequency, each motion from rest.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "reference/paper_scenes.hpp"
@@ -43,54 +42,31 @@ inline RecordOptions recorded_in_figure3(int periods) {
   return options;
 }
 
-// The tables of a diagram, rows in the order of the frequencies.
-struct Diagram {
-  std::array<Table, 2> velocities{Table("omega,v1"), Table("omega,v2")};
-  // Per forcing period; period 0: none. The last column is empty where it was not asked for.
-  Table orbits{"omega,period,impacts1,impacts2,chatters1,chatters2,lyapunov"};
-};
-
-inline void add(Diagram &diagram, double omega, const OrbitRecord &record) {
-  for (std::size_t mass = 0; mass < 2; ++mass)
-    for (const double v : distinct(record.impact_velocities[mass]))
-      diagram.velocities[mass].row(omega, v);
-  Table &orbits = diagram.orbits;
-  orbits.cell(omega);
-  orbits.cell(record.period);
-  for (const auto *counts : {&record.counts.impacts, &record.counts.chatters})
-    for (const int count : *counts) orbits.cell(count / static_cast<double>(record.counts.periods));
-  if (record.lyapunov)
-    orbits.cell(*record.lyapunov);
-  else
-    orbits.cell(std::string_view());
-  orbits.end_row();
-}
-
-// From rest at every frequency. `advance` is called after each of them.
-inline Diagram diagram_from_rest(const std::vector<double> &omegas, const RecordOptions &options,
-                                 const std::function<void()> &advance) {
-  Diagram diagram;
+// What is recorded from rest at every frequency, in their order. `scene_at` gives the scene of a
+// frequency; `advance` is called after each of them.
+inline std::vector<OrbitRecord> records_from_rest(const std::vector<double> &omegas,
+                                                  const std::function<Scene(double)> &scene_at,
+                                                  const RecordOptions &options,
+                                                  const std::function<void()> &advance) {
+  std::vector<OrbitRecord> records;
   sweep(
-      omegas.size(), [&](std::size_t i) { return record_of(paper::figure3(omegas[i]), options); },
-      [&](std::size_t i, const OrbitRecord &record) {
-        add(diagram, omegas[i], record);
+      omegas.size(), [&](std::size_t i) { return record_of(scene_at(omegas[i]), options); },
+      [&](std::size_t, const OrbitRecord &record) {
+        records.push_back(record);
         advance();
       });
-  return diagram;
+  return records;
 }
 
-// From where the motion stood at the frequency before; at the first one from rest.
-inline Diagram diagram_followed(const std::vector<double> &omegas, const RecordOptions &options,
-                                const std::function<void()> &advance) {
-  Diagram diagram;
-  MotionState state = start_of(paper::figure3(omegas.front()));
-  for (const double omega : omegas) {
-    OrbitRecord record = record_of(paper::figure3(omega), state, options);
-    add(diagram, omega, record);
-    state = std::move(record.state);
-    advance();
-  }
-  return diagram;
+// The distinct impact velocities of a mass (from 1), the column v<mass>, at every frequency.
+inline Table impact_velocities(const std::vector<double> &omegas,
+                               const std::vector<OrbitRecord> &records, int mass) {
+  Table table("omega,v" + std::to_string(mass));
+  for (std::size_t i = 0; i < omegas.size(); ++i)
+    for (const double v :
+         distinct(records[i].impact_velocities[static_cast<std::size_t>(mass - 1)]))
+      table.row(omegas[i], v);
+  return table;
 }
 
 }  // namespace vibro_impact::figures
