@@ -6,33 +6,33 @@ set xlabel 'Time'
 set lmargin 12
 set tmargin 2
 
-stats data.'/multi_sliding.csv' using 1 nooutput name 'omega'
-# Where the force comes closest to zero inside its phase: at before_pos_max_y, at_pos_max_y.
-table(name) = data.'/multi_sliding_'.name.'.csv'
-do for [name in 'before at'] {
-  stats table(name) using 2:($2 > 13.5 && $2 < 14.8 ? $3 : NaN) nooutput name name
+array when[3] = ['before', 'at', 'after']
+array omega[3]; array phases[3]; array greatest[3]; array turn[3]
+table(n) = data.'/multi_sliding_'.when[n].'.csv'
+stats data.'/multi_sliding.csv' using (omega[$0 + 1] = column('omega')) nooutput
+do for [n = 1:3] {
+  stats table(n) using 'phase' nooutput
+  phases[n] = int(STATS_max)
+  # Where the force comes closest to zero inside its phase.
+  stats table(n) using 2:($2 > 13.5 && $2 < 14.8 ? $3 : NaN) nooutput
+  greatest[n] = STATS_max_y
+  turn[n] = STATS_pos_max_y
 }
-title_of(name) = name eq 'before' ? 'before: Ω = 0.256' : \
-  name eq 'at' ? sprintf('at: Ω = %.14f', omega_min) : 'after: Ω = 0.2561'
-about(name) = name eq 'before' ? sprintf('turns back at %.2f × 10^{-5}', 1e5 * before_max_y) : \
-  name eq 'at' ? sprintf('tangent at {/:Italic t} = %.4f', at_pos_max_y) : \
-  'released, chatters, sticks again'
-letters = 'abcdef'
+title_of(n) = sprintf(n == 2 ? '%s: Ω = %.14f' : '%s: Ω = %g', when[n], omega[n])
+about(n) = n == 1 ? sprintf('turns back at %.2f × 10^{-5}', 1e5 * greatest[n]) : \
+  n == 2 ? sprintf('tangent at {/:Italic t} = %.4f', turn[n]) : 'released, chatters, sticks again'
 
 eval page('multi_sliding', 3, 2)
-n = 0
-do for [name in 'before at after'] {
-  do for [side in 'left right'] {
-    n = n + 1
-    zoom = side eq 'right' && name ne 'after'
-    set title side eq 'left' ? title_of(name) : about(name) offset 0, -0.5
-    set label 1 '('.letters[n:n].')' at graph -0.2, graph 1.06
-    set ylabel zoom ? '10^5 {/:Italic F}_2' : '{/:Italic F}_2'
-    set yrange [-0.2:0.02]; set ytics 0.05
-    set xrange [12:17.5]; set xtics 1
-    if (side eq 'right') { set xrange [13.6:15]; set xtics 0.4; set yrange [-0.016:0.003]; set ytics 0.004 }
-    if (zoom) { set xrange [14.12:14.22]; set xtics 0.02; set yrange [-12:3]; set ytics 3 }
-    plot 0 lt 3, for [phase = 1:3] table(name) using \
-      't':(column('phase') == phase ? (zoom ? 1e5 : 1) * column('F2') : NaN) with lines lt 1
-  }
+do for [panel = 1:6] {
+  n = (panel + 1) / 2
+  whole = panel % 2  # of the phase
+  zoom = !whole && n < 3
+  set title whole ? title_of(n) : about(n) offset 0, -0.5
+  set label 1 '('.'abcdef'[panel:panel].')' at graph -0.2, graph 1.06
+  set ylabel zoom ? '10^5 {/:Italic F}_2' : '{/:Italic F}_2'
+  set xrange [12:17.5]; set xtics 1; set yrange [-0.2:0.02]; set ytics 0.05
+  if (!whole) { set xrange [13.6:15]; set xtics 0.4; set yrange [-0.016:0.003]; set ytics 0.004 }
+  if (zoom) { set xrange [14.12:14.22]; set xtics 0.04; set yrange [-12:3]; set ytics 3 }
+  plot 0 lt 3, for [phase = 1:phases[n]] table(n) using \
+    't':(column('phase') == phase ? (zoom ? 1e5 : 1) * column('F2') : NaN) with lines lt 1
 }

@@ -3,47 +3,31 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "figures/driver.hpp"
-#include "figures/panel.hpp"
+#include "driver.hpp"
+#include "panel.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 
-// Speed of the contact of `mass` at `time`; zero where it has none, that is, where it sticks.
-double contact_speed(const std::vector<PressedEvent> &events, int mass, double time) {
-  for (const auto &[event, press] : events)
-    if (event.kind == EventKind::impact && event.mass == mass && event.time == time)
-      return std::abs(event.velocity_before);
-  return 0.0;
-}
-
+// table1_<pair>.csv has a motion, table1_stops.csv its stops, table1_pairs.csv the first time that
+// it shows its pair: from `t` until `until`, with the masses at x1 and x2.
 void draw(const std::filesystem::path &output) {
-  Table scenes("pair,side1,s1,side2,s2,r,Omega,x1,x2,v1,v2");
-  Table pairs("pair,shown,t,until,x1,x2,speed1,speed2");
-  for (const figures::PairScene &panel : figures::table1_scenes()) {
-    const char *name = abbreviation(panel.kind);
-    const Scene &scene = panel.scene;
-    const MotionState start = start_of(scene);
-    scenes.row(name, sign(scene.stops[0].side), scene.stops[0].position, sign(scene.stops[1].side),
-               scene.stops[1].position, scene.restitution, scene.omega, start.displacement[0],
-               start.displacement[1], start.velocity[0], start.velocity[1]);
-
-    SampleRecorder samples{
-        .from = panel.from, .to = panel.to, .every = (panel.to - panel.from) / 4000};
-    PressedEventRecorder events{scene, panel.from};
-    require_complete(simulate(scene, panel.to, figures::all_visible_chatter, samples, events));
+  Table stops("pair,s1,s2"), pairs("pair,t,until,x1,x2");
+  for (const auto &[kind, scene, from, to] : figures::table1_scenes()) {
+    const char *name = abbreviation(kind);
+    stops.row(name, scene.stops[0].position, scene.stops[1].position);
+    SampleRecorder samples{.from = from, .to = to, .every = (to - from) / 4000};
+    PressedEventRecorder events{scene, from};
+    require_complete(simulate(scene, to, figures::all_visible_chatter, samples, events));
     write(figures::displacement_table(samples), output / fmt::format("table1_{}.csv", name));
     for (const PairedEvents &pair : event_pairs(events.events)) {
-      const MotionState at = figures::state_at(scene, pair.from);
-      pairs.row(abbreviation(pair.kind), name, pair.from, pair.to, at.displacement[0],
-                at.displacement[1], contact_speed(events.events, pair.mass, pair.from),
-                contact_speed(events.events, pair.other, pair.to));
+      if (pair.kind != kind) continue;
+      const MotionState state = require_complete(simulate(scene, pair.from)).state;
+      pairs.row(name, pair.from, pair.to, state.displacement[0], state.displacement[1]);
     }
   }
-  write(scenes, output / "table1_scenes.csv");
+  write(stops, output / "table1_stops.csv");
   write(pairs, output / "table1_pairs.csv");
 }
 
