@@ -9,6 +9,7 @@
 
 #include "figures/event_tables.hpp"
 #include "figures/figure3.hpp"
+#include "figures/inferred_frequencies.hpp"
 #include "reference/paper_scenes.hpp"
 #include "tests/figures/drawn.hpp"
 
@@ -64,8 +65,9 @@ void expect_motion(const std::string &table, const std::string &truth, const Sce
   EXPECT_GT(compared, 100);
 }
 
-// The labels of the ticks are those of the printed axes, from end to end; and the panel's letter.
-void expect_axes(const Panel &panel, char letter, const AxisBox &box) {
+// The labels of the ticks are those of the printed axes, from end to end, and the panel has its
+// letter. What is drawn from curve `first` on fills the ordinate, as data do in the paper's plots.
+void expect_axes(const Panel &panel, char letter, const AxisBox &box, std::size_t first) {
   std::vector<double> printed, labels;
   for (const std::string &text : panel.texts)
     if (const auto label = figures::as_number(text)) labels.push_back(*label);
@@ -79,6 +81,10 @@ void expect_axes(const Panel &panel, char letter, const AxisBox &box) {
   for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_NEAR(labels[i], printed[i], 1e-9);
   const std::string name = {'(', letter, ')'};
   EXPECT_EQ(std::count(panel.texts.begin(), panel.texts.end(), name), 1) << name;
+  figures::Range data;
+  for (std::size_t i = first; i < panel.curves.size(); ++i)
+    for (const Point &point : panel.curves[i].points) data.include(point[1]);
+  EXPECT_TRUE(figures::fills_ordinate(data, box)) << data.lowest << " to " << data.highest;
 }
 
 // Six digits are written of every number; zero may be written of what is far below the others.
@@ -103,7 +109,7 @@ void expect_displacements(const Panel &panel, const std::string &table,
                           const std::vector<double> &stops, const std::vector<int> &masses,
                           const AxisBox &box) {
   SCOPED_TRACE(table);
-  expect_axes(panel, table.back(), box);
+  expect_axes(panel, table.back(), box, stops.size());
   ASSERT_EQ(panel.curves.size(), stops.size() + masses.size());
   for (std::size_t i = 0; i < stops.size(); ++i) expect_level(panel.curves[i], stops[i]);
   auto columns = columns_of(folder_of(table.substr(0, 7)) + "/" + table + ".csv");
@@ -168,9 +174,10 @@ TEST(Figure4, IsDrawnFromTheHoldForceInEveryStickingPhase) {
     const auto phases =
         true_phases(name, k == 0 ? paper::figure4a().omega : paper::figure4b().omega);
     ASSERT_EQ(phases.size(), k + 1);  // printed: the phase is split in two
-    expect_axes(panels[k], name.back(), paper::figure4_box);
+    expect_axes(panels[k], name.back(), paper::figure4_box, 1);
     ASSERT_EQ(panels[k].curves.size(), 1 + phases.size()) << "every phase is drawn";
     expect_level(panels[k].curves[0], 0.0);
+    EXPECT_TRUE(figures::fills_abscissa({phases.front()[0], phases.back()[1]}, paper::figure4_box));
     greatest.push_back(-1.0);
     for (std::size_t phase = 0; phase < phases.size(); ++phase) {
       std::vector<double> t, force;
@@ -252,7 +259,7 @@ TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
     for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(of_figure4a[i], truth[i], 1e-8);
 
     const Panel &panel = panels[static_cast<std::size_t>(mass - 1)];
-    expect_axes(panel, name.back(), box);
+    expect_axes(panel, name.back(), box, 2);
     ASSERT_EQ(panel.curves.size(), 3u);
     EXPECT_EQ(panel.curves[0].title, "border orbit");
     EXPECT_EQ(panel.curves[1].title, "multi-sliding");
