@@ -1,49 +1,43 @@
-// Basins of attraction in the plane of the initial displacements, where attractors coexist.
+// Basins of attraction: the settled motions from the initial displacements of both masses at rest,
+// where several motions are stable.
 //
-// basins_<plane>.csv      one row per initial state: the number of the attractor, 0: not settled
-// basins_attractors.csv   what these are: period, impacts and sticks per forcing period, share
-#include "basins.hpp"
-
+// basins1.csv   the stops of Figure 2 at Omega = 0.625
+// basins2.csv   Figure 5(b) just below the grazing of mass 2
 #include "figures/driver.hpp"
+#include "reference/paper_scenes.hpp"
+#include "settled_map.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 
-void draw(const std::filesystem::path &output, int count) {
-  const auto planes = figures::basin_planes(count);
-  double points = 0.0;
-  for (const auto &plane : planes) points += static_cast<double>(plane.grid.points());
-  Progress progress("basins", points);
-  Table attractors(
-      "plane,attractor,omega,restitution,period,impacts1,impacts2,sticks1,sticks2,share");
-  for (const auto &[name, grid] : planes) {
-    const figures::Basins basins =
-        figures::basins_of(grid, figures::recorded_in_basins(), [&] { progress.advance(); });
-    Table table("displacement1,displacement2,attractor");
-    for (std::size_t point = 0; point < basins.of.size(); ++point) {
-      const std::vector<double> at = grid.values(point);
-      table.row(at[0], at[1], basins.of[point]);
-    }
-    write(table, output / ("basins_" + name + ".csv"));
-    for (std::size_t k = 0; k < basins.attractors.size(); ++k) {
-      const auto &[record, sections, settled_on_it] = basins.attractors[k];
-      const auto rate = [&](int events) { return events / static_cast<double>(record.period); };
-      const auto &impacts = record.counts.impacts, &sticks = record.counts.sticks;
-      attractors.row(
-          name, k + 1, grid.scene.omega, grid.scene.restitution, record.period, rate(impacts[0]),
-          rate(impacts[1]), rate(sticks[0]), rate(sticks[1]),
-          static_cast<double>(settled_on_it.size()) / static_cast<double>(grid.points()));
-    }
+constexpr int longest = 1000;  // forcing periods: beside the grazing motions settle slowly
+constexpr std::size_t count = 100;
+
+// Displacements of each mass from its stop to 1.4 away from it.
+Grid displacements(const Scene &scene) {
+  Grid grid{scene, {}};
+  for (const Stop &stop : scene.stops) {
+    const double away = stop.position - 1.4 * sign(stop.side);
+    grid.axes.push_back({{Parameter::Kind::displacement, stop.mass},
+                         std::min(stop.position, away),
+                         std::max(stop.position, away),
+                         count});
   }
-  write(attractors, output / "basins_attractors.csv");
+  return grid;
+}
+
+void draw(const std::filesystem::path &output) {
+  Scene grazing = paper::figure5b();
+  grazing.omega = 0.299518;
+  const Grid many = displacements(paper::figure3(0.625)), two = displacements(grazing);
+  write(figures::table_of(many, figures::settled_points(many, longest)), output / "basins1.csv");
+  write(figures::table_of(two, figures::settled_points(two, longest)), output / "basins2.csv");
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  int count = 100;
   return figures::drive(argc, argv, "Basins of attraction in the plane of initial displacements",
-                        [&](const std::filesystem::path &output) { draw(output, count); },
-                        {{"--count", "Initial displacements of each mass", &count}});
+                        draw);
 }
