@@ -50,19 +50,22 @@ void draw(const std::filesystem::path &output) {
   require_complete(simulate(scene, until, {}, first, second));
   write(second.table, output / "exit_boundary2.csv");
   write(first.table, output / "exit_boundary1.csv");
-  Table omegas("orbit,omega");
-  omegas.row(0, scene.omega);
+  // The numbers of the boundaries: k / c, A1 / c and the stops.
+  const double rate = 1.0 / scene.beta, forcing = scene.amplitude[0] * rate / scene.stiffness[0];
+  const double s1 = scene.stops[0].position, s2 = scene.stops[1].position;
+  Table scenes("orbit,omega,rate,forcing,s1,s2");
+  scenes.row(0, scene.omega, rate, forcing, s1, s2);
   // Mass 2's boundary does not depend on the forcing: at other frequencies, too, it is released
   // there.
   for (int n = 1; n <= 3; ++n) {
     const Scene other = paper::figure3(other_omega[n - 1]);
-    omegas.row(n, other.omega);
+    scenes.row(n, other.omega, rate, forcing, s1, s2);
     const double period = Clock(other.omega).period;
     StickingOrbitRecorder orbit{2, 1, 40 * period, 41.5 * period, 0.005};
     require_complete(simulate(other, orbit.to, {}, orbit));
     write(orbit.table, output / fmt::format("exit_boundary2_{}.csv", n));
   }
-  write(omegas, output / "exit_boundary_omegas.csv");
+  write(scenes, output / "exit_boundary_scenes.csv");
 }
 
 }  // namespace

@@ -7,11 +7,13 @@ second = data.'/exit_boundary2.csv'
 second_at(n) = n == 0 ? second : sprintf('%s/exit_boundary2_%d.csv', data, n)
 array other_dash[3] = [2, 3, 4]
 first = data.'/exit_boundary1.csv'
+scenes = data.'/exit_boundary_scenes.csv'
 array omega[4]
-stats data.'/exit_boundary_omegas.csv' using (omega[int(column('orbit')) + 1] = column('omega')) nooutput
-# Hold force zero (Eqs. 23 and 20 with c = 0.1, k = 1, A1 = 0.5, s1 = -0.3, s2 = 0.1).
-boundary2(x) = -10 * x + 1
-boundary1(x, t) = -10 * (x + 0.6) - 5 * cos(omega[1] * t)
+stats scenes using (omega[int(column('orbit')) + 1] = column('omega')) nooutput
+stats scenes using (rate = column('rate'), forcing = column('forcing'), s1 = column('s1'), s2 = column('s2')) nooutput
+# Hold force zero (Eqs. 23 and 20), with k / c, A1 / c and the stops.
+boundary2(x) = -rate * (x - s2)
+boundary1(x, t) = -rate * (x - 2 * s1) - forcing * cos(omega[1] * t)
 of_kind(name, value) = strcol('kind') eq name ? value : NaN
 
 # The settled sticking phase of mass 1, from its stick to its release, and the boundary at five
@@ -23,7 +25,7 @@ instant(n) = stuck_min + (n - 1) * (left_min - stuck_min) / 4
 # The orbit's sample nearest to that time.
 near(n, value) = column('phase') == settled && abs(column('t') - instant(n)) <= 0.0025 ? value : NaN
 time_text(n) = sprintf('{/*0.8 %s%.2f}', n == 1 ? '{/:Italic t} = ' : '', instant(n))
-array shade[5] = ['#b9cfc4', '#90b5a2', '#659a80', '#3b7d5f', '#0f5f40']
+array shade[5] = ['#b9cfc4', '#90b5a2', '#659a80', '#3b7d5f', '#0f5f40']  # the last is that of line type 5
 
 eval page('exit_boundary', 2, 1)
 
@@ -32,16 +34,16 @@ set xlabel '{/:Italic x}_1'; set ylabel "{/:Italic x}_1'"
 set xrange [0.06:0.34]; set xtics 0.04
 set yrange [-0.3:0.35]; set ytics 0.1
 set label 2 '{/:Italic S}' at 0.2, 0.1 center front
-set label 3 "{/:Italic ∂S}:  {/:Italic x}_1' = -10 {/:Italic x}_1 + 1" at 0.083, 0.24 left front
-set label 4 '(0.1, 0)' at 0.098, -0.02 right front
+set label 3 sprintf("{/:Italic ∂S}:  {/:Italic x}_1' = %g {/:Italic x}_1 + %g", -rate, rate * s2) at 0.083, 0.24 left front
+set label 4 sprintf('(%g, 0)', s2) at s2 - 0.002, -0.02 right front
 set key at graph 0.97, graph 0.97
 plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
-  boundary2(x) with lines dt solid lw 1.8 lc rgb '#0f5f40', 0 lt 3, \
+  boundary2(x) with lines lt 5 dt solid lw 1.8, 0 lt 3, \
   second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title sprintf('Ω = %g, from rest', omega[1]), \
   for [n = 1:3] second_at(n) using (of_kind('orbit', column('x'))):'v' with lines lt 1 dt other_dash[n] lw 0.8 title sprintf('Ω = %g', omega[n + 1]), \
-  for [n = 0:3] second_at(n) using (of_kind('stick', column('x'))):'v' with points pt 7 ps 0.9 lc rgb '#12355b' title (n == 0 ? 'mass 2 sticks' : ''), \
-  for [n = 0:3] second_at(n) using (of_kind('release', column('x'))):'v' with points pt 6 ps 1.1 lc rgb '#12355b' title (n == 0 ? 'mass 2 is released' : ''), \
-  '+' using (0.1):(0) with points pt 2 ps 1.1 lc rgb '#202020'
+  for [n = 0:3] second_at(n) using (of_kind('stick', column('x'))):'v' with points lt 1 pt 7 ps 0.9 title (n == 0 ? 'mass 2 sticks' : ''), \
+  for [n = 0:3] second_at(n) using (of_kind('release', column('x'))):'v' with points lt 1 pt 6 ps 1.1 title (n == 0 ? 'mass 2 is released' : ''), \
+  '+' using (s2):(0) with points pt 2 ps 1.1 lc rgb '#202020'
 unset label
 
 eval panel('b')

@@ -24,8 +24,8 @@ page(name, rows, columns) = kind eq 'table' ? sprintf("set table '%s/%s.table'",
 set linetype 1 linecolor rgb '#12355b' linewidth 1.4 dashtype solid    # mass 1
 set linetype 2 linecolor rgb '#c8442c' linewidth 1.4 dashtype (9, 5)   # mass 2
 set linetype 3 linecolor rgb '#404040' linewidth 0.6 dashtype (2, 5)   # stops, zero line
-set linetype 4 linecolor rgb '#9a9a9a' linewidth 0.6 dashtype solid    # border orbit, grazing
-set linetype 5 linecolor rgb '#0f5f40' linewidth 1.2 dashtype (3, 3)   # multi-sliding, fold
+set linetype 4 linecolor rgb '#9a9a9a' linewidth 0.6 dashtype solid    # border orbit
+set linetype 5 linecolor rgb '#0f5f40' linewidth 1.2 dashtype (3, 3)   # multi-sliding
 set linetype 6 linecolor rgb '#6a4c93' linewidth 1.2 dashtype solid    # a sixth curve
 
 set border linewidth 0.7 linecolor rgb '#202020'
