@@ -14,14 +14,14 @@ constexpr double end_of_sticking = 0.5;
 
 // The number of sticking phases of a mass changes at a multi-sliding bifurcation, where the hold
 // force touches zero inside a phase, and at a border orbit, where a complete chatter becomes
-// incomplete. The force is asked on the side with fewer phases: there a phase is about to split.
-const char *kind_of(const Change &change, int mass) {
+// incomplete. `omega` lies on the side with fewer phases: there a phase is about to split.
+const char *kind_of(double omega, int mass) {
   constexpr double touching = 1e-6;  // the force grows by 7 per unit of the frequency
-  const bool fewer_below = change.count_below < change.count_above;
-  const Scene scene = paper::figure3(fewer_below ? change.below : change.above);
-  const MotionState motion = settled(scene, paper::figure4_settling_periods);
+  const Scene scene = paper::figure3(omega);
+  const MotionState settled =
+      stroboscopic_map(scene, start_of(scene), paper::figure4_settling_periods).state;
   const auto least =
-      least_pressing_force(scene, motion, scene.stops[static_cast<std::size_t>(mass - 1)]);
+      least_pressing_force(scene, settled, scene.stops[static_cast<std::size_t>(mass - 1)]);
   return least && least->value < touching ? "multi-sliding" : "border orbit";
 }
 
@@ -41,8 +41,9 @@ Table bifurcations(const std::vector<double> &omegas, const std::vector<OrbitRec
     };
     for (std::size_t i = 1; i < omegas.size() && omegas[i] <= end_of_sticking; ++i) {
       if (phases_per_period(records[i - 1], mass) == phases_per_period(records[i], mass)) continue;
-      const Change change = bisect(phases, omegas[i - 1], omegas[i], 1e-9);
-      table.row(mass, kind_of(change, mass), change.below);
+      const auto jump = bisect(phases, omegas[i - 1], omegas[i], 1e-9);
+      const double fewer = jump.count_below < jump.count_above ? jump.below : jump.above;
+      table.row(mass, kind_of(fewer, mass), jump.below);
     }
   }
   return table;

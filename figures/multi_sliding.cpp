@@ -10,20 +10,19 @@ namespace {
 
 using namespace vibro_impact;
 
-// The least force that presses mass 1 into its stop inside a sticking phase of the periodic orbit.
-// It falls to zero as the frequency rises to the bifurcation.
-double least_force(double omega) {
-  const Scene scene = paper::stops_of_different_sign(omega);
-  const MotionState near = at_quiet_phase(scene, settled(scene, paper::figure4_settling_periods));
-  return least_pressing_force(scene, orbit_near(scene, near, 1), scene.stops[0]).value().value;
+// At the bifurcation the one sticking phase of mass 1 in a forcing period splits in two. Phases are
+// counted over four settled periods.
+int phases(double omega) {
+  return sticking_phases(paper::stops_of_different_sign(omega), 1, paper::figure4_settling_periods,
+                         4);
 }
 
 void draw(const std::filesystem::path &output) {
   const double before = paper::figure4a().omega, after = paper::figure4b().omega;
-  const Located found = zero_from_one_side(least_force, before - 1e-4, before);
+  const double located = bisect(phases, before, after).below;
   Table omegas("when,omega");
   for (const auto &[when, omega] :
-       {std::pair{"before", before}, {"at", found.value}, {"after", after}}) {
+       {std::pair{"before", before}, {"at", located}, {"after", after}}) {
     omegas.row(when, omega);
     write(figures::hold_force(paper::stops_of_different_sign(omega)),
           output / fmt::format("multi_sliding_{}.csv", when));

@@ -126,6 +126,7 @@ TEST(Figure2, IsDrawnFromTheMotionOfItsScene) {
   using namespace paper;
   const auto panels = drawn("figure2", folder_of("figure2"));
   ASSERT_EQ(panels.size(), 2u);
+  EXPECT_NE(colour_of_line_type(1), colour_of_line_type(2));
   expect_motion("figure2a", "figure2", figure2(), figure2a_box);
   expect_motion("figure2b", "figure2", figure2(), figure2b_box);
   const double s1 = figure2().stops[0].position, s2 = figure2().stops[1].position;
