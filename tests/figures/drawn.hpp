@@ -34,13 +34,15 @@ inline void run(const std::string &command) {
   if (std::system(command.c_str()) != 0) throw std::runtime_error(command + ": failed");
 }
 
-// Columns of a table by their names; an empty cell and a word are left out.
-inline std::map<std::string, std::vector<double>> columns_of(const std::string &path) {
+// The columns of a table by their names. Only cells that are numbers count.
+using Columns = std::map<std::string, std::vector<double>>;
+
+inline Columns columns_of(const std::string &path) {
   std::ifstream file = figures::opened(path);
   std::string header;
   std::getline(file, header);
   const std::vector<std::string> names = figures::cells_of(header);
-  std::map<std::string, std::vector<double>> columns;
+  Columns columns;
   for (const auto &cells : figures::read_rows(path, names.size()))
     for (std::size_t i = 0; i < names.size(); ++i)
       if (const auto value = figures::as_number(cells[i])) columns[names[i]].push_back(*value);

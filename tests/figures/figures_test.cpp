@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,8 @@ bool holds(const std::string &contact_mode, int mass) {
 
 // The samples of both masses in a window are the motion with the true events: at an impact a mass
 // is where its stop is, to within how far it moves between samples, and while it sticks, exactly.
-void expect_motion(const std::string &table, const std::string &truth, const Scene &scene,
-                   const AxisBox &box) {
-  auto columns = columns_of(folder_of(truth.substr(0, 7)) + "/" + table + ".csv");
+void expect_motion(Columns &columns, const std::string &truth, const AxisBox &box) {
+  const Scene scene = paper::scene_named(truth).scene;
   const std::vector<double> &t = columns["t"];
   ASSERT_GT(t.size(), 1000u);
   EXPECT_EQ(t.front(), box.from);
@@ -103,49 +103,43 @@ void expect_level(const Curve &curve, double height) {
   for (const Point &point : curve.points) ASSERT_NEAR(point[1], height, 1e-9);
 }
 
-// A panel has its stops and the displacements of these masses, each in its own colour and under no
-// other name.
-void expect_displacements(const Panel &panel, const std::string &table,
-                          const std::vector<double> &stops, const std::vector<int> &masses,
-                          const AxisBox &box) {
+// A panel is drawn from the motion with the true events. It has the stops of the scene within its
+// axes, and the displacements of these masses, each in its own colour and under no other name.
+void expect_displacements(const Panel &panel, const std::string &table, const std::string &truth,
+                          const AxisBox &box, const std::vector<int> &masses = {1, 2}) {
   SCOPED_TRACE(table);
-  expect_axes(panel, table.back(), box, stops.size());
-  ASSERT_EQ(panel.curves.size(), stops.size() + masses.size());
-  for (std::size_t i = 0; i < stops.size(); ++i) expect_level(panel.curves[i], stops[i]);
   auto columns = columns_of(folder_of(table.substr(0, 7)) + "/" + table + ".csv");
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    const Curve &curve = panel.curves[stops.size() + i];
-    const std::string mass = std::to_string(masses[i]);
+  expect_motion(columns, truth, box);
+  std::set<double> stops;
+  for (const Stop &stop : paper::scene_named(truth).scene.stops)
+    if (stop.position > box.lowest) stops.insert(stop.position);
+  ASSERT_EQ(panel.curves.size(), stops.size() + masses.size());
+  expect_axes(panel, table.back(), box, stops.size());
+  std::size_t next = 0;
+  for (const double stop : stops) expect_level(panel.curves[next++], stop);
+  for (const int number : masses) {
+    const Curve &curve = panel.curves[next++];
+    const std::string mass = std::to_string(number);
     expect_points(curve, columns["t"], columns["x" + mass]);
-    EXPECT_EQ(curve.colour, colour_of_line_type(masses[i]));
+    EXPECT_EQ(curve.colour, colour_of_line_type(number));
     EXPECT_TRUE(curve.title.empty() || curve.title == "mass " + mass) << curve.title;
   }
 }
 
 TEST(Figure2, IsDrawnFromTheMotionOfItsScene) {
-  using namespace paper;
   const auto panels = drawn("figure2", folder_of("figure2"));
   ASSERT_EQ(panels.size(), 2u);
   EXPECT_NE(colour_of_line_type(1), colour_of_line_type(2));
-  expect_motion("figure2a", "figure2", figure2(), figure2a_box);
-  expect_motion("figure2b", "figure2", figure2(), figure2b_box);
-  const double s1 = figure2().stops[0].position, s2 = figure2().stops[1].position;
-  expect_displacements(panels[0], "figure2a", {s1, s2}, {1, 2}, figure2a_box);
-  expect_displacements(panels[1], "figure2b", {s2}, {2}, figure2b_box);
+  expect_displacements(panels[0], "figure2a", "figure2", paper::figure2a_box);
+  expect_displacements(panels[1], "figure2b", "figure2", paper::figure2b_box, {2});
 }
 
 TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
-  using namespace paper;
   const auto panels = drawn("figure5", folder_of("figure5"));
   ASSERT_EQ(panels.size(), 3u);
-  expect_motion("figure5a", "figure5a", figure5a(), figure5a_box);
-  expect_motion("figure5b", "figure5b", figure5b(), figure5b_box);
-  expect_motion("figure5c", "figure5c", figure5c(), figure5c_box);
-  expect_displacements(panels[0], "figure5a", {figure5a().stops[0].position}, {1, 2}, figure5a_box);
-  expect_displacements(panels[1], "figure5b",
-                       {figure5b().stops[0].position, figure5b().stops[1].position}, {1, 2},
-                       figure5b_box);
-  expect_displacements(panels[2], "figure5c", {figure5c().stops[0].position}, {1, 2}, figure5c_box);
+  expect_displacements(panels[0], "figure5a", "figure5a", paper::figure5a_box);
+  expect_displacements(panels[1], "figure5b", "figure5b", paper::figure5b_box);
+  expect_displacements(panels[2], "figure5c", "figure5c", paper::figure5c_box);
 }
 
 // The sticking phases of mass 1 in the last forcing period of the 50-digit run, as times within
