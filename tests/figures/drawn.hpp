@@ -92,15 +92,20 @@ inline void add_picture(std::vector<Panel> &panels, const std::string &path) {
   }
 }
 
-// Runs the driver and the script of a figure in a folder of its own, `folder`.
-inline std::vector<Panel> drawn(const std::string &figure, const std::string &folder) {
-  run(std::string(PROGRAM_DIR "/") + figure + " --output " + folder + " 2>/dev/null");
+// What the script of a figure draws from the tables in a folder.
+inline std::vector<Panel> drawn_from(const std::string &folder, const std::string &figure) {
   for (const char *kind : {"table", "svg"})
     run("cd " SOURCE_DIR " && gnuplot -e \"data='" + folder + "'; kind='" + kind + "'\" figures/" +
         figure + ".gp");
   std::vector<Panel> panels = panels_in_table(folder + "/" + figure + ".table");
   add_picture(panels, folder + "/" + figure + ".svg");
   return panels;
+}
+
+// The same, from the tables that the driver of the figure writes to the folder first.
+inline std::vector<Panel> drawn(const std::string &figure, const std::string &folder) {
+  run(std::string(PROGRAM_DIR "/") + figure + " --output " + folder + " 2>/dev/null");
+  return drawn_from(folder, figure);
 }
 
 // The colour of a line type of style.gp, as SVG has it.

@@ -193,6 +193,16 @@ TEST(Figure4, IsDrawnFromTheHoldForceInEveryStickingPhase) {
   }
 }
 
+TEST(Figure4, AThirdStickingPhaseIsDrawn) {
+  const std::string folder = folder_of("figure4_third");
+  drawn("figure4", folder);
+  std::ofstream(folder + "/figure4b.csv", std::ios::app) << "3,17.2,-0.01\n3,17.3,0\n";
+  const auto panels = drawn_from(folder, "figure4");
+  ASSERT_EQ(panels.size(), 2u);
+  ASSERT_EQ(panels[1].curves.size(), 4u);
+  expect_points(panels[1].curves[3], {17.2, 17.3}, {-0.01, 0.0});
+}
+
 // What is drawn over Figure 3 in a panel, against the 50 digits of the points with this name.
 void expect_bifurcations(const Curve &curve, const std::string &symbol, const AxisBox &box) {
   const auto digits = figures::read_references(REFERENCE_DIR "/key_numbers.csv");
