@@ -1,5 +1,5 @@
-# What the README shows is run: every line of its `sh` block that calls the scene runner, and its C++
-# program, against the library built. Its files are there, and it stays a page to be read.
+# Runs what the README shows: the commands of its `sh` block and its C++ program, with the program and
+# the library of this build. Every file that the README links to must exist.
 # cmake -D source=... -D build=... -D compiler=... -D flags=... -D folder=... -P readme.cmake
 cmake_minimum_required(VERSION 3.21)
 file(READ ${source}/README.md text)
@@ -9,18 +9,6 @@ file(MAKE_DIRECTORY ${folder})
 # Semicolons, brackets and backslashes mean something in lists of CMake: a copy without them.
 string(REPLACE "](" "link:(" plain "${text}")
 string(REGEX REPLACE "[][;\\]" "." plain "${plain}")
-string(REPLACE "\n" ";" lines "${plain}")
-list(LENGTH lines length)
-if(length GREATER 151)
-  message(SEND_ERROR "README.md has ${length} lines, more than 150")
-endif()
-foreach(line IN LISTS lines)
-  string(LENGTH "${line}" width)
-  if(width GREATER 140)
-    message(SEND_ERROR "README.md: a line of ${width} characters: ${line}")
-  endif()
-endforeach()
-
 string(REGEX MATCHALL "link:\\([a-zA-Z_][a-zA-Z0-9_/.]*\\)" links "${plain}")
 foreach(link IN LISTS links)
   string(REGEX REPLACE "^link:.(.*).$" "\\1" file "${link}")
