@@ -21,10 +21,9 @@ struct Bracket {
   Real near, far;
 };
 
-/// Forcing periods: for the motion from rest to settle, and counted over. Beyond the change, but
-/// close to it, motions of long period occur in which only some of the chatters are incomplete. The
-/// first period beyond the change tells, and the others let the motion settle.
-constexpr int settling_from_rest = 100, counted = 8;
+/// Forcing periods: for the motion from rest to settle, for the motion to settle that begins near
+/// the settled one, and counted over. The slowest motion to settle is that at border_mass_2_3.
+constexpr int settling_from_rest = 300, settling_from_near = 10, counted = 4;
 
 /// A chatter followed down to a speed v tells whether it is complete where the frequency is farther
 /// from the change than some 500 v (measured at border_mass_2_4).
@@ -69,6 +68,7 @@ inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count)
   const Resolution resolution = resolution_down_to(chatter_floor);
   const auto count_at = [&](const Real &frequency, State &state) {
     scene.chain.frequency = frequency;
+    carried_on(scene, state, settling_from_near, resolution);
     return count(carried_on(scene, state, counted, resolution));
   };
   const auto settled_at = [&](const Real &frequency) {

@@ -10,7 +10,7 @@ namespace vibro_impact::paper {
 
 // One settled motion has another number of sticking phases of `mass` (from 1) at `near` than at
 // `far`. At `near` every chatter in question is complete, so that the motion on that side is smooth
-// in the frequency up to the change.
+// in the frequency up to the change. It must be smooth as far beyond `near` as `far` is before it.
 struct StickingChange {
   const char *symbol;  // of the key number
   int mass;
@@ -25,7 +25,7 @@ inline const std::vector<StickingChange> &sticking_changes() {
       {"multi_sliding_mass_2", 2, 0.26809, 0.2681}, {"border_mass_2_1", 2, 0.26846, 0.26847},
       {"border_mass_1_2", 1, 0.29654, 0.29655},     {"border_mass_1_3", 1, 0.33099, 0.33098},
       {"border_mass_2_2", 2, 0.367, 0.36701},       {"border_mass_1_4", 1, 0.36782, 0.367821},
-      {"border_mass_2_3", 2, 0.40383, 0.40382},     {"border_mass_1_6", 1, 0.40384, 0.40383},
+      {"border_mass_2_3", 2, 0.403829, 0.403827},   {"border_mass_1_6", 1, 0.40384, 0.40383},
       {"border_mass_1_7", 1, 0.46421, 0.46422},     {"border_mass_2_4", 2, 0.47474, 0.47475}};
   return changes;
 }
