@@ -92,6 +92,23 @@ inline Scene extreme_scene(unsigned seed) {
   return scene;
 }
 
+// Three to twelve masses of 1e-6 to 1e6 on links of 1e-9 to 1e9, tied to the ground or not, damped
+// or not; nothing but the start moves them.
+inline Scene graded_chain(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = 3 + static_cast<int>(draw.below(10));
+  for (int i = 1; i <= masses; ++i) {
+    scene.mass.push_back(draw.spread(1e-6, 1e6));
+    scene.stiffness.push_back(draw.spread(1e-9, 1e9));
+    scene.displacement.push_back(draw.uniform(-1.0, 1.0));
+    scene.velocity.push_back(draw.uniform(-1.0, 1.0) * 1e-3);
+  }
+  if (draw.one_in(2)) scene.stiffness[0] = 0.0;
+  scene.beta = draw.one_in(2) ? 0.0 : draw.spread(1e-4, 1e2);
+  return scene;
+}
+
 // Equal masses on equal links where as much as can be is equal or zero, so that events tie and
 // forces vanish: stops at one position, which may be where the masses start, the same forcing on
 // all or some of them, starts at rest; sometimes a free chain, a constant force, stops of their own

@@ -81,6 +81,11 @@ class Witness {
     for (const double k : scene_.stiffness) stiffness += k;
     return static_cast<double>(std::sqrt(stiffness / 2) * farthest_);
   }
+  // Where the latest flight has led every mass.
+  std::vector<double> displacement() const {
+    const Eigen::VectorXd rounded = flown_.x.cast<double>();
+    return {rounded.begin(), rounded.end()};
+  }
   double farthest() const {
     return static_cast<double>(farthest_);
   }

@@ -1,10 +1,10 @@
 #include "contact_mode.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
 #include "forces.hpp"
+#include "modes.hpp"
 #include "tolerances.hpp"
 
 namespace vibro_impact {
@@ -36,66 +36,6 @@ Eigen::VectorXd static_positions(const Scene &scene, const Held &held,
     i = anchor + 1;
   }
   return x;
-}
-
-// Modes of the free masses: M^-1/2 K M^-1/2 on the free rows is tridiagonal; links to held masses
-// only stiffen it. `shape` is N x modes (zero rows for held masses), `inverse` its left inverse.
-struct Decomposition {
-  Eigen::VectorXd lambda;
-  Eigen::MatrixXd shape, inverse;
-};
-
-Decomposition decompose(const Scene &scene, const std::vector<std::size_t> &free) {
-  using Eigen::Index;
-  const std::size_t n = scene.mass.size();
-  const auto modes = static_cast<Index>(free.size());
-  Decomposition basis;
-  basis.shape.setZero(static_cast<Index>(n), modes);
-  basis.inverse.setZero(modes, static_cast<Index>(n));
-  if (modes == 0) return basis;
-  Eigen::VectorXd diagonal(modes), off(modes - 1);
-  for (Index a = 0; a < modes; ++a) {
-    const std::size_t i = free[static_cast<std::size_t>(a)];
-    const double k_right = i + 1 < n ? scene.stiffness[i + 1] : 0.0;
-    diagonal(a) = (scene.stiffness[i] + k_right) / scene.mass[i];
-    if (a + 1 < modes)
-      off(a) = free[static_cast<std::size_t>(a) + 1] == i + 1
-                   ? -k_right / std::sqrt(scene.mass[i] * scene.mass[i + 1])
-                   : 0.0;
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(diagonal, off);
-  basis.lambda = solver.eigenvalues();
-  for (Index j = 0; j < modes; ++j) {
-    const double orient = solver.eigenvectors()(modes - 1, j) < 0.0 ? -1.0 : 1.0;
-    for (Index a = 0; a < modes; ++a) {
-      const auto i = free[static_cast<std::size_t>(a)];
-      const double u = orient * solver.eigenvectors()(a, j), root_m = std::sqrt(scene.mass[i]);
-      basis.shape(static_cast<Index>(i), j) = u / root_m;
-      basis.inverse(j, static_cast<Index>(i)) = u * root_m;
-    }
-    // The eigenvalue again as twice the energy in the links. The solver leaves it an error relative
-    // to the largest one, which a soft mode beside a stiff link does not survive.
-    double energy = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto row = static_cast<Index>(i);
-      const double stretch = basis.shape(row, j) - (i > 0 ? basis.shape(row - 1, j) : 0.0);
-      energy += scene.stiffness[i] * stretch * stretch;
-    }
-    basis.lambda(j) = energy;
-  }
-  if (scene.stiffness[0] == 0.0 && free.size() == n) {  // the rigid-body mode, exactly
-    const Eigen::Map<const Eigen::RowVectorXd> mass(scene.mass.data(), modes);
-    basis.lambda(0) = 0.0;
-    basis.shape.col(0).setConstant(1.0 / std::sqrt(mass.sum()));
-    basis.inverse.row(0) = mass / std::sqrt(mass.sum());
-    for (Index j = 1; j < modes; ++j) {  // the solver mixes a share of it into a soft mode
-      const double share = basis.inverse.row(0).dot(basis.shape.col(j));
-      basis.shape.col(j) -= share * basis.shape.col(0);
-      basis.inverse.row(j) -= share * basis.inverse.row(0);
-    }
-  }
-  return basis;
 }
 
 // The force that presses a mass, at rest at its stop, into it (Eqs. 12-13 times sigma), in the
@@ -151,7 +91,7 @@ void add_contacts(const Scene &scene, ContactMode<D> &mode) {
 // Enters mode j of the basis as a lane, or as two where it is strongly damped; returns the next
 // lane. Its share in the steady response goes to the lanes of the forcing.
 template <int D>
-Eigen::Index add_mode(const Scene &scene, const Decomposition &basis, Eigen::Index j,
+Eigen::Index add_mode(const Scene &scene, const ModalBasis &basis, Eigen::Index j,
                       Eigen::Index lane, ContactMode<D> &mode) {
   const double lambda = basis.lambda(j), kappa = scene.beta * lambda;
   mode.shape.col(lane) = basis.shape.col(j);
@@ -207,7 +147,7 @@ ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     if (static_cast<double>(held[i]) == sign(stop.side)) held_at[i] = stop.position;
   }
-  const Decomposition basis = decompose(scene, free);
+  const ModalBasis basis = modal_basis(scene, free);
 
   ContactMode<D> mode;
   mode.held = held;

@@ -5,6 +5,9 @@
 
 namespace vibro_impact {
 
+constexpr double soft_pair = 1.0 / 16.0;  // product of the rates of two modes, in the largest lambda
+constexpr int most_jacobi_sweeps = 30;    // LAPACK's dgesvj ends at as many; ten are rare
+
 constexpr double near_resonance = 0x1p-6;  // |lambda - Omega^2| in lambda + Omega^2
 constexpr double strong_damping = 1.5;     // damping ratio of a mode that is split in two decays
 constexpr double stiff_ratio = 16.0;       // of rates from which on lanes may die out

@@ -1,0 +1,147 @@
+#include "modes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Jacobi>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "tolerances.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// The orthonormal eigenvectors u = sqrt(m) x of M^-1/2 K M^-1/2 on the rows of the free masses. The
+// matrix is tridiagonal; links to held masses only stiffen it, and part it into blocks.
+MatrixXd eigenvectors_of(const Scene &scene, const std::vector<std::size_t> &free) {
+  const auto modes = static_cast<Index>(free.size());
+  VectorXd diagonal(modes), off(modes - 1);
+  for (Index a = 0; a < modes; ++a) {
+    const std::size_t i = free[static_cast<std::size_t>(a)];
+    const double k_right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+    diagonal(a) = (scene.stiffness[i] + k_right) / scene.mass[i];
+    if (a + 1 < modes)
+      off(a) = free[static_cast<std::size_t>(a) + 1] == i + 1
+                   ? -k_right / std::sqrt(scene.mass[i] * scene.mass[i + 1])
+                   : 0.0;
+  }
+  Eigen::SelfAdjointEigenSolver<MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, off);
+  return solver.eigenvectors();
+}
+
+// Rotates orthonormal vectors among themselves until `first` is the first of them: each rotation
+// takes the share of `first` out of one of the others. Then no other has a share in it left.
+void rotate_to_front(const VectorXd &first, MatrixXd &vectors) {
+  Eigen::RowVectorXd share = first.transpose() * vectors;
+  for (Index j = 1; j < vectors.cols(); ++j) {
+    Eigen::JacobiRotation<double> rotation;
+    rotation.makeGivens(share(0), share(j));
+    share.applyOnTheRight(0, j, rotation);
+    vectors.applyOnTheRight(0, j, rotation);
+  }
+  vectors.col(0) = first;
+}
+
+// The tension of every link in every mode, sqrt(k_i) (x_i - x_(i-1)): link i is row i, and the
+// scalar product of two columns is u_p^T M^-1/2 K M^-1/2 u_q.
+MatrixXd tensions_of(const Scene &scene, const std::vector<std::size_t> &free,
+                     const MatrixXd &vectors) {
+  const auto n = static_cast<Index>(scene.mass.size());
+  MatrixXd tension = MatrixXd::Zero(n, vectors.cols());
+  for (Index j = 0; j < vectors.cols(); ++j)
+    for (Index a = 0; a < vectors.rows(); ++a) {
+      const std::size_t i = free[static_cast<std::size_t>(a)];
+      const auto row = static_cast<Index>(i);
+      const double x = vectors(a, j) / std::sqrt(scene.mass[i]);
+      tension(row, j) += x;
+      if (row + 1 < n) tension(row + 1, j) -= x;
+    }
+  for (Index i = 0; i < n; ++i)
+    tension.row(i) *= std::sqrt(scene.stiffness[static_cast<std::size_t>(i)]);
+  return tension;
+}
+
+// One-sided Jacobi rotations (Demmel and Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204): pairs
+// of columns of the tensions are rotated until all are orthogonal to rounding of their own lengths,
+// and the vectors with them. The eigenvalues are then lambda_j = |tension_j|^2, and each mode is as
+// accurate as its own tensions.
+//
+// The solver leaves products u_p^T A u_q of epsilon times the largest eigenvalue. For two modes
+// that are both soft beside it this is large in |tension_p| |tension_q|: the solver mixes them. So
+// only the pairs with a product of rates below `soft_pair` of the largest eigenvalue are looked at.
+void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first) {
+  VectorXd length = tension.colwise().norm().transpose();
+  const double largest = length.maxCoeff(),
+               tolerance = std::sqrt(static_cast<double>(tension.rows())) *
+                           std::numeric_limits<double>::epsilon();
+  bool rotated = true;
+  for (int sweep = 0; rotated && sweep < most_jacobi_sweeps; ++sweep) {
+    rotated = false;
+    for (Index p = first; p < tension.cols(); ++p)
+      for (Index q = p + 1; q < tension.cols(); ++q) {
+        if (length(p) / largest * (length(q) / largest) > soft_pair) continue;
+        const double product = tension.col(p).dot(tension.col(q));
+        if (std::abs(product) <= tolerance * length(p) * length(q)) continue;
+        Eigen::JacobiRotation<double> rotation;
+        rotation.makeJacobi(length(p) * length(p), product, length(q) * length(q));
+        tension.applyOnTheRight(p, q, rotation);
+        vectors.applyOnTheRight(p, q, rotation);
+        length(p) = tension.col(p).norm();
+        length(q) = tension.col(q).norm();
+        rotated = true;
+      }
+  }
+}
+
+}  // namespace
+
+ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free) {
+  const auto n = static_cast<Index>(scene.mass.size()), modes = static_cast<Index>(free.size());
+  ModalBasis basis{VectorXd(modes), MatrixXd::Zero(n, modes), MatrixXd::Zero(modes, n)};
+  if (modes == 0) return basis;
+  const bool floats = scene.stiffness[0] == 0.0 && modes == n;
+  MatrixXd vectors = eigenvectors_of(scene, free);
+  if (floats)  // the rigid-body mode x = 1 without tension
+    rotate_to_front(Eigen::Map<const VectorXd>(scene.mass.data(), modes).cwiseSqrt().normalized(),
+                    vectors);
+  MatrixXd tension = tensions_of(scene, free, vectors);
+  if (floats) tension.col(0).setZero();
+  make_orthogonal(tension, vectors, floats ? 1 : 0);
+
+  const VectorXd lambda = tension.colwise().squaredNorm().transpose();
+  std::vector<Index> order(free.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&lambda](Index a, Index b) { return lambda(a) < lambda(b); });
+  for (Index j = 0; j < modes; ++j) {
+    const Index from = order[static_cast<std::size_t>(j)];
+    const double orient = vectors(modes - 1, from) < 0.0 ? -1.0 : 1.0;
+    basis.lambda(j) = lambda(from);
+    for (Index a = 0; a < modes; ++a) {
+      const auto i = free[static_cast<std::size_t>(a)];
+      const double u = orient * vectors(a, from), root_m = std::sqrt(scene.mass[i]);
+      basis.shape(static_cast<Index>(i), j) = u / root_m;
+      basis.inverse(j, static_cast<Index>(i)) = u * root_m;
+    }
+  }
+  if (!floats) return basis;
+  // The rigid-body mode without the rounding of roots, and no share of it in any other.
+  const Eigen::Map<const Eigen::RowVectorXd> mass(scene.mass.data(), modes);
+  basis.shape.col(0).setConstant(1.0 / std::sqrt(mass.sum()));
+  basis.inverse.row(0) = mass / std::sqrt(mass.sum());
+  for (Index j = 1; j < modes; ++j) {
+    const double share = basis.inverse.row(0).dot(basis.shape.col(j));
+    basis.shape.col(j) -= share * basis.shape.col(0);
+    basis.inverse.row(j) -= share * basis.inverse.row(0);
+  }
+  return basis;
+}
+
+}  // namespace vibro_impact

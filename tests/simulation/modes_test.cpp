@@ -1,0 +1,85 @@
+// Every natural mode is right relative to its own frequency, however soft or light it is beside
+// others: chains of 3 to 12 masses with links of 1e-9 to 1e9 and masses of 1e-6 to 1e6.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "random_scenes.hpp"
+#include "witness.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::testing;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// The length of what is a displacement, or a velocity, of every mass, each times the root of its
+// mass.
+double length(const Scene &scene, const std::vector<double> &x) {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) squared += scene.mass[i] * x[i] * x[i];
+  return std::sqrt(squared);
+}
+
+// The length of the difference. The modes are orthonormal in this measure, which keeps the digits
+// of a heavy mass and not those of a light one beside it: x_light is known to epsilon
+// sqrt(m_heavy / m_light).
+double distance(const Scene &scene, std::vector<double> a, const std::vector<double> &b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return length(scene, a);
+}
+
+// The start is written in modes and read back, in some tens of roundings. This needs no other
+// truth, and fails wherever the modes are no basis.
+TEST(Modes, TheStartIsWhereTheSceneSays) {
+  double worst = 0.0;
+  for (unsigned seed = 1; seed <= 4000; ++seed) {
+    const Scene scene = graded_chain(seed);
+    SampleRecorder start{0.0, 0.0, 1.0};
+    const MotionState state = simulate(scene, 0.0, {}, start).state;
+    double error = std::max(distance(scene, start.displacements, scene.displacement),
+                            distance(scene, state.displacement, scene.displacement)) /
+                   length(scene, scene.displacement);
+    // A damped mode of rate w leaves epsilon w of its displacement in its velocity.
+    if (scene.beta == 0.0)
+      error = std::max(
+          error, distance(scene, state.velocity, scene.velocity) / length(scene, scene.velocity));
+    EXPECT_LE(error, 32.0 * epsilon) << seed;
+    worst = std::max(worst, error);
+  }
+  fmt::print("4000 chains, the start is off by at most {:.2g}\n", worst);
+}
+
+// The motion of chains without stops and forcing, against modes of 50 digits. Rounding of the
+// frequencies moves the phases: those of a mode of rate w have the size w t exp(-beta w^2 t / 2),
+// at most sqrt(t / (e beta)). Times are chosen so that they are below a thousand radians. (Of a
+// forced chain, epsilon of the steady response is lost, which may be larger than the motion.)
+TEST(Modes, TheMotionOfAQuietChainAgreesWith50Digits) {
+  constexpr double radians = 1000.0;
+  double worst = 0.0;
+  for (unsigned seed = 1; seed <= 1000; ++seed) {
+    const Scene scene = graded_chain(seed);
+    Draw draw{std::mt19937(seed)};
+    const double fastest = frequency_bound(scene), longest = std::exp(1.0) * scene.beta;
+    const double until = std::min(draw.spread(1.0, 1e12) / fastest,
+                                  std::max(radians / fastest, radians * radians * longest));
+    const double phase =
+        scene.beta > 0.0 ? std::min(fastest * until, std::sqrt(until / longest)) : fastest * until;
+    Witness witness(scene, fastest * until);
+    const MotionState end = simulate(scene, until).state;
+    witness.close(end);
+    const double size =
+                     std::max(length(scene, scene.displacement), length(scene, end.displacement)),
+                 error = distance(scene, end.displacement, witness.displacement()) / size,
+                 allowed = (32.0 + 2.0 * phase) * epsilon;
+    EXPECT_LE(error, allowed) << seed << " until " << until;
+    worst = std::max(worst, error / allowed);
+  }
+  fmt::print("1000 chains, the motion is off by at most {:.2g} of what is allowed\n", worst);
+}
+
+}  // namespace
