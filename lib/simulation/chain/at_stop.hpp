@@ -1,6 +1,8 @@
 // What is known of a stop beside the lanes.
 #pragma once
 
+#include "vibro_impact/instant.hpp"
+
 namespace vibro_impact {
 
 struct AtStop {
@@ -17,16 +19,19 @@ struct AtStop {
   double leading = 0.0;
   double last_speed = 0.0;  // of the latest impact
   int falling = 0;          // as in Event
+  // The latest instant at which the force on the mass, at rest here, was exactly zero.
+  Instant force_was_zero{0, -1.0};
 };
 
 // In flight, with this gap and speed. Of a mass held: nothing is known but that it is.
 inline void set_in_flight(AtStop &stop, double gap = 0.0, double speed = 0.0) {
-  stop = {gap, speed, false, false, 0, 0.0, stop.last_speed, stop.falling};
+  stop = {gap, speed, false, false, 0, 0.0, stop.last_speed, stop.falling, stop.force_was_zero};
 }
 
 // At rest at the stop, held or let go at this instant.
 inline void set_at_rest(AtStop &stop, int zeros, double leading) {
-  stop = {0.0, 0.0, false, true, zeros, leading, stop.last_speed, stop.falling};
+  stop = {
+      0.0, 0.0, false, true, zeros, leading, stop.last_speed, stop.falling, stop.force_was_zero};
 }
 
 // No force acts on the mass, to all orders: it stays where it is, free.

@@ -88,8 +88,10 @@ void gather_resting(Run<D> &run, bool at_start) {
     if (contact.held && !root && !at_start && !stop.decided &&
         !(pushed && !is_wide(state, contact)))
       continue;
-    // The force is zero now, or at this very instant before, unless it has jumped since.
-    const bool zero = root || stop.zeros > 0 || stays_at_rest(stop);
+    // The force is zero now, or was at this very instant before, unless it has jumped since. (A
+    // mass that is released and hits at one instant would be held again by the rounding of the
+    // force.)
+    const bool zero = root || !(stop.force_was_zero < state.now) || stays_at_rest(stop);
     run.question.resting.push_back(
         {contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
@@ -113,6 +115,7 @@ void hold_or_release(Run<D> &run, bool at_start = false) {
   for (const Resting &mass : run.question.resting) {
     AtStop &stop = state.stops[mass.stop];
     set_at_rest(stop, mass.zeros, mass.leading);
+    if (mass.zeros > 0) stop.force_was_zero = state.now;
     held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
     if (mass.held == mass.was_held) continue;
     stop.falling = 0;

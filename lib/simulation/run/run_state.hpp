@@ -39,7 +39,7 @@ struct Row {
   }
   void one(AtStop &at) {
     pass(at.gap, at.speed, at.below_rounding, at.decided, at.zeros, at.leading, at.last_speed,
-         at.falling);
+         at.falling, at.force_was_zero);
   }
   void one(ChatterTable::Node &node) {
     pass(node.x, node.predicted, node.impact);
