@@ -1,5 +1,4 @@
-// Random scenes, seeded, what rounding does to them, and the same scene seen otherwise: mirrored,
-// in other units.
+// Random scenes, seeded, what rounding does to them, and their mirror images.
 #pragma once
 
 #include <fmt/format.h>
@@ -94,18 +93,34 @@ inline Scene extreme_scene(unsigned seed) {
 
 // Three to twelve masses of 1e-6 to 1e6 on links of 1e-9 to 1e9, tied to the ground or not, damped
 // or not; nothing but the start moves them.
-inline Scene graded_chain(unsigned seed) {
+inline Scene graded_chain(unsigned seed, double heaviest = 1e6) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
   const int masses = 3 + static_cast<int>(draw.below(10));
   for (int i = 1; i <= masses; ++i) {
-    scene.mass.push_back(draw.spread(1e-6, 1e6));
+    scene.mass.push_back(draw.spread(1.0 / heaviest, heaviest));
     scene.stiffness.push_back(draw.spread(1e-9, 1e9));
     scene.displacement.push_back(draw.uniform(-1.0, 1.0));
     scene.velocity.push_back(draw.uniform(-1.0, 1.0) * 1e-3);
   }
   if (draw.one_in(2)) scene.stiffness[0] = 0.0;
   scene.beta = draw.one_in(2) ? 0.0 : draw.spread(1e-4, 1e2);
+  return scene;
+}
+
+// Such a chain with a stop on some of its masses, any r. Masses are 1e-3 to 1e3 only: the
+// displacement of a light mass is known to epsilon sqrt(m_heavy / m_light), which a stiff link at
+// it turns into energy. No forcing: epsilon of a steady response would be more than the motion of a
+// stiff link.
+inline Scene graded_scene(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene = graded_chain(seed, 1e3);
+  for (int i = 1; i <= scene.masses(); ++i)
+    if (draw.one_in(2))
+      scene.stops.push_back(
+          {i, Side::upper, 1.0 + (draw.one_in(2) ? 0.0 : draw.spread(1e-6, 1.0))});
+  const double restitutions[] = {0.0, 1e-12, 0.2, 0.6, 0.9, 1.0};
+  scene.restitution = restitutions[draw.below(6)];
   return scene;
 }
 
@@ -185,18 +200,6 @@ inline double run_length(const Scene &scene, double radians) {
   return std::isfinite(length) ? length : radians;
 }
 
-// The frequencies of a chain with soft and stiff links are known to epsilon times the *largest*
-// stiffness only, so the forces of its soft links to that share; twice that. The missing link of a
-// free chain is none.
-inline double rounding_of_frequencies(const Scene &scene) {
-  double softest = std::numeric_limits<double>::infinity(), stiffest = 0.0;
-  for (const double k : scene.stiffness) {
-    if (k > 0.0) softest = std::min(softest, k);
-    stiffest = std::max(stiffest, k);
-  }
-  return 2.0 * std::numeric_limits<double>::epsilon() * (stiffest / softest);
-}
-
 // The forcing is known to epsilon of the sum of its amplitudes.
 inline double rounding_of_forcing(const Scene &scene) {
   double force = 0.0;
@@ -215,8 +218,11 @@ inline double rounding_of_steady_response(const Scene &scene) {
   return rounding_of_forcing(scene) * compliance;
 }
 
-// Mirror image: x -> -x; of an event likewise.
+// The mirror image, x -> -x, in a unit of mass 64 times as small: the motion is the same. (A power
+// of four, whose root is taken: every operation of the library then scales exactly.)
 inline Scene mirrored(Scene scene) {
+  for (auto *values : {&scene.mass, &scene.stiffness, &scene.amplitude})
+    for (double &value : *values) value *= 64.0;
   for (auto *values : {&scene.amplitude, &scene.displacement, &scene.velocity})
     for (double &value : *values) value = -value;
   for (Stop &stop : scene.stops) {
@@ -231,25 +237,6 @@ inline Event mirrored(Event event) {
   event.velocity_before = -event.velocity_before;
   event.velocity_after = -event.velocity_after;
   for (signed char &held : event.held) held = static_cast<signed char>(-held);
-  return event;
-}
-
-// The scene in other units: lengths times `length`, masses times `mass` (times unchanged). With
-// a power of two for the length and of four for the mass (its root is taken) every operation of the
-// library scales exactly.
-inline Scene rescaled(Scene scene, double length, double mass) {
-  for (double &m : scene.mass) m *= mass;
-  for (double &k : scene.stiffness) k *= mass;
-  for (double &a : scene.amplitude) a *= mass * length;
-  for (double &x : scene.displacement) x *= length;
-  for (double &v : scene.velocity) v *= length;
-  for (Stop &stop : scene.stops) stop.position *= length;
-  return scene;
-}
-
-inline Event rescaled(Event event, double length) {
-  event.velocity_before *= length;
-  event.velocity_after *= length;
   return event;
 }
 
