@@ -218,11 +218,8 @@ inline double rounding_of_steady_response(const Scene &scene) {
   return rounding_of_forcing(scene) * compliance;
 }
 
-// The mirror image, x -> -x, in a unit of mass 64 times as small: the motion is the same. (A power
-// of four, whose root is taken: every operation of the library then scales exactly.)
+// The mirror image, x -> -x; of an event likewise.
 inline Scene mirrored(Scene scene) {
-  for (auto *values : {&scene.mass, &scene.stiffness, &scene.amplitude})
-    for (double &value : *values) value *= 64.0;
   for (auto *values : {&scene.amplitude, &scene.displacement, &scene.velocity})
     for (double &value : *values) value = -value;
   for (Stop &stop : scene.stops) {

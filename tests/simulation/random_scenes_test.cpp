@@ -7,6 +7,7 @@
 // random-scenes`).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -126,8 +127,33 @@ TEST(DegenerateScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
 }
 
 TEST(RandomScenes, KeepEveryPropertyWhereTheLongSearchFailed) {
-  for (const unsigned seed : {7222u, 10179u, 11744u, 14640u, 17920u, 19287u, 703549u})
+  for (const unsigned seed : {7222u, 10179u, 11744u, 14640u, 17920u, 19287u})
     EXPECT_EQ(try_scenes(ordinary, seed, 1), 0);
+}
+
+// In units of length 128 times and of mass 1/64 of ours every number of the engine is scaled by a
+// power of two (of the mass the root is taken), so that the run is the same to the last bit. A
+// tolerance that is a length, a speed or a force would show.
+TEST(RandomScenes, AreTheSameInOtherUnits) {
+  constexpr double length = 0x1p-7, mass = 0x1p6;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    const Scene scene = random_scene(seed);
+    Scene other = scene;
+    for (double &m : other.mass) m *= mass;
+    for (double &k : other.stiffness) k *= mass;
+    for (double &a : other.amplitude) a *= mass * length;
+    for (double &x : other.displacement) x *= length;
+    for (double &v : other.velocity) v *= length;
+    for (Stop &stop : other.stops) stop.position *= length;
+    EventRecorder ours, theirs;
+    simulate(scene, run_length(scene, 1000.0), {}, ours);
+    simulate(other, run_length(scene, 1000.0), {}, theirs);
+    for (Event &event : theirs.events) {
+      event.velocity_before /= length;
+      event.velocity_after /= length;
+    }
+    EXPECT_TRUE(std::ranges::equal(ours.events, theirs.events, same)) << seed;
+  }
 }
 
 // The witness is sharp: a first link stiffer by a billionth does not pass, but where it hardly

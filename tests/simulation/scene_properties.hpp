@@ -119,7 +119,6 @@ inline std::string broken_by_a_split(const Run &run, double split, const SampleR
   return "";
 }
 
-// The mirror image, in another unit of mass, is the mirror image of the run.
 inline std::string broken_by_a_mirror(const Run &run) {
   EventRecorder mirror;
   const Outcome outcome = simulate(mirrored(run.scene), run.until, run.options, mirror);
