@@ -29,7 +29,9 @@ inline std::string seen_by_a_witness(const Scene &scene, double until, double sh
   if (outcome.ending == Ending::reached) witness.close(outcome.state);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double scale = std::max(1.0, witness.farthest()), rate = frequency_bound(scene);
-  const double displaced = 1e-12 * scale + 64.0 * rounding_of_steady_response(scene),
+  // The rounding of a gap too narrow to be read again adds up over its impacts, at random.
+  const double impacts = std::sqrt(static_cast<double>(outcome.counters.impacts));
+  const double displaced = 1e-12 * scale + (64.0 + impacts) * rounding_of_steady_response(scene),
                pulled = 2e-11 * scale * rate + 4.0 * rounding_of_forcing(scene),
                apart = (share + epsilon * rate * until) * witness.size() +
                        8.0 * epsilon * witness.stretch();

@@ -107,10 +107,11 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
   ModalBasis basis{VectorXd(modes), MatrixXd::Zero(n, modes), MatrixXd::Zero(modes, n)};
   if (modes == 0) return basis;
   const bool floats = scene.stiffness[0] == 0.0 && modes == n;
+  // A copy, because Eigen adds up in an order that depends on the alignment of the memory.
+  const VectorXd mass = Eigen::Map<const VectorXd>(scene.mass.data(), n);
   MatrixXd vectors = eigenvectors_of(scene, free);
   if (floats)  // the rigid-body mode x = 1 without tension
-    rotate_to_front(Eigen::Map<const VectorXd>(scene.mass.data(), modes).cwiseSqrt().normalized(),
-                    vectors);
+    rotate_to_front(mass.cwiseSqrt().normalized(), vectors);
   MatrixXd tension = tensions_of(scene, free, vectors);
   if (floats) tension.col(0).setZero();
   make_orthogonal(tension, vectors, floats ? 1 : 0);
@@ -133,9 +134,8 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
   }
   if (!floats) return basis;
   // The rigid-body mode without the rounding of roots, and no share of it in any other.
-  const Eigen::Map<const Eigen::RowVectorXd> mass(scene.mass.data(), modes);
   basis.shape.col(0).setConstant(1.0 / std::sqrt(mass.sum()));
-  basis.inverse.row(0) = mass / std::sqrt(mass.sum());
+  basis.inverse.row(0) = mass.transpose() / std::sqrt(mass.sum());
   for (Index j = 1; j < modes; ++j) {
     const double share = basis.inverse.row(0).dot(basis.shape.col(j));
     basis.shape.col(j) -= share * basis.shape.col(0);
