@@ -33,16 +33,12 @@ TEST(Refusals, OfScenes) {
   expect_refused({
       spoilt_scene([](Scene &s) { s = {}; }, "masses = 0: a chain has at least one mass"),
       spoilt_scene([](Scene &s) { s.mass[1] = -2.5; }, "mass = -2.5: must be positive and finite"),
-      spoilt_scene([](Scene &s) { s.mass[0] = nan; }, "mass = nan: must be positive and finite"),
       spoilt_scene([](Scene &s) { s.stiffness = {1.0}; }, "1 values given, the chain has 2 masses"),
       spoilt_scene([](Scene &s) { s.stiffness[0] = -1.0; }, "link 1 = -1: must be non-negative"),
       spoilt_scene([](Scene &s) { s.stiffness[1] = 0.0; }, "link 2 = 0: must be positive"),
       spoilt_scene([](Scene &s) { s.stiffness[1] = infinity; }, "stiffness = inf: must be finite"),
       spoilt_scene([](Scene &s) { s.beta = -0.1; }, "beta = -0.1: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.omega = nan; }, "omega = nan: must be non-negative"),
       spoilt_scene([](Scene &s) { s.omega = infinity; }, "omega = inf: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.restitution = 1.25; },
-                   "restitution = 1.25: must lie in [0, 1]"),
       spoilt_scene([](Scene &s) { s.restitution = nan; }, "restitution = nan: must lie in [0, 1]"),
       spoilt_scene([](Scene &s) { s.stops[1].restitution = -0.1; }, "restitution = -0.1: must lie"),
       spoilt_scene([](Scene &s) { s.amplitude = {1.0}; }, "amplitude: 1 values given"),
@@ -50,7 +46,6 @@ TEST(Refusals, OfScenes) {
       spoilt_scene([](Scene &s) { s.displacement.assign(2, 0.2); }, "beyond its upper stop at 0.1"),
       spoilt_scene([](Scene &s) { s.velocity.assign(2, infinity); }, "velocity = inf: must be"),
       spoilt_scene([](Scene &s) { s.stops[0].mass = 0; }, "stop on mass 0: the chain has masses 1"),
-      spoilt_scene([](Scene &s) { s.stops[0].mass = 3; }, "stop on mass 3: the chain has masses 1"),
       spoilt_scene([](Scene &s) { s.stops[0].side = Side{9}; }, "side = 9: must be lower (-1) or"),
       spoilt_scene([](Scene &s) { s.stops[0].position = nan; }, "at nan: must be finite"),
       spoilt_scene([](Scene &s) { s.stops.push_back(s.stops[0]); }, "two stops on the same side"),
@@ -110,13 +105,10 @@ TEST(Refusals, OfTimesAndOptions) {
   };
   expect_refused({
       {until(infinity), "until = inf: must be finite"},
-      {until(nan), "until = nan: must be finite"},
       {until(-1.0), "until = -1: lies before the start at 0"},
       {until(1e300), "time 1e+300: more forcing periods than double precision can count"},
       {[&] { simulate_from(scene, at_fifty, 49.0); }, "until = 49: lies before the start"},
-      {with({.resolve_chatter = -1.0}), "resolve_chatter = -1: must be non-negative"},
       {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
-      {with({.chatter_tolerance = 0.0}), "chatter_tolerance = 0: must lie between 0 and 1"},
       {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
       {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},
       {with({.max_impacts_per_period = 0}), "max_impacts_per_period = 0: must be positive"},
@@ -126,7 +118,6 @@ TEST(Refusals, OfTimesAndOptions) {
          later({most, 0.0}, 20.0, Clock(1.0));
        },
        "time 20: more forcing periods than"},
-      {[] { instant_at(nan, Clock(1.0)); }, "time nan: more forcing periods than"},
       {[] { later({}, infinity, Clock(0.0)); }, "time inf: more forcing periods than"},
   });
   EXPECT_EQ(simulate(scene, 1.0, {.max_impacts_per_period = most}).ending, Ending::reached);
@@ -193,14 +184,11 @@ TEST(Refusals, OfRecorders) {
       recorded_by(ImpactSpeedRecorder{3, 0.0}, "mass 3: the chain has masses 1 to 2"),
       recorded_by(ImpactSpeedRecorder{1, nan}, "from = nan: must be a time"),
       recorded_by(SampleRecorder{0.0, 10.0, -1.0}, "every = -1: must be positive and finite"),
-      recorded_by(SampleRecorder{0.0, 10.0, nan}, "every = nan: must be positive and finite"),
       recorded_by(SampleRecorder{0.0, infinity, 1.0}, "samples from 0 to inf: must be finite"),
       recorded_by(SampleRecorder{-1.0, 10.0, 1.0}, "sample at t = -1: the run begins at 0"),
       recorded_by(SampleRecorder{0.1, 10.0, 1e-300}, "next_time = 0.1 after the sample at 0.1"),
       recorded_by(Stuck{1.0, 0.0}, "next_time = 1 after the sample at 1: must be later"),
-      recorded_by(Stuck{1.0, nan}, "sample at t = nan: the run begins at 0"),
       recorded_by(GoesBack{}, "next_time = 12: lies before the motion"),
-      recorded_by(GoesBack{-infinity}, "next_time = -inf: lies before the motion"),
       recorded_by(GoesBack{nan}, "next_time = nan: must be a time"),
       recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
       {[&] {

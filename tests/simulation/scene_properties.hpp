@@ -84,9 +84,8 @@ inline std::string difference(const std::vector<Event> &events, const Outcome &o
 
 // What trying one scene showed.
 struct Verdict {
-  std::string broken = {};                  // empty when every property holds
-  bool gave_up = false;                     // the run ended at the limit of impacts
-  long long near_misses = 0, releases = 0;  // that a witness saw
+  std::string broken = {};  // empty when every property holds
+  bool gave_up = false;     // the run ended at the limit of impacts
 };
 
 // What the scene of a verdict was run with, and what came.
@@ -165,8 +164,6 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   then([&] { return broken_by_a_mirror(run); });
   Witness witness = witness_of(scene, until);
   then([&] { return seen_by_a_witness(scene, until, share, witness); });
-  verdict.near_misses = witness.near_misses;
-  verdict.releases = witness.releases;
   return verdict;
 }
 

@@ -25,8 +25,6 @@ class Witness {
   Real off_the_stop = 0;  // gap at an impact
   Real off_in_speed = 0;  // of the speed of an impact
   Real not_zero = 0;      // hold force at a release that no impact has caused
-  long long releases = 0;
-  long long near_misses = 0;  // dips that end within a hundredth of a stop, or of its force
 
   // Looks about every `radians` of the fastest mode.
   explicit Witness(const Scene &of, Real radians = 0.05L) : Witness(of, start_of(of), radians) {
@@ -49,7 +47,6 @@ class Witness {
     } else if (event.kind == EventKind::stick) {
       flown_.v(i) = 0;
     } else if (!event.by_a_jump) {
-      ++releases;
       note(not_zero, std::abs(press(stop, flown_, event.instant.phase)));
     }
     for (Eigen::Index k = 0; k < flown_.x.size(); ++k) {
@@ -221,9 +218,7 @@ class Witness {
               watched(k, flight.after(left), left) < watched(k, flight.after(right), right);
           (rises ? to : from) = rises ? right : left;
         }
-        const Real lowest = watched(k, flight.after(from), from);
-        near_misses += lowest > 0 && lowest < 0.01L;
-        note(worst, -lowest);
+        note(worst, -watched(k, flight.after(from), from));
       }
     }
     since_ = next;
