@@ -13,7 +13,8 @@ namespace reference = vibro_impact_reference;
 constexpr std::size_t number_columns[] = {0, 3, 4};
 
 // Two versions of Boost may round the last of 30 digits differently, which is at most 1e-29 of the
-// number. Ten times that is allowed.
+// number. Ten times that is allowed. The slowest impacts, of 1e-20, come out of motions of size
+// one: Boost 1.74 and 1.83 differ there by 2e-32, of which fifty times as much is allowed.
 TEST(Generator, ComputesTheStoredEventsOfFigure5cAgain) {
   const std::string name = REFERENCE_DIR "/figure5c_events.csv";
   std::istringstream table(
@@ -24,7 +25,8 @@ TEST(Generator, ComputesTheStoredEventsOfFigure5cAgain) {
     for (const std::size_t column : number_columns) {
       std::string &digits = computed[row][column], &stored_digits = stored[row][column];
       const reference::Real value(digits), expected(stored_digits);
-      EXPECT_LE(abs(value - expected), reference::Real("1e-28") * abs(expected))
+      EXPECT_LE(abs(value - expected),
+                reference::Real("1e-28") * abs(expected) + reference::Real("1e-30"))
           << "row " << row + 1 << ": " << digits << " instead of " << stored_digits;
       digits = stored_digits;
     }
