@@ -33,15 +33,17 @@ double phases_per_period(const OrbitRecord &record, int mass) {
 // Wherever the number of sticking phases changes from one frequency of the diagram to the next, the
 // place is found by bisection to a width that no plot can show. Phases are counted over four
 // forcing periods: motions of period 1, 2 and 4 give the same count in every window.
-Table bifurcations(const std::vector<double> &omegas, const std::vector<OrbitRecord> &records) {
+Table bifurcations(const Grid &grid, const std::vector<OrbitRecord> &records) {
   Table table("mass,kind,omega");
   for (const int mass : {1, 2}) {
     const auto phases = [mass](double omega) {
       return sticking_phases(paper::figure3(omega), mass, paper::figure4_settling_periods, 4);
     };
-    for (std::size_t i = 1; i < omegas.size() && omegas[i] <= end_of_sticking; ++i) {
+    for (std::size_t i = 1; i < records.size(); ++i) {
+      const double below = grid.values(i - 1).front(), above = grid.values(i).front();
+      if (above > end_of_sticking) break;
       if (phases_per_period(records[i - 1], mass) == phases_per_period(records[i], mass)) continue;
-      const auto jump = bisect(phases, omegas[i - 1], omegas[i], 1e-9);
+      const auto jump = bisect(phases, below, above, 1e-9);
       const double fewer = jump.count_below < jump.count_above ? jump.below : jump.above;
       table.row(mass, kind_of(fewer, mass), jump.below);
     }
@@ -50,13 +52,11 @@ Table bifurcations(const std::vector<double> &omegas, const std::vector<OrbitRec
 }
 
 void draw(const std::filesystem::path &output) {
-  const std::vector<double> omegas = figures::frequencies_of_figure3(1801);
-  Progress progress("figure 3", static_cast<double>(omegas.size()));
-  const std::vector<OrbitRecord> records = figures::records_from_rest(
-      omegas, paper::figure3, figures::recorded_in_figure3(40), [&] { progress.advance(); });
-  write(figures::impact_velocities(omegas, records, 1), output / "figure3a.csv");
-  write(figures::impact_velocities(omegas, records, 2), output / "figure3b.csv");
-  write(bifurcations(omegas, records), output / "figure3_bifurcations.csv");
+  const Grid grid = figures::grid_of_figure3(1801);
+  const std::vector<OrbitRecord> records = sweep(grid, figures::recorded_in_figure3);
+  write(figures::impact_velocities(grid, records, 1), output / "figure3a.csv");
+  write(figures::impact_velocities(grid, records, 2), output / "figure3b.csv");
+  write(bifurcations(grid, records), output / "figure3_bifurcations.csv");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Figures 2 to 4, and the borders of the regions in which a mass sticks.
 #include "figures/driver.hpp"
 #include "reference/paper_scenes.hpp"
-#include "settled_map.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 
 namespace {
 
@@ -11,6 +11,16 @@ using namespace vibro_impact;
 constexpr int longest = 200;  // forcing periods; some 85 per cent of the motions settle in them
 constexpr std::size_t across = 200, upwards = 150;
 
+RecordOptions record_options() {
+  RecordOptions options;
+  options.settle.longest = longest;
+  return options;
+}
+
+bool sticks(const OrbitRecord &record, int mass) {
+  return record.counts.sticks[static_cast<std::size_t>(mass - 1)] > 0;
+}
+
 // A line of the map from one point to its neighbour, along which a mass begins or ceases to stick.
 struct Crossing {
   int mass;
@@ -18,15 +28,13 @@ struct Crossing {
 };
 
 // All crossings along the rows and the columns of the map. Points follow each other by columns.
-std::vector<Crossing> crossings_of(const Grid &grid,
-                                   const std::vector<figures::SettledPoint> &points) {
+std::vector<Crossing> crossings_of(const Grid &grid, const std::vector<OrbitRecord> &records) {
   std::vector<Crossing> crossings;
   for (const int mass : {1, 2})
-    for (std::size_t k = 0; k < points.size(); ++k)
+    for (std::size_t k = 0; k < records.size(); ++k)
       for (const std::size_t distance : {std::size_t{1}, upwards}) {
-        const bool at_edge = distance == 1 ? (k + 1) % upwards == 0 : k + upwards >= points.size();
-        if (at_edge || points[k].mass_sticks(mass) == points[k + distance].mass_sticks(mass))
-          continue;
+        const bool at_edge = distance == 1 ? (k + 1) % upwards == 0 : k + upwards >= records.size();
+        if (at_edge || sticks(records[k], mass) == sticks(records[k + distance], mass)) continue;
         crossings.push_back({mass, grid.values(k), grid.values(k + distance)});
       }
   return crossings;
@@ -34,24 +42,28 @@ std::vector<Crossing> crossings_of(const Grid &grid,
 
 // The place on the line, as a part of its length from 0 to 1, by bisection.
 double border_on(const Crossing &crossing, const Grid &grid) {
-  const auto sticks = [&](double part) {
+  const auto sticks_at = [&](double part) {
     Scene scene = grid.scene;
     for (std::size_t axis = 0; axis < 2; ++axis)
       scene = with(scene, grid.axes[axis].parameter,
                    crossing.from[axis] + part * (crossing.to[axis] - crossing.from[axis]));
-    return int{figures::settled_point(scene, longest).mass_sticks(crossing.mass)};
+    return int{sticks(record_of(scene, record_options()), crossing.mass)};
   };
   constexpr double width = 0.02;  // no plot shows less
-  return bisect(sticks, 0.0, 1.0, width).below;
+  return bisect(sticks_at, 0.0, 1.0, width).below;
 }
 
 void draw(const std::filesystem::path &output) {
   const Grid grid{paper::figure2(),
                   {{parameter_named("omega"), 0.2, 0.8, across},
                    {parameter_named("restitution"), 0.0, 0.98, upwards}}};
-  const std::vector<figures::SettledPoint> points = figures::settled_points(grid, longest);
-  write(figures::table_of(grid, points), output / "atlas.csv");
-  const std::vector<Crossing> crossings = crossings_of(grid, points);
+  const RecordOptions options = record_options();
+  const std::vector<OrbitRecord> records =
+      sweep(grid, [&](const Scene &scene) { return record_of(scene, options); });
+  Table map = sweep_table(grid, options);
+  for (std::size_t k = 0; k < records.size(); ++k) add_row(map, grid, options, k, records[k]);
+  write(map, output / "atlas.csv");
+  const std::vector<Crossing> crossings = crossings_of(grid, records);
   Table borders("mass,omega,restitution");
   sweep(
       crossings.size(), [&](std::size_t k) { return border_on(crossings[k], grid); },

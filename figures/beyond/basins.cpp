@@ -5,7 +5,7 @@
 // basins2.csv   Figure 5(b) just below the grazing of mass 2
 #include "figures/driver.hpp"
 #include "reference/paper_scenes.hpp"
-#include "settled_map.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 
 namespace {
 
@@ -30,9 +30,19 @@ Grid displacements(const Scene &scene) {
 void draw(const std::filesystem::path &output) {
   Scene grazing = paper::figure5b();
   grazing.omega = 0.299518;
-  const Grid many = displacements(paper::figure3(0.625)), two = displacements(grazing);
-  write(figures::table_of(many, figures::settled_points(many, longest)), output / "basins1.csv");
-  write(figures::table_of(two, figures::settled_points(two, longest)), output / "basins2.csv");
+  RecordOptions options;
+  options.settle.longest = longest;
+  for (const auto &[name, scene] :
+       {std::pair{"basins1.csv", paper::figure3(0.625)}, std::pair{"basins2.csv", grazing}}) {
+    const Grid grid = displacements(scene);
+    Table table = sweep_table(grid, options);
+    sweep(
+        grid.points(), [&](std::size_t k) { return record_of(grid.scene_at(k), options); },
+        [&](std::size_t k, const OrbitRecord &record) {
+          add_row(table, grid, options, k, record);
+        });
+    write(table, output / name);
+  }
 }
 
 }  // namespace

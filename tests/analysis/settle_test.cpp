@@ -32,7 +32,9 @@ TEST(Settle, TheDiagramOfFigure3IsThatOfTheFullLength) {
   RecordOptions options;
   options.impact_velocities = true;
   int settled = 0;
-  for (const double omega : figures::frequencies_of_figure3(91)) {
+  const Grid grid = figures::grid_of_figure3(91);
+  for (std::size_t k = 0; k < grid.points(); ++k) {
+    const double omega = grid.values(k).front();
     const Scene scene = paper::figure3(omega);
     const OrbitRecord found = record_of(scene, options);
     if (found.period == 0) {
@@ -66,7 +68,9 @@ TEST(Settle, TheDiagramOfFigure3IsThatOfTheFullLength) {
 TEST(Settle, MostOfFigure3SettlesSoon) {
   std::vector<long long> periods_run;  // of the motions that settle
   long long all = 0;
-  for (const double omega : figures::frequencies_of_figure3(181)) {
+  const Grid grid = figures::grid_of_figure3(181);
+  for (std::size_t k = 0; k < grid.points(); ++k) {
+    const double omega = grid.values(k).front();
     const Scene scene = paper::figure3(omega);
     const SettledMotion motion = settle(scene, start_of(scene));
     all += motion.periods_run;
