@@ -4,16 +4,11 @@ load 'figures/style.gp'
 set tmargin 1.2
 
 second = data.'/exit_boundary2.csv'
-second_at(n) = n == 0 ? second : sprintf('%s/exit_boundary2_%d.csv', data, n)
-array other_dash[3] = [2, 3, 4]
 first = data.'/exit_boundary1.csv'
-scenes = data.'/exit_boundary_scenes.csv'
-array omega[4]
-stats scenes using (omega[int(column('orbit')) + 1] = column('omega')) nooutput
-stats scenes using (rate = column('rate'), forcing = column('forcing'), s1 = column('s1'), s2 = column('s2')) nooutput
+stats data.'/exit_boundary.csv' using (omega = column('omega'), rate = column('rate'), forcing = column('forcing'), s1 = column('s1'), s2 = column('s2')) nooutput
 # Hold force zero (Eqs. 23 and 20), with k / c, A1 / c and the stops.
 boundary2(x) = -rate * (x - s2)
-boundary1(x, t) = -rate * (x - 2 * s1) - forcing * cos(omega[1] * t)
+boundary1(x, t) = -rate * (x - 2 * s1) - forcing * cos(omega * t)
 of_kind(name, value) = strcol('kind') eq name ? value : NaN
 
 # The settled sticking phase of mass 1, from its stick to its release, and the boundary at five
@@ -39,10 +34,9 @@ set label 4 sprintf('(%g, 0)', s2) at s2 - 0.002, -0.02 right front
 set key at graph 0.97, graph 0.97
 plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
   boundary2(x) with lines lt 5 dt solid lw 1.8, 0 lt 3, \
-  second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title sprintf('Ω = %g, from rest', omega[1]), \
-  for [n = 1:3] second_at(n) using (of_kind('orbit', column('x'))):'v' with lines lt 1 dt other_dash[n] lw 0.8 title sprintf('Ω = %g', omega[n + 1]), \
-  for [n = 0:3] second_at(n) using (of_kind('stick', column('x'))):'v' with points lt 1 pt 7 ps 0.9 title (n == 0 ? 'mass 2 sticks' : ''), \
-  for [n = 0:3] second_at(n) using (of_kind('release', column('x'))):'v' with points lt 1 pt 6 ps 1.1 title (n == 0 ? 'mass 2 is released' : ''), \
+  second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title 'mass 2 sticks', \
+  '' using (of_kind('stick', column('x'))):'v' with points lt 1 pt 7 ps 0.9 title 'its stick', \
+  '' using (of_kind('release', column('x'))):'v' with points lt 1 pt 6 ps 1.1 title 'its release', \
   '+' using (s2):(0) with points pt 2 ps 1.1 lc rgb '#202020'
 unset label
 

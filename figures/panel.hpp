@@ -53,17 +53,20 @@ inline Table displacements(const Scene &scene, const paper::AxisBox &box, double
   return displacement_table(samples);
 }
 
-// The hold force on one mass (F_p of Eqs. 12-13) at uniform times and at the ends of every sticking
-// phase, from time `from` on. `phase` counts the sticking phases.
-struct HoldForceRecorder {
+// The sticking phases of one mass, counted from 1: at uniform times, at the stick and at the
+// release the hold force on it (F_p of Eqs. 12-13) and the motion of another mass.
+struct StickingPhaseRecorder {
   struct Row {
-    double time, force;
     int phase;
+    const char *kind;         // stick, release, or orbit between them
+    double time;              // within the forcing period
+    double force;             // zero at a release at a root of the force, NaN at any other release
+    double x = 0.0, v = 0.0;  // of the other mass
   };
-  int mass = 1;
+  int mass = 1, other = 0;  // other = 0: none
   double from = 0.0, to = 0.0, every = 0.0;
   std::vector<Row> rows = {};
-  int phases = 0;
+  int phase = 0;
   std::size_t asked = 0;
 
   double next_time() const {
@@ -72,32 +75,31 @@ struct HoldForceRecorder {
   void sample(const Moment &moment) {
     ++asked;
     const double force = moment.hold_force(mass);
-    if (!std::isnan(force)) rows.push_back({moment.time, force, phases});
+    if (!std::isnan(force)) add("orbit", force, moment);
   }
   void event(const Event &event, const Moment &moment) {
-    if (event.mass != mass || event.time < from || event.time > to) return;
-    if (event.kind == EventKind::stick)
-      rows.push_back({event.time, moment.hold_force(mass), ++phases});
-    else if (event.kind == EventKind::release && !event.by_a_jump)
-      rows.push_back({event.time, 0.0, phases});  // released at a root of the force
+    if (event.mass != mass || event.kind == EventKind::impact) return;
+    if (event.time < from || event.time > to) return;
+    if (event.kind == EventKind::stick) ++phase;
+    const bool at_root = event.kind == EventKind::release && !event.by_a_jump;
+    add(name(event.kind), at_root ? 0.0 : moment.hold_force(mass), moment);
+  }
+  void add(const char *kind, double force, const Moment &moment) {
+    rows.push_back({phase, kind, moment.instant.phase, force});
+    if (other == 0) return;
+    rows.back().x = moment.displacement(other);
+    rows.back().v = moment.velocity(other);
   }
 };
 
-// Sticking phases of mass 1 (counted from 1) with the hold force along them; times within the
-// period.
-inline std::vector<HoldForceRecorder::Row> hold_force_rows(const Scene &scene) {
-  const Clock clock(scene.omega);
-  const double from = paper::figure4_settling_periods * clock.period;
-  HoldForceRecorder force{.mass = 1, .from = from, .to = from + clock.period, .every = 0.001};
-  require_complete(simulate(scene, force.to, {}, force));
-  for (HoldForceRecorder::Row &row : force.rows) row.time = instant_at(row.time, clock).phase;
-  return force.rows;
-}
-
+// The hold force on mass 1 in the sticking phases of a settled forcing period.
 inline Table hold_force(const Scene &scene) {
+  const double period = Clock(scene.omega).period, from = paper::figure4_settling_periods * period;
+  StickingPhaseRecorder phases{.from = from, .to = from + period, .every = 0.001};
+  require_complete(simulate(scene, phases.to, {}, phases));
   Table table("phase,t,F2");
-  for (const HoldForceRecorder::Row &row : hold_force_rows(scene))
-    table.row(row.phase, row.time, row.force);
+  for (const auto &row : phases.rows)
+    if (!std::isnan(row.force)) table.row(row.phase, row.time, row.force);
   return table;
 }
 

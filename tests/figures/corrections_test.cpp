@@ -115,7 +115,7 @@ TEST(Corrections, TheSideOfAStopIsNotTheSignOfItsPosition) {
     scene.stops = {{1, Side::lower, place}};
     scene.displacement = {place};
     scene.restitution = 0.5;
-    figures::HoldForceRecorder force;
+    figures::StickingPhaseRecorder force;
     force.to = 5.0;
     force.every = 0.5;
     const Outcome outcome = simulate(scene, 5.0, {}, force);
