@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fstream>
 #include <istream>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -80,24 +79,6 @@ inline double number_in(const std::string &name, const std::string &cell) {
   if (!value || !std::isfinite(*value))
     throw std::runtime_error(fmt::format("{}: '{}' is not a number", name, cell));
   return *value;
-}
-
-// A reference number and how it is known (printed, derived, reconstructed, computed).
-struct Reference {
-  double value = 0.0;
-  std::string kind = {};
-  std::string digits = {};  // the value as the table has it
-};
-
-using References = std::map<std::string, Reference>;
-
-// symbol -> value and kind, from the first three columns, symbol,value,kind, of a table of
-// reference/. Throws std::runtime_error as above.
-inline References read_references(const std::string &path) {
-  References table;
-  for (const auto &cells : read_rows(path, 3))
-    table[cells[0]] = {number_in(path, cells[1]), cells[2], cells[1]};
-  return table;
 }
 
 }  // namespace vibro_impact::figures

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "figures/driver.hpp"
-#include "figures/methods/error_vs_runtime/summary.hpp"
 #include "reference/table_reader.hpp"
 
 namespace {
@@ -92,29 +91,6 @@ Table table_of(const std::vector<Trial> &trials) {
   return table;
 }
 
-const Trial *trial_of(const std::vector<Trial> &trials, const SummaryRow &row) {
-  for (const Trial &trial : trials)
-    if (trial.problem->name == row.problem && trial.method->name == row.method &&
-        trial.setting == row.setting)
-      return &trial;
-  return nullptr;
-}
-
-// The table of README.md, without the methods that are not installed.
-void print_markdown(const std::vector<Trial> &trials) {
-  fmt::print("| motion | method | setting | largest error of an event time | us per period | ");
-  fmt::print("times the library at 1e-13 |\n|---|---|---|---|---|---|\n");
-  const auto short_number = [](double x) { return fmt::format("{:.{}f}", x, x < 100.0 ? 1 : 0); };
-  for (const SummaryRow &row : summary_rows()) {
-    const Trial *const trial = trial_of(trials, row);
-    if (trial == nullptr) continue;
-    const double median = trial->median();
-    const double unit = trial_of(trials, unit_of(row.problem))->median();
-    fmt::print("{}{:.1e} | {} | {} |\n", row_start(row), trial->errors.time, short_number(median),
-               short_number(median / unit));
-  }
-}
-
 // Throws std::runtime_error naming a method that breaks its promise.
 void check_promises(const std::vector<Method> &methods, const std::vector<Problem> &problems) {
   for (const Method &method : methods)
@@ -122,7 +98,7 @@ void check_promises(const std::vector<Method> &methods, const std::vector<Proble
       throw std::runtime_error(broken);
 }
 
-void compare(const std::filesystem::path &output, int repeats, bool markdown) {
+void compare(const std::filesystem::path &output, int repeats) {
   const std::vector<Problem> cases = problems(REFERENCE_DIR);
   const Methods all = all_methods();
   for (const std::string &line : all.left_out)
@@ -143,17 +119,14 @@ void compare(const std::filesystem::path &output, int repeats, bool markdown) {
       progress.advance();
     }
   write(table_of(trials), output / "error_vs_runtime.csv");
-  if (markdown) print_markdown(trials);
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
   int repeats = 5;
-  bool markdown = false;
   return figures::drive(
       argc, argv, "Error against run time of this library and other methods",
-      [&](const std::filesystem::path &output) { compare(output, repeats, markdown); },
-      {{"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats},
-       {"--markdown", "Print the table of figures/methods/README.md", &markdown}});
+      [&](const std::filesystem::path &output) { compare(output, repeats); },
+      {{"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats}});
 }

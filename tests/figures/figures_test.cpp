@@ -11,6 +11,7 @@
 #include "figures/event_tables.hpp"
 #include "figures/figure3.hpp"
 #include "figures/inferred_frequencies.hpp"
+#include "figures/printed.hpp"
 #include "reference/paper_scenes.hpp"
 #include "tests/figures/drawn.hpp"
 
@@ -205,10 +206,10 @@ TEST(Figure4, AThirdStickingPhaseIsDrawn) {
 
 // What is drawn over Figure 3 in a panel, against the 50 digits of the points with this name.
 void expect_bifurcations(const Curve &curve, const std::string &symbol, const AxisBox &box) {
-  const auto digits = figures::read_references(REFERENCE_DIR "/key_numbers.csv");
   std::vector<double> known;
-  for (const auto &[name, reference] : digits)
-    if (name.starts_with(symbol)) known.push_back(reference.value);
+  for (const figures::KeyNumber &number :
+       figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv"))
+    if (number.symbol.starts_with(symbol)) known.push_back(number.reference);
   std::sort(known.begin(), known.end());
   ASSERT_EQ(curve.points.size(), known.size()) << symbol;
   for (std::size_t i = 0; i < known.size(); ++i) {
