@@ -52,8 +52,8 @@ void add_faults(const Findings &findings, const std::string &folder, const Docum
                 std::vector<std::string> &faults) {
   const std::string text = content_of(folder + "/" + document.name);
   for (const std::string &part : document.required)
-    if (text.find("<!--check " + part + "-->") == std::string::npos)
-      faults.push_back(fmt::format("{}: has no <!--check {}-->", document.name, part));
+    if (text.find("<!--check " + part) == std::string::npos)
+      faults.push_back(fmt::format("{}: has no <!--check {}", document.name, part));
   std::istringstream found(text), expected(with_computed_parts(findings, text));
   std::string line, right;
   for (int number = 1; std::getline(expected, right); ++number) {
@@ -100,19 +100,13 @@ int conclude(const Findings &findings, const std::vector<std::string> &faults) {
 
 int main(int argc, char **argv) {
   std::string reference = REFERENCE_DIR, compared, written;
-  bool markdown = false;
   return command(argc, argv,
                  "Computes every key number and every published result and compares them",
                  {{"--reference", "Folder of the tables of references", &reference},
                   {"--documents", "Folder of the project, whose documents are compared", &compared},
-                  {"--write", "Folder of the project, whose documents are written", &written},
-                  {"--markdown", "Print the tables of key numbers and nothing else", &markdown}},
+                  {"--write", "Folder of the project, whose documents are written", &written}},
                  [&] {
                    const Findings findings{checked_numbers(reference), checked_results(reference)};
-                   if (markdown) {
-                     fmt::print("{}", text_of(findings, "tables"));
-                     return 0;
-                   }
                    fmt::print("{}{}\n**Published by others**\n\n{}\n{}", explanation,
                               tables_by_verdict(findings.numbers, true), explanation_of_published,
                               table_of_results(findings.results));

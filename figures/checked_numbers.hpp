@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -114,20 +115,12 @@ inline std::string tables_by_verdict(const std::vector<CheckedNumber> &numbers, 
   return text;
 }
 
-// The symbols of numbers that the paper has, and of some that one would cite.
-constexpr const char *few_symbols[] = {"lambda1",
-                                       "exit_slope",
-                                       "multi_sliding_mass_1",
-                                       "border_mass_1_2",
-                                       "border_mass_1_3",
-                                       "border_mass_2_4",
-                                       "multi_sliding_mass_2",
-                                       "border_mass_1_1",
-                                       "grazing_mass_2_figure5b"};
-
-inline std::string table_of_few(const std::vector<CheckedNumber> &numbers) {
+// The numbers of these symbols, which stand with blanks between them.
+inline std::string table_of_few(const std::vector<CheckedNumber> &numbers,
+                                const std::string &symbols) {
   Rows rows{{"number", "the paper says", "computed", "verdict"}};
-  for (const char *symbol : few_symbols)
+  std::istringstream words(symbols);
+  for (std::string symbol; words >> symbol;)
     for (const auto &[number, computed] : numbers)
       if (number.symbol == symbol)
         rows.push_back({number.meaning, number.printed.words, number.formatted(computed),

@@ -42,11 +42,12 @@ inline std::size_t agreeing_by_inference(const Findings &findings) {
   return count;
 }
 
-// The text that belongs to a name: few, tables, counts, inferred, published, "verdict Figure 3", or
-// a symbol with a format, as "figure5b_nearest_gap .1e". Throws std::runtime_error for any other.
+// The text that belongs to a name: tables, counts, inferred, published, "few" with symbols,
+// "verdict Figure 3", or a symbol with a format, as "figure5b_nearest_gap .1e". Throws
+// std::runtime_error for any other.
 inline std::string text_of(const Findings &findings, const std::string &name) {
-  if (name == "few") return fmt::format("\n{}", table_of_few(findings.numbers));
-  if (name == "tables") return fmt::format("\n{}", tables_by_verdict(findings.numbers, false));
+  if (name.starts_with("few ")) return "\n" + table_of_few(findings.numbers, name.substr(4));
+  if (name == "tables") return "\n" + tables_by_verdict(findings.numbers, false);
   if (name == "counts") return count_of_verdicts(findings.numbers);
   if (name == "inferred") return std::to_string(agreeing_by_inference(findings));
   if (name == "published") return count_of_results(findings.results);

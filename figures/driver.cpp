@@ -15,18 +15,6 @@ namespace vibro_impact::figures {
 
 namespace {
 
-void add(CLI::App &app, const Option &option) {
-  if (const auto *flag = std::get_if<bool *>(&option.value))
-    app.add_flag(option.name, **flag, option.meaning);
-  else if (const auto *number = std::get_if<int *>(&option.value))
-    app.add_option(option.name, **number, option.meaning)
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-  else
-    app.add_option(option.name, *std::get<std::string *>(option.value), option.meaning)
-        ->capture_default_str();
-}
-
 // Throws std::runtime_error naming the folder.
 void open_folder(const std::filesystem::path &folder) {
   std::error_code error;
@@ -45,7 +33,8 @@ int command(int argc, char **argv, const std::string &purpose, const std::vector
   std::string error;
   CLI::App app(purpose, name);
   try {
-    for (const Option &option : options) add(app, option);
+    for (const auto &[option, meaning, value] : options)
+      app.add_option(option, *value, meaning)->capture_default_str();
     app.parse(argc, argv);
     return run();
   } catch (const CLI::CallForHelp &) {
@@ -60,12 +49,10 @@ int command(int argc, char **argv, const std::string &purpose, const std::vector
 }
 
 int drive(int argc, char **argv, const std::string &purpose,
-          const std::function<void(const std::filesystem::path &)> &draw,
-          std::vector<Option> options) {
+          const std::function<void(const std::filesystem::path &)> &draw) {
   std::string output = "build/figures";
-  options.insert(options.begin(),
-                 {"--output", "Folder for the tables (created if missing)", &output});
-  return command(argc, argv, purpose, options, [&] {
+  const Option option{"--output", "Folder for the tables (created if missing)", &output};
+  return command(argc, argv, purpose, {option}, [&] {
     open_folder(output);
     draw(output);
     return 0;

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "program/progress.hpp"
@@ -13,11 +12,10 @@
 
 namespace vibro_impact::figures {
 
-// An option of the command line. `value` points to the default, which what the user gives replaces:
-// a text, a whole number from 1 to 1000, or a flag.
+// An option of the command line. `value` points to the default, which what the user gives replaces.
 struct Option {
   std::string name, meaning;
-  std::variant<std::string *, int *, bool *> value;
+  std::string *value;
 };
 
 // The main function of a program: reads the options and calls `run`. Returns the exit status: that
@@ -29,7 +27,6 @@ int command(int argc, char **argv, const std::string &purpose, const std::vector
 // The main function of a driver: `command` with the option --output. Creates the folder the tables
 // go to, makes sure before any work that they can be written, and calls draw(folder).
 int drive(int argc, char **argv, const std::string &purpose,
-          const std::function<void(const std::filesystem::path &)> &draw,
-          std::vector<Option> options = {});
+          const std::function<void(const std::filesystem::path &)> &draw);
 
 }  // namespace vibro_impact::figures

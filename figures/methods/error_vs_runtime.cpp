@@ -98,7 +98,9 @@ void check_promises(const std::vector<Method> &methods, const std::vector<Proble
       throw std::runtime_error(broken);
 }
 
-void compare(const std::filesystem::path &output, int repeats) {
+constexpr int repeats = 5;  // of every trial; their median is the run time
+
+void compare(const std::filesystem::path &output) {
   const std::vector<Problem> cases = problems(REFERENCE_DIR);
   const Methods all = all_methods();
   for (const std::string &line : all.left_out)
@@ -124,9 +126,6 @@ void compare(const std::filesystem::path &output, int repeats) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  int repeats = 5;
-  return figures::drive(
-      argc, argv, "Error against run time of this library and other methods",
-      [&](const std::filesystem::path &output) { compare(output, repeats); },
-      {{"--repeats", "Timed runs of every method, interleaved; 1 to 1000", &repeats}});
+  return figures::drive(argc, argv, "Error against run time of this library and other methods",
+                        compare);
 }

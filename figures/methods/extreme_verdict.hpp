@@ -99,45 +99,19 @@ inline std::vector<TrueEvent> events_of(const Scene &scene, double from, double 
 // raises the sensitivity by e / 1e-13, so that 100 roundings of it excuse a fifth of e only.
 constexpr double perturbations[] = {1e-10, 1e-13};
 
-// A perturbation of the displacements or velocities, of neighbours alike or with alternating signs,
-// which strains every link; or of the forcing.
-struct Perturbation {
-  enum class Of { displacement, velocity, amplitude } of;
-  bool alternating;
-};
-
+// The start with neighbours moved by `step` in opposite directions, which strains every link.
 // Masses on their stops stay there, because a start away from the stop is another scene.
-inline Scene perturbed(const Scene &scene, const Perturbation &perturbation, double relative,
-                       const Samples &motion) {
-  using Of = Perturbation::Of;
-  Scene result = scene;
-  if (perturbation.of == Of::amplitude) {
-    for (double &a : result.amplitude) a *= 1.0 + relative;
-    return result;
-  }
-  result.displacement.resize(scene.mass.size(), 0.0);
-  result.velocity.resize(scene.mass.size(), 0.0);
+inline Scene perturbed(Scene scene, double step) {
+  scene.displacement.resize(scene.mass.size(), 0.0);
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    double &x = scene.displacement[i];
     const auto holds_it = [&](const Stop &stop) {
-      return stop.mass == static_cast<int>(i) + 1 &&
-             std::abs(stop.position - result.displacement[i]) <= 2 * relative * motion.size;
+      return stop.mass == static_cast<int>(i) + 1 && std::abs(stop.position - x) <= 2.0 * step;
     };
-    if (std::any_of(scene.stops.begin(), scene.stops.end(), holds_it)) continue;
-    const double step = perturbation.alternating && i % 2 == 1 ? -relative : relative;
-    if (perturbation.of == Of::displacement)
-      result.displacement[i] += step * motion.size;
-    else
-      result.velocity[i] += step * motion.speed;
+    if (std::none_of(scene.stops.begin(), scene.stops.end(), holds_it))
+      x += i % 2 == 0 ? step : -step;
   }
-  return result;
-}
-
-inline std::vector<Perturbation> perturbations_of(const Scene &scene) {
-  using Of = Perturbation::Of;
-  std::vector<Perturbation> all{{Of::displacement, false}, {Of::velocity, false}};
-  if (scene.masses() > 1) all.insert(all.end(), {{Of::displacement, true}, {Of::velocity, true}});
-  if (scene.forced()) all.push_back({Of::amplitude, false});
-  return all;
+  return scene;
 }
 
 inline Relative relative(const Differences &differences, double period, double speed) {
@@ -149,16 +123,14 @@ inline Relative sensitivity_of(const Scene &scene, double until, double period,
                                const Samples &motion) {
   const std::vector<TrueEvent> unperturbed = events_of(scene, 0.0, until);
   Relative largest;
-  for (const Perturbation &perturbation : perturbations_of(scene)) {
-    for (const double by : perturbations) {
-      const Differences differences =
-          compare(events_of(perturbed(scene, perturbation, by, motion), 0.0, until), unperturbed,
-                  scene, {.period = period, .runs = true});
-      const Relative found = relative(differences, period, motion.speed);
-      largest.time = std::max(largest.time, found.time / by);
-      largest.velocity = std::max(largest.velocity, found.velocity / by);
-      if (differences.first.empty()) break;
-    }
+  for (const double by : perturbations) {
+    const Differences differences =
+        compare(events_of(perturbed(scene, by * motion.size), 0.0, until), unperturbed, scene,
+                {.period = period, .runs = true});
+    const Relative found = relative(differences, period, motion.speed);
+    largest.time = std::max(largest.time, found.time / by);
+    largest.velocity = std::max(largest.velocity, found.velocity / by);
+    if (differences.first.empty()) break;
   }
   return largest;
 }

@@ -1,4 +1,4 @@
-# Stability: error of the event times of every extreme case in units of rounding, beside its work.
+# Stability: error of the event times of every extreme case in units of rounding.
 load 'figures/style.gp'
 table = data.'/stability.csv'
 epsilon = 2.220446049250313e-16
@@ -11,7 +11,6 @@ cases = int(STATS_records)
 row(n) = -n
 shown(x) = x < 0.1 ? 0.1 : x
 opens(group) = group eq last ? 0 : (last = group, 1)
-per_impact(name) = column(name) / (column('impacts') > 0 ? column('impacts') : 1)
 # eval rules(x1, x2) draws the lines between the groups.
 rules(x1, x2) = sprintf("last = ''; plot table using (%g):(opens(strcol('group')) ? row($0) + 0.5 : NaN):(%g):(0) with vectors nohead linetype 4 notitle", x1, x2 - x1)
 
@@ -26,35 +25,20 @@ set logscale x
 
 # Errors. The open circle is what a rounding of the start may become.
 set lmargin at screen 0.31
-set rmargin at screen 0.66
+set rmargin at screen 0.84
 set xrange [0.05:4e9]
 set xtics ('≤ 0.1' 0.1, '10^2' 1e2, '10^4' 1e4, '10^6' 1e6, '10^8' 1e8)
 set grid x linetype 3
 set xlabel 'error of event times / rounding'
-set key at screen 0.66, screen 0.985
+set key at screen 0.84, screen 0.985
 plot table using (shown(column('time_sensitivity'))):(row($0)):ytic(strcol('case')) \
     with points pointtype 6 pointsize 1 linetype 4 title 'sensitivity to the start', \
   '' using (shown(column('time_error') / epsilon)):(row($0)) \
     with points pointtype 7 pointsize 1 linetype 1 title 'error', \
   '' using (strcol('verdict') eq 'pass' ? NaN : shown(column('time_error') / epsilon)):(row($0)) \
     with points pointtype 2 pointsize 2 linetype 2 notitle  # a failed case is crossed out
-set format y ''
 unset xlabel
 eval rules(0.05, 4e9)
-
-# Work.
-set lmargin at screen 0.675
-set rmargin at screen 0.845
-set xrange [0.07:2e3]
-set xtics ('≤ 0.1' 0.1, '10' 10, '10^3' 1e3)
-set xlabel 'per impact'
-set key at screen 0.93, screen 0.985
-plot table using (shown(per_impact('expansions'))):(row($0)) \
-    with points pointtype 5 pointsize 0.9 linetype 1 title 'expansions', \
-  '' using (shown(per_impact('root_iterations'))):(row($0)) \
-    with points pointtype 4 pointsize 0.9 linetype 2 title 'root iterations'
-unset xlabel
-eval rules(0.07, 2e3)
 
 # The names of the groups.
 set lmargin at screen 0.85
