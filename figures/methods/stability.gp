@@ -1,56 +1,38 @@
-# Stability: error of the event times of every extreme case in units of rounding.
+# Stability: error of the event times of every extreme case in units of rounding. The open circle is
+# what a rounding of the start may become.
 load 'figures/style.gp'
+
 table = data.'/stability.csv'
 epsilon = 2.220446049250313e-16
-
 stats table using (column('events')) nooutput
 cases = int(STATS_records)
 
-# Rows from the top; what is below 0.1 is drawn at 0.1, and the axes say so; opens() is true at the first case of
-# a group.
+# Rows from the top; what is below 0.1 is drawn at 0.1, and the axis says so; opens() is true at the
+# first case of a group.
 row(n) = -n
 shown(x) = x < 0.1 ? 0.1 : x
 opens(group) = group eq last ? 0 : (last = group, 1)
-# eval rules(x1, x2) draws the lines between the groups.
-rules(x1, x2) = sprintf("last = ''; plot table using (%g):(opens(strcol('group')) ? row($0) + 0.5 : NaN):(%g):(0) with vectors nohead linetype 4 notitle", x1, x2 - x1)
+last = ''
 
 eval canvas('stability', 0.05 * cases)
-set multiplot
-set key autotitle columnhead samplen 1 maxrows 2 right top
-set yrange [-cases + 0.3 : 0.7]
-set tmargin at screen 0.945
-set bmargin at screen 0.045
-set ytics scale 0
-set logscale x
-
-# Errors. The open circle is what a rounding of the start may become.
 set lmargin at screen 0.31
 set rmargin at screen 0.84
+set tmargin at screen 0.955
+set bmargin at screen 0.035
+set yrange [-cases + 0.3 : 0.7]
+set ytics scale 0
+set logscale x
 set xrange [0.05:4e9]
 set xtics ('≤ 0.1' 0.1, '10^2' 1e2, '10^4' 1e4, '10^6' 1e6, '10^8' 1e8)
 set grid x linetype 3
 set xlabel 'error of event times / rounding'
-set key at screen 0.84, screen 0.985
-plot table using (shown(column('time_sensitivity'))):(row($0)):ytic(strcol('case')) \
+set key autotitle columnhead maxrows 2 samplen 1 at screen 0.84, screen 0.985
+plot table using (0.05):(opens(strcol('group')) ? row($0) + 0.5 : NaN):(4e9):(0) with vectors nohead linetype 4 notitle, \
+  '' using (4e9):(opens(strcol('group')) ? row($0) : NaN):(strcol('group')) with labels left offset 1, 0 notitle, \
+  '' using (shown(column('time_sensitivity'))):(row($0)):ytic(strcol('case')) \
     with points pointtype 6 pointsize 1 linetype 4 title 'sensitivity to the start', \
   '' using (shown(column('time_error') / epsilon)):(row($0)) \
     with points pointtype 7 pointsize 1 linetype 1 title 'error', \
   '' using (strcol('verdict') eq 'pass' ? NaN : shown(column('time_error') / epsilon)):(row($0)) \
     with points pointtype 2 pointsize 2 linetype 2 notitle  # a failed case is crossed out
-unset xlabel
-eval rules(0.05, 4e9)
-
-# The names of the groups.
-set lmargin at screen 0.85
-set rmargin at screen 0.999
-unset logscale
-unset border
-unset xtics
-unset ytics
-unset grid
-set xrange [0:1]
-last = ''
-plot table using (0.02):(opens(strcol('group')) ? row($0) : NaN):(strcol('group')) \
-  with labels left notitle
-unset multiplot
 unset output
