@@ -55,7 +55,6 @@ struct KeyNumber {
   std::string kind;              // derived (from a formula) or computed (to 50 digits)
   std::string format;            // of the computed number, as {fmt} has it
   double tolerance;              // allowed distance from the reference, absolute
-  std::string reason = {};       // for this tolerance
 
   std::string formatted(double value) const {
     return fmt::format(fmt::runtime("{:" + format + "}"), value);
@@ -76,8 +75,7 @@ inline std::vector<KeyNumber> read_key_numbers(const std::string &path) {
                        .reference_digits = cells[1],
                        .kind = cells[2],
                        .format = cells[7],
-                       .tolerance = number_in(path, cells[8]),
-                       .reason = cells[9]});
+                       .tolerance = number_in(path, cells[8])});
   }
   return numbers;
 }

@@ -55,7 +55,7 @@ const Problem &problem_named(const std::vector<Problem> &problems, const std::st
 struct Result {
   std::vector<MassEvent> events = {};
   TwoMassState end = {};
-  long long work = 0;  // right-hand sides, time steps or expansions: see Method::work
+  long long work = 0;  // right-hand sides, closed forms, time steps or expansions
   long long impacts = 0;
   std::string failure = {};
 };
@@ -86,12 +86,10 @@ struct Promise {
 // since the last stick; from there on the motion has forgotten most of what came before.
 constexpr double steps_and_slope = 1e3;
 
-// A method and the settings it is swept over. Settings are the same on every machine, and so is the
-// work done.
+// A method and the settings it is swept over: tolerances, time steps, thresholds or stiffnesses.
+// Settings are the same on every machine, and so is the work done.
 struct Method {
   std::string name;
-  std::string setting;  // what is swept: tolerance, time step, stiffness
-  std::string work;     // what Result::work counts
   std::vector<double> settings;
   Promise promise;
   Result (*run)(const Problem &problem, double setting);

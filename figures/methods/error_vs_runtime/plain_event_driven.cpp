@@ -146,8 +146,6 @@ Result plain_scheme(const Problem &problem, double threshold) {
 // acceleration, which is 0.01 at the least: the promise has the factor 1e4 and the order 3.
 std::vector<Method> plain_event_driven() {
   return {{"plain event-driven",
-           "speed threshold",
-           "closed-form evaluations",
            {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9},
            {"figure2", 1e-4, 1e4, 3.0},
            plain_scheme}};

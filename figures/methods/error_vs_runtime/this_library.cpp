@@ -45,12 +45,10 @@ std::vector<Method> this_library() {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   return {
       {"this library",
-       "tolerance of the chatter limit, ten times that of a flight",
-       "expansions",
        {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
        {"figure2", 1e-13, steps_and_slope, 1.0},
        [](const Problem &problem, double tolerance) {
-         RunOptions options;
+         RunOptions options;  // the tolerance of a chatter limit is ten times that of a flight
          options.chatter_tolerance = tolerance;
          options.flight_tolerance = std::max(0.1 * tolerance, options.flight_tolerance);
          return run_with(problem, options);
@@ -58,8 +56,6 @@ std::vector<Method> this_library() {
       // Every impact is made until the rest of a chatter lies below rounding. There is nothing to
       // sweep, because flow and roots are exact to rounding.
       {"this library (every impact)",
-       "none",
-       "expansions",
        {rounding},
        {"figure2", rounding, steps_and_slope, 1.0},
        [](const Problem &problem, double) { return run_with(problem, {.resolve_chatter = 0.0}); }}};

@@ -123,8 +123,6 @@ Result time_stepping(const Problem &problem, double step) {
 // Time stepping is of order one, and its releases are known to half a step.
 std::vector<Method> siconos() {
   return {{"Siconos Moreau-Jean",
-           "time step",
-           "time steps",
            {2e-2, 1e-2, 5e-3, 2e-3},
            {"figure2", 5e-3, 10.0, 1.0},
            time_stepping}};
