@@ -23,7 +23,9 @@ const std::vector<Problem> &all_problems() {
 }
 
 Problem problem_named(const std::string &name) {
-  return problem_named(all_problems(), name);
+  for (const Problem &problem : all_problems())
+    if (problem.name == name) return problem;
+  throw std::invalid_argument(name);
 }
 
 // A row of the table in a README: what it is about, the method and its setting, and the error
@@ -72,12 +74,8 @@ class OfMethod : public ::testing::TestWithParam<const char *> {
   }
 };
 
-TEST_P(OfMethod, KeepsItsPromise) {
-  EXPECT_EQ(broken_promise(method, all_problems()), "");
-}
-
 // The rounding of another compiler moves an error by less than 10 percent, or by some roundings of
-// t = 200.
+// t = 200. Speeds are below one, so that the state at the end is off by about as much as a time.
 TEST_P(OfMethod, HasTheErrorsThatTheReadmesShow) {
   int shown = 0;
   for (const char *file : {"figures/methods/README.md", "README.md"})
@@ -85,9 +83,10 @@ TEST_P(OfMethod, HasTheErrorsThatTheReadmesShow) {
       if (row.method != method.name) continue;
       ++shown;
       const Problem problem = problem_named(row.problem);
-      const double error = errors_of(method.run(problem, row.setting), problem).time;
-      EXPECT_NEAR(row.error, error, 0.1 * error + 1e-13)
-          << file << ": " << row.method << " at " << row.setting << " on " << row.problem;
+      const Errors errors = errors_of(method.run(problem, row.setting), problem);
+      SCOPED_TRACE(fmt::format("{}: {} at {} on {}", file, row.method, row.setting, row.problem));
+      EXPECT_NEAR(row.error, errors.time, 0.1 * errors.time + 1e-13) << errors.failure;
+      EXPECT_LE(errors.state, 10.0 * errors.time + 1e-13);
     }
   EXPECT_GE(shown, 1);
 }
@@ -188,26 +187,6 @@ TEST(Measure, FailsForAnEventThatIsMissingOrSpurious) {
   Result result = exact(problem);
   result.events.erase(result.events.begin());  // an impact, for which the next one is taken
   EXPECT_GT(errors_of(result, problem).time, 0.1);
-}
-
-// The setting of these methods is the delay of a release, and the error of a velocity.
-TEST(Measure, SeesABrokenPromise) {
-  Method late, off;
-  late.run = [](const Problem &problem, double delay) { return exact(problem, delay); };
-  off.run = [](const Problem &problem, double error) {
-    Result result = exact(problem);
-    result.end.velocity[1] += error;
-    return result;
-  };
-  for (Method *method : {&late, &off}) {
-    method->promise = {"figure2", 1e-6, 2.0, 1.0};
-    EXPECT_EQ(broken_promise(*method, all_problems()), "");
-    method->promise.factor = 0.5;
-    EXPECT_NE(broken_promise(*method, all_problems()), "");
-  }
-  late.promise.factor = 2.0;
-  late.run = [](const Problem &, double) { return Result{{}, {}, 0, 0, "lost"}; };
-  EXPECT_NE(broken_promise(late, all_problems()), "");
 }
 
 }  // namespace

@@ -103,12 +103,6 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
   return all;
 }
 
-const Problem &problem_named(const std::vector<Problem> &problems, const std::string &name) {
-  for (const Problem &problem : problems)
-    if (problem.name == name) return problem;
-  throw std::runtime_error(name + ": no such problem of work_precision_states.csv");
-}
-
 Errors errors_of(const Result &result, const Problem &problem) {
   if (!result.failure.empty()) return failed(result.failure);
   const double tenth_of_a_period = 0.1 * 2.0 * std::numbers::pi / problem.scene.omega;
@@ -127,23 +121,6 @@ Errors errors_of(const Result &result, const Problem &problem) {
       errors.state = std::max(errors.state, std::abs(error));
     }
   return errors;
-}
-
-std::string broken_promise(const Method &method, const std::vector<Problem> &problems) {
-  const auto [name, setting, factor, order] = method.promise;
-  Problem problem = problem_named(problems, name);
-  Result result = method.run(problem, setting);
-  const auto is_no_release = [](const MassEvent &event) {
-    return event.kind != EventKind::release;
-  };
-  std::erase_if(result.events, is_no_release);
-  std::erase_if(problem.reference_events, is_no_release);
-  const Errors errors = errors_of(result, problem);
-  const double bound = factor * std::pow(setting, order);
-  if (errors.time <= bound && errors.state <= bound) return {};
-  return fmt::format(
-      "{} at {:g} on {}: releases off by {:.1e}, state by {:.1e}, promised {:.1e} {}", method.name,
-      setting, name, errors.time, errors.state, bound, errors.failure);
 }
 
 Methods all_methods() {

@@ -47,9 +47,6 @@ struct Problem {
 // std::runtime_error naming the file that cannot be read or the scene that is not known.
 std::vector<Problem> problems(const std::filesystem::path &reference);
 
-// The problem of that name. Throws std::runtime_error where there is none.
-const Problem &problem_named(const std::vector<Problem> &problems, const std::string &name);
-
 // What a run of a method gives. `failure` is empty when the run reached the end; otherwise it says
 // in one line where and why it did not.
 struct Result {
@@ -74,29 +71,13 @@ struct Errors {
 };
 Errors errors_of(const Result &result, const Problem &problem);
 
-// What a method promises at one setting: the times of the releases of `problem`, and the state at
-// its end, are right to factor * setting^order.
-struct Promise {
-  const char *problem;
-  double setting, factor, order;
-};
-
-// A tolerance bounds the error of a step. A release is the root of a hold force with a slope of
-// about 0.1. The error of that force is the error of the state, gathered in some 20 to 100 steps
-// since the last stick; from there on the motion has forgotten most of what came before.
-constexpr double steps_and_slope = 1e3;
-
 // A method and the settings it is swept over: tolerances, time steps, thresholds or stiffnesses.
 // Settings are the same on every machine, and so is the work done.
 struct Method {
   std::string name;
   std::vector<double> settings;
-  Promise promise;
   Result (*run)(const Problem &problem, double setting);
 };
-
-// One line that says how `method` breaks its promise; empty where it keeps it.
-std::string broken_promise(const Method &method, const std::vector<Problem> &problems);
 
 // The families, one file each. cvode and siconos are built where their packages are found.
 std::vector<Method> this_library();

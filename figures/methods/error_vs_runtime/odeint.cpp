@@ -82,9 +82,8 @@ Result fehlberg(const Problem &problem, double tolerance) {
 
 std::vector<Method> odeint() {
   const std::vector<double> tolerances{1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
-  const Promise promise{"figure2", 1e-10, steps_and_slope, 1.0};
-  return {{"odeint runge_kutta_dopri5", tolerances, promise, dormand_prince},
-          {"odeint runge_kutta_fehlberg78", tolerances, promise, fehlberg}};
+  return {{"odeint runge_kutta_dopri5", tolerances, dormand_prince},
+          {"odeint runge_kutta_fehlberg78", tolerances, fehlberg}};
 }
 
 }  // namespace vibro_impact::comparison

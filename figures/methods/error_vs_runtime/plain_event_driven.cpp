@@ -142,13 +142,8 @@ Result plain_scheme(const Problem &problem, double threshold) {
 
 }  // namespace
 
-// A threshold changes the motion behind a stick by its cube over the square of the pressing
-// acceleration, which is 0.01 at the least: the promise has the factor 1e4 and the order 3.
 std::vector<Method> plain_event_driven() {
-  return {{"plain event-driven",
-           {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9},
-           {"figure2", 1e-4, 1e4, 3.0},
-           plain_scheme}};
+  return {{"plain event-driven", {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}, plain_scheme}};
 }
 
 }  // namespace vibro_impact::comparison

@@ -43,22 +43,19 @@ Result run_with(const Problem &problem, const RunOptions &options) {
 
 std::vector<Method> this_library() {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
-  return {
-      {"this library",
-       {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
-       {"figure2", 1e-13, steps_and_slope, 1.0},
-       [](const Problem &problem, double tolerance) {
-         RunOptions options;  // the tolerance of a chatter limit is ten times that of a flight
-         options.chatter_tolerance = tolerance;
-         options.flight_tolerance = std::max(0.1 * tolerance, options.flight_tolerance);
-         return run_with(problem, options);
-       }},
-      // Every impact is made until the rest of a chatter lies below rounding. There is nothing to
-      // sweep, because flow and roots are exact to rounding.
-      {"this library (every impact)",
-       {rounding},
-       {"figure2", rounding, steps_and_slope, 1.0},
-       [](const Problem &problem, double) { return run_with(problem, {.resolve_chatter = 0.0}); }}};
+  return {{"this library",
+           {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
+           [](const Problem &problem, double tolerance) {
+             RunOptions options;  // the tolerance of a chatter limit is ten times that of a flight
+             options.chatter_tolerance = tolerance;
+             options.flight_tolerance = std::max(0.1 * tolerance, options.flight_tolerance);
+             return run_with(problem, options);
+           }},
+          // Every impact is made until the rest of a chatter lies below rounding. There is nothing
+          // to sweep, because flow and roots are exact to rounding.
+          {"this library (every impact)", {rounding}, [](const Problem &problem, double) {
+             return run_with(problem, {.resolve_chatter = 0.0});
+           }}};
 }
 
 }  // namespace vibro_impact::comparison

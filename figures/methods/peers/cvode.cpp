@@ -145,10 +145,7 @@ Result adams(const Problem &problem, double tolerance) try {
 }  // namespace
 
 std::vector<Method> cvode() {
-  return {{"CVODE Adams",
-           {1e-4, 1e-6, 1e-8, 1e-10, 1e-12},
-           {"figure2", 1e-10, steps_and_slope, 1.0},
-           adams}};
+  return {{"CVODE Adams", {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}, adams}};
 }
 
 }  // namespace vibro_impact::comparison
