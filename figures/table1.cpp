@@ -10,13 +10,12 @@ namespace {
 
 using namespace vibro_impact;
 
-// table1_<pair>.csv has a motion, table1_stops.csv its stops, table1_pairs.csv the first time that
-// it shows its pair: from `t` until `until`, with the masses at x1 and x2.
+// table1_<pair>.csv has a motion, table1_pairs.csv its stops and when it shows its pair: from `t`
+// until `until`, with the masses at x1 and x2 at `t`.
 void draw(const std::filesystem::path &output) {
-  Table stops("pair,s1,s2"), pairs("pair,t,until,x1,x2");
+  Table pairs("pair,t,until,x1,x2,s1,s2");
   for (const auto &[kind, scene, from, to] : figures::table1_scenes()) {
     const char *name = abbreviation(kind);
-    stops.row(name, scene.stops[0].position, scene.stops[1].position);
     SampleRecorder samples{.from = from, .to = to, .every = (to - from) / 4000};
     PressedEventRecorder events{scene, from};
     require_complete(simulate(scene, to, figures::all_visible_chatter, samples, events));
@@ -24,10 +23,10 @@ void draw(const std::filesystem::path &output) {
     for (const PairedEvents &pair : event_pairs(events.events)) {
       if (pair.kind != kind) continue;
       const MotionState state = require_complete(simulate(scene, pair.from)).state;
-      pairs.row(name, pair.from, pair.to, state.displacement[0], state.displacement[1]);
+      pairs.row(name, pair.from, pair.to, state.displacement[0], state.displacement[1],
+                scene.stops[0].position, scene.stops[1].position);
     }
   }
-  write(stops, output / "table1_stops.csv");
   write(pairs, output / "table1_pairs.csv");
 }
 

@@ -16,10 +16,11 @@ array highest[6] = [1.0, 0.32, 0.6, 0.6, 0.5, 0.35]
 array step[6] = [0.4, 0.05, 0.1, 0.4, 0.2, 0.1]
 array every[6] = [2, 2, 1, 2, 1, 2]
 
-stops = data.'/table1_stops.csv'
 pairs = data.'/table1_pairs.csv'
 array s1[6]; array s2[6]
-stats stops using (s1[$0 + 1] = column('s1'), s2[$0 + 1] = column('s2')) nooutput
+do for [n = 1:6] {
+  stats pairs using (strcol('pair') eq pair[n] ? (s1[n] = column('s1'), s2[n] = column('s2')) : NaN) nooutput
+}
 stats pairs using (strcol('pair') eq 'DS' ? column('t') : NaN) nooutput name 'stuck'
 stats pairs using (strcol('pair') eq 'DS' ? column('until') : NaN) nooutput name 'released'
 in_panel(n, value) = strcol('pair') eq pair[n] ? value : NaN

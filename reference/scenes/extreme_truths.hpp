@@ -30,7 +30,7 @@ struct Sum {
 //   T(u) = 2 atan2(u, -s).
 // s < 0 presses it: T -> 2 u / |s|, complete chatter, it sticks after the sum of all T. At s = 0
 // the force vanishes on the stop: T = pi, no stick ever. s > 0 pulls it away: T -> 2 pi. `masses`
-// in step (see in_step) hit together, mass p with p times the speed. Impacts slower than 1e-6 of
+// in step (x2 = 2 x1) hit together, mass p with p times the speed. Impacts slower than 1e-6 of
 // the first are left out of a complete chatter.
 inline std::vector<TrueEvent> bounces(double q0, double s, double r, double until, int masses = 1) {
   std::vector<TrueEvent> events;

@@ -10,7 +10,7 @@
 #include "figures/figure3.hpp"
 #include "recurrence.hpp"
 #include "reference/paper_scenes.hpp"
-#include "reference/scenes/long_chain.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -230,7 +230,7 @@ TEST(EventCounts, WithoutReboundThereIsOneImpactAndNoChatter) {
 TEST(Settle, ATenMassChainWithThreeStops) {
   bool at_once = false;
   for (const auto &[omega, restitution] : {std::pair{0.25, 0.7}, {0.3, 0.2}, {0.72, 0.6}}) {
-    Scene scene = figures::long_chain();
+    Scene scene = extremes::long_chain();
     scene.omega = omega;
     scene.restitution = restitution;
     RecordOptions options;

@@ -7,7 +7,7 @@
 #include <new>
 
 #include "reference/scenes/extreme_cases.hpp"
-#include "reference/scenes/long_chain.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace {
@@ -66,7 +66,7 @@ TEST(Allocations, NoneFromTheFirstEventToTheLast) {
   resonant.beta = 0.0;
   resonant.omega = std::sqrt(0.5 * (3.0 - std::sqrt(5.0)));
   for (const Scene &scene : {paper::figure2(), paper::figure4a(), paper::figure5a(), resonant,
-                             damped, figures::long_chain()}) {
+                             damped, extremes::long_chain()}) {
     // Every contact mode has been entered, and every store has its size. Two masses have four lanes
     // unless they are strongly damped; others have as many as the contact mode needs.
     Allocations counted{.from = 200.0, .all = scene.masses() == 2 && scene.beta < 1.0};

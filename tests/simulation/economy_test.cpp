@@ -30,6 +30,19 @@ long long modes_entered(const std::vector<Event> &events, int masses) {
   return static_cast<long long>(modes.size());
 }
 
+// A chain of n with stops near both ends, forced at its first mass.
+Scene long_chain(int n, double restitution) {
+  Scene scene = extremes::chain(n, 0.1);
+  scene.amplitude.assign(static_cast<std::size_t>(n), 0.0);
+  scene.amplitude.front() = 0.5;
+  scene.omega = 0.28;
+  scene.restitution = restitution;
+  scene.stops = {{1, Side::lower, -0.1}, {2, Side::upper, 0.25}, {n, Side::upper, 0.0}};
+  scene.velocity.assign(static_cast<std::size_t>(n), 0.0);
+  scene.velocity.back() = -0.2;
+  return scene;
+}
+
 Scene without_stops(Scene scene) {
   scene.stops.clear();
   return scene;
@@ -37,7 +50,7 @@ Scene without_stops(Scene scene) {
 
 TEST(Economy, AContactModeIsBuiltWhenItIsFirstEntered) {
   for (const Scene &scene : {paper::figure2(), paper::figure5a(), paper::figure5b(),
-                             extremes::long_chain(10, 0.7), without_stops(paper::figure2())}) {
+                             long_chain(10, 0.7), without_stops(paper::figure2())}) {
     EventRecorder events;
     SampleRecorder samples{.from = 0.0, .to = 300.0, .every = 0.01};  // and so inside chatters
     const Outcome outcome = simulate(scene, 300.0, {}, events, samples);
@@ -64,7 +77,7 @@ TEST(Economy, AnImpactCostsOneExpansion) {
 // lane and speed of a lane: in proportion to the stops, and to N, not to its square.
 TEST(Economy, AnExpansionCostsInProportionToTheStops) {
   const auto products_per_stop = [](int masses, std::size_t stops) {
-    Scene scene = extremes::long_chain(masses, 0.7);
+    Scene scene = long_chain(masses, 0.7);
     scene.stops.resize(stops);
     const Counters counters = simulate(scene, 40.0).counters;
     EXPECT_GE(looked_at(counters), 40);
@@ -116,8 +129,8 @@ TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
 TEST(Economy, ASampleIsOneEvaluation) {
   Scene clear = extremes::one_mass(0.0, 0.5, 0.0, 0.7, 1.25);  // swings about 0.5
   clear.stops.push_back({1, Side::lower, -0.25});
-  for (const Scene &scene : {without_stops(extremes::long_chain(2, 0.7)),
-                             without_stops(extremes::long_chain(50, 0.7)), clear}) {
+  for (const Scene &scene :
+       {without_stops(long_chain(2, 0.7)), without_stops(long_chain(50, 0.7)), clear}) {
     SampleRecorder samples{.from = 1.0, .to = 90.0, .every = 0.37};
     const Counters counters = simulate(scene, 1e6, {}, samples).counters;
     EXPECT_EQ(samples.times.size(), 241u);
@@ -135,7 +148,7 @@ TEST(Economy, ASampleIsOneEvaluation) {
 // fastest mode, and so the step, still grows by one in a hundred from N = 10 to 200.)
 TEST(Economy, TheWorkDoesNotGrowWithMassesThatDoNothing) {
   const auto counters_of = [](int masses) {
-    Scene scene = extremes::long_chain(masses, 0.7);
+    Scene scene = long_chain(masses, 0.7);
     scene.velocity.clear();
     scene.stops.pop_back();
     return simulate(scene, 11.0).counters;  // before the chatter of mass 1 completes
