@@ -3,6 +3,7 @@
 #include "figure3.hpp"
 
 #include "driver.hpp"
+#include "panel.hpp"
 
 namespace {
 
@@ -31,13 +32,12 @@ double phases_per_period(const OrbitRecord &record, int mass) {
 }
 
 // Wherever the number of sticking phases changes from one frequency of the diagram to the next, the
-// place is found by bisection to a width that no plot can show. Phases are counted over four
-// forcing periods: motions of period 1, 2 and 4 give the same count in every window.
+// place is found by bisection to a width that no plot can show.
 Table bifurcations(const Grid &grid, const std::vector<OrbitRecord> &records) {
   Table table("mass,kind,omega");
   for (const int mass : {1, 2}) {
     const auto phases = [mass](double omega) {
-      return sticking_phases(paper::figure3(omega), mass, paper::figure4_settling_periods, 4);
+      return figures::settled_sticking_phases(omega, mass);
     };
     for (std::size_t i = 1; i < records.size(); ++i) {
       const double below = grid.values(i - 1).front(), above = grid.values(i).front();

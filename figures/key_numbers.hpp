@@ -156,10 +156,6 @@ inline double bounce_interval_of_figure5c() {
 
 // --- Frequencies -----------------------------------------------------------------------------
 
-// Forcing periods left out before the motion from rest counts as settled, and those then counted
-// over: sticking motions of period 1, 2 and 4 give the same count in every window.
-constexpr int settling_periods = 150, counted_periods = 4;
-
 // The frequency between two at which a count differs.
 template <class Count>
 double changing_frequency(const Count &count, double one, double other) {
@@ -168,10 +164,7 @@ double changing_frequency(const Count &count, double one, double other) {
 }
 
 inline double changing_frequency(const paper::StickingChange &change) {
-  const auto sticks = [&change](double omega) {
-    return sticking_phases(paper::stops_of_different_sign(omega), change.mass, settling_periods,
-                           counted_periods);
-  };
+  const auto sticks = [&](double omega) { return settled_sticking_phases(omega, change.mass); };
   return changing_frequency(sticks, change.near, change.far);
 }
 
@@ -180,7 +173,7 @@ inline double changing_frequency(const paper::StickingChange &change) {
 inline double grazing_frequency() {
   const auto impacts_of_mass_2 = [](double omega) {
     Scene scene = paper::figure5b_without_second_stop(omega);
-    const MotionState start = state_after_periods(scene, settling_periods);
+    const MotionState start = state_after_periods(scene, paper::figure4_settling_periods);
     scene.stops.push_back(paper::figure5b().stops[1]);
     ImpactSpeedRecorder impacts{2, -1.0};
     stroboscopic_map(scene, start, 1, {}, impacts);

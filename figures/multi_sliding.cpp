@@ -4,21 +4,16 @@
 
 #include "driver.hpp"
 #include "panel.hpp"
-#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/analysis/locate.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 
-// At the bifurcation the one sticking phase of mass 1 in a forcing period splits in two. Phases are
-// counted over four settled periods.
-int phases(double omega) {
-  return sticking_phases(paper::stops_of_different_sign(omega), 1, paper::figure4_settling_periods,
-                         4);
-}
-
 void draw(const std::filesystem::path &output) {
   const double before = paper::figure4a().omega, after = paper::figure4b().omega;
+  // At the bifurcation the one sticking phase of mass 1 in a forcing period splits in two.
+  const auto phases = [](double omega) { return figures::settled_sticking_phases(omega, 1); };
   const double located = bisect(phases, before, after).below;
   Table omegas("when,omega");
   for (const auto &[when, omega] :

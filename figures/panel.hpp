@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/paper_scenes.hpp"
+#include "vibro_impact/analysis/chatters.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -101,6 +102,13 @@ inline Table hold_force(const Scene &scene) {
   for (const auto &row : phases.rows)
     if (!std::isnan(row.force)) table.row(row.phase, row.time, row.force);
   return table;
+}
+
+// The sticking phases of a mass in four forcing periods of the settled motion from rest, in the
+// scene of Figures 2 to 4. Motions of period 1, 2 and 4 give the same count in every window.
+inline int settled_sticking_phases(double omega, int mass) {
+  return sticking_phases(paper::stops_of_different_sign(omega), mass,
+                         paper::figure4_settling_periods, 4);
 }
 
 }  // namespace vibro_impact::figures

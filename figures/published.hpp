@@ -30,9 +30,6 @@ struct OneImpactOrbit {
   PeriodicOrbit orbit;
   Event impact;
 
-  double speed() const {
-    return std::abs(impact.velocity_before);
-  }
   // The multiplier nearest to -1. At a period doubling it is -1.
   double doubling_multiplier() const {
     double nearest = orbit.multipliers.front().real();
@@ -79,23 +76,16 @@ inline Event event_of(const Scene &scene, double until, EventKind kind, double c
 }
 
 // A mass thrown at a lower stop at 0, under a constant force (omega = 0: the cosine is one) and,
-// with k > 0, on a spring.
-inline Scene ball(double mass, double k, double force, double restitution, double height,
-                  double velocity) {
-  return {.mass = {mass},
-          .stiffness = {k},
-          .amplitude = {force},
-          .omega = 0.0,
-          .restitution = restitution,
-          .stops = {{1, Side::lower, 0.0}},
-          .displacement = {height},
-          .velocity = {velocity}};
-}
-
-// A ball above the floor, and below a ceiling if the parameters have one.
+// with k > 0, on a spring; below a ceiling if the parameters have one.
 inline Scene ball_of(const Parameters &p) {
-  Scene scene =
-      ball(p.at("mass"), p.at("k"), p.at("force"), p.at("r"), p.at("height"), p.at("velocity"));
+  Scene scene{.mass = {p.at("mass")},
+              .stiffness = {p.at("k")},
+              .amplitude = {p.at("force")},
+              .omega = 0.0,
+              .restitution = p.at("r"),
+              .stops = {{1, Side::lower, 0.0}},
+              .displacement = {p.at("height")},
+              .velocity = {p.at("velocity")}};
   if (p.contains("ceiling")) scene.stops.push_back({1, Side::upper, p.at("ceiling")});
   return scene;
 }
@@ -142,7 +132,7 @@ inline double contact_time(int elements) {
 inline const std::map<std::string, double (*)(const Parameters &)> &quantities() {
   using P = const Parameters &;
   static const std::map<std::string, double (*)(P)> functions{
-      {"impact_speed", [](P p) { return one_impact_orbit(p).speed(); }},
+      {"impact_speed", [](P p) { return std::abs(one_impact_orbit(p).impact.velocity_before); }},
       {"impact_phase", [](P p) { return one_impact_orbit(p).impact.instant.phase; }},
       {"velocity_after", [](P p) { return one_impact_orbit(p).impact.velocity_after; }},
       {"doubling_multiplier", [](P p) { return one_impact_orbit(p).doubling_multiplier(); }},

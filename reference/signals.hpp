@@ -83,13 +83,6 @@ inline std::vector<bool> stuck_masses(const State &state) {
   return stuck;
 }
 
-/// The positions and velocities of a state as a Motion, enough for the value of a hold force.
-inline Motion frozen(const Chain &chain, const State &state) {
-  const std::size_t n = state.x.size();
-  const Real phase = chain.frequency * state.time;
-  return {state.x, state.v, Vector(n), Vector(n), cos(phase), sin(phase)};
-}
-
 /// The signal of a stop: gap if its mass is free, hold force if it rests on this very stop, none
 /// otherwise.
 inline std::optional<Signal> stop_signal(const Scene &scene, const State &state, std::size_t index,
@@ -103,7 +96,10 @@ inline std::optional<Signal> stop_signal(const Scene &scene, const State &state,
 
 /// How hard a mass that rests on a stop is pressed into it at the present instant.
 inline Real pressing_now(const Scene &scene, const State &state, std::size_t stop) {
-  return pressing_signal(scene.chain, scene.stops[stop], frozen(scene.chain, state)).value;
+  const std::size_t n = state.x.size();
+  const Real phase = scene.chain.frequency * state.time;
+  const Motion now{state.x, state.v, Vector(n), Vector(n), cos(phase), sin(phase)};
+  return pressing_signal(scene.chain, scene.stops[stop], now).value;
 }
 
 /// Signals of all stops at the very start of a piece, with the exact zeros put in.

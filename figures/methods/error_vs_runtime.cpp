@@ -82,11 +82,9 @@ Table table_of(const std::vector<Trial> &trials) {
   for (const Trial &trial : trials) {
     const auto [low, high] =
         std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
-    std::string failure = trial.errors.failure;
-    std::replace(failure.begin(), failure.end(), ',', ';');
     table.row(trial.problem->name, figures::in_quotes(trial.method->name), trial.setting,
               trial.errors.time, trial.errors.state, trial.median(), *low, *high, trial.result.work,
-              trial.result.impacts, figures::in_quotes(failure));
+              trial.result.impacts, figures::in_quotes(trial.errors.failure));
   }
   return table;
 }
