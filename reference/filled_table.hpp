@@ -22,11 +22,12 @@ inline std::string filled_table(const std::string &name, Numbers numbers) {
   std::getline(file, line);
   table = line + '\n';
   while (std::getline(file, line)) {
-    const auto value = line.find(',') + 1, rest = line.find(',', value);
-    const auto found = numbers.find(line.substr(0, value - 1));
+    const auto comma = line.find(','), rest = line.find(',', comma + 1);
+    const std::string symbol = line.substr(0, comma);
+    const auto found = numbers.find(symbol);
     if (found == numbers.end())
-      throw std::runtime_error("table '" + name + "': nothing was found for " + line);
-    table += line.substr(0, value) + found->second + line.substr(rest) + '\n';
+      throw std::runtime_error("table '" + name + "': nothing was found for " + symbol);
+    table += symbol + ',' + found->second + line.substr(rest) + '\n';
     numbers.erase(found);
   }
   if (!numbers.empty())

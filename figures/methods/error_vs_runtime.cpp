@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <ctime>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "figures/event_tables.hpp"
 #include "reference/paper_scenes.hpp"
