@@ -20,7 +20,7 @@ const char *kind_of(double omega, int mass) {
   constexpr double touching = 1e-6;  // the force grows by 7 per unit of the frequency
   const Scene scene = paper::figure3(omega);
   const MotionState settled =
-      stroboscopic_map(scene, start_of(scene), paper::figure4_settling_periods).state;
+      stroboscopic_map(scene, start_of(scene), paper::figure4_settling_periods);
   const auto least =
       least_pressing_force(scene, settled, scene.stops[static_cast<std::size_t>(mass - 1)]);
   return least && least->value < touching ? "multi-sliding" : "border orbit";

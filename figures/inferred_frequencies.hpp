@@ -129,14 +129,9 @@ inline Trial try_figure5b(double omega) {
 // Tries every multiple of 1e-4 from `from` to `to`, in order.
 inline std::vector<Trial> scan(double from, double to, Trial (*attempt)(double omega)) {
   const long first = std::lround(from * 1e4), last = std::lround(to * 1e4);
-  std::vector<Trial> trials;
-  sweep(
-      static_cast<std::size_t>(last - first + 1),
-      [&](std::size_t i) {
-        return attempt(static_cast<double>(first + static_cast<long>(i)) / 1e4);
-      },
-      [&](std::size_t, const Trial &trial) { trials.push_back(trial); });
-  return trials;
+  return sweep(static_cast<std::size_t>(last - first + 1), [&](std::size_t i) {
+    return attempt(static_cast<double>(first + static_cast<long>(i)) / 1e4);
+  });
 }
 
 }  // namespace vibro_impact::figures

@@ -110,9 +110,10 @@ inline Line exit_boundary_of_mass_2() {
 // lower stop.
 inline double hold_force_peak_of_figure4a() {
   const Scene scene = paper::figure4a();
-  const MotionState seed = at_quiet_phase(scene, state_after_periods(scene, 60));
-  const MotionState orbit = orbit_near(scene, seed, 1).value();
-  return -least_pressing_force(scene, orbit, scene.stops[0]).value().value;
+  const PeriodicOrbit orbit =
+      find_periodic_orbit(scene, at_quiet_phase(scene, state_after_periods(scene, 60)));
+  if (!orbit.converged) throw std::runtime_error("no orbit of Figure 4(a): " + orbit.why_not);
+  return -least_pressing_force(scene, orbit.state, scene.stops[0]).value().value;
 }
 
 // --- Figure 5 --------------------------------------------------------------------------------
@@ -130,7 +131,7 @@ inline MotionState figure5b_at(double time) {
 
 // The time about 920 at which mass 2 turns below its stop.
 inline double nearest_time_of_figure5b() {
-  return zero([](double time) { return figure5b_at(time).velocity[1]; }, 919.6, 920.3).value;
+  return zero([](double time) { return figure5b_at(time).velocity[1]; }, 919.6, 920.3);
 }
 
 inline double nearest_gap_of_figure5b() {

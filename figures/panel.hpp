@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/paper_scenes.hpp"
-#include "vibro_impact/analysis/chatters.hpp"
+#include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {

@@ -55,8 +55,7 @@ double border_on(const Crossing &crossing, const Grid &grid) {
 
 void draw(const std::filesystem::path &output) {
   const Grid grid{paper::figure2(),
-                  {{parameter_named("omega"), 0.2, 0.8, across},
-                   {parameter_named("restitution"), 0.0, 0.98, upwards}}};
+                  {{"omega", 0.2, 0.8, across}, {"restitution", 0.0, 0.98, upwards}}};
   const RecordOptions options = record_options();
   const std::vector<OrbitRecord> records =
       sweep(grid, [&](const Scene &scene) { return record_of(scene, options); });
@@ -64,13 +63,14 @@ void draw(const std::filesystem::path &output) {
   for (std::size_t k = 0; k < records.size(); ++k) add_row(map, grid, options, k, records[k]);
   write(map, output / "atlas.csv");
   const std::vector<Crossing> crossings = crossings_of(grid, records);
+  const std::vector<double> parts =
+      sweep(crossings.size(), [&](std::size_t k) { return border_on(crossings[k], grid); });
   Table borders("mass,omega,restitution");
-  sweep(
-      crossings.size(), [&](std::size_t k) { return border_on(crossings[k], grid); },
-      [&](std::size_t k, double part) {
-        const auto &[mass, from, to] = crossings[k];
-        borders.row(mass, from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1]));
-      });
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    const auto &[mass, from, to] = crossings[k];
+    borders.row(mass, from[0] + parts[k] * (to[0] - from[0]),
+                from[1] + parts[k] * (to[1] - from[1]));
+  }
   write(borders, output / "atlas_borders.csv");
 }
 

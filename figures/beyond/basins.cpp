@@ -3,6 +3,8 @@
 //
 // basins1.csv   the stops of Figure 2 at Omega = 0.625
 // basins2.csv   Figure 5(b) just below the grazing of mass 2
+#include <fmt/format.h>
+
 #include "figures/driver.hpp"
 #include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -19,10 +21,8 @@ Grid displacements(const Scene &scene) {
   Grid grid{scene, {}};
   for (const Stop &stop : scene.stops) {
     const double away = stop.position - 1.4 * sign(stop.side);
-    grid.axes.push_back({{Parameter::Kind::displacement, stop.mass},
-                         std::min(stop.position, away),
-                         std::max(stop.position, away),
-                         count});
+    grid.axes.push_back({fmt::format("displacement{}", stop.mass), std::min(stop.position, away),
+                         std::max(stop.position, away), count});
   }
   return grid;
 }
@@ -36,11 +36,9 @@ void draw(const std::filesystem::path &output) {
        {std::pair{"basins1.csv", paper::figure3(0.625)}, std::pair{"basins2.csv", grazing}}) {
     const Grid grid = displacements(scene);
     Table table = sweep_table(grid, options);
-    sweep(
-        grid.points(), [&](std::size_t k) { return record_of(grid.scene_at(k), options); },
-        [&](std::size_t k, const OrbitRecord &record) {
-          add_row(table, grid, options, k, record);
-        });
+    const std::vector<OrbitRecord> records =
+        sweep(grid, [&](const Scene &at) { return record_of(at, options); });
+    for (std::size_t k = 0; k < records.size(); ++k) add_row(table, grid, options, k, records[k]);
     write(table, output / name);
   }
 }

@@ -11,7 +11,7 @@ namespace {
 using namespace vibro_impact;
 
 void draw(const std::filesystem::path &output) {
-  const Grid grid{extremes::long_chain(), {{{Parameter::Kind::omega}, 0.05, 0.8, 401}}};
+  const Grid grid{extremes::long_chain(), {{"omega", 0.05, 0.8, 401}}};
   const std::vector<OrbitRecord> records = sweep(grid, figures::recorded_in_figure3);
   for (const Stop &stop : grid.scene.stops)
     write(figures::impact_velocities(grid, records, stop.mass),

@@ -26,7 +26,7 @@ std::vector<double> observed(const Scene &scene) {
 }
 
 int main() {
-  const Grid grid{paper_scene(0.25), {{parameter_named("omega"), 0.25, 0.7, 19}}};
+  const Grid grid{paper_scene(0.25), {{"omega", 0.25, 0.7, 19}}};
   bool some_stick = false, some_do_not = false;
   std::printf("omega,period,sticks1,sticks2,fastest1\n");
   std::size_t point = 0;

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "files.hpp"
 #include "options.hpp"
-#include "refuse.hpp"
 
 namespace {
 

@@ -2,7 +2,6 @@
 // MPI, and without mpirun, there is one.
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 namespace vibro_impact {
@@ -24,10 +23,7 @@ class Processes {
   int size() const {
     return size_;
   }
-  // To be called by all, with one value each: returns the value of rank 0.
-  std::size_t value_of_first(std::size_t value) const;
-  // To be called by all, with one text each: returns the texts, joined in the order of the ranks,
-  // on rank 0, and nothing elsewhere.
+  // To be called by all, with one text each: returns the texts, joined in the order of the ranks.
   std::string joined(const std::string &text) const;
   // Ends the other processes, which would wait for this one, with an exit status.
   void end_others(int status) const;

@@ -1,4 +1,5 @@
-// Without MPI.
+// Without MPI. Processes that mpirun started know how many they are, by a variable of Open MPI or
+// of a starter of the PMI kind, and nothing else of each other.
 #include <cstdlib>
 
 #include "processes.hpp"
@@ -7,28 +8,22 @@ namespace vibro_impact {
 
 namespace {
 
-// The number in a variable of the environment, which Open MPI or a starter of the PMI kind has set.
-int number_in(const char *open_mpi, const char *pmi, int otherwise) {
-  for (const char *name : {open_mpi, pmi})
-    if (const char *text = std::getenv(name)) return std::atoi(text);
-  return otherwise;
+int number_in(const char *variable, int otherwise) {
+  const char *text = std::getenv(variable);
+  return text != nullptr ? std::atoi(text) : otherwise;
 }
 
 }  // namespace
 
 Processes::Processes()
-    : rank_(number_in("OMPI_COMM_WORLD_RANK", "PMI_RANK", 0)),
-      size_(number_in("OMPI_COMM_WORLD_SIZE", "PMI_SIZE", 1)) {
+    : rank_(number_in("OMPI_COMM_WORLD_RANK", number_in("PMI_RANK", 0))),
+      size_(number_in("OMPI_COMM_WORLD_SIZE", number_in("PMI_SIZE", 1))) {
 }
 
 Processes::~Processes() = default;
 
 bool Processes::with_mpi() {
   return false;
-}
-
-std::size_t Processes::value_of_first(std::size_t value) const {
-  return value;
 }
 
 std::string Processes::joined(const std::string &text) const {

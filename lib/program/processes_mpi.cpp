@@ -30,23 +30,17 @@ bool Processes::with_mpi() {
   return true;
 }
 
-std::size_t Processes::value_of_first(std::size_t value) const {
-  unsigned long long shared = value;
-  if (size_ > 1) MPI_Bcast(&shared, 1, MPI_UNSIGNED_LONG_LONG, 0, MPI_COMM_WORLD);
-  return shared;
-}
-
 std::string Processes::joined(const std::string &text) const {
   if (size_ == 1) return text;
   const int length = static_cast<int>(text.size());
   std::vector<int> lengths(static_cast<std::size_t>(size_), 0);
-  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
   std::vector<int> begins(lengths.size(), 0);
   std::exclusive_scan(lengths.begin(), lengths.end(), begins.begin(), 0);
   std::string all(static_cast<std::size_t>(begins.back() + lengths.back()), '\0');
-  MPI_Gatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), begins.data(), MPI_CHAR, 0,
-              MPI_COMM_WORLD);
-  return rank_ == 0 ? all : "";
+  MPI_Allgatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), begins.data(), MPI_CHAR,
+                 MPI_COMM_WORLD);
+  return all;
 }
 
 void Processes::end_others(int status) const {

@@ -11,13 +11,13 @@
 
 #include "files.hpp"
 #include "options.hpp"
-#include "partial_table.hpp"
 #include "progress.hpp"
-#include "refuse.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
+
+constexpr std::size_t points_per_thread = 32;  // of a block, so that the wait for the last is short
 
 // A number for this very program: rows that another build of it has computed may differ.
 std::string checksum_of_program() {
@@ -75,28 +75,27 @@ void finish(const SweepRequest &request, PartialTable &partial, std::size_t comp
 // those of the block.
 void run_sweep(const SweepRequest &request, const Processes &processes) {
   const std::size_t points = request.grid.points();
-  std::optional<PartialTable> partial;  // on rank 0
   Table rows = sweep_table(request.grid, request.records);
+  std::optional<PartialTable> partial;  // on rank 0
   if (processes.rank() == 0) partial.emplace(begin(request, rows.text));
-  const std::size_t first = processes.value_of_first(partial ? partial->rows() : 0);
+  const std::size_t first =
+      std::stoull(processes.joined(partial ? std::to_string(partial->rows()) : ""));
   const int threads = processes.size() > 1 ? 1 : available_threads();
-  const std::size_t share = block_size(points, {.threads = threads}),
-                    block = share * static_cast<std::size_t>(processes.size());
+  const auto rank = static_cast<std::size_t>(processes.rank()),
+             size = static_cast<std::size_t>(processes.size());
+  const std::size_t share = points_per_thread * static_cast<std::size_t>(threads);
   Progress progress("sweep", static_cast<double>(points), static_cast<double>(first));
-  for (std::size_t begin = first; begin < points; begin += block) {
-    const std::size_t own =
-        std::min(points, begin + share * static_cast<std::size_t>(processes.rank()));
+  for (std::size_t begin = first; begin < points; begin += share * size) {
+    const std::size_t own = std::min(points, begin + share * rank);
+    const auto compute = [&](std::size_t k) { return record_at(request, own + k); };
+    const auto records = sweep(std::min(points - own, share), compute, threads);
     rows.text.clear();
-    sweep(
-        std::min(points, own + share), [&](std::size_t point) { return record_at(request, point); },
-        [&](std::size_t point, const std::optional<OrbitRecord> &record) {
-          add_row(rows, request.grid, request.records, point, record);
-        },
-        {.threads = threads, .first = own});
+    for (std::size_t k = 0; k < records.size(); ++k)
+      add_row(rows, request.grid, request.records, own + k, records[k]);
     const std::string all = processes.joined(rows.text);
     if (!partial) continue;
     partial->add(all);
-    progress.advance(static_cast<double>(std::min(block, points - begin)));
+    progress.advance(static_cast<double>(std::min(points - begin, share * size)));
   }
   if (partial) finish(request, *partial, points - first);
 }

@@ -84,7 +84,7 @@ TEST(EventPairs, DualStickingIsTheCommonPartOfTwoPhases) {
   EXPECT_TRUE(event_pairs({event_at(stick, 1, 1.0, {1, 0}), event_at(release, 1, 2.0, {0, 0}),
                            event_at(stick, 2, 2.5, {0, 1}), event_at(release, 2, 3.0, {0, 0})})
                   .empty());
-  const std::vector<PairedEvents> expected{{EventPair::dual_sticking, 1, 2, -INFINITY, 1.0}};
+  const std::vector<PairedEvents> expected{{-INFINITY, 1.0, EventPair::dual_sticking, 1, 2}};
   EXPECT_EQ(event_pairs({event_at(release, 1, 1.0, {0, 0}), event_at(release, 2, 1.0, {0, 0})}),
             expected);
   EXPECT_EQ(event_pairs({event_at(release, 1, 1.0, {0, 1}), event_at(release, 2, 1.5, {0, 0})}),

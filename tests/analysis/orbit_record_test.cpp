@@ -12,37 +12,17 @@ namespace {
 
 using namespace vibro_impact;
 
-TEST(Record, OnlyWhatIsAskedForIsComputed) {
-  const Scene settling = paper::figure3(0.55), chaotic = paper::figure3(0.69);
-  RecordOptions plain;
-  const OrbitRecord bare = record_of(settling, plain), none = record_of(chaotic, plain);
-  EXPECT_EQ(bare.work.recorded, 0);
-  EXPECT_EQ(bare.work.with_tangents, 0);
+TEST(Record, HasOnlyWhatIsAskedFor) {
+  const Scene settling = paper::figure3(0.55);
+  const OrbitRecord bare = record_of(settling);
+  EXPECT_GT(bare.period, 0);
   EXPECT_FALSE(bare.lyapunov.has_value());
   EXPECT_TRUE(bare.impact_velocities.empty());
-  const SettledMotion motion = settle(settling, start_of(settling));
-  EXPECT_EQ(motion.counters.modal_evaluations, motion.periods_run) << "one look at every section";
-  EXPECT_EQ(none.period, 0);
-  EXPECT_EQ(none.work.recorded, plain.counted);
-  EXPECT_EQ(none.work.with_tangents, 0);
-
-  RecordOptions asked = plain;
-  asked.lyapunov = true;
-  EXPECT_EQ(record_of(settling, asked).work.with_tangents, bare.period);
-  EXPECT_EQ(record_of(settling, asked).work.recorded, 0);
-  // At least four blocks of 40 periods; a strong growth is certain long before the 1,000 allowed.
-  const long long followed = record_of(chaotic, asked).work.with_tangents;
-  EXPECT_EQ(followed % 40, 0);
-  EXPECT_GE(followed, 160);
-  EXPECT_LT(followed, 1000);
-  asked = plain;
+  EXPECT_TRUE(bare.pairs.empty());
+  RecordOptions asked;
   asked.impact_velocities = true;
   const OrbitRecord speeds = record_of(settling, asked);
-  EXPECT_EQ(speeds.work.recorded, bare.period);
-  EXPECT_TRUE(bare.pairs.empty());
-  asked = plain;
-  asked.pairs = true;
-  EXPECT_EQ(record_of(settling, asked).work.recorded, 2 * bare.period);
+  EXPECT_EQ(speeds.counts.impacts, bare.counts.impacts);
   EXPECT_EQ(speeds.impact_velocities[0].size(), static_cast<std::size_t>(bare.counts.impacts[0]));
 }
 

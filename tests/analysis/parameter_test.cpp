@@ -36,12 +36,10 @@ TEST(Parameter, NamesOneNumberOfTheSceneEach) {
   std::set<std::size_t> places;
   const std::vector<double> before = numbers_of(paper::figure2());
   for (const std::string &word : names) {
-    const Parameter parameter = parameter_named(word);
-    EXPECT_EQ(name(parameter), word);
     const Scene scene = paper::figure2();
-    EXPECT_EQ(numbers_of(with(scene, parameter, get(scene, parameter))), before) << word;
-    const Scene moved = with(scene, parameter, 0.3125);
-    EXPECT_EQ(get(moved, parameter), 0.3125) << word;
+    EXPECT_EQ(numbers_of(with(scene, word, get(scene, word))), before) << word;
+    const Scene moved = with(scene, word, 0.3125);
+    EXPECT_EQ(get(moved, word), 0.3125) << word;
     const std::vector<double> after = numbers_of(moved);
     ASSERT_EQ(after.size(), before.size());
     std::vector<std::size_t> changed;
@@ -55,10 +53,10 @@ TEST(Parameter, NamesOneNumberOfTheSceneEach) {
 
 // A stop with a restitution of its own does not follow the scene's.
 TEST(Parameter, RestitutionOfAStopIsItsOwn) {
-  const Scene own = with(paper::figure2(), parameter_named("restitution1"), 0.5);
-  const Scene both = with(own, parameter_named("restitution"), 0.25);
-  EXPECT_EQ(get(both, parameter_named("restitution1")), 0.5);
-  EXPECT_EQ(get(both, parameter_named("restitution2")), 0.25);
+  const Scene own = with(paper::figure2(), "restitution1", 0.5);
+  const Scene both = with(own, "restitution", 0.25);
+  EXPECT_EQ(get(both, "restitution1"), 0.5);
+  EXPECT_EQ(get(both, "restitution2"), 0.25);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ inline Recurrence recurrence(const Scene &scene, const MotionState &state) {
   const std::vector<double> from = coordinates(state);
   Recurrence least{0, std::numeric_limits<double>::infinity()};
   for (int n = 1; n <= 8; ++n) {
-    const MotionState end = stroboscopic_map(scene, state, n).state;
+    const MotionState end = stroboscopic_map(scene, state, n);
     const std::vector<double> to = coordinates(end);
     double distance = 0.0;
     for (std::size_t i = 0; i < from.size(); ++i)

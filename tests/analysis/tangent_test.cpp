@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/orbits/tangent.hpp"
 #include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -92,7 +93,7 @@ Values image_of(const Case &of, std::size_t row, double step) {
   MotionState at = of.at;
   const std::size_t n = at.held.size();
   (row < n ? at.displacement[row] : at.velocity[row - n]) += step;
-  return coordinates(stroboscopic_map(of.scene, at, 1).state);
+  return coordinates(stroboscopic_map(of.scene, at, 1));
 }
 
 // Central differences at h, 2 h and 4 h, with Richardson's extrapolation twice: order six. The
@@ -154,8 +155,6 @@ TEST(Tangents, DoNotDependOnWhereChatterIsCarriedToItsLimit) {
       difference = std::max(difference, std::abs(a[i] - b[i]));
     }
     EXPECT_LT(difference, tolerance * largest) << of.name;
-    EXPECT_GT(early.chatter_error, 0.0) << of.name;
-    EXPECT_LT(early.chatter_error, tolerance) << of.name;
   }
 }
 
@@ -210,7 +209,7 @@ struct BriefEvent {
 
 bool differentiable_after(const std::vector<BriefEvent> &events) {
   const Scene scene = paper::figure5a();  // stop k is that of mass k + 1
-  TangentRecorder tangents(scene, start_of(scene), Matrix(4, 1));
+  TangentRecorder tangents(scene, start_of(scene));
   Held held{0, 0};
   for (const auto &[time, kind, mass, speed] : events) {
     const auto stop = static_cast<std::size_t>(mass - 1);
@@ -219,7 +218,8 @@ bool differentiable_after(const std::vector<BriefEvent> &events) {
     const Event event{kind, stop, mass, Side::upper, instant, time, speed, -speed, 0, false, held};
     tangents.event(event, Moving(instant, time));
   }
-  return tangents.finish({0, 5.0}).differentiable;
+  tangents.finish({0, 5.0});
+  return tangents.differentiable();
 }
 
 // A mass comes to rest differentiably by a plastic impact, or after impacts at its own stop with

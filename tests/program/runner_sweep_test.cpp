@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "program/partial_table.hpp"
+#include "program/files.hpp"
 #include "reference/paper_scenes.hpp"
 #include "runner_program.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -22,9 +22,7 @@ const std::string one_thread = "export OMP_NUM_THREADS=1";
 
 // The table is that of the library, to the byte, whatever the number of threads and processes.
 TEST_F(Runner, ASweepGivesTheTableOfTheLibrary) {
-  const Grid grid{
-      paper::figure2(),
-      {{parameter_named("omega"), 0.25, 0.7, 19}, {parameter_named("restitution"), 0.3, 0.9, 4}}};
+  const Grid grid{paper::figure2(), {{"omega", 0.25, 0.7, 19}, {"restitution", 0.3, 0.9, 4}}};
   RecordOptions options;
   options.settle.longest = 100;
   options.lyapunov = options.pairs = true;

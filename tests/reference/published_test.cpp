@@ -90,7 +90,7 @@ TEST(Bar, ContactTimeFallsToTheLimitAsTheDispersedFrontSays) {
     return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
         [](double s) { return boost::math::airy_ai(-s); }, 0.0, xi);
   };
-  const double xi = zero([&](double x) { return integral(x) - 1.0 / 6.0; }, 0.0, 1.0).value,
+  const double xi = zero([&](double x) { return integral(x) - 1.0 / 6.0; }, 0.0, 1.0),
                constant = xi / (2.0 * std::cbrt(4.0)),
                limit = 2.0 / std::sqrt(elasticity / density);
   EXPECT_NEAR(constant, 0.1290, 5e-5);

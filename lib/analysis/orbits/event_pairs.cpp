@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "motion_state.hpp"
@@ -94,7 +93,7 @@ std::optional<PairedEvents> pair_of(StopContact a, StopContact b,
   if (std::pair(b.kind, b.mass) < std::pair(a.kind, a.mass)) std::swap(a, b);
   const bool a_sticks = a.kind == ContactKind::sticking, b_sticks = b.kind == ContactKind::sticking;
   const double begin = std::max(a.from, b.from), end = std::min(a.to, b.to);
-  PairedEvents pair{kind_of(a.kind, b.kind), a.mass, b.mass, begin, end};
+  PairedEvents pair{begin, end, kind_of(a.kind, b.kind), a.mass, b.mass};
   if (a_sticks && b_sticks) return end - begin > simultaneous ? std::optional(pair) : std::nullopt;
   if (begin - end > simultaneous) return std::nullopt;
   if (a_sticks || b_sticks) {
@@ -132,11 +131,7 @@ std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {
     for (auto b = a + 1; b != contacts.end(); ++b)
       if (a->mass != b->mass)
         if (const auto pair = pair_of(*a, *b, contacts)) pairs.push_back(*pair);
-  const auto key = [](const PairedEvents &pair) {
-    return std::tuple(pair.from, pair.to, pair.kind, pair.mass, pair.other);
-  };
-  std::sort(pairs.begin(), pairs.end(),
-            [&key](const PairedEvents &a, const PairedEvents &b) { return key(a) < key(b); });
+  std::sort(pairs.begin(), pairs.end());
   // A contact within the tolerance of two phases of one mass pairs with that mass once.
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;

@@ -1,11 +1,13 @@
 #include "vibro_impact/analysis/locate.hpp"
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 
 #include "simulation/for_analysis.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
@@ -22,7 +24,6 @@ void require_interval(double below, double above) {
 
 CountJump bisect(const std::function<int(double)> &count, double below, double above,
                  double width) {
-  require(static_cast<bool>(count), "count: no function given");
   require_interval(below, above);
   require(width >= 0.0, "width = ", width, ": must be non-negative");
   CountJump jump{below, above, count(below), count(above)};
@@ -42,8 +43,19 @@ CountJump bisect(const std::function<int(double)> &count, double below, double a
   return jump;
 }
 
-Located zero(const std::function<double(double)> &f, double below, double above) {
-  require(static_cast<bool>(f), "f: no function given");
+int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
+  check(scene);
+  require_mass(mass, scene.masses());
+  MotionState start = start_of(scene);
+  start.instant.cycle = settling;
+  EventRecorder recorder{time_of(start.instant, Clock(scene.omega))};
+  require_complete(simulate(scene, time_after(scene, start, periods), {}, recorder));
+  return static_cast<int>(std::count_if(
+      recorder.events.begin(), recorder.events.end(),
+      [mass](const Event &event) { return event.kind == EventKind::stick && event.mass == mass; }));
+}
+
+double zero(const std::function<double(double)> &f, double below, double above) {
   require_interval(below, above);
   const auto number = [&f](double x) {
     const double y = f(x);
@@ -58,7 +70,7 @@ Located zero(const std::function<double(double)> &f, double below, double above)
   const auto [a, b] =
       boost::math::tools::toms748_solve(number, below, above, at_below, at_above,
                                         boost::math::tools::eps_tolerance<double>(52), steps);
-  return {0.5 * (a + b), 0.5 * (b - a)};
+  return 0.5 * (a + b);
 }
 
 }  // namespace vibro_impact

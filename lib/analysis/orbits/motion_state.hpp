@@ -24,7 +24,8 @@ inline Eigen::Map<const RowMajor> view(const Matrix &matrix) {
 }
 
 inline Matrix matrix_of(const Eigen::MatrixXd &from) {
-  Matrix matrix(static_cast<std::size_t>(from.rows()), static_cast<std::size_t>(from.cols()));
+  Matrix matrix{static_cast<std::size_t>(from.rows()), static_cast<std::size_t>(from.cols()),
+                std::vector<double>(static_cast<std::size_t>(from.size()))};
   Eigen::Map<RowMajor>(matrix.values.data(), from.rows(), from.cols()) = from;
   return matrix;
 }

@@ -1,7 +1,6 @@
 #include "vibro_impact/analysis/parameter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "simulation/for_analysis.hpp"
@@ -10,101 +9,67 @@ namespace vibro_impact {
 
 namespace {
 
-using Kind = Parameter::Kind;
-
-// The word for a kind of parameter, and where its numbers stand: in the scene itself (named without
-// an index), in a vector with one entry per mass, or in the stops (named with an index).
-struct Word {
+// The numbers that stand once in a scene.
+constexpr struct {
   std::string_view word;
-  double Scene::*scalar = nullptr;
-  std::vector<double> Scene::*of_masses = nullptr;
-  bool of_stops = false;
-};
+  double Scene::*place;
+} scalars[] = {
+    {"omega", &Scene::omega}, {"beta", &Scene::beta}, {"restitution", &Scene::restitution}};
 
-// In the order of Parameter::Kind.
-constexpr std::array<Word, 9> words{{{"omega", &Scene::omega},
-                                     {"beta", &Scene::beta},
-                                     {"restitution", &Scene::restitution, nullptr, true},
-                                     {"stop", nullptr, nullptr, true},
-                                     {"amplitude", nullptr, &Scene::amplitude},
-                                     {"mass", nullptr, &Scene::mass},
-                                     {"stiffness", nullptr, &Scene::stiffness},
-                                     {"displacement", nullptr, &Scene::displacement},
-                                     {"velocity", nullptr, &Scene::velocity}}};
+// Those of which each mass has one.
+constexpr struct {
+  std::string_view word;
+  std::vector<double> Scene::*place;
+} lists[] = {{"amplitude", &Scene::amplitude},
+             {"mass", &Scene::mass},
+             {"stiffness", &Scene::stiffness},
+             {"displacement", &Scene::displacement},
+             {"velocity", &Scene::velocity}};
 
-const Word &word_of(const Parameter &parameter) {
-  const auto kind = static_cast<std::size_t>(parameter.kind);
-  require(kind < words.size(), "kind of parameter = ", static_cast<int>(parameter.kind),
-          ": there are kinds 0 to ", words.size() - 1);
-  return words[kind];
-}
-
-bool has_form(const Word &word, int index) {
-  if (index == 0) return word.scalar != nullptr;
-  return index > 0 && (word.of_masses != nullptr || word.of_stops);
-}
-
-// Entry `index` (from 1) of a vector with one entry per mass, which may have been left empty.
-double &of_mass(std::vector<double> &values, const Scene &scene, const Parameter &parameter) {
-  const auto n = static_cast<int>(scene.mass.size());
-  require(parameter.index <= n, name(parameter), ": the chain has masses 1 to ", n);
-  if (values.empty()) values.assign(scene.mass.size(), 0.0);
-  require(static_cast<int>(values.size()) == n, name(parameter), ": ", values.size(),
-          " values given, the chain has ", n, " masses");
-  return values[static_cast<std::size_t>(parameter.index - 1)];
-}
-
-Stop &stop_of(Scene &scene, const Parameter &parameter) {
-  require(parameter.index <= static_cast<int>(scene.stops.size()), name(parameter),
-          ": the scene has ", scene.stops.size(), " stops");
-  return scene.stops[static_cast<std::size_t>(parameter.index - 1)];
+// The index (from 1) that these digits write, or 0 if they are anything else.
+std::size_t index_of(std::string_view digits) {
+  std::size_t index = 0;
+  const char *end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, index);
+  return error == std::errc() && stop == end && digits.front() != '0' ? index : 0;
 }
 
 // The number itself. Where the scene leaves it out, it is written out first.
-double &value_of(Scene &scene, const Parameter &parameter) {
-  const Word &word = word_of(parameter);
-  require(
-      has_form(word, parameter.index), name(parameter), ": ",
-      parameter.index == 0 ? "needs the number of a mass, link or stop" : "no such number of it");
-  if (parameter.index == 0) return scene.*word.scalar;
-  if (word.of_masses != nullptr) return of_mass(scene.*word.of_masses, scene, parameter);
-  Stop &stop = stop_of(scene, parameter);
-  if (parameter.kind == Kind::stop) return stop.position;
+double &value_of(Scene &scene, std::string_view name) {
+  for (const auto &[word, place] : scalars)
+    if (name == word) return scene.*place;
+  const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
+  const std::string_view before = name.substr(0, letters);
+  const std::size_t index = index_of(name.substr(letters));
+  const auto require_index = [&](std::size_t count) {
+    require(index <= count, name, ": the scene has ", count, " of these numbers");
+  };
+  for (const auto &[word, place] : lists) {
+    if (index == 0 || before != word) continue;
+    std::vector<double> &values = scene.*place;
+    if (values.empty()) values.assign(scene.mass.size(), 0.0);
+    require_index(values.size());
+    return values[index - 1];
+  }
+  require(index > 0 && (before == "stop" || before == "restitution"), "parameter '", name,
+          "': must be omega, beta, restitution, or, with the number of a mass, link or stop, "
+          "restitution1, stop1, amplitude1, mass1, stiffness1, displacement1, velocity1");
+  require_index(scene.stops.size());
+  Stop &stop = scene.stops[index - 1];
+  if (before == "stop") return stop.position;
   if (!stop.restitution) stop.restitution = scene.restitution;
   return *stop.restitution;
 }
 
 }  // namespace
 
-std::string name(const Parameter &parameter) {
-  const Word &word = word_of(parameter);
-  return parameter.index == 0 ? std::string(word.word) : line(word.word, parameter.index);
-}
-
-Parameter parameter_named(std::string_view name) {
-  const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
-  int index = 0;
-  const auto [end, error] =
-      std::from_chars(name.data() + letters, name.data() + name.size(), index);
-  const bool whole =
-      letters == name.size() || (error == std::errc() && end == name.data() + name.size() &&
-                                 index > 0 && name[letters] != '0');
-  for (std::size_t kind = 0; kind < words.size(); ++kind)
-    if (whole && words[kind].word == name.substr(0, letters) && has_form(words[kind], index))
-      return {static_cast<Kind>(kind), index};
-  throw std::invalid_argument(
-      line("parameter '", name,
-           "': must be omega, beta, restitution, or, with the number of a mass, link or stop, "
-           "restitution1, stop1, amplitude1, mass1, stiffness1, displacement1, velocity1"));
-}
-
-double get(const Scene &scene, const Parameter &parameter) {
+double get(const Scene &scene, std::string_view name) {
   Scene copy = scene;
-  return value_of(copy, parameter);
+  return value_of(copy, name);
 }
 
-Scene with(Scene scene, const Parameter &parameter, double value) {
-  value_of(scene, parameter) = value;
+Scene with(Scene scene, std::string_view name, double value) {
+  value_of(scene, name) = value;
   return scene;
 }
 

@@ -7,7 +7,8 @@
 #include <limits>
 
 #include "motion_state.hpp"
-#include "vibro_impact/analysis/tangent.hpp"
+#include "tangent.hpp"
+#include "tolerances.hpp"
 
 namespace vibro_impact {
 
@@ -102,42 +103,35 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options) {
-  const double until = time_after(scene, start, periods);
-  const std::vector<std::size_t> free = free_coordinates(start.held);
-  const std::size_t n = start.held.size();
-  Matrix columns(2 * n, free.size());
-  for (std::size_t k = 0; k < free.size(); ++k) columns(free[k], k) = 1.0;
-  TangentRecorder recorder(scene, start, columns);
-  const Outcome end = simulate_from(scene, start, until, options, recorder);
-  const TangentsAtEnd at_end = recorder.finish(require_complete(end).state.instant);
-  StroboscopicImage image{end.state, Matrix(2 * n, 2 * n), at_end.differentiable,
-                          at_end.chatter_error, end.counters};
-  image.state.instant = start.instant;
-  for (std::size_t i = 0; i < 2 * n; ++i)
-    for (std::size_t k = 0; k < free.size(); ++k)
-      image.derivative(i, free[k]) = at_end.tangents(i, k);
-  return image;
+  TangentRecorder recorder(scene, start);
+  const Outcome end =
+      simulate_from(scene, start, time_after(scene, start, periods), options, recorder);
+  const Eigen::MatrixXd tangents = recorder.finish(require_complete(end).state.instant);
+  Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(tangents.rows(), tangents.rows());
+  Eigen::Index column = 0;
+  for (const std::size_t coordinate : free_coordinates(start.held))
+    derivative.col(static_cast<Eigen::Index>(coordinate)) = tangents.col(column++);
+  MotionState state = end.state;
+  state.instant = start.instant;
+  return {state, matrix_of(derivative), recorder.differentiable()};
 }
 
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options) {
   const Clock clock(scene.omega);
-  EventRecorder recorder;
-  recorder.from = -std::numeric_limits<double>::infinity();
+  EventRecorder recorder{-std::numeric_limits<double>::infinity()};
   stroboscopic_map(scene, start, 1, options, recorder);
-  std::vector<double> times;
-  for (const Event &event : recorder.events)
-    times.push_back(elapsed(start.instant, event.instant, clock));
-  // The motion need not be periodic: only intervals inside the period count.
-  times.push_back(clock.period);
   double after = 0.0, widest = 0.0, last = 0.0;
-  for (const double time : times) {
+  const auto end_interval = [&](double time) {
     if (time - last > widest) {
       widest = time - last;
       after = 0.5 * (last + time);
     }
     last = time;
-  }
+  };
+  for (const Event &event : recorder.events)
+    end_interval(elapsed(start.instant, event.instant, clock));
+  end_interval(clock.period);  // the motion need not be periodic: the period ends the last interval
   const double until = time_of(start.instant, clock) + after;
   MotionState state = require_complete(simulate_from(scene, start, until, options)).state;
   state.instant.cycle = 0;
@@ -146,7 +140,7 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options) {
   check(scene);
-  return stroboscopic_map(scene, start_of(scene), periods, options).state;
+  return stroboscopic_map(scene, start_of(scene), periods, options);
 }
 
 std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, const Held &held) {
@@ -154,7 +148,7 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
   require(derivative.rows == size && derivative.columns == size &&
               derivative.values.size() == size * size,
           "derivative: ", derivative.rows, " x ", derivative.columns,
-          " values given, the chain has ", size, " coordinates and velocities");
+          " values given, the chain has ", size, " coordinates");
   const std::vector<std::size_t> free = free_coordinates(held);
   if (free.empty()) return {};
   const Eigen::MatrixXd map = view(derivative)(free, free);
@@ -167,12 +161,9 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
 }
 
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods,
-                                  const NewtonOptions &options) {
-  require(options.max_iterations >= 0, "max_iterations = ", options.max_iterations,
-          ": must be non-negative");
-  require(options.tolerance >= 0.0, "tolerance = ", options.tolerance, ": must be non-negative");
+                                  int most_iterations) {
+  require(most_iterations >= 0, "most_iterations = ", most_iterations, ": must be non-negative");
   PeriodicOrbit orbit;
-  orbit.periods = periods;
   MotionState at = orbit.state = moved_into(scene, guess);
   double best = std::numeric_limits<double>::infinity();
   const auto ended = [&orbit](std::string why) {
@@ -191,10 +182,10 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
       orbit.multipliers = floquet_multipliers(iterate.image.derivative, at.held);
     }
     const double allowed =
-        options.tolerance * std::max(1.0, largest_component(view(coordinates(at))));
+        newton_tolerance * std::max(1.0, largest_component(view(coordinates(at))));
     orbit.converged = size <= allowed;
     if (orbit.converged) return orbit;
-    if (iteration == options.max_iterations)
+    if (iteration == most_iterations)
       return ended(line("residual = ", best, " after ", iteration, " iterations: above ", allowed));
     if (!iterate.step.allFinite())
       return ended(line("iterate ", iteration, ": a Floquet multiplier is 1, no step leads on"));
@@ -202,17 +193,6 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
     if (!admissible(scene, at))
       return ended(line("iterate ", iteration + 1, ": a mass is beyond its stop"));
   }
-}
-
-std::optional<MotionState> orbit_near(const Scene &scene, const MotionState &seed, int periods,
-                                      int settling) {
-  PeriodicOrbit orbit = find_periodic_orbit(scene, seed, periods);
-  if (!orbit.converged) {
-    const MotionState later = stroboscopic_map(scene, moved_into(scene, seed), settling).state;
-    orbit = find_periodic_orbit(scene, at_quiet_phase(scene, later), periods);
-  }
-  if (!orbit.converged) return std::nullopt;
-  return orbit.state;
 }
 
 }  // namespace vibro_impact

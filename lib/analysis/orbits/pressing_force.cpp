@@ -1,8 +1,14 @@
 #include "vibro_impact/analysis/pressing_force.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "motion_state.hpp"
+#include "tolerances.hpp"
+#include "vibro_impact/analysis/locate.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
@@ -26,6 +32,96 @@ MotionState resting(const Scene &scene, const Stop &stop, MotionState state) {
   return state;
 }
 
+// The force depends linearly on the displacements and velocities of the neighbours: its derivative
+// is the same function of their velocities and accelerations. The mass and its stop stand.
+double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &state) {
+  const MotionState rest = resting(scene, stop, state);
+  const std::size_t p = index_of(stop);
+  const std::vector<double> a = acceleration(scene, rest);
+  const double links = link_force(scene, p, 0.0, of(rest.velocity));
+  const double dampers = scene.beta * link_force(scene, p, 0.0, of(a));
+  const double forcing =
+      -amplitude_on(scene, p) * scene.omega * std::sin(scene.omega * rest.instant.phase);
+  return sign(stop.side) * (links + dampers + forcing);
+}
+
+// A function of the state where it is defined, and its time derivative.
+struct Quantity {
+  std::function<bool(const MotionState &)> defined;
+  std::function<double(const MotionState &)> value, rate;
+};
+
+// A time without events in which the quantity falls at first and rises at the end.
+struct Bracket {
+  MotionState start;
+  double length, rate_at_end;
+};
+
+// Finds the brackets between neighbouring nodes: the events, with the motion before and after each,
+// and uniform times that are close enough for the fastest mode.
+struct BracketRecorder {
+  const Scene &scene;
+  const Quantity &quantity;
+  Held held;
+  double from, to, every;
+  std::size_t taken = 0;
+  std::optional<MotionState> falling = {};
+  std::vector<Bracket> brackets = {};
+
+  double next_time() const {
+    return sample_time(from, to, every, taken);
+  }
+  void sample(const Moment &moment) {
+    ++taken;
+    const MotionState state = state_at(moment, held);
+    node(state, state);
+  }
+  void event(const Event &event, const Moment &moment) {
+    MotionState before = state_at(moment, held);
+    if (event.kind == EventKind::impact)
+      before.velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
+    held = event.held;
+    node(before, state_at(moment, held));
+  }
+  void node(const MotionState &before, const MotionState &after) {
+    if (falling && quantity.rate(before) > 0.0) {
+      const double length = elapsed(falling->instant, before.instant, Clock(scene.omega));
+      brackets.push_back({*falling, length, quantity.rate(before)});
+    }
+    falling.reset();
+    if (quantity.defined(after) && quantity.rate(after) < 0.0) falling = after;
+  }
+};
+
+// The motion a time after the start of a bracket.
+MotionState moved(const Scene &scene, const MotionState &start, double time) {
+  const double until = time_of(start.instant, Clock(scene.omega)) + time;
+  return require_complete(simulate_from(scene, start, until)).state;
+}
+
+std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
+                                        const Quantity &quantity) {
+  start.instant.cycle = 0;  // times are then exact phases; the motion is the same in all periods
+  const double from = start.instant.phase, period = Clock(scene.omega).period;
+  const double every = std::min(period / fewest_nodes, node_distance / rate_of(scene));
+  require(period <= most_nodes * every, "rate = ", rate_of(scene),
+          ": too fast to look at a whole forcing period of ", period);
+  BracketRecorder nodes{scene, quantity, start.held, from, from + period, every};
+  stroboscopic_map(scene, start, 1, {}, nodes);
+  std::optional<LeastValue> least;
+  for (const Bracket &bracket : nodes.brackets) {
+    const auto rate = [&](double time) {
+      if (time <= 0.0) return quantity.rate(bracket.start);
+      if (time >= bracket.length) return bracket.rate_at_end;
+      return quantity.rate(moved(scene, bracket.start, time));
+    };
+    MotionState lowest = moved(scene, bracket.start, zero(rate, 0.0, bracket.length));
+    const double value = quantity.value(lowest);
+    if (!least || value < least->value) least = {value, std::move(lowest)};
+  }
+  return least;
+}
+
 }  // namespace
 
 std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
@@ -46,17 +142,26 @@ double pressing_force(const Scene &scene, const Stop &stop, const MotionState &s
                                     std::cos(scene.omega * rest.instant.phase));
 }
 
-// The force depends linearly on the displacements and velocities of the neighbours: its derivative
-// is the same function of their velocities and accelerations. The mass and its stop stand.
-double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &state) {
-  const MotionState rest = resting(scene, stop, state);
+std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionState &start,
+                                               const Stop &stop) {
+  require_stop(scene, stop);
+  return least_minimum(
+      scene, start,
+      {[&](const MotionState &at) { return holds(stop, at.held); },
+       [&](const MotionState &at) { return pressing_force(scene, stop, at); },
+       [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
+}
+
+std::optional<LeastValue> least_gap(const Scene &scene, const MotionState &start,
+                                    const Stop &stop) {
+  require_stop(scene, stop);
+  const double sigma = sign(stop.side);
   const std::size_t p = index_of(stop);
-  const std::vector<double> a = acceleration(scene, rest);
-  const double links = link_force(scene, p, 0.0, of(rest.velocity));
-  const double dampers = scene.beta * link_force(scene, p, 0.0, of(a));
-  const double forcing =
-      -amplitude_on(scene, p) * scene.omega * std::sin(scene.omega * rest.instant.phase);
-  return sign(stop.side) * (links + dampers + forcing);
+  return least_minimum(
+      scene, start,
+      {[p](const MotionState &at) { return at.held[p] == 0; },
+       [&](const MotionState &at) { return sigma * (stop.position - at.displacement[p]); },
+       [&](const MotionState &at) { return -sigma * at.velocity[p]; }});
 }
 
 }  // namespace vibro_impact

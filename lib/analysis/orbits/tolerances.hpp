@@ -8,6 +8,8 @@ namespace vibro_impact {
 
 constexpr std::size_t most_tangent_nodes = 10;  // of the extrapolation of tangents
 
+constexpr double newton_tolerance = 1e-13;  // of the fixed point of a map, relative to the state
+
 constexpr double fewest_nodes = 64.0;    // in a forcing period, where a minimum is looked for
 constexpr double node_distance = 0.125;  // time between them, in units of 1 / rate_of(scene)
 constexpr double most_nodes = 1e8;       // in a forcing period
@@ -16,15 +18,18 @@ constexpr double simultaneous = 1e-6;  // time between events of a pair
 constexpr double slow_contact = 1e-6;  // speed of a contact that may be grazing
 constexpr double pulled_off = 1e-9;    // force on it
 
-constexpr double repeats = 1e-12;        // distance of two sections, in the state
-constexpr double same_section = 10.0;    // distance, in tolerances of what is still to come
-constexpr double not_decided = 1e4;      // likewise
-constexpr double sections_apart = 1e-6;  // distance of two sections of one orbit
+constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
+constexpr int most_periods_of_orbit = 8;         // forcing periods
+constexpr double settle_tolerance = 1e-10;       // what is still to come, non-dimensional
+constexpr double repeats = 1e-12;                // distance of two sections, in the state
+constexpr double same_section = 10.0;            // distance, in tolerances of what is still to come
+constexpr double not_decided = 1e4;              // likewise
 
 constexpr int rescaled_after = 8;        // forcing periods
 constexpr int block_length = 40;         // forcing periods
 constexpr std::size_t least_blocks = 4;  // of a mean growth
 constexpr double least_ratio = 4.0;      // of the mean to its standard error
+constexpr int periods_counted = 40;      // forcing periods, of a motion that has not settled
 constexpr int most_averaged = 1000;      // forcing periods
 
 }  // namespace vibro_impact

@@ -46,14 +46,14 @@ Growth mean_growth(const Scene &scene, const MotionState &start, int longest,
     const double length = perturbation.stableNorm();  // neither overflows nor underflows
     state = image.state;
     done += periods;
-    if (length == 0.0) return {-std::numeric_limits<double>::infinity(), true, done};
+    if (length == 0.0) return {-std::numeric_limits<double>::infinity(), true};
     perturbation /= length;
     logarithm += std::log(length);
     if (done % block_length != 0) continue;
     blocks.push_back((logarithm - before_block) / block_length);
     before_block = logarithm;
   }
-  return {logarithm / (done * Clock(scene.omega).period), is_certain(blocks), done};
+  return {logarithm / (done * Clock(scene.omega).period), is_certain(blocks)};
 }
 
 }  // namespace vibro_impact

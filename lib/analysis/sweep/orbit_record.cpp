@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "analysis/orbits/tolerances.hpp"
-#include "event_counts.hpp"
 #include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/lyapunov.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
@@ -21,18 +20,16 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                until = time_after(scene, motion.state, periods);
   RunOptions run = options.settle.run;
   EventRecorder events{begin};
-  std::vector<ImpactSpeedRecorder> speeds;
-  std::vector<RecorderRef> recorders{recorder_ref(events)};
-  if (options.impact_velocities) {
+  if (options.impact_velocities)
     run.resolve_chatter = std::min(run.resolve_chatter, options.slowest);
-    for (int mass = 1; mass <= scene.masses(); ++mass) speeds.push_back({mass, begin});
-    for (ImpactSpeedRecorder &speed : speeds) recorders.push_back(recorder_ref(speed));
-  }
-  require_complete(resume_seen(scene, motion.resume, until, run, recorders));
-  record.work.recorded += periods;
+  require_complete(resume(scene, motion.resume, until, run, events));
   record.counts = counts_of(scene, events.events, periods, motion.state.held);
-  for (ImpactSpeedRecorder &speed : speeds)
-    record.impact_velocities.push_back(std::move(speed.velocities));
+  if (!options.impact_velocities) return;
+  record.impact_velocities.resize(scene.mass.size());
+  for (const Event &event : events.events)
+    if (event.kind == EventKind::impact)
+      record.impact_velocities[static_cast<std::size_t>(event.mass - 1)].push_back(
+          event.velocity_before);
 }
 
 // The exponent, or nullopt where its sign is not certain.
@@ -41,7 +38,6 @@ std::optional<double> exponent_of(const Scene &scene, const RecordOptions &optio
   const RunOptions &run = options.settle.run;
   const MotionState start = at_quiet_phase(scene, record.state, run);
   if (record.period > 0) {
-    record.work.with_tangents += record.period;
     const StroboscopicImage image =
         stroboscopic_map_and_derivative(scene, start, record.period, run);
     const auto multipliers = floquet_multipliers(image.derivative, start.held);
@@ -49,15 +45,13 @@ std::optional<double> exponent_of(const Scene &scene, const RecordOptions &optio
            (record.period * Clock(scene.omega).period);
   }
   const Growth growth = mean_growth(scene, start, most_averaged, run);
-  record.work.with_tangents += growth.periods;
   if (!growth.sign_is_certain) return std::nullopt;
   return growth.exponent;
 }
 
 std::vector<EventPair> pairs_of(const Scene &scene, const RecordOptions &options,
                                 OrbitRecord &record) {
-  const int periods = 2 * (record.period > 0 ? record.period : options.counted);
-  record.work.recorded += periods;
+  const int periods = 2 * (record.period > 0 ? record.period : periods_counted);
   PressedEventRecorder recorder{scene};
   stroboscopic_map(scene, record.state, periods, options.settle.run, recorder);
   const std::vector<PairedEvents> pairs = event_pairs(recorder.events);
@@ -71,15 +65,12 @@ std::vector<EventPair> pairs_of(const Scene &scene, const RecordOptions &options
 }  // namespace
 
 OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
-  require(options.counted >= 1 && options.counted <= most_periods_run,
-          "counted = ", options.counted, ": must lie from 1 to ", most_periods_run);
   require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
   SettledMotion motion = settle(scene, start, options.settle);
   OrbitRecord record;
   record.period = motion.period;
-  record.work.settling = motion.periods_run;
   if (motion.period == 0 || options.impact_velocities)
-    record_on(scene, motion, motion.period > 0 ? motion.period : options.counted, options, record);
+    record_on(scene, motion, motion.period > 0 ? motion.period : periods_counted, options, record);
   else
     record.counts = std::move(motion.counts);
   record.state = std::move(motion.state);

@@ -59,7 +59,7 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
 
 Table sweep_table(const Grid &grid, const RecordOptions &options) {
   std::string header;
-  for (const Axis &axis : grid.axes) header += name(axis.parameter) + ",";
+  for (const Axis &axis : grid.axes) header += axis.parameter + ",";
   for (const Column &column : record_columns(grid.scene.masses(), options))
     header += column.name + ",";
   header.pop_back();

@@ -7,7 +7,6 @@
 
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/tolerances.hpp"
-#include "event_counts.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 #include "vibro_impact/analysis/pressing_force.hpp"
 
@@ -15,39 +14,49 @@ namespace vibro_impact {
 
 namespace {
 
-constexpr int largest_period = 10'000;  // the states of so many periods are kept
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The distances d_n of sections p periods apart, for one p. Infinite: not known yet.
-struct Contraction {
-  std::vector<double> distances = {};  // the latest p, by section modulo p
-  std::vector<double> ratios = {};     // the latest d_n / d_(n-p), likewise
-  double to_come = infinity;           // the estimate of settle.hpp
+bool rebounds(const Scene &scene, std::size_t stop) {
+  return law_of(scene, scene.stops[stop]).at_rest() > 0.0;
+}
 
-  explicit Contraction(std::size_t p) : distances(p, infinity), ratios(p, infinity) {
+bool dual_sticking(const Held &held) {
+  return std::count_if(held.begin(), held.end(), [](signed char h) { return h != 0; }) > 1;
+}
+
+// Leaves out the impacts of complete chatters: those before a stick at the same stop, each slower
+// than the one before. The events repeat, so that a chatter under way at their end goes on at their
+// beginning.
+std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events) {
+  std::vector<Event> twice = events;
+  twice.insert(twice.end(), events.begin(), events.end());
+  std::vector<bool> left_out(twice.size(), false);
+  for (std::size_t k = 0; k < twice.size(); ++k) {
+    const Event &stick = twice[k];
+    if (stick.kind != EventKind::stick || !rebounds(scene, stick.stop)) continue;
+    for (std::size_t j = k; j-- > 0;) {
+      const Event &before = twice[j];
+      if (before.mass != stick.mass) continue;
+      if (before.kind != EventKind::impact || before.stop != stick.stop) break;
+      left_out[j] = true;
+      if (before.falling == 0) break;
+    }
   }
-  // Distances below `floor` cannot be told from zero.
-  void add(std::size_t section, double distance, double floor) {
-    double &before = distances[section % distances.size()];
-    double &ratio = ratios[section % distances.size()];
-    if (before > floor && before < infinity)
-      ratio = distance / before;
-    else if (distance > floor || before == infinity)
-      ratio = infinity;
-    else if (ratio == infinity)  // both distances are below the floor
-      ratio = 0.0;
-    // A single small ratio may be chance: the estimate is no less than a distance above the floor.
-    const double least = distance > floor ? 1.0 : 0.0;
-    to_come = ratio < 1.0 ? distance * std::max(ratio / (1.0 - ratio), least) : infinity;
-    before = distance;
-  }
+  std::vector<Event> kept;
+  for (std::size_t k = 0; k < events.size(); ++k)
+    if (!left_out[k]) kept.push_back(events[k]);
+  return kept;
+}
+
+// How the distances d_n of sections p periods apart fall, for one p. Infinite: not known yet.
+struct Contraction {
+  std::vector<double> ratios;  // the latest p of d_n / d_(n-p), by section modulo p
+  double to_come = infinity;   // the estimate of settle.hpp
 };
 
 // The state at a section, and the events of the period before it.
 struct Section {
-  std::vector<double> z = {};  // displacements, velocities
-  Held held = {};
+  MotionState state = {};
   std::vector<Event> events = {};
 };
 
@@ -57,15 +66,16 @@ class Sections {
   Sections(const Scene &scene, const MotionState &start, const SettleOptions &options)
       : scene_(scene), options_(options), clock_(scene.omega), first_(start.instant) {
     held_ = start.held;
-    rest_.assign(2 * scene.mass.size(), 0.0);
-    for (int p = 1; p <= options.most; ++p) contractions_.emplace_back(static_cast<std::size_t>(p));
-    sections_.resize(2 * static_cast<std::size_t>(options.most) + 1);
+    rest_.displacement = rest_.velocity = std::vector<double>(scene.mass.size(), 0.0);
+    for (std::size_t p = 1; p <= most_periods_of_orbit; ++p)
+      contractions_.push_back({std::vector<double>(p, infinity)});
+    sections_.resize(2 * most_periods_of_orbit + 1);
     for (std::size_t i = 0; i < scene.mass.size(); ++i) {
       const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
                    squared = (scene.stiffness[i] + right) / scene.mass[i];
       frequency_.push_back(squared > 0.0 ? std::sqrt(squared) : 1.0);  // a ball on no spring
     }
-    enter(coordinates(start));
+    enter(start);
   }
 
   void event(const Event &event, const Moment &) {
@@ -80,10 +90,10 @@ class Sections {
   void sample(const Moment &moment) {
     MotionState at = state_at(moment, held_);
     bring_to_section(at);
-    enter(coordinates(at));
-    const double scale = amplitude(latest(0).z, rest_);
-    for (int p = 1; p <= options_.most && p < taken_; ++p)
-      contractions_[index(p - 1)].add(index(taken_), distance(p), repeats * scale);
+    at.instant = section_at(taken_);
+    enter(std::move(at));
+    const double scale = amplitude(latest(0).state, rest_);
+    for (int p = 1; p <= most_periods_of_orbit && p < taken_; ++p) compare(p, repeats * scale);
     judge();
   }
 
@@ -92,14 +102,11 @@ class Sections {
   }
 
   void tell(SettledMotion &motion) const {
-    const std::size_t n = scene_.mass.size();
-    const Section &now = latest(0);
     motion.period = period_;
     motion.periods_run = taken_ - 1;
-    const auto middle = now.z.begin() + static_cast<std::ptrdiff_t>(n);
-    motion.state = {
-        section_at(taken_ - 1), {now.z.begin(), middle}, {middle, now.z.end()}, now.held};
-    if (period_ > 0) motion.counts = counts_of(scene_, events_of(period_, 0), period_, now.held);
+    motion.state = latest(0).state;
+    if (period_ > 0)
+      motion.counts = counts_of(scene_, events_of(period_, 0), period_, motion.state.held);
   }
 
  private:
@@ -110,7 +117,7 @@ class Sections {
   int taken_ = 0;  // sections entered, that of the start included
   int period_ = 0;
   Held held_;
-  std::vector<double> rest_;            // all coordinates zero
+  MotionState rest_;                    // all coordinates zero
   std::vector<double> frequency_ = {};  // of each mass between neighbours that stand still
   std::vector<Event> events_ = {};      // since the latest section
   std::vector<Section> sections_ = {};  // the latest, by number modulo their size
@@ -127,10 +134,9 @@ class Sections {
     return sections_[index(taken_ - 1 - back) % sections_.size()];
   }
 
-  void enter(std::vector<double> z) {
+  void enter(MotionState state) {
     Section &section = sections_[index(taken_++) % sections_.size()];
-    section.z = std::move(z);
-    section.held = held_;
+    section.state = std::move(state);
     std::swap(section.events, events_);
     events_.clear();
   }
@@ -150,19 +156,36 @@ class Sections {
 
   // The amplitude of the vibration of which the difference of two states is one phase: that of the
   // mass with the largest, in displacement or velocity, whichever is larger.
-  double amplitude(const std::vector<double> &a, const std::vector<double> &b) const {
-    const std::size_t n = frequency_.size();
+  double amplitude(const MotionState &a, const MotionState &b) const {
     double largest = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double w = frequency_[i], x = a[i] - b[i], v = a[n + i] - b[n + i];
+    for (std::size_t i = 0; i < frequency_.size(); ++i) {
+      const double w = frequency_[i], x = a.displacement[i] - b.displacement[i],
+                   v = a.velocity[i] - b.velocity[i];
       largest = std::max(largest, std::max(1.0, 1.0 / w) * std::hypot(w * x, v));
     }
     return largest;
   }
 
-  // The distance of the latest section and that p periods before.
-  double distance(int p) const {
-    return amplitude(latest(0).z, latest(p).z);
+  // The distance of the sections some periods ago.
+  double distance(int back, int further_back) const {
+    return amplitude(latest(back).state, latest(further_back).state);
+  }
+
+  // Compares the latest section with that p periods before. Distances below `floor` cannot be told
+  // from zero.
+  void compare(int p, double floor) {
+    Contraction &contraction = contractions_[index(p - 1)];
+    const double now = distance(0, p), before = 2 * p < taken_ ? distance(p, 2 * p) : infinity;
+    double &ratio = contraction.ratios[index(taken_ % p)];
+    if (before > floor && before < infinity)
+      ratio = now / before;
+    else if (now > floor || before == infinity)
+      ratio = infinity;
+    else if (ratio == infinity)  // both distances are below the floor
+      ratio = 0.0;
+    // A single small ratio may be chance: the estimate is no less than a distance above the floor.
+    const double least = now > floor ? 1.0 : 0.0;
+    contraction.to_come = ratio < 1.0 ? now * std::max(ratio / (1.0 - ratio), least) : infinity;
   }
 
   // The events of the p periods that ended `back` periods ago.
@@ -186,18 +209,18 @@ class Sections {
   }
 
   void judge() {
-    for (int p = 1; p <= options_.most && 2 * p < taken_; ++p) {
-      if (!(contractions_[index(p - 1)].to_come <= options_.tolerance) || !same_events(p)) continue;
+    for (int p = 1; p <= most_periods_of_orbit && 2 * p < taken_; ++p) {
+      if (!(contractions_[index(p - 1)].to_come <= settle_tolerance) || !same_events(p)) continue;
       // A motion of period q, a divisor of p, has settled after p periods, too.
       for (int q = 1; q < p; ++q) {
         if (p % q != 0) continue;
-        const double apart = distance(q);
-        if (apart <= same_section * options_.tolerance && same_events(q)) {
+        const double apart = distance(0, q);
+        if (apart <= same_section * settle_tolerance && same_events(q)) {
           period_ = q;
           return;
         }
         // The sections of one orbit are so near each other at a period doubling alone.
-        if (apart <= not_decided * options_.tolerance) return;
+        if (apart <= not_decided * settle_tolerance) return;
       }
       period_ = p;
       return;
@@ -207,22 +230,29 @@ class Sections {
 
 }  // namespace
 
+EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
+                      const Held &held) {
+  const std::vector<int> none(scene.mass.size(), 0);
+  EventCounts counts{periods, none, none, dual_sticking(held)};
+  for (const Event &event : without_chatters(scene, events)) {
+    const auto mass = static_cast<std::size_t>(event.mass - 1);
+    if (event.kind == EventKind::impact) ++counts.impacts[mass];
+    if (event.kind == EventKind::stick) ++counts.sticks[mass];
+    counts.dual_sticking = counts.dual_sticking || dual_sticking(event.held);
+  }
+  return counts;
+}
+
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
   require(options.longest >= 1 && options.longest <= most_periods_run,
           "longest = ", options.longest, ": must lie from 1 to ", most_periods_run);
-  require(options.most >= 1 && options.most <= largest_period, "most = ", options.most,
-          ": must lie from 1 to ", largest_period);
-  require(options.tolerance > 0.0, "tolerance = ", options.tolerance, ": must be positive");
-  require(std::abs(static_cast<double>(start.instant.cycle)) <= 0x1p53, "a start in period ",
-          start.instant.cycle, ": beyond what can be counted");
   check(scene);
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
-  const Outcome end = simulate_from(scene, start, until, options.run, sections);
   SettledMotion motion;
+  motion.resume =
+      require_complete(simulate_from(scene, start, until, options.run, sections)).resume;
   sections.tell(motion);
-  motion.resume = require_complete(end).resume;
-  motion.counters = end.counters;
   return motion;
 }
 

@@ -4,7 +4,11 @@
 #include <omp.h>
 #endif
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <exception>
+#include <utility>
 
 #include "simulation/for_analysis.hpp"
 
@@ -13,11 +17,7 @@ namespace vibro_impact {
 namespace {
 
 constexpr int most_threads = 1024;
-constexpr std::size_t points_per_thread = 32;  // of a block
-
-int threads_of(int asked) {
-  return asked > 0 ? asked : available_threads();
-}
+constexpr std::size_t most_points = std::size_t{1} << 53;  // exact as a double, too
 
 }  // namespace
 
@@ -29,19 +29,15 @@ int available_threads() {
 #endif
 }
 
-std::size_t block_size(std::size_t points, const SweepOptions &options) {
-  require(options.threads >= 0 && options.threads <= most_threads, "threads = ", options.threads,
-          ": must lie from 0 to ", most_threads);
-  require(options.first <= points, "first = ", options.first, ": there are ", points, " points");
-  return points_per_thread * static_cast<std::size_t>(threads_of(options.threads));
-}
-
-std::exception_ptr compute_block(std::size_t begin, std::size_t end, [[maybe_unused]] int threads,
-                                 const std::function<void(std::size_t point)> &compute) {
+void compute_points(std::size_t points, int threads,
+                    const std::function<void(std::size_t point)> &compute) {
+  require(threads >= 0 && threads <= most_threads, "threads = ", threads, ": must lie from 0 to ",
+          most_threads);
+  [[maybe_unused]] const int used = threads > 0 ? threads : available_threads();
   std::exception_ptr failure;
-  std::atomic<std::size_t> failed_point = end;  // the first point that failed
-#pragma omp parallel for schedule(dynamic) num_threads(threads_of(threads))
-  for (std::size_t point = begin; point < end; ++point) {
+  std::atomic<std::size_t> failed_point = points;  // the first point that failed
+#pragma omp parallel for schedule(dynamic) num_threads(used)
+  for (std::size_t point = 0; point < points; ++point) {
     if (point > failed_point) continue;
     try {
       compute(point);
@@ -53,7 +49,66 @@ std::exception_ptr compute_block(std::size_t begin, std::size_t end, [[maybe_unu
       }
     }
   }
-  return failure;
+  if (failure) std::rethrow_exception(failure);
+}
+
+double Axis::value(std::size_t k) const {
+  require(k < count, "value ", k, " of ", parameter, ": there are ", count);
+  if (count < 2) return from;
+  return std::lerp(from, to, static_cast<double>(k) / static_cast<double>(count - 1));
+}
+
+std::size_t Grid::points() const {
+  std::size_t product = 1;
+  for (const Axis &axis : axes) {
+    require(axis.count >= 1, axis.parameter, ": ", axis.count, " values; there must be at least 1");
+    require(product <= most_points / axis.count, axis.parameter, ": ", axis.count,
+            " values: more points than can be counted");
+    product *= axis.count;
+  }
+  return product;
+}
+
+std::vector<double> Grid::values(std::size_t point) const {
+  require(point < points(), "point ", point, ": the grid has ", points());
+  std::vector<double> found(axes.size());
+  for (std::size_t k = axes.size(); k-- > 0; point /= axes[k].count)
+    found[k] = axes[k].value(point % axes[k].count);
+  return found;
+}
+
+Scene Grid::scene_at(std::size_t point) const {
+  Scene at = scene;
+  const std::vector<double> there = values(point);
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    at = with(std::move(at), axes[k].parameter, there[k]);
+  return at;
+}
+
+void check(const Grid &grid) {
+  grid.points();
+  for (std::size_t k = 0; k < grid.axes.size(); ++k) {
+    const Axis &axis = grid.axes[k];
+    const std::string &what = axis.parameter;
+    get(grid.scene, axis.parameter);
+    require(std::isfinite(axis.from) && std::isfinite(axis.to), what, " from ", axis.from, " to ",
+            axis.to, ": must be finite");
+    for (std::size_t j = 0; j < k; ++j)
+      require(!(grid.axes[j].parameter == axis.parameter), what, ": given twice");
+  }
+  // What a scene must fulfil are bounds that are linear in its scalars: if they hold in the corners
+  // of the grid, they hold everywhere.
+  require(grid.axes.size() < 20, grid.axes.size(), " axes: at most 19");
+  for (std::size_t corner = 0; corner < std::size_t{1} << grid.axes.size(); ++corner) {
+    Scene scene = grid.scene;
+    for (std::size_t k = 0; k < grid.axes.size(); ++k) {
+      const Axis &axis = grid.axes[k];
+      const std::size_t end = (corner >> k) % 2 == 0 ? 0 : axis.count - 1;
+      scene = with(std::move(scene), axis.parameter, axis.value(end));
+    }
+    check(scene);
+    require(scene.omega > 0.0, "omega = ", scene.omega, ": a sweep needs a forcing period");
+  }
 }
 
 }  // namespace vibro_impact

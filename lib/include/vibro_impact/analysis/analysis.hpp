@@ -1,12 +1,10 @@
 // All headers of the analysis: what is asked of many runs. vibro_impact.hpp has the simulation.
 #pragma once
 
-#include "chatters.hpp"
 #include "event_pairs.hpp"
 #include "locate.hpp"
 #include "lyapunov.hpp"
 #include "matrix.hpp"
-#include "minima.hpp"
 #include "natural_modes.hpp"
 #include "orbit_record.hpp"
 #include "parameter.hpp"
@@ -14,4 +12,3 @@
 #include "pressing_force.hpp"
 #include "settle.hpp"
 #include "sweep.hpp"
-#include "tangent.hpp"

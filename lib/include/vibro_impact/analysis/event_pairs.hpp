@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <vector>
 
 #include "vibro_impact/record.hpp"
@@ -57,10 +58,10 @@ struct PressedEventRecorder {
 // `to` are the bounds of the common sticking phase (DS), the time of the contact (GS, SI) or the
 // two times of contact in order (DG, DI, GI). A bound that the record does not contain is infinite.
 struct PairedEvents {
+  double from = 0.0, to = 0.0;
   EventPair kind = EventPair::double_impact;
   int mass = 1, other = 2;
-  double from = 0.0, to = 0.0;
-  friend bool operator==(const PairedEvents &, const PairedEvents &) = default;
+  friend auto operator<=>(const PairedEvents &, const PairedEvents &) = default;
 };
 
 // The pairs among `events`, for every two masses of the chain, in order of time. The events must be

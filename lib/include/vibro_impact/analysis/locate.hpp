@@ -1,14 +1,12 @@
-// Locating a parameter value: where a count of events changes, and where a smooth function is zero.
+// Locating a parameter value: where a count of events changes, such as that of sticking phases, and
+// where a smooth function is zero.
 #pragma once
 
 #include <functional>
 
-namespace vibro_impact {
+#include "vibro_impact/scene.hpp"
 
-// A located parameter value and its estimated absolute error.
-struct Located {
-  double value = 0.0, error = 0.0;
-};
+namespace vibro_impact {
 
 // Two parameter values and their counts, which differ.
 struct CountJump {
@@ -22,8 +20,14 @@ struct CountJump {
 CountJump bisect(const std::function<int(double)> &count, double below, double above,
                  double width = 0.0);
 
+// The number of sticking phases of `mass` (from 1) that begin within `periods` forcing periods,
+// after `settling` periods, of the motion from the scene's own initial state. Throws
+// std::invalid_argument for a bad scene, mass or number of periods, and std::runtime_error when the
+// run is given up.
+int sticking_phases(const Scene &scene, int mass, int settling, int periods);
+
 // The zero of f in [below, above], where it changes sign (TOMS 748). Throws std::invalid_argument
 // when f does not change sign, or is not a number.
-Located zero(const std::function<double(double)> &f, double below, double above);
+double zero(const std::function<double(double)> &f, double below, double above);
 
 }  // namespace vibro_impact

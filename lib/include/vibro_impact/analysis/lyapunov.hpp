@@ -12,7 +12,6 @@ namespace vibro_impact {
 struct Growth {
   double exponent = 0.0;  // ln of the growth over the time followed
   bool sign_is_certain = false;
-  long long periods = 0;  // forcing periods followed
 };
 
 // The mean growth of one perturbation of the state over whole forcing periods, by the derivative of

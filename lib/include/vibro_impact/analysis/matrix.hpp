@@ -8,12 +8,8 @@ namespace vibro_impact {
 
 struct Matrix {
   std::size_t rows = 0, columns = 0;
-  std::vector<double> values = {};  // row by row
+  std::vector<double> values = {};  // rows x columns, row by row
 
-  Matrix() = default;
-  Matrix(std::size_t rows_of_it, std::size_t columns_of_it)
-      : rows(rows_of_it), columns(columns_of_it), values(rows_of_it * columns_of_it, 0.0) {
-  }
   double &operator()(std::size_t row, std::size_t column) {
     return values[row * columns + column];
   }

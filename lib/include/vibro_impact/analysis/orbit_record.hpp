@@ -12,23 +12,15 @@ namespace vibro_impact {
 
 struct RecordOptions {
   SettleOptions settle;
-  int counted = 40;       // forcing periods recorded of a motion that has not settled, >= 1
-  bool lyapunov = false;  // greatest Lyapunov exponent
-  bool pairs = false;     // the pairs of events of Table I that occur
+  bool lyapunov = false;           // greatest Lyapunov exponent
+  bool pairs = false;              // the pairs of events of Table I that occur
   bool impact_velocities = false;  // every impact faster than `slowest`
   double slowest = 1e-4;           // >= 0
 };
 
-// The forcing periods integrated, as counts of work.
-struct RecordWork {
-  long long settling = 0;       // until the motion has settled, or to the full length
-  long long recorded = 0;       // for counts, velocities and pairs after that
-  long long with_tangents = 0;  // followed with tangents
-};
-
 struct OrbitRecord {
   int period = 0;                  // forcing periods; 0: the motion has not settled
-  EventCounts counts;              // over one period, or RecordOptions::counted forcing periods
+  EventCounts counts;              // over one period, or 40 of a motion that has not settled
   std::optional<double> lyapunov;  // if asked for, and its sign is certain
   std::vector<EventPair> pairs;    // if asked for; each once, in the order of Table I
   // If asked for: per mass, in the order of time, the velocities just before the impacts over the
@@ -36,7 +28,6 @@ struct OrbitRecord {
   std::vector<std::vector<double>> impact_velocities;
   MotionState state;  // where the motion settled, or stood after SettleOptions::longest: at the
                       // phase of the start, with cycle count zero
-  RecordWork work;
 };
 
 // The record of the motion from `start`, or from the initial state of the scene. The Lyapunov

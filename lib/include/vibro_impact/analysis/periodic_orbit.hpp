@@ -10,7 +10,6 @@
 #pragma once
 
 #include <complex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,24 +28,25 @@ std::vector<double> coordinates(const MotionState &motion);
 // without a forcing period and for periods < 1.
 double time_after(const Scene &scene, const MotionState &start, int periods);
 
-struct StroboscopicImage {
-  MotionState state;  // n periods later; the period has the number that it had at the start
-  Matrix derivative;  // 2N x 2N; rows and columns of held masses are zero
-  bool differentiable = true;  // see TangentsAtEnd
-  double chatter_error = 0.0;  // see TangentsAtEnd
-  Counters counters;
-};
-
-// The state `periods` forcing periods after `start`. `recorders` see the run.
+// The state `periods` forcing periods after `start`; the period has the number that it had at the
+// start. `recorders` see the run.
 template <class... Recorders>
-StroboscopicImage stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
-                                   const RunOptions &options = {}, Recorders &...recorders) {
-  const Outcome end =
-      simulate_from(scene, start, time_after(scene, start, periods), options, recorders...);
-  StroboscopicImage image{require_complete(end).state, {}, true, 0.0, end.counters};
-  image.state.instant = start.instant;
-  return image;
+MotionState stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
+                             const RunOptions &options = {}, Recorders &...recorders) {
+  const double until = time_after(scene, start, periods);
+  MotionState state =
+      require_complete(simulate_from(scene, start, until, options, recorders...)).state;
+  state.instant = start.instant;
+  return state;
 }
+
+struct StroboscopicImage {
+  MotionState state;
+  Matrix derivative;  // 2N x 2N; rows and columns of held masses are zero
+  // False when the motion met an event at which its state is not differentiable: impacts of several
+  // masses at one instant, grazing, a mass coming to rest at its stop without chatter.
+  bool differentiable = true;
+};
 
 // The same with its derivative by the coordinates of the masses that are free at the start. `start`
 // should lie away from events (`at_quiet_phase`), where the map is smooth.
@@ -62,14 +62,7 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 // number 0.
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options = {});
 
-struct NewtonOptions {
-  int max_iterations = 20;
-  // Largest component of P(z) - z at which z counts as a fixed point, relative to that of z (or 1).
-  double tolerance = 1e-13;
-};
-
 struct PeriodicOrbit {
-  int periods = 1;
   MotionState state;                              // at the section
   std::vector<std::complex<double>> multipliers;  // Floquet multipliers, largest modulus first
   bool converged = false;                         // if false, this is the best iterate
@@ -87,13 +80,9 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
 // Newton's method for the fixed point of the `periods`-fold stroboscopic map near `guess`, whose
 // phase is the section. The contact mode at the section is that of the guess. The search ends
 // without convergence, and says so in `why_not`, when an iterate returns in another contact mode or
-// has a mass beyond its stop, when a multiplier is 1, and after the most iterations allowed.
+// has a mass beyond its stop, when a multiplier is 1, and after `most_iterations`. An iterate z
+// counts as a fixed point when no component of P(z) - z exceeds 1e-13 of the largest of z, or of 1.
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods = 1,
-                                  const NewtonOptions &options = {});
-
-// A state on a periodic orbit near `seed`: by Newton's method from `seed`, or, if that fails, from
-// a quiet phase of the motion `settling` periods later. Returns nullopt if neither converges.
-std::optional<MotionState> orbit_near(const Scene &scene, const MotionState &seed, int periods,
-                                      int settling = 200);
+                                  int most_iterations = 20);
 
 }  // namespace vibro_impact

@@ -10,12 +10,13 @@
 // component by itself is small once in every turn of the state, however far the orbit, and the more
 // so the stiffer the chain.
 //
-// A motion counts as settled, of period p, when the estimate lies below a tolerance and the events
-// of the last p periods are those of the p before them (and so the contact modes at the sections).
-// Impacts of a complete chatter are not compared: a run reports only as many of them as it needed
-// to find the limit. Where states q periods apart, q a divisor of p, are within ten tolerances, the
-// period is q. Where they are within 10,000 tolerances it is not decided yet: a motion that turns
-// around its orbit comes near to itself after some number of periods long before it is there.
+// A motion counts as settled, of period p (at most 8), when the estimate lies below 1e-10 and the
+// events of the last p periods are those of the p before them (and so the contact modes at the
+// sections). Impacts of a complete chatter are not compared: a run reports only as many of them as
+// it needed to find the limit. Where states q periods apart, q a divisor of p, are within ten
+// tolerances, the period is q. Where they are within 10,000 tolerances it is not decided yet: a
+// motion that turns around its orbit comes near to itself after some number of periods long before
+// it is there.
 #pragma once
 
 #include <vector>
@@ -24,13 +25,9 @@
 
 namespace vibro_impact {
 
-constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
-
 struct SettleOptions {
   RunOptions run = {};
-  int longest = 400;         // forcing periods after which the motion counts as not settling, >= 1
-  int most = 8;              // largest period looked for, >= 1
-  double tolerance = 1e-10;  // largest estimate of what is still to come, > 0; non-dimensional
+  int longest = 400;  // forcing periods after which the motion counts as not settling, >= 1
 };
 
 // The events of some whole forcing periods, per mass.
@@ -38,9 +35,13 @@ struct EventCounts {
   int periods = 0;             // forcing periods counted over
   std::vector<int> impacts;    // without those of complete chatters, which are infinitely many
   std::vector<int> sticks;     // sticking phases begun
-  std::vector<int> chatters;   // complete chatters: sticks at stops with restitution > 0
   bool dual_sticking = false;  // two or more masses stick at the same time
 };
+
+// The counts of the events of whole forcing periods, of a motion that repeats after them. `held` is
+// the contact mode at their start.
+EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
+                      const Held &held);
 
 struct SettledMotion {
   int period = 0;       // forcing periods; 0: not settled
@@ -48,7 +49,6 @@ struct SettledMotion {
   MotionState state;    // at the last section, cycle count as it stands
   EventCounts counts;   // of the last `period` periods; empty where it is 0
   RunState resume;      // where the run stood
-  Counters counters;
 };
 
 // Follows the motion from `start` until it has settled. Throws std::invalid_argument for what

@@ -1,13 +1,9 @@
-// Sweeps: something computed at many parameter points, on all threads of the machine.
-//
-// The points are computed in blocks. The threads share the points of a block, each computed by one
-// of them, and its results are handed over in the order of the points before the next block begins.
-// So neither the results nor their order depend on the number of threads.
+// Sweeps: something computed at many parameter points, on all threads of the machine. Each point is
+// computed by one of them, and the results stand in the order of the points. So they do not depend
+// on the number of threads.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,48 +16,29 @@
 
 namespace vibro_impact {
 
-struct SweepOptions {
-  int threads = 0;        // 0 to 1024; 0: available_threads()
-  std::size_t first = 0;  // point to begin with: those before it have been taken already
-};
-
 // The threads that a sweep uses unless it is told: those of OpenMP, or 1 without OpenMP.
 int available_threads();
 
-// The number of points in a block, so many for each thread that the wait for the last of them is
-// short beside the work. Throws std::invalid_argument for threads beyond 0 to 1024 and for a first
-// point beyond `points`.
-std::size_t block_size(std::size_t points, const SweepOptions &options);
+// Calls `compute` for the points from 0 to `points`, without `points`, on several threads at once.
+// Throws what it throws at the first of the points, in their order, at which it fails, and
+// std::invalid_argument for threads beyond 0 to 1024; 0 stands for available_threads().
+void compute_points(std::size_t points, int threads,
+                    const std::function<void(std::size_t point)> &compute);
 
-// Calls `compute` for the points from `begin` to `end`, without `end`, on several threads at once.
-// Returns the error of the first point that failed, or null; all points before it are computed.
-std::exception_ptr compute_block(std::size_t begin, std::size_t end, int threads,
-                                 const std::function<void(std::size_t point)> &compute);
-
-// Calls take(point, compute(point)) for the points from SweepOptions::first to `points`: `compute`
-// on several threads at once, `take` on the calling thread in the order of the points. The sweep
-// ends with what either throws; an error of `compute` is thrown when all points before it have been
-// taken. Throws std::invalid_argument as `block_size` does.
-template <class Compute, class Take>
-void sweep(std::size_t points, const Compute &compute, const Take &take,
-           const SweepOptions &options = {}) {
+// The results compute(0), compute(1), ... of so many points. Threads and errors are those of
+// `compute_points`.
+template <class Compute>
+auto sweep(std::size_t points, const Compute &compute, int threads = 0) {
   using Result = std::invoke_result_t<const Compute &, std::size_t>;
-  const std::size_t block = block_size(points, options);
-  for (std::size_t begin = options.first; begin < points; begin += block) {
-    const std::size_t end = std::min(points, begin + block);
-    std::vector<std::optional<Result>> results(end - begin);
-    const std::exception_ptr failure =
-        compute_block(begin, end, options.threads,
-                      [&](std::size_t point) { results[point - begin].emplace(compute(point)); });
-    for (std::size_t point = begin; point < end && results[point - begin]; ++point)
-      take(point, *results[point - begin]);
-    if (failure) std::rethrow_exception(failure);
-  }
+  static_assert(!std::is_same_v<Result, bool>, "threads cannot write into std::vector<bool>");
+  std::vector<Result> results(points);
+  compute_points(points, threads, [&](std::size_t point) { results[point] = compute(point); });
+  return results;
 }
 
 // The values of one parameter at equal distances, both ends included.
 struct Axis {
-  Parameter parameter;
+  std::string parameter;  // its name
   double from = 0.0, to = 0.0;
   std::size_t count = 1;  // >= 1; 1: `from` alone
 
@@ -88,14 +65,10 @@ void check(const Grid &grid);
 // be a row of numbers or anything else:
 //   sweep(grid, [](const Scene &scene) { return std::vector{energy_of(scene), ...}; })
 template <class Observable>
-auto sweep(const Grid &grid, const Observable &observable, const SweepOptions &options = {}) {
-  using Result = std::invoke_result_t<const Observable &, const Scene &>;
+auto sweep(const Grid &grid, const Observable &observable, int threads = 0) {
   check(grid);
-  std::vector<Result> results;
-  sweep(
-      grid.points(), [&](std::size_t point) { return observable(grid.scene_at(point)); },
-      [&](std::size_t, const Result &result) { results.push_back(result); }, options);
-  return results;
+  const auto compute = [&](std::size_t point) { return observable(grid.scene_at(point)); };
+  return sweep(grid.points(), compute, threads);
 }
 
 // A column of the table of a sweep: its name, what it says, and how it writes the cell of a record.

@@ -1,4 +1,20 @@
-#include "vibro_impact/analysis/tangent.hpp"
+// Tangents of a run: the exact derivative of the state at a later time by the state at the start.
+//
+// Between events the difference of two neighbouring motions obeys the unforced equations of the
+// contact mode. At an event it jumps (saltation), because the neighbour reaches the stop at another
+// time. Let dz- and dz+ be the difference before and after the event, f- and f+ the vector fields
+// before and after everything that happens at that instant (sticking at r = 0, the release of a
+// neighbour by the jump of its hold force), and R the derivative of the impact law of Eq. 16. Then
+//   dt = -dx_i / x_i',   E = dz- + f- dt,   dz+ = R E - f+ dt,
+// where E is the difference of the states at their events. A release at a root of the hold force
+// (Eqs. 12-13, 23) changes nothing: state and vector field are continuous there.
+//
+// Complete chatter: let x be the time from an impact to the accumulation point. The other masses
+// move as if the chattering mass were held from that impact on, up to terms of order x^3. So do the
+// tangents: those computed with the mass held from an impact on differ at the accumulation point by
+// x^3 times a smooth function of x, which is extrapolated to x = 0 over consecutive impacts. A
+// sticking mass has no freedom: each costs the derivative two of its rank.
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +25,10 @@
 #include "motion_state.hpp"
 #include "tolerances.hpp"
 #include "vibro_impact/analysis/natural_modes.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 #include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
-
-namespace {
 
 // Moves tangents through a flight in one contact mode. In modal coordinates they obey
 // y'' + beta lambda y' + lambda y = 0.
@@ -24,6 +39,7 @@ class TangentFlow {
     to_modal_ = shape_.transpose() * view(scene.mass).asDiagonal();
   }
 
+  // Rows of held masses become zero, also where no time passes.
   void move(Eigen::MatrixXd &tangents, double time) const {
     const Eigen::Index n = shape_.rows();
     Eigen::MatrixXd y = to_modal_ * tangents.topRows(n), dy = to_modal_ * tangents.bottomRows(n);
@@ -44,20 +60,14 @@ class TangentFlow {
   Eigen::MatrixXd shape_, to_modal_;
 };
 
-// The extrapolated limit of a chatter, and its estimated error relative to the largest value.
-struct ExtrapolatedLimit {
-  Eigen::MatrixXd values;
-  double error;
-};
-
-double largest(const Eigen::MatrixXd &matrix) {
+inline double largest(const Eigen::MatrixXd &matrix) {
   return matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff();
 }
 
 // The value at x = 0 of the polynomial without x and x^2 through the values from `first` on. Its
 // weights are those of Lagrange for 1/x^2 times the polynomial, divided by their sum.
-Eigen::MatrixXd polynomial_at_zero(const std::vector<Eigen::MatrixXd> &values,
-                                   const std::vector<double> &x, std::size_t first) {
+inline Eigen::MatrixXd polynomial_at_zero(const std::vector<Eigen::MatrixXd> &values,
+                                          const std::vector<double> &x, std::size_t first) {
   Eigen::MatrixXd weighted = 0.0 * values.back();
   double sum = 0.0;
   for (std::size_t i = first; i < values.size(); ++i) {
@@ -75,40 +85,42 @@ Eigen::MatrixXd polynomial_at_zero(const std::vector<Eigen::MatrixXd> &values,
 // estimated relative error of the last value alone. More values approach the limit faster, but
 // amplify rounding. So of the limits extrapolated from the last 1, 2, ... values the one is taken
 // that differs least from the one before.
-ExtrapolatedLimit extrapolate_chatter(const std::vector<Eigen::MatrixXd> &values,
-                                      const std::vector<double> &x, double error) {
-  ExtrapolatedLimit best{values.back(), error};
-  const double size = std::max(largest(values.back()), 1e-300);
-  Eigen::MatrixXd previous = values.back();
+inline Eigen::MatrixXd extrapolate_chatter(const std::vector<Eigen::MatrixXd> &values,
+                                           const std::vector<double> &x, double error) {
+  Eigen::MatrixXd best = values.back(), previous = best;
+  double least = error * largest(best);
   for (std::size_t first = values.size() - 1; first-- > 0;) {
     Eigen::MatrixXd limit = polynomial_at_zero(values, x, first);
-    const double difference = largest(limit - previous) / size;
-    if (difference < best.error) best = {limit, difference};
+    const double difference = largest(limit - previous);
+    if (difference < least) {
+      best = limit;
+      least = difference;
+    }
     previous = std::move(limit);
   }
   return best;
 }
 
-}  // namespace
-
-// The tangents, carried from instant to instant. The events of one instant are gathered in `group_`
-// until a later event, or the end, shows that they are complete.
-class TangentRecorder::Tangents {
+// A recorder that carries the tangents from instant to instant, so that a run that does not ask for
+// them pays nothing. The events of one instant are gathered in `group_` until a later event, or the
+// end, shows that they are complete.
+class TangentRecorder {
  public:
-  Tangents(const Scene &scene, const MotionState &start, const Matrix &columns)
+  // The tangents at the start of the run are the unit vectors of the free coordinates.
+  TangentRecorder(const Scene &scene, const MotionState &start)
       : scene_(scene),
         clock_(scene.omega),
         start_(start.instant),
         now_(start.instant),
-        held_(start.held),
-        tangents_(view(columns)) {
+        held_(start.held) {
+    const std::vector<std::size_t> free = free_coordinates(start.held);
+    tangents_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * start.held.size()),
+                                      static_cast<Eigen::Index>(free.size()));
+    for (std::size_t k = 0; k < free.size(); ++k)
+      tangents_(static_cast<Eigen::Index>(free[k]), static_cast<Eigen::Index>(k)) = 1.0;
   }
 
   void event(const Event &event, const Moment &moment) {
-    require(event.stop < scene_.stops.size() && scene_.stops[event.stop].mass == event.mass &&
-                moment.masses() == scene_.masses(),
-            "tangents: an event at stop ", event.stop, " of mass ", event.mass, " of ",
-            moment.masses(), ": not of the scene they were made for");
     if (!group_.empty() && group_.front().instant < event.instant) apply_group();
     if (group_.empty()) carry_to(event.instant);
     state_ = state_at(moment, held_);
@@ -121,15 +133,17 @@ class TangentRecorder::Tangents {
     group_.push_back(event);
   }
 
-  TangentsAtEnd finish(const Instant &end) {
-    require(end.phase >= 0.0 && end.phase < clock_.period &&
-                static_cast<double>(end.cycle) <= most_periods &&
-                elapsed(start_, end, clock_) >= 0.0,
-            "tangents: an end at phase ", end.phase, " in period ", end.cycle,
-            ": must not lie before the start");
+  // The tangents at the end of the run, 2N x free coordinates. To be called once, after the run.
+  Eigen::MatrixXd finish(const Instant &end) {
     if (!group_.empty()) apply_group();
     carry_to(end);
-    return {matrix_of(tangents_), differentiable_, chatter_error_};
+    return tangents_;
+  }
+
+  // False when the motion met an event at which its state is not differentiable: impacts of several
+  // masses at one instant, grazing, a mass coming to rest at its stop without chatter.
+  bool differentiable() const {
+    return differentiable_;
   }
 
  private:
@@ -146,14 +160,12 @@ class TangentRecorder::Tangents {
   Eigen::MatrixXd tangents_;
   std::map<Held, TangentFlow> flows_ = {};
   bool differentiable_ = true;
-  double chatter_error_ = 0.0;
   std::vector<Event> group_ = {};
   MotionState state_ = {};                    // after the events of the group
   std::vector<double> velocity_before_ = {};  // before them
   std::vector<Node> nodes_ = {};  // consecutive impacts at one stop, with nothing in between
   std::size_t nodes_stop_ = 0;    // the index of the stop
 
-  // Rows of held masses become zero, also where no time passes.
   void carry(const Held &held, double time, Eigen::MatrixXd &tangents) {
     flows_.try_emplace(held, scene_, held).first->second.move(tangents, time);
   }
@@ -239,38 +251,8 @@ class TangentRecorder::Tangents {
       carry(after, time_left.back(), values.back());
     }
     const double last_error = std::pow(time_left.back() * rate_of(scene_), 2);
-    const ExtrapolatedLimit limit = extrapolate_chatter(values, time_left, last_error);
-    tangents_ = limit.values;
-    chatter_error_ = std::max(chatter_error_, limit.error);
+    tangents_ = extrapolate_chatter(values, time_left, last_error);
   }
 };
-
-TangentRecorder::TangentRecorder(const Scene &scene, const MotionState &start,
-                                 const Matrix &columns) {
-  check(scene);
-  require_fits(scene, start);
-  const std::size_t n = scene.mass.size();
-  require(columns.rows == 2 * n && columns.values.size() % (2 * n) == 0 &&
-              columns.values.size() / (2 * n) == columns.columns,
-          "columns: ", columns.rows, " rows given, the chain has ", 2 * n,
-          " coordinates and velocities");
-  for (std::size_t i = 0; i < 2 * n; ++i)
-    for (std::size_t k = 0; k < columns.columns; ++k)
-      require(start.held[i % n] == 0 || columns(i, k) == 0.0, "column ", k + 1,
-              ": must be zero for mass ", i % n + 1, ", which is held");
-  tangents_ = std::make_unique<Tangents>(scene, start, columns);
-}
-
-TangentRecorder::~TangentRecorder() = default;
-
-void TangentRecorder::event(const Event &event, const Moment &moment) {
-  require(tangents_ != nullptr, "tangents: an event after the end");
-  tangents_->event(event, moment);
-}
-
-TangentsAtEnd TangentRecorder::finish(const Instant &end) {
-  require(tangents_ != nullptr, "tangents: finished already");
-  return std::exchange(tangents_, nullptr)->finish(end);
-}
 
 }  // namespace vibro_impact
