@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "vibro_impact/vibro_impact.hpp"
@@ -27,16 +28,12 @@ inline std::vector<Event> events_of(const Scene &scene, double from, double unti
   return recorder.events;
 }
 
-inline constexpr int any_mass = 0;
-
+// The events of a kind: of one mass, or of every mass.
 inline std::vector<Event> select(const std::vector<Event> &events, EventKind kind,
-                                 int mass = any_mass, double from = 0.0,
-                                 double to = std::numeric_limits<double>::infinity()) {
+                                 std::optional<int> mass = std::nullopt) {
   std::vector<Event> selected;
   for (const Event &event : events)
-    if (event.kind == kind && (mass == any_mass || event.mass == mass) && event.time >= from &&
-        event.time <= to)
-      selected.push_back(event);
+    if (event.kind == kind && (!mass || event.mass == *mass)) selected.push_back(event);
   return selected;
 }
 

@@ -1,7 +1,6 @@
 // The greatest Lyapunov exponent, from Floquet multipliers and from the growth of a perturbation.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>

@@ -135,28 +135,17 @@ double press_on_second(const Scene &scene) {
 }
 
 // Figure 5(b), "subsequent dynamics involve dual sticking": with s1 < s2 the force on mass 2, both
-// at rest at their upper stops, is k (s1 - s2) < 0 at every phase.
+// at rest at their upper stops, is k (s1 - s2) < 0 at every phase. (That none occurs in the run is
+// the key number figure5b_dual_sticks.)
 TEST(Corrections, Figure5bHasNoDualSticking) {
-  const Scene scene = paper::figure5b();
-  EXPECT_NEAR(press_on_second(scene), -0.15, 1e-15);
-  EventRecorder events;
-  require_complete(simulate(scene, 930.0, {}, events));
-  for (const Event &event : events.events) EXPECT_NE(contact_mode_name(event.held), "1+2");
+  EXPECT_NEAR(press_on_second(paper::figure5b()), -0.15, 1e-15);
 }
 
 // Figure 5(c), "reduction of Omega and/or r leads to dual sticking": with s1 = s2 the force on
-// mass 2 is zero, and reducing either only makes its bounces smaller.
+// mass 2 is zero, whatever Omega and r are. (That none occurs when both are reduced is the key
+// number figure5c_dual_sticks.)
 TEST(Corrections, Figure5cHasNoDualStickingAtLowerFrequencyOrRestitution) {
-  for (const auto &[omega, r] : {std::pair(0.02, 0.7), {0.01, 0.7}, {0.02, 0.3}, {0.01, 0.3}}) {
-    Scene scene = paper::figure5c();
-    scene.omega = omega;
-    scene.restitution = r;
-    EXPECT_EQ(press_on_second(scene), 0.0);
-    EventRecorder events;
-    require_complete(simulate(scene, 1000.0, {}, events));
-    EXPECT_GT(events.events.size(), 50u);
-    for (const Event &event : events.events) EXPECT_NE(contact_mode_name(event.held), "1+2");
-  }
+  EXPECT_EQ(press_on_second(paper::figure5c()), 0.0);
 }
 
 // Half a period of the damped mass on its own spring, zeta = 0.05, and the decay over it; 1e-12 is
@@ -188,11 +177,6 @@ TEST(Corrections, Mass1SticksAgainAboveTheFrequencyOneHalf) {
   EXPECT_EQ(sticks_in_ten_periods(0.665, 1), 10u);
   for (const double omega : {0.51, 0.6, 0.65, 0.665, 0.695})
     EXPECT_EQ(sticks_in_ten_periods(omega, 2), 0u) << omega;
-  const double period = Clock(0.65).period;
-  const auto sticks =
-      select(events_of(paper::figure3(0.65), 58 * period, 60 * period), EventKind::stick, 1);
-  ASSERT_EQ(sticks.size(), 1u);
-  EXPECT_NEAR(sticks[0].time, 565.91437636579, 1e-9);  // the 50-digit generator
 }
 
 // The bounds in the table follow from the paper's words: half a unit of the last digit, the ticks

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <regex>
 #include <string>
 
@@ -100,21 +99,6 @@ INSTANTIATE_TEST_SUITE_P(Methods, OfMethod, ::testing::ValuesIn(methods), [](con
 TEST(ErrorAgainstRunTime, EveryMethodIsInTheListOfThisTest) {
   for (const Method &method : all_methods().methods)
     EXPECT_EQ(std::count(std::begin(methods), std::end(methods), method.name), 1) << method.name;
-}
-
-TEST(ErrorAgainstRunTime, NoMethodReachesALowerErrorThanThisLibrary) {
-  for (const char *name : {"figure2", "figure4", "chatter"}) {
-    const Problem problem = problem_named(name);
-    std::map<std::string, double> least;
-    for (const Method &method : all_methods().methods)
-      for (const double setting : method.settings) {
-        const Errors errors = errors_of(method.run(problem, setting), problem);
-        double &least_error = least.try_emplace(method.name, HUGE_VAL).first->second;
-        if (errors.failure.empty()) least_error = std::min(least_error, errors.time);
-      }
-    const double library = std::min(least["this library"], least["this library (every impact)"]);
-    for (const auto &[method, error] : least) EXPECT_LE(library, error) << method << " on " << name;
-  }
 }
 
 // A contact with a spring lasts pi sqrt(m / kappa), and its effect on the motion is of that order:

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <ostream>
 
 #include "figures/methods/extreme_verdict.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -151,43 +150,6 @@ TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
   const Relative sensitivity = detail::sensitivity_of(scene, 3.0, 1.0, motion);
   EXPECT_NEAR(sensitivity.time, 0.5 / std::sqrt(0.75), 1e-5);
   EXPECT_NEAR(sensitivity.velocity, 1.0 / std::sqrt(0.75), 1e-5);
-}
-
-// A touch takes nothing from the motion. Its amplitude stays to 1e-12, because an impact at the
-// speed v takes v^2 / 2 of it; its phase stays to (1 + r) v a touch, and r < 0.7.
-TEST(Grazing, LeavesTheMotionAsItWas) {
-  int touched = 0;
-  for (const Case &extreme : all_cases()) {
-    if (extreme.truth != Truth::grazing) continue;
-    ++touched;
-    const MotionState end = simulate(extreme.scene, extreme.until).state;
-    const double x0 = extreme.scene.displacement[0];
-    const double shift = 1.7 * figures::grazing_speed * static_cast<double>(extreme.events.size());
-    EXPECT_NEAR(std::hypot(end.displacement[0], end.velocity[0]), 1.0, 1e-12) << extreme.name;
-    EXPECT_NEAR(end.displacement[0], x0 * std::cos(extreme.until), shift) << extreme.name;
-    EXPECT_NEAR(end.velocity[0], -x0 * std::sin(extreme.until), shift) << extreme.name;
-  }
-  EXPECT_GE(touched, 4);
-}
-
-// At a hold force that is exactly zero a mass bounces for ever and never sticks: beside a mass that
-// is held at its own position, as in Figure 5(c), whatever the links, the two pulls on it are zero.
-TEST(ZeroHoldForce, NeverSticks) {
-  for (const double s : {0.3, 0.1, 1.0 / 3.0}) {
-    Scene scene = chain(2, 0.1);
-    scene.stiffness = {1.3, 0.7};
-    scene.amplitude = {1e3, 0.0};  // holds mass 1
-    scene.omega = 0.0;
-    scene.restitution = 0.7;
-    scene.stops = {{1, Side::upper, s}, {2, Side::upper, s}};
-    scene.displacement = {s, s - 0.5};
-    EventRecorder recorder;
-    require_complete(simulate(scene, 1000.0, {}, recorder));
-    int sticks = 0;
-    for (const Event &event : recorder.events) sticks += event.kind == EventKind::stick;
-    EXPECT_EQ(sticks, 1) << s;
-    EXPECT_GT(recorder.events.size(), 200u) << s;
-  }
 }
 
 // r = 1 and a stop that presses: the flights shorten without limit towards none, each as fast as

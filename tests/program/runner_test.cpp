@@ -1,5 +1,4 @@
 // The scene runner, tested through the program itself: its options and its tables.
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -80,21 +79,6 @@ TEST_F(Runner, OptionsOfTheSceneMeanWhatTheHelpSays) {
   EXPECT_EQ(table("--masses 1 --stop none --stiffness 0 --amplitude 0 --initial-velocity 0.25"),
             table("--masses 1 --stop none --stiffness 0 --amplitude 0 --initial-velocity 0.25 "
                   "--initial-displacement 0"));
-}
-
-// k_1 = 0: nothing ties the chain to the ground. Two equal masses that start alike move as one.
-TEST_F(Runner, TheFirstLinkMayBeAbsent) {
-  const Result drift =
-      run("run --stiffness 0,1 --amplitude 0 --initial-velocity 0.25 --stop none "
-          "--until 8 --every 4 --samples -");
-  ASSERT_EQ(drift.status, 0) << drift.err;
-  const auto rows = lines(drift.out);
-  ASSERT_EQ(rows.size(), 4u);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const auto row = cells(rows[i]);
-    EXPECT_NEAR(std::stod(row[1]), 0.25 * std::stod(row[0]), 1e-14) << rows[i];
-    EXPECT_NEAR(std::stod(row[2]), 0.25 * std::stod(row[0]), 1e-14) << rows[i];
-  }
 }
 
 TEST_F(Runner, TheExamplesOfTheHelpWork) {

@@ -36,6 +36,19 @@ Scene pressed(double restitution) {
 }
 
 // Resolved to rounding, the 32 impacts of the first scene would be 193.
+// Two masses whose mode at lambda = 1 has the shape (1, 2) in exact numbers: k1 = 3, k2 = 2. A
+// forcing and stops in the proportion 1 : 2 keep x2 = 2 x1 for ever, so that both masses hit, stick
+// and are released at the same instants, those of one mass with m = k = 1.
+Scene in_step(double restitution) {
+  return {.mass = {1.0, 1.0},
+          .stiffness = {3.0, 2.0},
+          .beta = 0.1,
+          .amplitude = {0.5, 1.0},
+          .omega = 0.28,
+          .restitution = restitution,
+          .stops = {{1, Side::upper, 0.25}, {2, Side::upper, 0.5}}};
+}
+
 TEST(ChatterLimit, NeedsFewImpacts) {
   struct Case {
     Scene scene;
@@ -55,6 +68,11 @@ TEST(ChatterLimit, NeedsFewImpacts) {
     const Scene scene = random_scene(seed);
     EXPECT_LE(simulate(scene, run_length(scene, 1e9)).counters.impacts, impacts) << seed;
   }
+  // Two masses that hit at the same instants until rounding parts them.
+  for (const auto &[r, impacts] : {std::pair{0.3, 54}, {0.7, 78}}) {
+    const Scene scene = in_step(r);
+    EXPECT_LE(simulate(scene, 60.0).counters.impacts, impacts) << r;
+  }
   // A third mass rests on its stop without force while the first chatters: nothing can be said of
   // when it will move. The chatter ends within rounding, not at speeds of 1e-288.
   const Scene resting = extreme_scene(266);
@@ -68,20 +86,8 @@ double rounding(double restitution) {
 
 struct Worst {
   double over_tolerance = 0.0;  // error of the time beyond rounding, in tolerances
-  double of_state = 0.0;        // likewise of the state after it
   int limits = 0;
 };
-
-// Largest difference of displacements and velocities, relative to the motion.
-double difference(const MotionState &a, const MotionState &b, double fastest) {
-  double largest = 0.0, size = 0.0;
-  for (std::size_t i = 0; i < a.velocity.size(); ++i) {
-    largest = std::max({largest, fastest * std::abs(a.displacement[i] - b.displacement[i]),
-                        std::abs(a.velocity[i] - b.velocity[i])});
-    size = std::max({size, fastest * std::abs(b.displacement[i]), std::abs(b.velocity[i])});
-  }
-  return largest / size;
-}
 
 // The first stick of runs from states all over the motion, against resolving every impact down to a
 // speed of 1e-9: those after it only add their rounding.
@@ -98,17 +104,9 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
     const auto b = sticks_from(scene, start, period, resolved);
     EXPECT_EQ(a.empty(), b.empty());
     if (!a.empty() && !b.empty()) {
-      const auto beyond_rounding = [&](double error) {
-        return (error - rounding(scene.restitution)) / tolerance;
-      };
-      worst.over_tolerance = std::max(worst.over_tolerance,
-                                      beyond_rounding(fastest * std::abs(a[0].time - b[0].time)));
-      const double after = std::max(a[0].time, b[0].time) + 1e-6 * period;
-      const MotionState limit = simulate_from(scene, start, after, options).state,
-                        impacts = simulate_from(scene, start, after, resolved).state;
-      EXPECT_EQ(limit.held, impacts.held);
-      worst.of_state =
-          std::max(worst.of_state, beyond_rounding(difference(limit, impacts, fastest)));
+      const double error = fastest * std::abs(a[0].time - b[0].time);
+      worst.over_tolerance =
+          std::max(worst.over_tolerance, (error - rounding(scene.restitution)) / tolerance);
       ++worst.limits;
     }
     start = simulate_from(scene, start, 0.37 * period, resolved).state;
@@ -123,9 +121,9 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
   return worst;
 }
 
-// The estimate is an estimate. Measured: 2.6 at worst, 0.5 of the state. It is no bound: with
-// the stops of Figure 2, Omega = 0.2797, r = 0.3 and a tolerance of 1e-7 one limit is off by 21 of
-// them.
+// The estimate is an estimate. Measured: 2.6 at worst. It is no bound: with the stops of Figure 2,
+// Omega = 0.2797, r = 0.3 and a tolerance of 1e-7 one limit is off by 21 of them. The state after a
+// limit is compared with 50 digits, event for event, by reference_test.
 TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
   std::vector<Scene> scenes{paper::figure2(), paper::figure4a(), paper::figure4b(),
                             paper::figure5a(), paper::figure5b()};
@@ -133,19 +131,17 @@ TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
     scenes.push_back(paper::two_masses({1, Side::lower, -0.3}, {2, Side::upper, 0.1}, r, 0.28));
   for (const double r : {0.3, 0.7, 0.8, 0.9, 0.95, 0.99}) scenes.push_back(pressed(r));
   for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
-    double worst = 0.0, worst_state = 0.0;
+    double worst = 0.0;
     int limits = 0;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       const Worst of_scene = worst_first_limit(scenes[k], tolerance);
       EXPECT_LT(of_scene.over_tolerance, 2.65) << "scene " << k << ", tolerance " << tolerance;
-      EXPECT_LT(of_scene.of_state, 1.5) << "scene " << k << ", tolerance " << tolerance;
       worst = std::max(worst, of_scene.over_tolerance);
-      worst_state = std::max(worst_state, of_scene.of_state);
       limits += of_scene.limits;
     }
     EXPECT_GT(limits, 130);
-    fmt::print("tolerance {:g}: {} limits, worst error {:.2g} tolerances, of the state {:.2g}\n",
-               tolerance, limits, worst, worst_state);
+    fmt::print("tolerance {:g}: {} limits, worst error {:.2g} tolerances\n", tolerance, limits,
+               worst);
   }
 }
 
@@ -181,34 +177,6 @@ TEST(ChatterLimit, IsNotTakenBeyondABorderOrbit) {
             << r << " " << distance << " " << tolerance;
       }
     }
-  }
-}
-
-// Two masses whose mode at lambda = 1 has the shape (1, 2) in exact numbers: k1 = 3, k2 = 2. A
-// start, a forcing and stops in the proportion 1 : 2 keep x2 = 2 x1 for ever, so that both masses
-// hit, stick and are released at the same instants, those of one mass with m = k = 1.
-Scene in_step(double restitution) {
-  return {.mass = {1.0, 1.0},
-          .stiffness = {3.0, 2.0},
-          .beta = 0.1,
-          .amplitude = {0.5, 1.0},
-          .omega = 0.28,
-          .restitution = restitution,
-          .stops = {{1, Side::upper, 0.25}, {2, Side::upper, 0.5}}};
-}
-
-// Two masses that hit at the same instants until rounding parts them: 186 and 434 impacts if their
-// impacts then counted as alternating.
-TEST(ChatterLimit, OfTwoMassesInStepSurvivesRounding) {
-  for (const auto &[r, impacts] : {std::pair{0.3, 54}, {0.7, 78}}) {
-    const Scene scene = in_step(r);
-    const Outcome outcome = simulate(scene, 60.0);
-    EXPECT_LE(outcome.counters.impacts, impacts) << r;
-    const auto a = sticks_from(scene, start_of(scene), 60.0);
-    const auto b = sticks_from(scene, start_of(scene), 60.0, all_impacts);
-    ASSERT_EQ(a.size(), b.size());
-    EXPECT_GE(a.size(), 4u);
-    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i].time, b[i].time, 1e-12) << r;
   }
 }
 

@@ -143,27 +143,6 @@ TEST(Economy, ASampleIsOneEvaluation) {
   EXPECT_EQ(simulate(paper::figure2(), 300.0, {}, events).counters.modal_evaluations, 0);
 }
 
-// The first masses of a long chain move alike until a wave has been to the far end and back, so the
-// motion, its events and with them the work are those of the shorter chain. (The rate of the
-// fastest mode, and so the step, still grows by one in a hundred from N = 10 to 200.)
-TEST(Economy, TheWorkDoesNotGrowWithMassesThatDoNothing) {
-  const auto counters_of = [](int masses) {
-    Scene scene = long_chain(masses, 0.7);
-    scene.velocity.clear();
-    scene.stops.pop_back();
-    return simulate(scene, 11.0).counters;  // before the chatter of mass 1 completes
-  };
-  const Counters few = counters_of(10);
-  EXPECT_GT(few.impacts, 5);
-  for (const int masses : {20, 50, 200}) {
-    const Counters many = counters_of(masses);
-    EXPECT_EQ(many.impacts, few.impacts) << masses;
-    EXPECT_LE(many.expansions, few.expansions + 1) << masses;
-    EXPECT_LE(many.coefficients, few.coefficients * 102 / 100 + most_coefficients) << masses;
-    EXPECT_LE(tested(many), tested(few) + 2) << masses;
-  }
-}
-
 // What a run may expand before it is clear that nothing will happen: as many as its motion needs to
 // come to that, and none of them for the time that is left.
 void expect_the_same_work(const Scene &scene, double soon, double late, long long expansions) {

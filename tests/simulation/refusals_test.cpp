@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include "reference/paper_scenes.hpp"
@@ -30,6 +31,8 @@ BadCall spoilt_scene(void (*spoil)(Scene &), const char *says) {
 }
 
 TEST(Refusals, OfScenes) {
+  const Scene without_links{.mass = {1.0, 1.0}},
+      two_starts{.mass = {1.0}, .stiffness = {1.0}, .displacement = {1.0, 2.0}};
   expect_refused({
       spoilt_scene([](Scene &s) { s = {}; }, "masses = 0: a chain has at least one mass"),
       spoilt_scene([](Scene &s) { s.mass[1] = -2.5; }, "mass = -2.5: must be positive and finite"),
@@ -51,17 +54,11 @@ TEST(Refusals, OfScenes) {
       spoilt_scene([](Scene &s) { s.stops.push_back(s.stops[0]); }, "two stops on the same side"),
       spoilt_scene(
           [](Scene &s) {
-            s.stops = {{1, Side::lower, 0.1}, {1, Side::upper, -0.1}};
+            s.stops[1] = {1, Side::upper, -0.4};
           },
-          "the lower must lie below the upper"),
-      {[] {
-         largest_eigenvalue_bound({.mass = {1.0, 1.0}});
-       },
-       "0 values given, the chain has 2"},
-      {[] {
-         start_of({.mass = {1.0}, .stiffness = {1.0}, .displacement = {1.0, 2.0}});
-       },
-       "start: displacement: 2 values given"},
+          "the lower must lie below"),
+      {[&] { largest_eigenvalue_bound(without_links); }, "0 values given, the chain has 2"},
+      {[&] { start_of(two_starts); }, "start: displacement: 2 values given"},
   });
   Scene free_chain = paper::figure2();
   free_chain.stiffness[0] = 0.0;
@@ -98,6 +95,7 @@ TEST(Refusals, OfStarts) {
 
 TEST(Refusals, OfTimesAndOptions) {
   const Scene scene = paper::figure2();
+  const Instant last_period{most, 0.0};
   const MotionState at_fifty = simulate(scene, 50.0).state;
   const auto until = [&scene](double end) { return [&scene, end] { simulate(scene, end); }; };
   const auto with = [&scene](RunOptions options) {
@@ -114,10 +112,7 @@ TEST(Refusals, OfTimesAndOptions) {
       {with({.max_impacts_per_period = 0}), "max_impacts_per_period = 0: must be positive"},
       {[] { Clock(-1.0); }, "omega = -1: must be non-negative and finite"},
       {[] { Clock(1e-320); }, "with a finite period"},
-      {[] {
-         later({most, 0.0}, 20.0, Clock(1.0));
-       },
-       "time 20: more forcing periods than"},
+      {[&] { later(last_period, 20.0, Clock(1.0)); }, "time 20: more forcing periods than"},
       {[] { later({}, infinity, Clock(0.0)); }, "time inf: more forcing periods than"},
   });
   EXPECT_EQ(simulate(scene, 1.0, {.max_impacts_per_period = most}).ending, Ending::reached);
@@ -178,7 +173,9 @@ BadCall recorded_by(const Recorder &recorder, const char *says) {
 TEST(Refusals, OfRecorders) {
   const Scene scene = paper::figure2();
   const MotionState later = simulate(scene, 50.0).state;
+  SampleRecorder early{10.0, 60.0, 1.0};
   const RecorderRef no_times{.sample = [](const Moment &) {}};
+  const std::span<const RecorderRef> recorders(&no_times, 1);
   expect_refused({
       recorded_by(EventRecorder{nan}, "from = nan: must be a time"),
       recorded_by(ImpactSpeedRecorder{3, 0.0}, "mass 3: the chain has masses 1 to 2"),
@@ -191,15 +188,9 @@ TEST(Refusals, OfRecorders) {
       recorded_by(GoesBack{}, "next_time = 12: lies before the motion"),
       recorded_by(GoesBack{nan}, "next_time = nan: must be a time"),
       recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
-      {[&] {
-         SampleRecorder early{10.0, 60.0, 1.0};
-         simulate_from(scene, later, 60.0, {}, early);
-       },
+      {[&] { simulate_from(scene, later, 60.0, {}, early); },
        "sample at t = 10: the run begins at 5"},
-      {[&] {
-         simulate_seen(scene, start_of(scene), 1.0, {}, {&no_times, 1});
-       },
-       "takes samples and asks for no time"},
+      {[&] { simulate_seen(scene, start_of(scene), 1.0, {}, recorders); }, "asks for no time"},
   });
   EXPECT_FALSE(std::is_copy_constructible_v<Moment>);
   EXPECT_FALSE(std::is_move_constructible_v<Moment>);
