@@ -65,7 +65,7 @@ $(tables)/%.tables: $(folder)/bin/%
 	@touch $@
 .SECONDEXPANSION:
 $(tables)/%.png: $(tables)/%.tables $$(wildcard figures/%.gp figures/*/%.gp) figures/style.gp
-	@for kind in pdf png; do gnuplot -e "data='$(tables)'; kind='$$kind'" $(wildcard figures/$*.gp figures/*/$*.gp) || exit; done
+	@for kind in pdf png; do LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='$$kind'" $(wildcard figures/$*.gp figures/*/$*.gp) || exit; done
 	@echo "drawn: $@"
 .PRECIOUS: $(tables)/%.tables
 $(folder)/bin/%: ;
