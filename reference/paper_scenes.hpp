@@ -1,7 +1,7 @@
 // The scenes of the paper's figures, with the windows and the axis boxes they are shown in.
 //
 // Every number is *printed* (it stands in the paper's text, its captions or on the axes of its
-// figures) or *reconstructed* (the text does not give it; it was found by matching what the text
+// figures) or *inferred* (the text does not give it; it was found by matching what the text
 // says of the figure and its axis box). Everything is non-dimensional.
 #pragma once
 
@@ -33,7 +33,7 @@ inline Scene stops_of_different_sign(double omega) {
   return two_masses({1, Side::lower, -0.3}, {2, Side::upper, 0.1}, 0.7, omega);
 }
 
-// Figure 2. Reconstructed (inferred_frequencies.hpp): Omega = 0.2797.
+// Figure 2. Inferred (inferred_frequencies.hpp): Omega = 0.2797.
 inline Scene figure2() {
   return stops_of_different_sign(0.2797);
 }
@@ -51,7 +51,7 @@ inline Scene figure4b() {
   return stops_of_different_sign(0.2561);
 }
 
-// Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Reconstructed
+// Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Inferred
 // (inferred_frequencies.hpp): Omega = 0.1769 (the motion is of this kind from about 0.157 to
 // 0.184).
 inline Scene figure5a() {
@@ -59,12 +59,12 @@ inline Scene figure5a() {
 }
 
 // Figure 5(b). Printed: s2 "moved to" 0.45, so that s1 stays at 0.3, and r = 0.001 (Section 3.3).
-// Reconstructed (inferred_frequencies.hpp): Omega = 0.2995, just below the grazing of mass 2.
+// Inferred (inferred_frequencies.hpp): Omega = 0.2995, just below the grazing of mass 2.
 inline Scene figure5b() {
   return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.45}, 0.001, 0.2995);
 }
 
-// Figure 5(c). Printed: Omega = 0.02, r = 0.7 (Section 3.3). Reconstructed: s1 = s2 = 0.3.
+// Figure 5(c). Printed: Omega = 0.02, r = 0.7 (Section 3.3). Inferred: s1 = s2 = 0.3.
 inline Scene figure5c() {
   return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.02);
 }
