@@ -122,6 +122,10 @@ TEST(NaturalModes, AreInAscendingOrder) {
     }
     const NaturalModes modes = natural_modes(scene, Held(5, 0));
     EXPECT_TRUE(std::is_sorted(modes.lambda.begin(), modes.lambda.end())) << chain;
+    scene.stiffness.front() = 0.0;  // free: the rigid-body mode comes first
+    const NaturalModes free = natural_modes(scene, Held(5, 0));
+    EXPECT_EQ(free.lambda.front(), 0.0) << chain;
+    EXPECT_TRUE(std::is_sorted(free.lambda.begin(), free.lambda.end())) << chain;
   }
 }
 
