@@ -46,7 +46,7 @@ struct OneImpactOrbit {
   // The state at forcing phase pi.
   MotionState at_pi() const {
     const double pi = std::acos(-1.0), phase = orbit.state.instant.phase * scene.omega;
-    return simulate_from(scene, orbit.state, (phase < pi ? pi : 3.0 * pi) / scene.omega).state;
+    return simulate(scene, orbit.state, (phase < pi ? pi : 3.0 * pi) / scene.omega).state;
   }
 };
 
@@ -105,7 +105,7 @@ inline int impacts_of_steady_motion(const Scene &scene) {
   without.stops.clear();
   MotionState state = find_periodic_orbit(without, start_of(without), 1).state;
   if (state.displacement.front() > 0.0)
-    state = simulate_from(without, state, 0.5 * Clock(scene.omega).period).state;
+    state = simulate(without, state, 0.5 * Clock(scene.omega).period).state;
   ImpactSpeedRecorder impacts{1, 0.0};
   stroboscopic_map(scene, state, 1, {}, impacts);
   return static_cast<int>(impacts.velocities.size());

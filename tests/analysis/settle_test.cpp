@@ -38,7 +38,10 @@ TEST(Settle, TheDiagramOfFigure3IsThatOfTheFullLength) {
     if (found.period == 0) {
       const double begin = 400 * Clock(omega).period, end = 440 * Clock(omega).period;
       ImpactSpeedRecorder one{1, begin}, two{2, begin};
-      resume(scene, simulate(scene, begin).resume, end, {.resolve_chatter = 1e-4}, one, two);
+      Simulation simulation(scene);
+      simulation.advance(begin);
+      simulation.set_options({.resolve_chatter = 1e-4});
+      simulation.advance(end, one, two);
       EXPECT_EQ(found.impact_velocities, (std::vector{one.velocities, two.velocities})) << omega;
       continue;
     }

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "figures/methods/extreme_verdict.hpp"
+#include "tests/rates.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -21,8 +22,8 @@ const EventTables &reference() {
 
 // Rate of the fastest mode of any contact mode or of the forcing.
 double fastest_rate(const Scene &scene) {
-  const double stiffest = largest_eigenvalue_bound(scene);
-  return std::max(root_modulus(scene.beta * stiffest, stiffest), scene.omega);
+  const double stiffest = vibro_impact::testing::largest_eigenvalue_bound(scene);
+  return std::max(vibro_impact::testing::root_modulus(scene.beta * stiffest, stiffest), scene.omega);
 }
 
 // The longest expansion of a flight, in radians of its fastest rate.
@@ -149,7 +150,7 @@ TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
   const Scene scene = one_mass(0.0, 0.0, 1.0, 0.0, 0.5, -1.0);
   Samples motion{&scene, 3.0};
   simulate(scene, 3.0, {}, motion);
-  const Relative sensitivity = detail::sensitivity_of(scene, 3.0, 1.0, motion);
+  const Relative sensitivity = extremes::detail::sensitivity_of(scene, 3.0, 1.0, motion);
   EXPECT_NEAR(sensitivity.time, 1.0, 1e-5);
   EXPECT_NEAR(sensitivity.velocity, 1.0 / std::sqrt(0.75), 1e-5);
 }

@@ -8,6 +8,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/airy.hpp>
 #include <set>
+#include "tests/rates.hpp"
 
 namespace {
 
@@ -63,7 +64,8 @@ TEST(Siconos, TolerancesAndSpeedsOfTheImpactsFollowFromTheirTolerance) {
   for (const Result &impact : impacts) {
     const double velocity = impact.parameters.at("velocity_before");
     EXPECT_LE(impact.tolerance, 3e-13 / std::abs(velocity) + 1e-15) << impact.id;
-    const double frequency = std::sqrt(largest_eigenvalue_bound(ball_of(impact.parameters)));
+    const double frequency =
+        std::sqrt(vibro_impact::testing::largest_eigenvalue_bound(ball_of(impact.parameters)));
     EXPECT_NEAR(impact_of_ball(impact.parameters).velocity_before, velocity,
                 10.0 * impact.tolerance + 3e-13 * frequency)
         << impact.id;

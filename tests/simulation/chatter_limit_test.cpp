@@ -104,14 +104,14 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
       worst.over_tolerance = std::max(worst.over_tolerance,
                                       beyond_rounding(fastest * std::abs(a[0].time - b[0].time)));
       const double after = std::max(a[0].time, b[0].time) + 1e-6 * period;
-      const MotionState limit = simulate_from(scene, start, after, options).state,
-                        impacts = simulate_from(scene, start, after, resolved).state;
+      const MotionState limit = simulate(scene, start, after, options).state,
+                        impacts = simulate(scene, start, after, resolved).state;
       EXPECT_EQ(limit.held, impacts.held);
       worst.of_state =
           std::max(worst.of_state, beyond_rounding(difference(limit, impacts, fastest)));
       ++worst.limits;
     }
-    start = simulate_from(scene, start, 0.37 * period, resolved).state;
+    start = simulate(scene, start, 0.37 * period, resolved).state;
     start.instant = {};
     for (std::size_t i = 0; i < start.held.size(); ++i)
       if (start.held[i] != 0) {  // let go inside the stop, and moving
@@ -209,15 +209,16 @@ TEST(ChatterLimit, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
   // Both at rest at the origin, and a phase of the forcing that presses the second by its share.
   for (const auto &[share, stays] : {std::pair{1.2, false}, {0.5, false}, {3.0, true}}) {
     scene.amplitude = {0.0, share * scene.beta * scene.stiffness[1] * jumps_left};
-    const auto pressed_mode = build_contact_mode<Eigen::Dynamic>(scene, Held{0, 1});
-    State<Eigen::Dynamic> state;
-    state.stops.resize(2);
-    set_lanes(state, scene, pressed_mode, start_of(scene));
-    Chatter<Eigen::Dynamic> chatter;
-    begin(chatter, pressed_mode, {0});
-    chatter.impacts.times = {0.0};
-    chatter.impacts.jumps = {jump};
-    EXPECT_EQ(others_stay_clear(chatter, state, 1e-9), stays) << share;
+    const auto pressed_mode = detail::build_contact_mode(scene, Held{0, 1});
+    detail::Motion motion;
+    detail::express(start_of(scene), pressed_mode, Clock(scene.omega), motion);
+    detail::Chatter chatter;
+    detail::begin(chatter, {0}, r);
+    detail::add_impact(chatter, 1e-9, {jump});
+    detail::PerCoordinate pushes, speed;
+    EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, scene.omega, 1e-9, pushes, speed),
+              stays)
+        << share;
   }
 }
 

@@ -55,10 +55,6 @@ TEST(Refusals, OfScenes) {
           },
           "the lower must lie below the upper"),
       {[] {
-         largest_eigenvalue_bound({.mass = {1.0, 1.0}});
-       },
-       "0 values given, the chain has 2"},
-      {[] {
          start_of({.mass = {1.0}, .stiffness = {1.0}, .displacement = {1.0, 2.0}});
        },
        "start: displacement: 2 values given"},
@@ -73,7 +69,7 @@ BadCall spoilt_start(void (*spoil)(MotionState &), const char *says) {
   return {[spoil] {
             MotionState start = start_of(paper::figure2());
             spoil(start);
-            simulate_from(paper::figure2(), start, 10.0);
+            simulate(paper::figure2(), start, 10.0);
           },
           says};
 }
@@ -107,7 +103,7 @@ TEST(Refusals, OfTimesAndOptions) {
       {until(infinity), "until = inf: must be finite"},
       {until(-1.0), "until = -1: lies before the start at 0"},
       {until(1e300), "time 1e+300: more forcing periods than double precision can count"},
-      {[&] { simulate_from(scene, at_fifty, 49.0); }, "until = 49: lies before the start"},
+      {[&] { simulate(scene, at_fifty, 49.0); }, "until = 49: lies before the start"},
       {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
       {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
       {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},
@@ -178,7 +174,6 @@ BadCall recorded_by(const Recorder &recorder, const char *says) {
 TEST(Refusals, OfRecorders) {
   const Scene scene = paper::figure2();
   const MotionState later = simulate(scene, 50.0).state;
-  const RecorderRef no_times{.sample = [](const Moment &) {}};
   expect_refused({
       recorded_by(EventRecorder{nan}, "from = nan: must be a time"),
       recorded_by(ImpactSpeedRecorder{3, 0.0}, "mass 3: the chain has masses 1 to 2"),
@@ -193,13 +188,9 @@ TEST(Refusals, OfRecorders) {
       recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
       {[&] {
          SampleRecorder early{10.0, 60.0, 1.0};
-         simulate_from(scene, later, 60.0, {}, early);
+         simulate(scene, later, 60.0, {}, early);
        },
        "sample at t = 10: the run begins at 5"},
-      {[&] {
-         simulate_seen(scene, start_of(scene), 1.0, {}, {&no_times, 1});
-       },
-       "takes samples and asks for no time"},
   });
   EXPECT_FALSE(std::is_copy_constructible_v<Moment>);
   EXPECT_FALSE(std::is_move_constructible_v<Moment>);

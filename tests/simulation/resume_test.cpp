@@ -32,25 +32,24 @@ TEST(Resume, ARunInPartsGoesOnBitForBit) {
   EventRecorder whole, parts;
   const Outcome outcome = simulate(scene, 100.0, {}, whole);
   ASSERT_GT(whole.events.size(), 100u);
-  RunState state = simulate(scene, 0.0, {}, parts).resume;
+  Simulation simulation(scene);
   int inside = 0;  // a chatter
   for (std::size_t k = 1; k < whole.events.size(); ++k) {
     const double before = whole.events[k - 1].time, here = whole.events[k].time;
-    state = resume(scene, state, (before + here) / 2, {}, parts).resume;
+    simulation.advance((before + here) / 2, parts);
+    simulation = Simulation(simulation);  // a copy goes on
     inside += whole.events[k].falling > 0;
     NextEvent next;
-    const Outcome part = resume(scene, state, 100.0, {}, parts, next);
+    const Outcome part = simulation.advance(100.0, parts, next);
     EXPECT_EQ(part.ending, Ending::stopped);
     EXPECT_EQ(part.time, here);
-    state = part.resume;
   }
-  const Outcome last = resume(scene, state, 100.0, {}, parts);
+  const Outcome last = simulation.advance(100.0, parts);
   ASSERT_EQ(parts.events.size(), whole.events.size());
   for (std::size_t k = 0; k < parts.events.size(); ++k)
     EXPECT_EQ(parts.events[k].time, whole.events[k].time);
   EXPECT_EQ(last.state.displacement, outcome.state.displacement);
   EXPECT_EQ(last.state.velocity, outcome.state.velocity);
-  EXPECT_EQ(last.resume.numbers, outcome.resume.numbers);
   EXPECT_GT(inside, 20);
 }
 
@@ -88,11 +87,11 @@ TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
 TEST(Resume, ARunToTheTimeOfItsStartEndsAsItStarts) {
   Scene scene = paper::figure2();
   const MotionState left{{7, 1.0}, {0.0, 0.1}, {0.1, -0.5}, {0, 0}};
-  const Outcome same = simulate_from(scene, left, time_of(left.instant, Clock(scene.omega)));
+  const Outcome same = simulate(scene, left, time_of(left.instant, Clock(scene.omega)));
   EXPECT_NEAR(same.state.velocity[1], -0.5, 1e-15);
   scene.omega = 1.4456159370241128;
   const double until = 61.0 * Clock(scene.omega).period;
-  EXPECT_EQ(simulate_from(scene, simulate(scene, until).state, until).ending, Ending::reached);
+  EXPECT_EQ(simulate(scene, simulate(scene, until).state, until).ending, Ending::reached);
 }
 
 // 1e-11: the rounding of the state at the restart, passed on by some twenty events.
@@ -114,30 +113,16 @@ TEST(Resume, AMotionGoesOnFromAnyInstantFreeOrHeld) {
   EXPECT_GE(held, 5);
 }
 
-TEST(Resume, AStateOfNoRunOrOfAnotherSceneIsRefused) {
-  const Scene scene = paper::figure2();
-  const RunState state = simulate(scene, 38.0).resume;
-  Scene one = scene, unforced = scene, faster = scene, moved = scene, three = scene;
-  one.stops.pop_back();
-  unforced.amplitude = {0.0, 0.0};
-  faster.omega *= 1.01;
-  moved.stops[1].position += 0.01;
-  three.mass.push_back(1.0);
-  three.stiffness.push_back(1.0);
-  three.amplitude.push_back(0.0);
-  expect_refused({
-      {[&] { resume(one, state, 40.0); }, "2 stops given, the scene has 1"},
-      {[&] { resume(unforced, state, 40.0); }, "modal coordinates given"},
-      {[&] { resume(faster, state, 40.0); }, "the forcing has another phase"},
-      {[&] { resume(moved, state, 40.0); }, "at stop 2"},
-      {[&] { resume(three, state, 40.0); }, "the contact mode of 2 masses"},
-      {[&] { resume(scene, state, 37.0); }, "lies before the start"},
-      {[&] { resume(scene, {}, 40.0); }, "state of a run: there is none"},
-      {[&] {
-         resume(scene, {{0.0, 0.1}}, 40.0);
-       },
-       "too few"},
-  });
+// A copy inside a chatter goes its own way, and leaves the original where it stands.
+TEST(Resume, ACopyDoesNotMoveTheOriginal) {
+  Simulation original(paper::figure2());
+  original.advance(716.0);  // inside the chatter of Figure 2(b)
+  Simulation copy = original;
+  const Outcome other = copy.advance(750.0);
+  const Outcome end = original.advance(750.0);
+  EXPECT_EQ(other.state.displacement, end.state.displacement);
+  EXPECT_EQ(other.state.velocity, end.state.velocity);
+  expect_refused({{[&] { copy.advance(700.0); }, "until = 700: lies before the start"}});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mode_motion.hpp"
+#include "tests/rates.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::testing {

@@ -41,7 +41,7 @@ int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
   const MotionState start = start_of(scene);
   EventRecorder recorder{time_of({settling, 0.0}, Clock(scene.omega))};
   const double until = time_after(scene, start, settling + periods);
-  require_complete(simulate_from(scene, start, until, {}, recorder));
+  require_complete(simulate(scene, start, until, {}, recorder));
   return static_cast<int>(std::count_if(
       recorder.events.begin(), recorder.events.end(),
       [mass](const Event &event) { return event.kind == EventKind::stick && event.mass == mass; }));

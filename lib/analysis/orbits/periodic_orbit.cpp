@@ -108,7 +108,7 @@ StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const Moti
   Matrix columns(2 * n, free.size());
   for (std::size_t k = 0; k < free.size(); ++k) columns(free[k], k) = 1.0;
   TangentRecorder recorder(scene, start, columns);
-  const Outcome end = simulate_from(scene, start, until, options, recorder);
+  const Outcome end = simulate(scene, start, until, options, recorder);
   const TangentsAtEnd at_end = recorder.finish(require_complete(end).state.instant);
   StroboscopicImage image{end.state, Matrix(2 * n, 2 * n), at_end.differentiable,
                           at_end.chatter_error, end.counters};
@@ -139,7 +139,7 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
     last = time;
   }
   const double until = time_of(start.instant, clock) + after;
-  MotionState state = require_complete(simulate_from(scene, start, until, options)).state;
+  MotionState state = require_complete(simulate(scene, start, until, options)).state;
   state.instant.cycle = 0;
   return state;
 }

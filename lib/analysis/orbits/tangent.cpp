@@ -238,7 +238,7 @@ class TangentRecorder::Tangents {
       values.push_back(node.tangents);
       carry(after, time_left.back(), values.back());
     }
-    const double last_error = std::pow(time_left.back() * rate_of(scene_), 2);
+    const double last_error = std::pow(time_left.back() * rate_bound(scene_), 2);
     const ExtrapolatedLimit limit = extrapolate_chatter(values, time_left, last_error);
     tangents_ = limit.values;
     chatter_error_ = std::max(chatter_error_, limit.error);

@@ -9,7 +9,7 @@ namespace vibro_impact {
 constexpr std::size_t most_tangent_nodes = 10;  // of the extrapolation of tangents
 
 constexpr double fewest_nodes = 64.0;    // in a forcing period, where a minimum is looked for
-constexpr double node_distance = 0.125;  // time between them, in units of 1 / rate_of(scene)
+constexpr double node_distance = 0.125;  // time between them, in units of 1 / rate_bound(scene)
 constexpr double most_nodes = 1e8;       // in a forcing period
 
 constexpr double simultaneous = 1e-6;  // time between events of a pair

@@ -22,13 +22,16 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   RunOptions run = options.settle.run;
   EventRecorder events{begin};
   std::vector<ImpactSpeedRecorder> speeds;
-  std::vector<RecorderRef> recorders{recorder_ref(events)};
+  RecorderGroup recorders;
+  recorders.add(events);
   if (options.impact_velocities) {
     run.resolve_chatter = std::min(run.resolve_chatter, options.slowest);
     for (int mass = 1; mass <= scene.masses(); ++mass) speeds.push_back({mass, begin});
-    for (ImpactSpeedRecorder &speed : speeds) recorders.push_back(recorder_ref(speed));
+    for (ImpactSpeedRecorder &speed : speeds) recorders.add(speed);
   }
-  require_complete(resume_seen(scene, motion.resume, until, run, recorders));
+  Simulation simulation = *motion.simulation;
+  simulation.set_options(run);
+  require_complete(simulation.advance(until, recorders));
   record.work.recorded += periods;
   record.counts = counts_of(scene, events.events, periods, motion.state.held);
   for (ImpactSpeedRecorder &speed : speeds)

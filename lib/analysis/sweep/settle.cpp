@@ -218,10 +218,11 @@ SettledMotion settle(const Scene &scene, const MotionState &start, const SettleO
   check(scene);
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
-  const Outcome end = simulate_from(scene, start, until, options.run, sections);
+  Simulation simulation(scene, start, options.run);
+  const Outcome end = require_complete(simulation.advance(until, sections));
   SettledMotion motion;
   sections.tell(motion);
-  motion.resume = require_complete(end).resume;
+  motion.simulation = std::move(simulation);
   motion.counters = end.counters;
   return motion;
 }

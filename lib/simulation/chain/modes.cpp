@@ -9,7 +9,7 @@
 
 #include "tolerances.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
 namespace {
 
@@ -144,4 +144,4 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
   return basis;
 }
 
-}  // namespace vibro_impact
+}  // namespace vibro_impact::detail

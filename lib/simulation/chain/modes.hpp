@@ -7,7 +7,7 @@
 
 #include "vibro_impact/scene.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
 // The modes of N masses of which some are held: x = shape y, y'' + lambda y = 0 without damping and
 // forcing. `lambda` ascends. `shape` is N x modes, with zero rows for held masses; it is normalised
@@ -22,4 +22,4 @@ struct ModalBasis {
 // the ground, the rigid-body mode is exact.
 ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free);
 
-}  // namespace vibro_impact
+}  // namespace vibro_impact::detail

@@ -42,7 +42,7 @@ template <class... Recorders>
 StroboscopicImage stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
                                    const RunOptions &options = {}, Recorders &...recorders) {
   const Outcome end =
-      simulate_from(scene, start, time_after(scene, start, periods), options, recorders...);
+      simulate(scene, start, time_after(scene, start, periods), options, recorders...);
   StroboscopicImage image{require_complete(end).state, {}, true, 0.0, end.counters};
   image.state.instant = start.instant;
   return image;

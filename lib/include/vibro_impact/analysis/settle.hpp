@@ -18,6 +18,7 @@
 // around its orbit comes near to itself after some number of periods long before it is there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "vibro_impact/simulate.hpp"
@@ -43,16 +44,16 @@ struct EventCounts {
 };
 
 struct SettledMotion {
-  int period = 0;       // forcing periods; 0: not settled
-  int periods_run = 0;  // forcing periods integrated
-  MotionState state;    // at the last section, cycle count as it stands
-  EventCounts counts;   // of the last `period` periods; empty where it is 0
-  RunState resume;      // where the run stood
+  int period = 0;                             // forcing periods; 0: not settled
+  int periods_run = 0;                        // forcing periods integrated
+  MotionState state;                          // at the last section, cycle count as it stands
+  EventCounts counts;                         // of the last `period` periods; empty where it is 0
+  std::optional<Simulation> simulation = {};  // stands at the last section
   Counters counters;
 };
 
 // Follows the motion from `start` until it has settled. Throws std::invalid_argument for what
-// `simulate_from` refuses, for a scene without a forcing period and for options out of range, and
+// `simulate` refuses, for a scene without a forcing period and for options out of range, and
 // std::runtime_error when the run is given up.
 SettledMotion settle(const Scene &scene, const MotionState &start,
                      const SettleOptions &options = {});
