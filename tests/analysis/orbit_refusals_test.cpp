@@ -121,7 +121,7 @@ TEST(Refusals, OfOrbits) {
       {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
       {[] {
          PressedEventRecorder none_of{{}};
-         simulate(scene, 60.0, {}, none_of);
+         require_complete(simulate(scene, 60.0, {}, none_of));
        },
        "has 0 stops"},
   });

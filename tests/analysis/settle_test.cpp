@@ -39,9 +39,9 @@ TEST(Settle, TheDiagramOfFigure3IsThatOfTheFullLength) {
       const double begin = 400 * Clock(omega).period, end = 440 * Clock(omega).period;
       ImpactSpeedRecorder one{1, begin}, two{2, begin};
       Simulation simulation(scene);
-      simulation.advance(begin);
+      require_complete(simulation.advance(begin));
       simulation.set_options({.resolve_chatter = 1e-4});
-      simulation.advance(end, one, two);
+      require_complete(simulation.advance(end, one, two));
       EXPECT_EQ(found.impact_velocities, (std::vector{one.velocities, two.velocities})) << omega;
       continue;
     }
@@ -86,7 +86,7 @@ TEST(Settle, MostOfFigure3SettlesSoon) {
 EventCounts counted_far_out(const Scene &scene, int periods, int after) {
   const Clock clock(scene.omega);
   EventRecorder recorder{(after - 1) * clock.period};
-  simulate(scene, (after + periods + 1) * clock.period, {}, recorder);
+  require_complete(simulate(scene, (after + periods + 1) * clock.period, {}, recorder));
   const std::vector<int> none(scene.mass.size(), 0);
   EventCounts counts{periods, none, none, none, false};
   std::vector<int> aside(scene.stops.size(), 0);

@@ -123,8 +123,8 @@ TEST(RandomScenes, AreTheSameInOtherUnits) {
     for (double &v : other.velocity) v *= length;
     for (Stop &stop : other.stops) stop.position *= length;
     EventRecorder ours, theirs;
-    simulate(scene, run_length(scene, 1000.0), {}, ours);
-    simulate(other, run_length(scene, 1000.0), {}, theirs);
+    require_complete(simulate(scene, run_length(scene, 1000.0), {}, ours));
+    require_complete(simulate(other, run_length(scene, 1000.0), {}, theirs));
     for (Event &event : theirs.events) {
       event.velocity_before /= length;
       event.velocity_after /= length;

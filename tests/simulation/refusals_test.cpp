@@ -24,7 +24,7 @@ BadCall spoilt_scene(void (*spoil)(Scene &), const char *says) {
   return {[spoil] {
             Scene scene = paper::figure2();
             spoil(scene);
-            simulate(scene, 1.0);
+            require_complete(simulate(scene, 1.0));
           },
           says};
 }
@@ -69,7 +69,7 @@ BadCall spoilt_start(void (*spoil)(MotionState &), const char *says) {
   return {[spoil] {
             MotionState start = start_of(paper::figure2());
             spoil(start);
-            simulate(paper::figure2(), start, 10.0);
+            require_complete(simulate(paper::figure2(), start, 10.0));
           },
           says};
 }
@@ -95,15 +95,18 @@ TEST(Refusals, OfStarts) {
 TEST(Refusals, OfTimesAndOptions) {
   const Scene scene = paper::figure2();
   const MotionState at_fifty = simulate(scene, 50.0).state;
-  const auto until = [&scene](double end) { return [&scene, end] { simulate(scene, end); }; };
+  const auto until = [&scene](double end) {
+    return [&scene, end] { require_complete(simulate(scene, end)); };
+  };
   const auto with = [&scene](RunOptions options) {
-    return [&scene, options] { simulate(scene, 1.0, options); };
+    return [&scene, options] { require_complete(simulate(scene, 1.0, options)); };
   };
   expect_refused({
       {until(infinity), "until = inf: must be finite"},
       {until(-1.0), "until = -1: lies before the start at 0"},
       {until(1e300), "time 1e+300: more forcing periods than double precision can count"},
-      {[&] { simulate(scene, at_fifty, 49.0); }, "until = 49: lies before the start"},
+      {[&] { require_complete(simulate(scene, at_fifty, 49.0)); },
+       "until = 49: lies before the start"},
       {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
       {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
       {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},
@@ -166,7 +169,7 @@ template <class Recorder>
 BadCall recorded_by(const Recorder &recorder, const char *says) {
   return {[recorder] {
             Recorder mine = recorder;
-            simulate(paper::figure2(), 60.0, {}, mine);
+            require_complete(simulate(paper::figure2(), 60.0, {}, mine));
           },
           says};
 }
@@ -188,7 +191,7 @@ TEST(Refusals, OfRecorders) {
       recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
       {[&] {
          SampleRecorder early{10.0, 60.0, 1.0};
-         simulate(scene, later, 60.0, {}, early);
+         require_complete(simulate(scene, later, 60.0, {}, early));
        },
        "sample at t = 10: the run begins at 5"},
   });

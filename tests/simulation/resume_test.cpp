@@ -36,7 +36,7 @@ TEST(Resume, ARunInPartsGoesOnBitForBit) {
   int inside = 0;  // a chatter
   for (std::size_t k = 1; k < whole.events.size(); ++k) {
     const double before = whole.events[k - 1].time, here = whole.events[k].time;
-    simulation.advance((before + here) / 2, parts);
+    require_complete(simulation.advance((before + here) / 2, parts));
     simulation = Simulation(simulation);  // a copy goes on
     inside += whole.events[k].falling > 0;
     NextEvent next;
@@ -116,13 +116,13 @@ TEST(Resume, AMotionGoesOnFromAnyInstantFreeOrHeld) {
 // A copy inside a chatter goes its own way, and leaves the original where it stands.
 TEST(Resume, ACopyDoesNotMoveTheOriginal) {
   Simulation original(paper::figure2());
-  original.advance(716.0);  // inside the chatter of Figure 2(b)
+  require_complete(original.advance(716.0));  // inside the chatter of Figure 2(b)
   Simulation copy = original;
   const Outcome other = copy.advance(750.0);
   const Outcome end = original.advance(750.0);
   EXPECT_EQ(other.state.displacement, end.state.displacement);
   EXPECT_EQ(other.state.velocity, end.state.velocity);
-  expect_refused({{[&] { copy.advance(700.0); }, "until = 700: lies before the start"}});
+  expect_refused({{[&] { require_complete(copy.advance(700.0); }, "until = 700: lies before the start"}}));
 }
 
 }  // namespace

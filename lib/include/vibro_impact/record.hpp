@@ -32,9 +32,9 @@ struct Event {
   Held held;               // contact mode after the event
 };
 
-// The motion at one time, while a recorder is told of it: what is asked for is computed then, one
-// displacement or velocity in a sum over all modes. It cannot be kept or copied; keep the numbers.
-// `mass` counts from 1; std::invalid_argument for a mass the chain does not have.
+// The motion at one time, while a run reports it to a recorder: what is asked for is computed then,
+// one displacement or velocity in a sum over all modes. It cannot be kept or copied; keep the
+// numbers. `mass` counts from 1; std::invalid_argument for a mass the chain does not have.
 class Moment {
  public:
   Instant instant;

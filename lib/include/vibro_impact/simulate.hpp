@@ -26,7 +26,8 @@ struct RunOptions {
   // the order follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
   // More impacts than this in one forcing period, or in a thousand periods of the fastest mode
-  // where these are shorter, end the run: it is given up.
+  // where these are shorter, end the run: it is given up. Without a forcing that turns, the window
+  // is one period of that mode.
   long long max_impacts_per_period = 1'000'000;
 };
 
@@ -74,12 +75,12 @@ class Simulation {
   // are those of this call. Throws std::invalid_argument, with one line, for a time that is not
   // finite or lies before where the simulation stands, and where a recorder rejects the scene.
   template <Recorder... Recorders>
-  Outcome advance(double until, Recorders &...recorders) {
+  [[nodiscard]] Outcome advance(double until, Recorders &...recorders) {
     const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
         detail::recorder_ref(recorders)...};
     return advance_with(until, refs);
   }
-  Outcome advance(double until, const RecorderGroup &recorders) {
+  [[nodiscard]] Outcome advance(double until, const RecorderGroup &recorders) {
     return advance_with(until, recorders.refs());
   }
 
@@ -92,29 +93,29 @@ class Simulation {
 // One call of `advance` of a new simulation: from the scene's own initial state at t = 0, or from
 // another motion of it. Throws what its constructor and `advance` throw.
 template <Recorder... Recorders>
-Outcome simulate(const Scene &scene, const MotionState &start, double until,
-                 const RunOptions &options, Recorders &...recorders) {
+[[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
+                               const RunOptions &options, Recorders &...recorders) {
   const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
       detail::recorder_ref(recorders)...};
   return detail::simulate(scene, &start, until, options, refs);
 }
 
 template <Recorder... Recorders>
-Outcome simulate(const Scene &scene, const MotionState &start, double until,
-                 Recorders &...recorders) {
+[[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
+                               Recorders &...recorders) {
   return simulate(scene, start, until, RunOptions{}, recorders...);
 }
 
 template <Recorder... Recorders>
-Outcome simulate(const Scene &scene, double until, const RunOptions &options,
-                 Recorders &...recorders) {
+[[nodiscard]] Outcome simulate(const Scene &scene, double until, const RunOptions &options,
+                               Recorders &...recorders) {
   const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
       detail::recorder_ref(recorders)...};
   return detail::simulate(scene, nullptr, until, options, refs);
 }
 
 template <Recorder... Recorders>
-Outcome simulate(const Scene &scene, double until, Recorders &...recorders) {
+[[nodiscard]] Outcome simulate(const Scene &scene, double until, Recorders &...recorders) {
   return simulate(scene, until, RunOptions{}, recorders...);
 }
 

@@ -90,7 +90,7 @@ void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, S
   bool evaluate_anew = evaluated > gap_reread_ratio * terms;
   if (!evaluate_anew) {
     carried = carry();
-    // Where gap and speed still are exactly zero, the mass is at rest as far as can be told.
+    // Where gap and speed still are exactly zero, nothing shows that the mass has left its stop.
     if (decided_force(stop) != nullptr && carried.gap == 0.0 && carried.speed == 0.0) return;
     evaluate_anew = evaluated > gap_reread_ratio * gap_reread_ratio * terms &&
                     std::abs(carried.gap - evaluated) > carried_gap_drift * terms;

@@ -1,4 +1,4 @@
-// What recorders are told of a run. Nothing here changes the run.
+// The reports of a run to its recorders. Nothing here changes the run.
 #pragma once
 
 #include "run.hpp"
