@@ -122,7 +122,8 @@ TEST(Resume, ACopyDoesNotMoveTheOriginal) {
   const Outcome end = original.advance(750.0);
   EXPECT_EQ(other.state.displacement, end.state.displacement);
   EXPECT_EQ(other.state.velocity, end.state.velocity);
-  expect_refused({{[&] { require_complete(copy.advance(700.0); }, "until = 700: lies before the start"}}));
+  expect_refused(
+      {{[&copy] { require_complete(copy.advance(700.0)); }, "until = 700: lies before the start"}});
 }
 
 }  // namespace

@@ -45,6 +45,13 @@ inline double dot(const PerCoordinate &a, const PerCoordinate &b) {
   return dot(a.data(), b);
 }
 
+// sum_j a_j + b_j.
+inline double total(const PerCoordinate &a, const PerCoordinate &b) {
+  Pair total{};
+  for (Eigen::Index j = 0; j < b.size(); j += 2) total += pair(a.data() + j) + pair(b.data() + j);
+  return sum(total);
+}
+
 // sum_j a_j |b_j|.
 inline double dot_moduli(const PerCoordinate &a, const PerCoordinate &b) {
   Pair total{};

@@ -5,6 +5,7 @@
 
 #include "instant.hpp"
 #include "observers.hpp"
+#include "simulation/chain/pair.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/stops/impact.hpp"
 
@@ -79,7 +80,7 @@ void take_limit(Run &run, Recorders recorders) {
 
 void give_up_beyond_range(Run &run) {
   const Motion &motion = run.motion;
-  if (!std::isfinite(motion.y.sum() + motion.dy.sum()))
+  if (!std::isfinite(total(motion.y, motion.dy)))
     stop_run(run, Ending::given_up,
              line("the motion leaves the range of double precision before t = ",
                   time_of(motion.now, run.problem.clock), ", given up"));
