@@ -113,6 +113,13 @@ TEST(Drift, TakesFewSteps) {
   }
 }
 
+// A sample at the start of a long flight.
+TEST(SmallMotion, IsFiniteInNoTime) {
+  const MotionState start = simulate(scene_of({1.0, 1.0, 0.0, 1.0, 1.0, far, 0.1, 0.2}), 0.0).state;
+  EXPECT_EQ(start.displacement[0], 0.1);
+  EXPECT_EQ(start.velocity[0], 0.2);
+}
+
 // A motion of 1e-170, of which the squares underflow.
 TEST(SmallMotion, MissesNoImpact) {
   const Scene scene = scene_of({1.0, 1.0, 0.0, 1.0, 0.5, 0.5e-170, -1e-170});

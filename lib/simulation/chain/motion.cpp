@@ -55,7 +55,7 @@ OscillatorState change_by_series(const ModalCoordinates &all, Index j, Oscillato
     change.slope += (n + 2) * term;
     force *= Complex(0.0, omega * tau / (n + 1));
   }
-  return {change.value, change.slope / tau};
+  return {change.value, tau > 0.0 ? change.slope / tau : 0.0};
 }
 
 // The state of one coordinate after tau, as a change.
