@@ -18,14 +18,16 @@ using Eigen::Index;
 // Static positions with the held masses at their stops: linear in the compliance between two
 // anchors. Written so that two equal anchors give exactly their common position, which makes a
 // zero hold force (Figure 5(c): s1 = s2) exactly zero.
-Eigen::VectorXd static_positions(const Scene &scene, const Held &held) {
+void set_static_positions(const Scene &scene, const Held &held, Eigen::VectorXd &x,
+                          Eigen::VectorXd &tension) {
   const std::size_t n = scene.mass.size();
   std::vector<double> held_at(n, 0.0);
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     if (held[i] == static_cast<signed char>(stop.side)) held_at[i] = stop.position;
   }
-  Eigen::VectorXd x(static_cast<Index>(n));
+  x.setZero(static_cast<Index>(n));
+  tension.setZero(static_cast<Index>(n));
   double left = 0.0;
   for (std::size_t i = 0; i < n;) {
     std::size_t anchor = i;
@@ -34,6 +36,9 @@ Eigen::VectorXd static_positions(const Scene &scene, const Held &held) {
     if (i == 0 && scene.stiffness[0] == 0.0) left = right;  // not tied to the ground
     double total = 0.0, reached = 0.0;
     for (std::size_t j = i; j <= anchor && j < n; ++j) total += 1.0 / scene.stiffness[j];
+    if (left != right)
+      for (std::size_t j = i; j <= anchor && j < n; ++j)
+        tension(static_cast<Index>(j)) = (right - left) / total;
     for (std::size_t j = i; j < anchor; ++j) {
       reached += 1.0 / scene.stiffness[j];
       x(static_cast<Index>(j)) = left == right ? left : left + (right - left) * (reached / total);
@@ -42,7 +47,6 @@ Eigen::VectorXd static_positions(const Scene &scene, const Held &held) {
     left = right;
     i = anchor + 1;
   }
-  return x;
 }
 
 // A mode of which the two decays are well apart: damping ratio beta sqrt(lambda) / 2 (Eq. 7).
@@ -62,6 +66,7 @@ void resize(ContactMode &mode, std::size_t size, Index masses) {
   mode.shape.setZero(masses, padded);
   mode.value_of_displacement.setZero(padded, masses);
   mode.value_of_velocity.setZero(padded, masses);
+  mode.value_of_tension.setZero(padded, masses);
   mode.slope_of_velocity.setZero(padded, masses);
 }
 
@@ -102,6 +107,10 @@ Index add_mode(const Scene &scene, const ModalBasis &basis, Index k, Index j, Co
     force += basis.shape(static_cast<Index>(i), k) * amplitude_on(scene, i);
   mode.shape.col(j) = basis.shape.col(k);
   mode.value_of_displacement.row(j) = basis.inverse.row(k);
+  // lambda phi^T M x = phi^T K x, a sum over the links.
+  for (Index i = 0; i < mode.shape.rows() && lambda > 0.0; ++i)
+    mode.value_of_tension(j, i) =
+        (basis.shape(i, k) - (i > 0 ? basis.shape(i - 1, k) : 0.0)) / lambda;
   if (!strongly_damped(scene.beta, lambda)) {
     set_oscillator(scene, kappa, lambda, force, j, all);
     mode.slope_of_velocity.row(j) = basis.inverse.row(k);
@@ -114,6 +123,8 @@ Index add_mode(const Scene &scene, const ModalBasis &basis, Index k, Index j, Co
   set_decay(scene, slow, force / (fast - slow), j, all);
   set_decay(scene, fast, -force / (fast - slow), other, all);
   mode.shape.col(other) = basis.shape.col(k);
+  mode.value_of_tension.row(other) = mode.value_of_tension.row(j) * (-slow / (fast - slow));
+  mode.value_of_tension.row(j) *= fast / (fast - slow);
   mode.value_of_displacement.row(j) = basis.inverse.row(k) * (fast / (fast - slow));
   mode.value_of_displacement.row(other) = basis.inverse.row(k) * (-slow / (fast - slow));
   mode.value_of_velocity.row(j) = basis.inverse.row(k) / (fast - slow);
@@ -205,7 +216,7 @@ ContactMode build_contact_mode(const Scene &scene, const Held &held) {
   ContactMode mode;
   ModalCoordinates &all = mode.coordinates;
   mode.held = held;
-  mode.equilibrium = static_positions(scene, held);
+  set_static_positions(scene, held, mode.equilibrium, mode.tension);
   std::size_t size = free.size();
   for (const double lambda : basis.lambda)
     if (strongly_damped(scene.beta, lambda)) ++size;

@@ -70,8 +70,12 @@ struct ContactMode {
   // x = equilibrium + shape y, N x coordinates, with zero rows for held masses.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> shape;
   Eigen::MatrixXd value_of_displacement;  // coordinates x N: y = these times (x - equilibrium)
-  Eigen::MatrixXd value_of_velocity;      // plus these times x', which only decays have
-  Eigen::MatrixXd slope_of_velocity;      // y' = these times x'
+  // The same of static positions by the tensions k (x_i - x_(i-1)) of the links, N: a stiff
+  // coordinate then has the rounding of its own, not of the positions.
+  Eigen::MatrixXd value_of_tension;
+  Eigen::VectorXd tension;            // of the links at the static positions
+  Eigen::MatrixXd value_of_velocity;  // plus these times x', which only decays have
+  Eigen::MatrixXd slope_of_velocity;  // y' = these times x'
   std::vector<Contact> contacts;
 
   Eigen::Index padded() const {

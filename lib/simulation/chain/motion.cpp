@@ -213,6 +213,31 @@ void express(const MotionState &state, const ContactMode &mode, const Clock &clo
   complete_change(motion);
 }
 
+void change_mode(const ContactMode &mode, PerCoordinate &deviation, Motion &motion) {
+  const ContactMode &before = *motion.mode;
+  const Index n = mode.equilibrium.size();
+  deviation.resize(2 * n);
+  for (Index i = 0; i < n; ++i) {
+    deviation(i) = dot(before.shape.data() + i * motion.y.size(), motion.y);
+    deviation(n + i) = dot(before.shape.data() + i * motion.y.size(), motion.dy);
+  }
+  motion.y.setZero(mode.padded());
+  motion.dy.setZero(mode.padded());
+  for (Index i = 0; i < n; ++i) {
+    motion.y += mode.value_of_displacement.col(i).array() * deviation(i);
+    motion.y += mode.value_of_tension.col(i).array() * (before.tension(i) - mode.tension(i));
+    motion.dy += mode.slope_of_velocity.col(i).array() * deviation(n + i);
+    if (mode.coordinates.any_decay)
+      motion.y += mode.value_of_velocity.col(i).array() * deviation(n + i);
+    if (mode.drift >= 0)
+      motion.y(mode.drift) +=
+          mode.value_of_displacement(mode.drift, i) * (before.equilibrium(i) - mode.equilibrium(i));
+  }
+  motion.mode = &mode;
+  motion.following.assign(mode.stiff ? static_cast<std::size_t>(mode.padded()) : 0, false);
+  complete_change(motion);
+}
+
 double displacement(const Motion &motion, std::size_t mass) {
   const auto i = static_cast<Index>(mass);
   const ContactMode &mode = *motion.mode;

@@ -59,6 +59,10 @@ void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinat
 // Expresses a motion in the coordinates of `mode`.
 void express(const MotionState &state, const ContactMode &mode, const Clock &clock, Motion &motion);
 
+// Expresses the motion in the coordinates of another mode: the motion about the static positions by
+// the displacements, and the static positions by the tensions of the links. `deviation` is scratch.
+void change_mode(const ContactMode &mode, PerCoordinate &deviation, Motion &motion);
+
 // Of a mass, counted from 0. Rounding puts no mass beyond its stops.
 double displacement(const Motion &motion, std::size_t mass);
 double velocity(const Motion &motion, std::size_t mass);

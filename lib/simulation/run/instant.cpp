@@ -19,14 +19,22 @@ void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
     stop_run(run, Ending::stopped);
 }
 
-void enter_mode(Run &run, const MotionState &state) {
+// Masses that are released leave a motion that is best known by its modal coordinates. Where a mass
+// sticks, and at the start, it is known by its displacements.
+void enter_mode(Run &run, const MotionState &state, bool at_start) {
+  bool by_displacements = at_start;
+  for (std::size_t i = 0; i < state.held.size() && !by_displacements; ++i)
+    by_displacements = state.held[i] != 0 && run.motion.mode->held[i] == 0;
   bool built = false;
   const ContactMode &mode = run.modes.enter(run.scene(), state.held, built);
   if (built) {
     ++run.counters.modes_built;
     run.counters.forced_coordinates = (mode.coordinates.force > 0.0).count();
   }
-  express(state, mode, run.problem.clock, run.motion);
+  if (by_displacements)
+    express(state, mode, run.problem.clock, run.motion);
+  else
+    change_mode(mode, run.scratch.deviation, run.motion);
 }
 
 // Counts an impact at this closing speed, and gives the run up when there are too many. An impact
@@ -197,7 +205,7 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start) {
     state.held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
   }
   if (state.held == run.motion.mode->held) return;
-  enter_mode(run, state);
+  enter_mode(run, state, at_start);
   for (const RestingMass &mass : rest.masses) {
     if (mass.held == mass.was_held) continue;
     ++(mass.held ? run.counters.sticks : run.counters.releases);
@@ -224,7 +232,7 @@ void handle_start(Run &run, Recorders recorders) {
   MotionState &state = scratch.state;
   state = *std::exchange(run.start, std::nullopt);
   run.motion.now = run.budget.since = state.instant;
-  enter_mode(run, state);
+  enter_mode(run, state, true);
   const std::vector<Stop> &stops = run.scene().stops;
   run.stops.resize(stops.size());
   for (std::size_t k = 0; k < stops.size(); ++k) {

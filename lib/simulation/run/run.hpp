@@ -49,7 +49,7 @@ struct Scratch {
   Flight flight;
   LimitState limit;
   RestDecision rest;
-  PerCoordinate change, speed;
+  PerCoordinate change, speed, deviation;
   Motion sampled;
   std::vector<StopState> sampled_stops;
   std::vector<std::size_t> hits, roots;  // contacts of the event at hand
