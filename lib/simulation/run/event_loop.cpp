@@ -203,7 +203,8 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
   take_limit(run, recorders);  // also of a chatter that stood at a node when the run ended
   while (!run.progress.over) {
     run_step(run, recorders);
-    if (!run.progress.over && is_done(recorders)) stop_run(run, Ending::stopped);
+    if (!run.progress.over && !recorders.empty() && is_done(recorders))
+      stop_run(run, Ending::stopped);
   }
   // A run that ends at an event ends where it stands.
   if (run.progress.last.displacement.empty())
