@@ -10,7 +10,7 @@
 # make readme         write the generated tables and counts of the documents
 # make build          build the library and the program only
 # make test-sanitize  run the tests under the address and undefined-behaviour sanitizers
-# make reference      recompute the 50-digit tables in reference/ (a quarter of an hour)
+# make reference      recompute the 50-digit tables in reference/ (about an hour)
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
 # make clean          remove build/
 #
@@ -96,7 +96,7 @@ test-sanitize:
 	@cmake --build build/sanitize --target test_programs -j $(jobs)
 	@ctest --test-dir build/sanitize --output-on-failure -j $(jobs)
 
-reference: configured-library
+reference: configured-figures
 	$(make_target) reference-generate
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
 	  $(folder)/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
