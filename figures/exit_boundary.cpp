@@ -22,7 +22,7 @@ void draw(const std::filesystem::path &output) {
   const double until = 12 * Clock(scene.omega).period;
   figures::StickingPhaseRecorder first{.mass = 1, .other = 2, .to = until, .every = 0.005};
   figures::StickingPhaseRecorder second{.mass = 2, .other = 1, .to = until, .every = 0.005};
-  require_complete(simulate(scene, until, {}, first, second));
+  require_complete(simulate(scene, until, first, second));
   write(orbit_of(first), output / "exit_boundary1.csv");
   write(orbit_of(second), output / "exit_boundary2.csv");
   // The numbers of the boundaries: k / c, A1 / c and the stops.

@@ -21,7 +21,7 @@ namespace vibro_impact::figures {
 inline std::vector<Event> events_of(const Scene &scene, double until, double from = 0.0) {
   EventRecorder recorder;
   recorder.from = from;
-  require_complete(simulate(scene, until, {}, recorder));
+  require_complete(simulate(scene, until, recorder));
   return recorder.events;
 }
 
@@ -47,7 +47,7 @@ inline double first_time(const Scene &scene, EventKind kind, int mass, const pap
 // The displacements of a mass in the window of a panel, among samples every 1e-4.
 inline Range range_in(const Scene &scene, int mass, const paper::AxisBox &box) {
   SampleRecorder samples = samples_across(box, 1e-4);
-  require_complete(simulate(scene, samples.to, {}, samples));
+  require_complete(simulate(scene, samples.to, samples));
   return range_of(samples, mass);
 }
 
@@ -91,7 +91,7 @@ struct Line {
 inline Line exit_boundary_of_mass_2() {
   ReleasePoints points;
   for (double omega : {0.25, 0.26, 0.27, 0.28, 0.29, 0.3, 0.32, 0.34, 0.36, 0.4})
-    require_complete(simulate(paper::stops_of_different_sign(omega), 200.0, {}, points));
+    require_complete(simulate(paper::stops_of_different_sign(omega), 200.0, points));
   const auto n = static_cast<double>(points.x.size());
   double x = 0.0, v = 0.0, xx = 0.0, xv = 0.0;  // means
   for (std::size_t i = 0; i < points.x.size(); ++i) {

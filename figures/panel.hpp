@@ -97,7 +97,7 @@ struct StickingPhaseRecorder {
 inline Table hold_force(const Scene &scene) {
   const double period = Clock(scene.omega).period, from = paper::figure4_settling_periods * period;
   StickingPhaseRecorder phases{.from = from, .to = from + period, .every = 0.001};
-  require_complete(simulate(scene, phases.to, {}, phases));
+  require_complete(simulate(scene, phases.to, phases));
   Table table("phase,t,F2");
   for (const auto &row : phases.rows)
     if (!std::isnan(row.force)) table.row(row.phase, row.time, row.force);

@@ -16,7 +16,7 @@ inline const RunOptions all_impacts{.resolve_chatter = 0.0};
 inline std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,
                                       const RunOptions &options = {}) {
   EventRecorder recorder{-std::numeric_limits<double>::infinity()};
-  require_complete(simulate_from(scene, start, until, options, recorder));
+  require_complete(simulate(scene, start, until, options, recorder));
   return recorder.events;
 }
 

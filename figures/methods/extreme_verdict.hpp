@@ -89,7 +89,7 @@ namespace detail {
 inline std::vector<TrueEvent> events_of(const Scene &scene, double from, double until,
                                         Outcome *outcome = nullptr) {
   EventRecorder recorder{from};
-  const Outcome result = require_complete(simulate(scene, until, {}, recorder));
+  const Outcome result = require_complete(simulate(scene, until, recorder));
   if (outcome != nullptr) *outcome = result;
   return figures::as_truth(recorder.events);
 }
@@ -153,7 +153,7 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
   const double until =
       extreme.from > 0.0 ? std::min(extreme.until, 1000.0 * period) : extreme.until;
   Samples motion{&scene, until};
-  require_complete(simulate(scene, until, {}, motion));
+  require_complete(simulate(scene, until, motion));
   for (const TrueEvent &event : truth)
     motion.speed = std::max(motion.speed, std::abs(event.velocity_before));
   const auto finite = [](const std::vector<double> &values) {

@@ -24,11 +24,12 @@ struct StickingPhase {
 int main() {
   const Scene scene = paper_scene(0.256);  // Figure 4(a)
   StickingPhase first;
-  Outcome outcome = simulate(scene, 1000.0, {}, first);
+  Simulation simulation(scene);
+  Outcome outcome = simulation.advance(1000.0, first);
   for (int k = 1; k <= 5 && outcome.ending == Ending::stopped; ++k) {
     std::printf("phase %d: from %.9f to %.9f\n", k, first.begun, first.ended);
     first = {};
-    outcome = resume(scene, outcome.resume, 1000.0, {}, first);  // as if it had never ended
+    outcome = simulation.advance(1000.0, first);  // as if it had never ended
   }
   return outcome.ending != Ending::stopped || !(first.ended > first.begun);
 }

@@ -31,7 +31,7 @@ struct StroboscopicSection {
 int main() {
   const Scene scene = paper_scene(0.69);
   StroboscopicSection section{.period = Clock(scene.omega).period, .phase = 0.25, .first = 200};
-  simulate(scene, 1200 * section.period, {}, section);
+  require_complete(simulate(scene, 1200 * section.period, section));
   std::printf("x1,v1\n");
   for (const auto &point : section.points)
     std::printf("%.12f,%.12f\n", point.displacement, point.velocity);

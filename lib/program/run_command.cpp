@@ -99,6 +99,16 @@ void draw(const RunRequest &request) {
 
 }  // namespace
 
+// Shows how far a run is.
+struct ProgressRecorder {
+  Progress &progress;
+  double last = 0.0;
+
+  void event(const Event &event, const Moment &) {
+    progress.advance(event.time - std::exchange(last, event.time));
+  }
+};
+
 void run_scene(const RunRequest &request) {
   check_files(
       {{"--events", request.events}, {"--samples", request.samples}, {"--plot", request.plot}});
@@ -106,16 +116,13 @@ void run_scene(const RunRequest &request) {
   EventRecorder events{request.from};
   SampleRecorder samples{request.from, request.until, request.every};
   Progress progress("time", request.until);
-  std::vector<RecorderRef> recorders;
-  if (!request.events.empty()) recorders.push_back(recorder_ref(events));
-  if (!request.samples.empty()) recorders.push_back(recorder_ref(samples));
-  recorders.push_back(
-      {.event = [&progress, last = 0.0](const Event &event, const Moment &) mutable {
-        progress.advance(event.time - std::exchange(last, event.time));
-      }});
-  const Outcome outcome = simulate_seen(request.scene, start_of(request.scene), request.until,
-                                        request.options, recorders);
-  require_complete(outcome);
+  ProgressRecorder shown{progress};
+  RecorderGroup recorders;
+  if (!request.events.empty()) recorders.add(events);
+  if (!request.samples.empty()) recorders.add(samples);
+  recorders.add(shown);
+  Simulation simulation(request.scene, request.options);
+  const Outcome outcome = require_complete(simulation.advance(request.until, recorders));
   if (!request.events.empty()) write_table(table_of(events), request.events);
   if (!request.samples.empty())
     write_table(table_of(samples, request.scene.masses()), request.samples);

@@ -1,8 +1,22 @@
-// The one door through which the analysis uses the inside of the simulation: everything else that
-// it needs stands in the public headers.
+// The internal interface of the simulation for the analysis. Everything else that the analysis
+// needs stands in the public headers.
 #pragma once
 
-#include "chain/contact_mode.hpp"  // the natural modes of a contact mode
-#include "chain/forces.hpp"        // the forces of Eq. 4, and a bound of every rate
-#include "chain/oscillator.hpp"    // the free motion of one mode in closed form
-#include "chain/require.hpp"       // the refusal of bad input
+#include "chain/forces.hpp"      // the forces of Eq. 4, and a bound of every rate
+#include "chain/modes.hpp"       // the natural modes of the free masses
+#include "chain/oscillator.hpp"  // the free motion of one mode in closed form
+#include "chain/require.hpp"     // the refusal of bad input
+
+namespace vibro_impact {
+
+using detail::amplitude_on;
+using detail::force_on;
+using detail::free_response;
+using detail::line;
+using detail::link_force;
+using detail::OscillatorState;
+using detail::rate_bound;
+using detail::require;
+using detail::require_mass;
+
+}  // namespace vibro_impact

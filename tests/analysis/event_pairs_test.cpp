@@ -14,7 +14,7 @@ using namespace vibro_impact::figures;
 
 std::vector<PairedEvents> pairs_of(const Scene &scene, double until, double from = 0.0) {
   PressedEventRecorder recorder{scene, from};
-  require_complete(simulate(scene, until, {}, recorder));
+  require_complete(simulate(scene, until, recorder));
   return event_pairs(recorder.events);
 }
 

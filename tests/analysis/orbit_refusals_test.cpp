@@ -91,7 +91,7 @@ TEST(Refusals, OfOrbits) {
        },
        "derivative: 3 x 4 values given"},
       {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
-      {[&] { simulate(scene, 60.0, {}, without_stops); }, "has 0 stops"},
+      {[&] { require_complete(simulate(scene, 60.0, without_stops)); }, "has 0 stops"},
   });
 }
 

@@ -64,7 +64,7 @@ TEST(Settle, MostOfFigure3SettlesSoon) {
 EventCounts counted_far_out(const Scene &scene, int periods, int after) {
   const Clock clock(scene.omega);
   EventRecorder recorder{(after - 1) * clock.period};
-  simulate(scene, (after + periods + 1) * clock.period, {}, recorder);
+  require_complete(simulate(scene, (after + periods + 1) * clock.period, recorder));
   const std::vector<int> none(scene.mass.size(), 0);
   EventCounts counts{periods, none, none, false};
   std::vector<int> aside(scene.stops.size(), 0);
@@ -74,13 +74,14 @@ EventCounts counted_far_out(const Scene &scene, int periods, int after) {
   for (const Event &event : recorder.events) {
     const auto mass = static_cast<std::size_t>(event.mass - 1);
     if (event.kind == EventKind::impact) {
-      if (event.falling == 0) counts.impacts[mass] += std::exchange(aside[event.stop], 0);
-      if (inside(event)) ++aside[event.stop];
+      if (event.falling == 0)
+        counts.impacts[mass] += std::exchange(aside[static_cast<std::size_t>(event.stop - 1)], 0);
+      if (inside(event)) ++aside[static_cast<std::size_t>(event.stop - 1)];
     }
     if (event.kind == EventKind::stick) {
-      if (law_of(scene, scene.stops[event.stop]).restitution == 0.0)
-        counts.impacts[mass] += aside[event.stop];
-      aside[event.stop] = 0;
+      if (law_of(scene, stop_of(scene, event)).restitution == 0.0)
+        counts.impacts[mass] += aside[static_cast<std::size_t>(event.stop - 1)];
+      aside[static_cast<std::size_t>(event.stop - 1)] = 0;
       if (inside(event)) ++counts.sticks[mass];
     }
     if (inside(event)) {

@@ -31,7 +31,7 @@ Grid grid_of_figure3() {
 std::vector<double> observed(const Scene &scene) {
   const double T = Clock(scene.omega).period;
   ImpactSpeedRecorder speeds{1, 29 * T};
-  const Outcome end = simulate(scene, 30 * T, {}, speeds);
+  const Outcome end = simulate(scene, 30 * T, speeds);
   std::vector<double> row = end.state.displacement;
   row.insert(row.end(), speeds.velocities.begin(), speeds.velocities.end());
   return row;

@@ -165,14 +165,14 @@ struct BriefEvent {
 };
 
 bool differentiable_after(const std::vector<BriefEvent> &events) {
-  const Scene scene = paper::figure5a();  // stop k is that of mass k + 1
+  const Scene scene = paper::figure5a();  // stop k is that of mass k
   TangentRecorder tangents(scene, start_of(scene));
   Held held{0, 0};
   for (const auto &[time, kind, mass, speed] : events) {
-    const auto stop = static_cast<std::size_t>(mass - 1);
-    if (kind != EventKind::impact) held[stop] = kind == EventKind::stick ? 1 : 0;
+    if (kind != EventKind::impact)
+      held[static_cast<std::size_t>(mass - 1)] = kind == EventKind::stick ? 1 : 0;
     const Instant instant{0, time};
-    const Event event{kind, stop, mass, Side::upper, instant, time, speed, -speed, 0, false, held};
+    const Event event{kind, mass, mass, Side::upper, instant, time, speed, -speed, 0, false, held};
     tangents.event(event, Moving(instant, time));
   }
   tangents.finish({0, 5.0});

@@ -99,7 +99,7 @@ struct Releases {
 TEST(Corrections, Equation20IsTheForceOnMass1AndEquation23ThatOnMass2) {
   const Scene scene = paper::figure2();
   Releases releases{scene.omega};
-  require_complete(simulate(scene, 750.0, {}, releases));
+  require_complete(simulate(scene, 750.0, releases));
   ASSERT_FALSE(releases.values.empty());
   for (const auto &[mass, equation20, equation23] : releases.values) {
     EXPECT_NEAR(mass == 1.0 ? equation20 : equation23, 0.0, 1e-14);
@@ -118,7 +118,7 @@ TEST(Corrections, TheSideOfAStopIsNotTheSignOfItsPosition) {
     figures::StickingPhaseRecorder force;
     force.to = 5.0;
     force.every = 0.5;
-    const Outcome outcome = simulate(scene, 5.0, {}, force);
+    const Outcome outcome = simulate(scene, 5.0, force);
     EXPECT_EQ(outcome.state.held, Held{-1});
     ASSERT_GT(force.rows.size(), 5u);
     for (const auto &row : force.rows) EXPECT_LE(row.force * place, 0.0);

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "figures/methods/extreme_verdict.hpp"
+#include "tests/rates.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -20,8 +21,9 @@ const EventTables &reference() {
 
 // Rate of the fastest mode of any contact mode or of the forcing.
 double fastest_rate(const Scene &scene) {
-  const double stiffest = largest_eigenvalue_bound(scene);
-  return std::max(root_modulus(scene.beta * stiffest, stiffest), scene.omega);
+  const double stiffest = vibro_impact::testing::largest_eigenvalue_bound(scene);
+  return std::max(vibro_impact::testing::root_modulus(scene.beta * stiffest, stiffest),
+                  scene.omega);
 }
 
 // The longest expansion of a flight, in radians of its fastest rate.
@@ -137,7 +139,7 @@ TEST(Verdict, MeasuresAPenetration) {
   Scene nearer = scene;
   nearer.stops[0].position = 0.49;
   Samples samples{&nearer, 10.0};
-  simulate(scene, 10.0, {}, samples);
+  require_complete(simulate(scene, 10.0, samples));
   EXPECT_NEAR(samples.penetration, 0.01, 5e-3);  // half a spacing of the samples at speed 0.87
 }
 
@@ -146,8 +148,8 @@ TEST(Verdict, MeasuresAPenetration) {
 TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
   const Scene scene = one_mass(0.0, 0.0, 1.0, 0.0, 0.5, -1.0);
   Samples motion{&scene, 3.0};
-  simulate(scene, 3.0, {}, motion);
-  const Relative sensitivity = detail::sensitivity_of(scene, 3.0, 1.0, motion);
+  require_complete(simulate(scene, 3.0, motion));
+  const Relative sensitivity = extremes::detail::sensitivity_of(scene, 3.0, 1.0, motion);
   EXPECT_NEAR(sensitivity.time, 0.5 / std::sqrt(0.75), 1e-5);
   EXPECT_NEAR(sensitivity.velocity, 1.0 / std::sqrt(0.75), 1e-5);
 }

@@ -16,7 +16,7 @@ TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   const Scene scene = paper::figure2();
   EventRecorder events{20.0};
   SampleRecorder samples{20.0, 60.0, 0.25};
-  simulate(scene, 60.0, RunOptions{}, events, samples);
+  require_complete(simulate(scene, 60.0, events, samples));
 
   const Result result = run("run --until 60 --from 20 --every 0.25 --events e.csv --samples s.csv");
   ASSERT_EQ(result.status, 0) << result.err;

@@ -73,7 +73,7 @@ TEST(Allocations, NoneFromTheFirstEventToTheLast) {
     // Every contact mode has been entered, and every store has its size. Two masses have four lanes
     // unless they are strongly damped; others have as many as the contact mode needs.
     Allocations counted{.from = 200.0, .all = scene.masses() == 2 && scene.beta < 1.0};
-    simulate(scene, 1000.0, {}, counted);
+    require_complete(simulate(scene, 1000.0, counted));
     EXPECT_GT(counted.events, 100);
     EXPECT_EQ(counted.found, 0);
   }

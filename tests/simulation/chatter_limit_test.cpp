@@ -6,6 +6,7 @@
 
 #include "random_scenes.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "simulation/chain/mode_change.hpp"
 #include "simulation/chatter/limit.hpp"
 #include "tests/events.hpp"
 
@@ -109,7 +110,7 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
           std::max(worst.over_tolerance, (error - rounding(scene.restitution)) / tolerance);
       ++worst.limits;
     }
-    start = simulate_from(scene, start, 0.37 * period, resolved).state;
+    start = simulate(scene, start, 0.37 * period, resolved).state;
     start.instant = {};
     for (std::size_t i = 0; i < start.held.size(); ++i)
       if (start.held[i] != 0) {  // let go inside the stop, and moving
@@ -190,15 +191,17 @@ TEST(ChatterLimit, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
   // Both at rest at the origin, and a phase of the forcing that presses the second by its share.
   for (const auto &[share, stays] : {std::pair{1.2, false}, {0.5, false}, {3.0, true}}) {
     scene.amplitude = {0.0, share * scene.beta * scene.stiffness[1] * jumps_left};
-    const auto pressed_mode = build_contact_mode<Eigen::Dynamic>(scene, Held{0, 1});
-    State<Eigen::Dynamic> state;
-    state.stops.resize(2);
-    set_lanes(state, scene, pressed_mode, start_of(scene));
-    Chatter<Eigen::Dynamic> chatter;
-    begin(chatter, pressed_mode, {0});
-    chatter.impacts.times = {0.0};
-    chatter.impacts.jumps = {jump};
-    EXPECT_EQ(others_stay_clear(chatter, state, 1e-9), stays) << share;
+    const auto pressed_mode = detail::build_contact_mode(scene, Held{0, 1});
+    detail::Motion motion;
+    detail::ChainMotion chain;
+    detail::express(scene, start_of(scene), pressed_mode, Clock(scene.omega), chain, motion);
+    detail::Chatter chatter;
+    detail::begin(chatter, {0}, r);
+    detail::add_impact(chatter, 1e-9, {jump});
+    detail::PerCoordinate pushes, speed;
+    EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, scene.omega, 1e-9, pushes, speed),
+              stays)
+        << share;
   }
 }
 

@@ -46,8 +46,8 @@ struct EventRules {
   const char *fault_of(const Event &event) {
     if (!(event.time >= last)) return "time falls";
     if (told_at < event.instant && told != held) return "contact mode of the event before";
-    if (event.stop >= scene.stops.size()) return "stop";
-    const Stop &stop = scene.stops[event.stop];
+    if (event.stop < 1 || static_cast<std::size_t>(event.stop) > scene.stops.size()) return "stop";
+    const Stop &stop = stop_of(scene, event);
     if (stop.mass != event.mass || stop.side != event.side) return "stop of another mass or side";
     const double sigma = sign(event.side);
     const auto side = static_cast<signed char>(event.side);

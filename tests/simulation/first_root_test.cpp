@@ -13,6 +13,7 @@
 namespace {
 
 using namespace vibro_impact;
+using namespace vibro_impact::detail;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -21,7 +22,8 @@ using Coefficients = std::vector<long double>;
 Polynomial rounded(const Coefficients &coefficients) {
   Polynomial p;
   p.coefficient.fill(NAN);  // what lies beyond the padding must not be read
-  end_at(p, static_cast<int>(coefficients.size()) - 1);
+  p.order = static_cast<int>(coefficients.size()) - 1;
+  std::fill_n(p.coefficient.begin() + p.order + 1, 4, 0.0);
   for (std::size_t n = 0; n < coefficients.size(); ++n)
     p.coefficient[n] = static_cast<double>(coefficients[n]);
   return p;
@@ -72,7 +74,7 @@ struct Allowed {
 bool expect_neither_missed_nor_passed(const Polynomial &p, const Allowed &allowed) {
   Counters counters;
   const auto root = first_root(p, 1.0, counters);
-  const double end = root ? root->at : 1.0;
+  const double end = root ? root->u : 1.0;
   EXPECT_LE(counters.root_iterations, allowed.steps);
   if (root) {
     const double rounding = allowed.roundings * epsilon * size_of(p, end);
@@ -116,7 +118,7 @@ TEST(FirstRoot, OfCoefficientsOfAnySize) {
   for (int trial = 0; trial < 2000; ++trial) {
     SCOPED_TRACE(trial);
     Polynomial p;
-    end_at(p, 3 + trial % 5);
+    p.order = 3 + trial % 5;
     const double unit = trial % 4 == 0 ? 0x1p1000 : 1.0;
     const auto size = [&](double smallest) { return std::pow(10.0, smallest * any(random)); };
     for (int n = 0; n <= p.order; ++n)
@@ -139,12 +141,12 @@ TEST(FirstRoot, DecidesGrazingOfADipDownTo1e15) {
     const auto root = first(rounded({0.25L - depth, -1.0L, 1.0L}));
     ASSERT_TRUE(root) << depth;
     // The value's rounding over the slope 2 sqrt(depth).
-    EXPECT_NEAR(root->at, 0.5 - std::sqrt(depth), 2.2e-16 / std::sqrt(depth)) << depth;
+    EXPECT_NEAR(root->u, 0.5 - std::sqrt(depth), 2.2e-16 / std::sqrt(depth)) << depth;
   }
   const auto touch = first(rounded({0.25L, -1.0L, 1.0L}));
   ASSERT_TRUE(touch);
   // Within sqrt(eps) of the tangency the polynomial cannot be told from zero.
-  EXPECT_NEAR(touch->at, 0.5, 2e-8);
+  EXPECT_NEAR(touch->u, 0.5, 2e-8);
 }
 
 TEST(FirstRoot, DeflatedZerosKeepSmallSpeedsRelativelyAccurate) {
@@ -161,23 +163,23 @@ TEST(FirstRoot, DeflatedZerosKeepSmallSpeedsRelativelyAccurate) {
       exact -= q / (-a / 2.0L + 2.0L * b * exact);
     }
     // A few roundings, relative to the root.
-    EXPECT_NEAR(root->at, static_cast<double>(exact), 4 * epsilon * root->at) << v;
+    EXPECT_NEAR(root->u, static_cast<double>(exact), 4 * epsilon * root->u) << v;
     EXPECT_NEAR(root->slope, static_cast<double>(slope_of(p, exact)), 8 * epsilon * v) << v;
   }
 }
 
 TEST(FirstRoot, AtTheLimitOrAtTheStart) {
   // After a release: u^2 (or u^3) times a line that reaches zero at 1/4. Exact in binary.
-  EXPECT_EQ(first(rounded({0.0L, 0.0L, 1.0L, -4.0L})).value().at, 0.25);
-  EXPECT_EQ(first(rounded({0.0L, 0.0L, 0.0L, 1.0L, -4.0L})).value().at, 0.25);
-  EXPECT_EQ(first(rounded({1.0L, -1.0L})).value().at, 1.0);
-  EXPECT_EQ(first(rounded({0.5L, -1.0L}), 0.5).value().at, 0.5);
+  EXPECT_EQ(first(rounded({0.0L, 0.0L, 1.0L, -4.0L})).value().u, 0.25);
+  EXPECT_EQ(first(rounded({0.0L, 0.0L, 0.0L, 1.0L, -4.0L})).value().u, 0.25);
+  EXPECT_EQ(first(rounded({1.0L, -1.0L})).value().u, 1.0);
+  EXPECT_EQ(first(rounded({0.5L, -1.0L}), 0.5).value().u, 0.5);
   EXPECT_FALSE(first(rounded({0.5L, -1.0L}), std::nextafter(0.5, 0.0)));
   EXPECT_FALSE(first(rounded({1.0L + 1e-12L, -1.0L})));
   EXPECT_FALSE(first(rounded({0.0L, 0.0L, 0.0L}))) << "what stays at zero never returns to it";
   EXPECT_FALSE(first(rounded({0.0L, 0.0L, 0.0L, 0.0L})));
-  EXPECT_EQ(first(rounded({0.0L, -1e-20L, 1.0L})).value().at, 0.0) << "leaves through zero";
-  EXPECT_EQ(first(rounded({-1.0L, 5.0L})).value().at, 0.0);
+  EXPECT_EQ(first(rounded({0.0L, -1e-20L, 1.0L})).value().u, 0.0) << "leaves through zero";
+  EXPECT_EQ(first(rounded({-1.0L, 5.0L})).value().u, 0.0);
   EXPECT_FALSE(first(rounded({0.0L, 1e-300L})));
 }
 
@@ -188,7 +190,7 @@ TEST(FirstRoot, OfASmallPolynomialIsFoundInFewSteps) {
   const Polynomial small = rounded({2.8e-94, 8.3e-82, 0.0, 0.0, 0.0, 0.0, 0.0, 6e-13, -3e-6});
   const auto root = first_root(small, 1.0, counters);
   ASSERT_TRUE(root);
-  EXPECT_NEAR(root->at, 2e-7, 1e-21);
+  EXPECT_NEAR(root->u, 2e-7, 1e-21);
   EXPECT_LE(counters.root_iterations, 64);
 }
 

@@ -40,7 +40,7 @@ TEST(Modes, TheStartIsWhereTheSceneSays) {
   for (unsigned seed = 1; seed <= 4000; ++seed) {
     const Scene scene = graded_chain(seed);
     SampleRecorder start{0.0, 0.0, 1.0};
-    const MotionState state = simulate(scene, 0.0, {}, start).state;
+    const MotionState state = simulate(scene, 0.0, start).state;
     double error = std::max(distance(scene, start.displacements, scene.displacement),
                             distance(scene, state.displacement, scene.displacement)) /
                    length(scene, scene.displacement);

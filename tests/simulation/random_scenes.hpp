@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/rates.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::testing {

@@ -1,5 +1,5 @@
-// A run ends where a recorder asks for it, and goes on from there. The state of a run of another
-// scene is refused. (That a resumed run is the same bit for bit is tested by random_scenes_test.)
+// A run ends where a recorder asks for it, and goes on from there. (That a run in parts is the same
+// bit for bit is tested by random_scenes_test.)
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -31,14 +31,27 @@ TEST(Resume, ARunEndsAtTheEventThatARecorderNamesAndGoesOnFromThere) {
   const std::vector<Event> whole = events_of(scene, 0.0, 100.0);
   for (std::size_t number = 1; number < whole.size(); ++number) {
     UntilEvent until{number};
-    const Outcome part = simulate(scene, 100.0, {}, until);
+    Simulation simulation(scene);
+    const Outcome part = simulation.advance(100.0, until);
     EXPECT_EQ(part.ending, Ending::stopped);
     EXPECT_EQ(part.time, whole[number - 1].time);
     EventRecorder rest;
-    resume(scene, part.resume, 100.0, {}, rest);
+    require_complete(simulation.advance(100.0, rest));
     ASSERT_EQ(rest.events.size(), whole.size() - number);
     EXPECT_EQ(rest.events.back().time, whole.back().time);
   }
+}
+
+// The copy is made inside the chatter of Figure 2(b).
+TEST(Resume, ACopyGoesOnAsTheOriginalAndDoesNotMoveIt) {
+  Simulation original(paper::figure2());
+  require_complete(original.advance(716.0));
+  Simulation copy = original;
+  const Outcome other = copy.advance(750.0), end = original.advance(750.0);
+  EXPECT_EQ(other.state.displacement, end.state.displacement);
+  EXPECT_EQ(other.state.velocity, end.state.velocity);
+  expect_refused({{[&] { require_complete(copy.advance(700.0)); },
+                   "until = 700: lies before the start at 750"}});
 }
 
 // Keeps the first sample from a time on, and asks for the end there.
@@ -62,7 +75,7 @@ TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
   for (int k = 0; k < 800; ++k) {
     FirstSample sample{700.0 + 0.0617 * (k / 2)};
     const double until = k % 2 == 0 ? 750.0 : sample.at;
-    const Outcome outcome = simulate(paper::figure2(), until, {}, sample);
+    const Outcome outcome = simulate(paper::figure2(), until, sample);
     ASSERT_EQ(outcome.ending, Ending::stopped);
     EXPECT_EQ(outcome.time, sample.at);
     for (std::size_t i = 0; i < 2; ++i)
@@ -75,34 +88,11 @@ TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
 TEST(Resume, ARunToTheTimeOfItsStartEndsAsItStarts) {
   Scene scene = paper::figure2();
   const MotionState left{{7, 1.0}, {0.0, 0.1}, {0.1, -0.5}, {0, 0}};
-  const Outcome same = simulate_from(scene, left, time_of(left.instant, Clock(scene.omega)));
+  const Outcome same = simulate(scene, left, time_of(left.instant, Clock(scene.omega)));
   EXPECT_NEAR(same.state.velocity[1], -0.5, 1e-15);
   scene.omega = 1.4456159370241128;
   const double until = 61.0 * Clock(scene.omega).period;
-  EXPECT_EQ(simulate_from(scene, simulate(scene, until).state, until).ending, Ending::reached);
-}
-
-TEST(Resume, AStateOfNoRunOrOfAnotherSceneIsRefused) {
-  const Scene scene = paper::figure2();
-  const RunState state = simulate(scene, 38.0).resume, two_numbers{{0.0, 0.1}};
-  Scene one = scene, unforced = scene, faster = scene, moved = scene, three = scene;
-  one.stops.pop_back();
-  unforced.amplitude = {0.0, 0.0};
-  faster.omega *= 1.01;
-  moved.stops[1].position += 0.01;
-  three.mass.push_back(1.0);
-  three.stiffness.push_back(1.0);
-  three.amplitude.push_back(0.0);
-  expect_refused({
-      {[&] { resume(one, state, 40.0); }, "2 stops given, the scene has 1"},
-      {[&] { resume(unforced, state, 40.0); }, "modal coordinates given"},
-      {[&] { resume(faster, state, 40.0); }, "the forcing has another phase"},
-      {[&] { resume(moved, state, 40.0); }, "at stop 2"},
-      {[&] { resume(three, state, 40.0); }, "the contact mode of 2 masses"},
-      {[&] { resume(scene, state, 37.0); }, "lies before the start"},
-      {[&] { resume(scene, {}, 40.0); }, "state of a run: there is none"},
-      {[&] { resume(scene, two_numbers, 40.0); }, "too few"},
-  });
+  EXPECT_EQ(simulate(scene, simulate(scene, until).state, until).ending, Ending::reached);
 }
 
 }  // namespace

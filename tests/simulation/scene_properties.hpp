@@ -110,9 +110,9 @@ inline std::string broken_by_samples(const Run &run, SampleRecorder &samples) {
 inline std::string broken_by_a_split(const Run &run, double split, const SampleRecorder &samples) {
   EventRecorder events;
   SampleRecorder others{samples.from, samples.to, samples.every};
-  const Outcome first = simulate(run.scene, split, run.options, events, others);
-  if (first.ending != Ending::reached) return "";
-  const Outcome outcome = resume(run.scene, first.resume, run.until, run.options, events, others);
+  Simulation simulation(run.scene, run.options);
+  if (simulation.advance(split, events, others).ending != Ending::reached) return "";
+  const Outcome outcome = simulation.advance(run.until, events, others);
   const std::string differs = difference(run.events, run.outcome, events.events, outcome);
   if (!differs.empty()) return fmt::format("resumed at {}: {}", split, differs);
   if (others.times != samples.times || others.displacements != samples.displacements)

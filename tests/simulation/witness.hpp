@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mode_motion.hpp"
+#include "tests/rates.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::testing {
@@ -39,7 +40,7 @@ class Witness {
   void event(const Event &event, const Moment &moment) {
     fly_to(event.instant);
     const auto i = static_cast<Eigen::Index>(event.mass - 1);
-    const Stop &stop = scene_.stops[event.stop];
+    const Stop &stop = stop_of(scene_, event);
     if (event.kind == EventKind::impact) {
       note(off_the_stop, std::abs(gap(stop, flown_)));
       note(off_in_speed, std::abs(flown_.v(i) - event.velocity_before));

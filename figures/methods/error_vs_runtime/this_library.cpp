@@ -26,7 +26,7 @@ Result run_with(const Problem &problem, const RunOptions &options) {
     if (problem.start.held[i])
       start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
   MassEventRecorder recorder{&result.events};
-  const Outcome outcome = simulate_from(problem.scene, start, problem.until, options, recorder);
+  const Outcome outcome = simulate(problem.scene, start, problem.until, options, recorder);
   result.end.time = outcome.time;
   for (std::size_t i = 0; i < 2; ++i) {
     result.end.displacement[i] = outcome.state.displacement[i];

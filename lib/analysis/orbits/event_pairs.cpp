@@ -118,10 +118,10 @@ const char *abbreviation(EventPair kind) {
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.time < from) return;
   if (event.kind != EventKind::impact) return events.push_back({event, 0.0});
-  require(event.stop < scene.stops.size(), "stop ", event.stop, ": the scene has ",
-          scene.stops.size(), " stops");
+  require(event.stop >= 1 && static_cast<std::size_t>(event.stop) <= scene.stops.size(), "stop ",
+          event.stop, ": the scene has ", scene.stops.size(), " stops");
   events.push_back(
-      {event, pressing_force(scene, scene.stops[event.stop], state_at(moment, event.held))});
+      {event, pressing_force(scene, stop_of(scene, event), state_at(moment, event.held))});
 }
 
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {

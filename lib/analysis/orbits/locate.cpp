@@ -49,7 +49,7 @@ int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
   MotionState start = start_of(scene);
   start.instant.cycle = settling;
   EventRecorder recorder{time_of(start.instant, Clock(scene.omega))};
-  require_complete(simulate(scene, time_after(scene, start, periods), {}, recorder));
+  require_complete(simulate(scene, time_after(scene, start, periods), recorder));
   return static_cast<int>(std::count_if(
       recorder.events.begin(), recorder.events.end(),
       [mass](const Event &event) { return event.kind == EventKind::stick && event.mass == mass; }));

@@ -104,8 +104,7 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options) {
   TangentRecorder recorder(scene, start);
-  const Outcome end =
-      simulate_from(scene, start, time_after(scene, start, periods), options, recorder);
+  const Outcome end = simulate(scene, start, time_after(scene, start, periods), options, recorder);
   const Eigen::MatrixXd tangents = recorder.finish(require_complete(end).state.instant);
   Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(tangents.rows(), tangents.rows());
   Eigen::Index column = 0;
@@ -133,7 +132,7 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
     end_interval(elapsed(start.instant, event.instant, clock));
   end_interval(clock.period);  // the motion need not be periodic: the period ends the last interval
   const double until = time_of(start.instant, clock) + after;
-  MotionState state = require_complete(simulate_from(scene, start, until, options)).state;
+  MotionState state = require_complete(simulate(scene, start, until, options)).state;
   state.instant.cycle = 0;
   return state;
 }

@@ -96,15 +96,15 @@ struct BracketRecorder {
 // The motion a time after the start of a bracket.
 MotionState moved(const Scene &scene, const MotionState &start, double time) {
   const double until = time_of(start.instant, Clock(scene.omega)) + time;
-  return require_complete(simulate_from(scene, start, until)).state;
+  return require_complete(simulate(scene, start, until)).state;
 }
 
 std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
                                         const Quantity &quantity) {
   start.instant.cycle = 0;  // times are then exact phases; the motion is the same in all periods
   const double from = start.instant.phase, period = Clock(scene.omega).period;
-  const double every = std::min(period / fewest_nodes, node_distance / rate_of(scene));
-  require(period <= most_nodes * every, "rate = ", rate_of(scene),
+  const double every = std::min(period / fewest_nodes, node_distance / rate_bound(scene));
+  require(period <= most_nodes * every, "rate = ", rate_bound(scene),
           ": too fast to look at a whole forcing period of ", period);
   BracketRecorder nodes{scene, quantity, start.held, from, from + period, every};
   stroboscopic_map(scene, start, 1, {}, nodes);

@@ -164,7 +164,7 @@ class TangentRecorder {
   MotionState state_ = {};                    // after the events of the group
   std::vector<double> velocity_before_ = {};  // before them
   std::vector<Node> nodes_ = {};  // consecutive impacts at one stop, with nothing in between
-  std::size_t nodes_stop_ = 0;    // the index of the stop
+  int nodes_stop_ = 0;            // the number of the stop
 
   void carry(const Held &held, double time, Eigen::MatrixXd &tangents) {
     flows_.try_emplace(held, scene_, held).first->second.move(tangents, time);
@@ -220,7 +220,7 @@ class TangentRecorder {
       const Eigen::RowVectorXd dt = -tangents_.row(row) / speed;
       tangents_ += vector_field(held_, velocity) * dt;
       tangents_.row(row).setZero();
-      const ImpactLaw law = law_of(scene_, scene_.stops[impact.stop]);
+      const ImpactLaw law = law_of(scene_, stop_of(scene_, impact));
       tangents_.row(scene_.masses() + row) *= -law.slope(std::abs(speed));
       velocity[mass] = impact.velocity_after;
       if (group_.size() == 1) add_node(impact, dt, velocity);
@@ -250,7 +250,7 @@ class TangentRecorder {
       values.push_back(node.tangents);
       carry(after, time_left.back(), values.back());
     }
-    const double last_error = std::pow(time_left.back() * rate_of(scene_), 2);
+    const double last_error = std::pow(time_left.back() * rate_bound(scene_), 2);
     tangents_ = extrapolate_chatter(values, time_left, last_error);
   }
 };

@@ -11,7 +11,7 @@ constexpr std::size_t most_tangent_nodes = 10;  // of the extrapolation of tange
 constexpr double newton_tolerance = 1e-13;  // of the fixed point of a map, relative to the state
 
 constexpr double fewest_nodes = 64.0;    // in a forcing period, where a minimum is looked for
-constexpr double node_distance = 0.125;  // time between them, in units of 1 / rate_of(scene)
+constexpr double node_distance = 0.125;  // time between them, in units of 1 / rate_bound(scene)
 constexpr double most_nodes = 1e8;       // in a forcing period
 
 constexpr double simultaneous = 1e-6;  // time between events of a pair

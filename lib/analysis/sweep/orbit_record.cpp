@@ -22,7 +22,9 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   EventRecorder events{begin};
   if (options.impact_velocities)
     run.resolve_chatter = std::min(run.resolve_chatter, options.slowest);
-  require_complete(resume(scene, motion.resume, until, run, events));
+  Simulation simulation = motion.simulation;
+  simulation.set_options(run);
+  require_complete(simulation.advance(until, events));
   record.counts = counts_of(scene, events.events, periods, motion.state.held);
   if (!options.impact_velocities) return;
   record.impact_velocities.resize(scene.mass.size());

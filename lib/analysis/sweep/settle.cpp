@@ -16,8 +16,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool rebounds(const Scene &scene, std::size_t stop) {
-  return law_of(scene, scene.stops[stop]).at_rest() > 0.0;
+bool rebounds(const Scene &scene, const Event &event) {
+  return law_of(scene, stop_of(scene, event)).at_rest() > 0.0;
 }
 
 bool dual_sticking(const Held &held) {
@@ -33,7 +33,7 @@ std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event>
   std::vector<bool> left_out(twice.size(), false);
   for (std::size_t k = 0; k < twice.size(); ++k) {
     const Event &stick = twice[k];
-    if (stick.kind != EventKind::stick || !rebounds(scene, stick.stop)) continue;
+    if (stick.kind != EventKind::stick || !rebounds(scene, stick)) continue;
     for (std::size_t j = k; j-- > 0;) {
       const Event &before = twice[j];
       if (before.mass != stick.mass) continue;
@@ -249,9 +249,8 @@ SettledMotion settle(const Scene &scene, const MotionState &start, const SettleO
   check(scene);
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
-  SettledMotion motion;
-  motion.resume =
-      require_complete(simulate_from(scene, start, until, options.run, sections)).resume;
+  SettledMotion motion{.simulation = Simulation(scene, start, options.run)};
+  require_complete(motion.simulation.advance(until, sections));
   sections.tell(motion);
   return motion;
 }

@@ -6,8 +6,8 @@ namespace vibro_impact {
 struct Counters {
   long long expansions = 0;          // Taylor expansions of the flow
   long long coefficients = 0;        // Taylor orders, summed over the expansions
-  long long products = 0;            // of a weight and a lane, for the coefficients of readings
-  long long stops_clear = 0;         // gaps and hold forces too far from zero to be looked at
+  long long products = 0;            // of a weight and a coefficient, for gaps and hold forces
+  long long stops_clear = 0;         // gaps and hold forces out of reach of zero over a step
   long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
   long long roots_searched = 0;      // polynomials iterated on
   long long root_iterations = 0;     // guaranteed steps taken by those iterations
@@ -18,8 +18,8 @@ struct Counters {
   long long chatter_limits = 0;      // complete chatter carried to its limit
   long long chatter_incomplete = 0;  // five or more falling impacts at a stop that ended in flight
   long long modes_built = 0;         // contact modes decomposed
-  long long modal_evaluations = 0;   // evaluations of the lanes at a time that somebody asked for
-  long long forcing_lanes = 0;       // oscillators carried for the forcing
+  long long modal_evaluations = 0;   // evaluations of the motion at a time that somebody asked for
+  long long forced_coordinates = 0;  // modal coordinates that carry a force
 };
 
 }  // namespace vibro_impact

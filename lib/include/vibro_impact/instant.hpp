@@ -9,10 +9,14 @@
 
 namespace vibro_impact {
 
-// Throws std::invalid_argument: Omega >= 0 with a finite period, and times of at most so many
+namespace detail {
+
+// Throw std::invalid_argument: Omega >= 0 with a finite period, and times of at most so many
 // periods as a double counts.
 [[noreturn]] void refuse_omega(double omega);
 [[noreturn]] void refuse_time(double time);
+
+}  // namespace detail
 
 // The forcing period T = 2 pi / Omega as an unevaluated sum; infinite when Omega = 0.
 struct Clock {
@@ -23,10 +27,11 @@ struct Clock {
   Clock() = default;
   explicit Clock(double omega_of_forcing) : omega(omega_of_forcing) {
     constexpr double two_pi = 6.283185307179586477, two_pi_rest = 2.4492935982947064e-16;
-    if (!(omega >= 0.0 && omega < std::numeric_limits<double>::infinity())) refuse_omega(omega);
+    if (!(omega >= 0.0 && omega < std::numeric_limits<double>::infinity()))
+      detail::refuse_omega(omega);
     if (omega == 0.0) return;
     period = two_pi / omega;
-    if (!std::isfinite(period)) refuse_omega(omega);
+    if (!std::isfinite(period)) detail::refuse_omega(omega);
     period_rest = (std::fma(-omega, period, two_pi) + two_pi_rest) / omega;
   }
 };
@@ -50,7 +55,8 @@ inline Instant later(Instant instant, double tau, const Clock &clock) {
   instant.phase += tau;
   while (!(instant.phase < clock.period)) {  // again where the quotient was rounded down
     const double cycles = std::floor(instant.phase / clock.period);
-    if (!(cycles + static_cast<double>(instant.cycle) <= most_periods)) refuse_time(instant.phase);
+    if (!(cycles + static_cast<double>(instant.cycle) <= most_periods))
+      detail::refuse_time(instant.phase);
     instant.phase = std::fma(-cycles, clock.period, instant.phase) - cycles * clock.period_rest;
     instant.cycle += static_cast<long long>(cycles);
     if (instant.phase < 0.0) instant.phase = 0.0;  // rounding at the period boundary

@@ -1,23 +1,16 @@
 // What a run reports, composed by the caller from small recorders.
 //
-// A recorder is any value with one or more of
-//   void event(const Event &, const Moment &)          called at every event
-//   double next_time() and void sample(const Moment &) called at the times it asks for, each later
-//                                                      than the one before; infinite: no more
-// and beside them, if it likes,
-//   bool done()                 asked after each of these calls: true ends the run there; of a
-//                               recorder that has this alone, asked after every flight
-//   void check(const Scene &)   called before the run; throws std::invalid_argument
-// A run calls only what its recorders have; nothing is computed or stored that none asked for.
+// A recorder (the concept `Recorder` in recorder.hpp) has one or more members of a fixed form. A
+// run calls only what its recorders have; nothing is computed or stored that none asked for.
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "event_kind.hpp"
 #include "instant.hpp"
+#include "recorder.hpp"
 #include "scene.hpp"
 
 namespace vibro_impact {
@@ -28,8 +21,8 @@ std::string contact_mode_name(const Held &held);
 // One event of one mass; simultaneous ones are consecutive events with the same instant.
 struct Event {
   EventKind kind = EventKind::impact;
-  std::size_t stop = 0;  // index in Scene::stops
-  int mass = 1;          // from 1
+  int stop = 1;  // from 1, as the masses: see stop_of
+  int mass = 1;
   Side side = Side::upper;
   Instant instant;
   double time = 0.0;
@@ -39,9 +32,14 @@ struct Event {
   Held held;               // contact mode after the event
 };
 
-// The motion at one time, while a recorder is told of it: what is asked for is computed then. It
-// cannot be kept or copied; keep the numbers. `mass` counts from 1; std::invalid_argument for a
-// mass the chain does not have.
+// The stop of an event of this scene.
+inline const Stop &stop_of(const Scene &scene, const Event &event) {
+  return scene.stops[static_cast<std::size_t>(event.stop - 1)];
+}
+
+// The motion at one time, while a run reports it to a recorder: what is asked for is computed then,
+// one displacement or velocity in a sum over all modes. It cannot be kept or copied; keep the
+// numbers. `mass` counts from 1; std::invalid_argument for a mass the chain does not have.
 class Moment {
  public:
   Instant instant;
@@ -93,42 +91,5 @@ struct SampleRecorder {
   void sample(const Moment &moment);
   void check(const Scene &scene) const;
 };
-
-// A recorder as a run sees it; empty where it has no such member. Refers to the recorder.
-struct RecorderRef {
-  std::function<void(const Event &, const Moment &)> event = {};
-  std::function<double()> next_time = {};
-  std::function<void(const Moment &)> sample = {};
-  std::function<bool()> done = {};
-  std::function<void(const Scene &)> check = {};
-};
-
-template <class Recorder>
-RecorderRef recorder_ref(Recorder &recorder) {
-  constexpr bool takes_events = requires(const Event &event, const Moment &moment) {
-    recorder.event(event, moment);
-  };
-  constexpr bool takes_samples = requires(const Moment &moment) {
-    double{recorder.next_time()}, recorder.sample(moment);
-  };
-  constexpr bool is_asked = requires {
-    bool{recorder.done()};
-  };
-  static_assert(takes_events || takes_samples || is_asked,
-                "a recorder takes events or samples, or is asked whether it is done");
-  RecorderRef ref;
-  if constexpr (takes_events)
-    ref.event = [&recorder](const Event &event, const Moment &moment) {
-      recorder.event(event, moment);
-    };
-  if constexpr (takes_samples) {
-    ref.next_time = [&recorder] { return recorder.next_time(); };
-    ref.sample = [&recorder](const Moment &moment) { recorder.sample(moment); };
-  }
-  if constexpr (is_asked) ref.done = [&recorder] { return recorder.done(); };
-  if constexpr (requires(const Scene &scene) { recorder.check(scene); })
-    ref.check = [&recorder](const Scene &scene) { recorder.check(scene); };
-  return ref;
-}
 
 }  // namespace vibro_impact

@@ -83,11 +83,4 @@ void check(const Scene &scene, const MotionState &start);
 // The initial state of a scene that `check` accepts, at t = 0 with no mass held yet.
 MotionState start_of(const Scene &scene);
 
-// Gershgorin's bound of the eigenvalues of the chain (squares of its natural frequencies). It holds
-// for every contact mode: holding masses keeps the eigenvalues between those of the free chain.
-double largest_eigenvalue_bound(const Scene &scene);
-
-// Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
-double root_modulus(double kappa, double lambda);
-
 }  // namespace vibro_impact

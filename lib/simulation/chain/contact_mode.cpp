@@ -1,5 +1,6 @@
 #include "contact_mode.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,17 +8,26 @@
 #include "modes.hpp"
 #include "tolerances.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
 namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
 
 // Static positions with the held masses at their stops: linear in the compliance between two
 // anchors. Written so that two equal anchors give exactly their common position, which makes a
 // zero hold force (Figure 5(c): s1 = s2) exactly zero.
-Eigen::VectorXd static_positions(const Scene &scene, const Held &held,
-                                 const std::vector<double> &held_at) {
+void set_static_positions(const Scene &scene, const Held &held, Eigen::VectorXd &x,
+                          Eigen::VectorXd &tension) {
   const std::size_t n = scene.mass.size();
-  Eigen::VectorXd x(static_cast<Eigen::Index>(n));
+  std::vector<double> held_at(n, 0.0);
+  for (const Stop &stop : scene.stops) {
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    if (held[i] == static_cast<signed char>(stop.side)) held_at[i] = stop.position;
+  }
+  x.setZero(static_cast<Index>(n));
+  tension.setZero(static_cast<Index>(n));
   double left = 0.0;
   for (std::size_t i = 0; i < n;) {
     std::size_t anchor = i;
@@ -26,161 +36,226 @@ Eigen::VectorXd static_positions(const Scene &scene, const Held &held,
     if (i == 0 && scene.stiffness[0] == 0.0) left = right;  // not tied to the ground
     double total = 0.0, reached = 0.0;
     for (std::size_t j = i; j <= anchor && j < n; ++j) total += 1.0 / scene.stiffness[j];
+    if (left != right)
+      for (std::size_t j = i; j <= anchor && j < n; ++j)
+        tension(static_cast<Index>(j)) = (right - left) / total / std::sqrt(scene.stiffness[j]);
     for (std::size_t j = i; j < anchor; ++j) {
       reached += 1.0 / scene.stiffness[j];
-      x(static_cast<Eigen::Index>(j)) =
-          left == right ? left : left + (right - left) * (reached / total);
+      x(static_cast<Index>(j)) = left == right ? left : left + (right - left) * (reached / total);
     }
-    if (anchor < n) x(static_cast<Eigen::Index>(anchor)) = right;
+    if (anchor < n) x(static_cast<Index>(anchor)) = right;
     left = right;
     i = anchor + 1;
   }
-  return x;
 }
 
-// The force that presses a mass, at rest at its stop, into it (Eqs. 12-13 times sigma), in the
-// lanes of `mode`: the forces of the neighbours' static positions, and of every lane's shape.
-template <int D>
-Reading<D> press_reading(const Scene &scene, const ContactMode<D> &mode, const Stop &stop) {
-  using Eigen::Index;
-  const auto p = static_cast<std::size_t>(stop.mass - 1);
-  const double sigma = sign(stop.side);
-  // A coordinate j of all masses, as the force on this one sees it: itself at rest at `here`.
-  const auto beside = [&](double here, const auto &row_of) {
-    return [&, here](std::size_t j) { return j == p ? here : row_of(static_cast<Index>(j)); };
-  };
-  const auto none = [](std::size_t) { return 0.0; };
-  Reading<D> press;
-  press.offset = sigma * force_on(scene, p, beside(stop.position, mode.equilibrium), none, 0.0);
-  press.on_value.setZero(mode.lanes());
-  press.on_slope.setZero(mode.lanes());
-  for (Index lane = 0; lane < mode.lanes(); ++lane) {
-    const auto shape = [&](Index j) { return mode.shape(j, lane); };
-    const double cosine = scene.forced() && lane == mode.lanes() - 2 ? 1.0 : 0.0;
-    press.on_value(lane) = sigma * force_on(scene, p, beside(0.0, shape), none, cosine);
-    press.on_slope(lane) = sigma * force_on(scene, p, none, beside(0.0, shape), 0.0);
+// A mode of which the two decays are well apart: damping ratio beta sqrt(lambda) / 2 (Eq. 7).
+bool strongly_damped(double beta, double lambda) {
+  return beta * beta * lambda > 4.0 * strong_damping * strong_damping;
+}
+
+void resize(ContactMode &mode, std::size_t size, Index masses) {
+  ModalCoordinates &all = mode.coordinates;
+  all.size = size;
+  const auto padded = static_cast<Index>(std::max<std::size_t>(2, size + size % 2));
+  for (auto *array :
+       {&all.kappa, &all.lambda, &all.force_re, &all.force_im, &all.force, &all.steady_re,
+        &all.steady_im, &all.steady, &all.frequency, &all.inverse_frequency, &all.rate, &all.drive})
+    array->setZero(padded);
+  all.decay.assign(static_cast<std::size_t>(padded), false);
+  mode.shape.setZero(masses, padded);
+}
+
+// Sets a coordinate of (1), with its steady response to a force on it.
+void set_oscillator(const Scene &scene, double kappa, double lambda, double force, Index j,
+                    ModalCoordinates &all) {
+  all.kappa(j) = kappa;
+  all.lambda(j) = lambda;
+  all.frequency(j) = std::sqrt(lambda);
+  all.rate(j) = root_modulus(kappa, lambda);
+  all.force_re(j) = force;
+  if (force == 0.0) return;
+  const double detuning = lambda - scene.omega * scene.omega, loss = kappa * scene.omega;
+  const double squared = detuning * detuning + loss * loss;
+  all.steady_re(j) =
+      squared > 0.0 ? force * (detuning / squared) : std::numeric_limits<double>::infinity();
+  all.steady_im(j) = squared > 0.0 ? -force * (loss / squared) : 0.0;
+}
+
+// Sets a coordinate of (2) likewise.
+void set_decay(const Scene &scene, double kappa, double drive, Index j, ModalCoordinates &all) {
+  all.kappa(j) = all.rate(j) = kappa;
+  all.decay[static_cast<std::size_t>(j)] = all.any_decay = true;
+  all.drive(j) = drive;
+  all.force_im(j) = scene.omega * drive;
+  const Complex steady = drive / Complex(kappa, scene.omega);
+  all.steady_re(j) = steady.real();
+  all.steady_im(j) = steady.imag();
+}
+
+// Enters mode `k` of the basis as coordinate `j`, or as two where it is strongly damped. Returns
+// the next coordinate.
+Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
+  ModalCoordinates &all = mode.coordinates;
+  const double lambda = mode.basis.lambda(k), kappa = scene.beta * lambda;
+  double force = 0.0;  // Psi^T A of Eq. 7
+  for (std::size_t i = 0; i < scene.mass.size(); ++i)
+    force += mode.basis.shape(static_cast<Index>(i), k) * amplitude_on(scene, i);
+  mode.first_coordinate.push_back(j);
+  mode.shape.col(j) = mode.basis.shape.col(k);
+  if (!strongly_damped(scene.beta, lambda)) {
+    set_oscillator(scene, kappa, lambda, force, j, all);
+    if (lambda == 0.0) mode.drift = j;
+    return j + 1;
   }
-  return press;
+  const double fast = kappa / 2 + std::sqrt(kappa * kappa / 4 - lambda), slow = lambda / fast;
+  set_decay(scene, slow, force / (fast - slow), j, all);
+  set_decay(scene, fast, -force / (fast - slow), j + 1, all);
+  mode.shape.col(j + 1) = mode.basis.shape.col(k);
+  return j + 2;
 }
 
-template <int D>
-void add_contacts(const Scene &scene, ContactMode<D> &mode) {
-  using Lanes = typename ContactMode<D>::Lanes;
+// The weights of (3) of a mass held at its stop: the forces that the static positions, and the
+// shape of each coordinate, exert on it (Eqs. 12-13 times sigma).
+void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contact) {
+  const auto pressed_by = [&](const auto &x) {
+    return contact.sigma * link_force(scene, contact.mass, x(contact.mass), x);
+  };
+  contact.offset =
+      pressed_by([&](std::size_t i) { return mode.equilibrium(static_cast<Index>(i)); });
+  for (Index j = 0; j < mode.padded(); ++j)
+    contact.row(j) =
+        pressed_by([&](std::size_t i) { return mode.shape(static_cast<Index>(i), j); });
+  contact.damping = scene.beta;
+  contact.forcing = contact.sigma * amplitude_on(scene, contact.mass);
+}
+
+// What a unit jump of the gap speed does to the coordinates.
+void set_impulse(const ContactMode &mode, Contact &contact) {
+  contact.impulse.setZero(mode.padded());
+  contact.impulse_value.setZero(mode.padded());
+  for (Index k = 0; k < mode.basis.lambda.size(); ++k)
+    set_mode(mode, k, 0.0, -contact.sigma * mode.basis.inverse(k, static_cast<Index>(contact.mass)),
+             contact.impulse_value, contact.impulse);
+  if (!mode.coordinates.any_decay) contact.impulse_value.resize(0);
+}
+
+// A static deflection by a force at the mass, which hardly moves the stiff coordinates; the
+// rigid-body mode where there is one. It closes the gap by one.
+void set_placement(const ContactMode &mode, Contact &contact) {
+  const auto &basis = mode.basis;
+  const auto mass = static_cast<Index>(contact.mass);
+  PerCoordinate velocity = PerCoordinate::Zero(mode.padded());
+  contact.placement.setZero(mode.padded());
+  double deflection = 0.0;
+  for (Index k = 0; k < basis.lambda.size(); ++k) {
+    const bool stays = mode.drift >= 0 && basis.lambda(k) > 0.0;
+    const double value =
+        stays ? 0.0 : basis.shape(mass, k) / (mode.drift >= 0 ? 1.0 : basis.lambda(k));
+    set_mode(mode, k, value, 0.0, contact.placement, velocity);
+    deflection += basis.shape(mass, k) * value;
+  }
+  contact.placement *= -contact.sigma / deflection;
+}
+
+void add_contacts(const Scene &scene, ContactMode &mode) {
+  const ModalCoordinates &all = mode.coordinates;
+  mode.highest.setConstant(mode.equilibrium.size(), std::numeric_limits<double>::infinity());
+  mode.lowest = -mode.highest;
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const Stop &stop = scene.stops[k];
     const auto i = static_cast<std::size_t>(stop.mass - 1);
-    const auto row = static_cast<Eigen::Index>(i);
-    const double sigma = sign(stop.side);
-    const bool held = static_cast<double>(mode.held[i]) == sigma;
+    const auto mass = static_cast<Index>(i);
+    (stop.side == Side::upper ? mode.highest : mode.lowest)(mass) = stop.position;
+    const bool held = mode.held[i] == static_cast<signed char>(stop.side);
     if (mode.held[i] != 0 && !held) continue;  // held at the stop across
-    const Reading<D> press = press_reading(scene, mode, stop),
-                     gap{-sigma * mode.shape.row(row).transpose().array(),
-                         Lanes::Zero(mode.lanes()),
-                         sigma * (stop.position - mode.equilibrium(row))},
-                     &watched = held ? press : gap;
-    // |y''| = |kappa y' + lambda y| is at most three times the rate times |y'| + rate |y|.
-    const Lanes reach = watched.on_value.abs() + 3.0 * mode.rate * watched.on_slope.abs(),
-                jump_value = -sigma * mode.velocity_to_modal.col(row).array(),
-                jump_slope = mode.decay.select(-mode.kappa * jump_value,
-                                               -sigma * mode.to_modal.col(row).array());
-    mode.contacts.push_back({k, i, sigma, held, watched, press, reach, jump_value, jump_slope,
-                             law_of(scene, stop).at_rest()});
-  }
-}
-
-// Enters mode j of the basis as a lane, or as two where it is strongly damped; returns the next
-// lane. Its share in the steady response goes to the lanes of the forcing.
-template <int D>
-Eigen::Index add_mode(const Scene &scene, const ModalBasis &basis, Eigen::Index j,
-                      Eigen::Index lane, ContactMode<D> &mode) {
-  const double lambda = basis.lambda(j), kappa = scene.beta * lambda;
-  mode.shape.col(lane) = basis.shape.col(j);
-  mode.to_modal.row(lane) = basis.inverse.row(j);
-  mode.kappa(lane) = kappa;
-  mode.lambda(lane) = lambda;
-  if (mode.forcing_lanes > 0) {
-    double force = 0.0;  // Psi^T A of Eq. 7
-    for (std::size_t i = 0; i < scene.mass.size(); ++i)
-      force += basis.shape(static_cast<Eigen::Index>(i), j) * scene.amplitude[i];
-    const double omega2 = scene.omega * scene.omega;
-    const double detuning = lambda - omega2, loss = kappa * scene.omega;
-    const double squared = detuning * detuning + loss * loss;
-    // Splitting off the steady response would cancel digits. That of the rigid-body mode, force /
-    // Omega^2, is large beside the others where the forcing is slow.
-    const bool cancels = lambda == 0.0 ? omega2 <= wide * basis.lambda.maxCoeff()
-                                       : std::sqrt(squared) < near_resonance * (lambda + omega2);
-    if (cancels) {
-      mode.resonant(lane) = force;
-      mode.any_resonant = mode.any_resonant || force != 0.0;
+    Contact &contact = mode.contacts.emplace_back();
+    contact.stop = k;
+    contact.mass = i;
+    contact.sigma = sign(stop.side);
+    contact.held = held;
+    contact.restitution = law_of(scene, stop).at_rest();
+    contact.row.setZero(mode.padded());
+    if (held) {
+      set_hold_force(scene, mode, contact);
     } else {
-      mode.shape.col(mode.lanes() - 2) += basis.shape.col(j) * (force * (detuning / squared));
-      mode.shape.col(mode.lanes() - 1) += basis.shape.col(j) * (force * (loss / squared));
+      contact.offset = contact.sigma * (stop.position - mode.equilibrium(mass));
+      contact.row = -contact.sigma * mode.shape.row(mass).transpose().array();
+      set_impulse(mode, contact);
+      set_placement(mode, contact);
     }
+    contact.modulus = contact.row.abs();
+    contact.steady = contact.forcing;
+    for (Index j = 0; j < mode.padded(); ++j)
+      if (j != mode.drift && all.steady(j) > 0.0)
+        contact.steady +=
+            contact.row(j) * Complex(1.0, contact.damping * scene.omega) * all.steady_of(j);
   }
-  if (D != Eigen::Dynamic || !strongly_damped(scene.beta, lambda)) return lane + 1;
-  // y = y1 + y2 with decays fast > slow: y1 = (fast y + y') / (fast - slow), y2 = y - y1.
-  const double fast = kappa / 2 + std::sqrt(kappa * kappa / 4 - lambda), slow = lambda / fast;
-  const Eigen::Index other = lane + 1;
-  mode.shape.col(other) = basis.shape.col(j);
-  mode.to_modal.row(lane) = basis.inverse.row(j) * (fast / (fast - slow));
-  mode.velocity_to_modal.row(lane) = basis.inverse.row(j) / (fast - slow);
-  mode.to_modal.row(other) = basis.inverse.row(j) * (-slow / (fast - slow));
-  mode.velocity_to_modal.row(other) = -mode.velocity_to_modal.row(lane);
-  mode.kappa(lane) = slow;
-  mode.kappa(other) = fast;
-  mode.lambda(lane) = mode.lambda(other) = 0.0;
-  mode.decay(lane) = mode.decay(other) = mode.any_decay = true;
-  return lane + 2;
 }
 
 }  // namespace
 
-template <int D>
-ContactMode<D> build_contact_mode(const Scene &scene, const Held &held) {
-  using Eigen::Index;
-  const auto n = static_cast<Index>(scene.mass.size());
+void set_mode(const ContactMode &mode, Index k, double value, double velocity, PerCoordinate &y,
+              PerCoordinate &dy) {
+  const ModalCoordinates &all = mode.coordinates;
+  const Index j = mode.first_coordinate[static_cast<std::size_t>(k)];
+  if (!all.decay[static_cast<std::size_t>(j)]) {
+    y(j) = value;
+    dy(j) = velocity;
+    return;
+  }
+  const double slow = all.kappa(j), fast = all.kappa(j + 1);
+  y(j) = (fast * value + velocity) / (fast - slow);
+  y(j + 1) = -(slow * value + velocity) / (fast - slow);
+  dy(j) = -slow * y(j);
+  dy(j + 1) = -fast * y(j + 1);
+}
+
+ContactMode build_contact_mode(const Scene &scene, const Held &held) {
   std::vector<std::size_t> free;
-  std::vector<double> held_at(held.size(), 0.0);
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i] == 0) free.push_back(i);
-  for (const Stop &stop : scene.stops) {
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    if (static_cast<double>(held[i]) == sign(stop.side)) held_at[i] = stop.position;
-  }
-  const ModalBasis basis = modal_basis(scene, free);
 
-  ContactMode<D> mode;
+  ContactMode mode;
+  mode.basis = modal_basis(scene, free);
+  ModalCoordinates &all = mode.coordinates;
   mode.held = held;
-  mode.forcing_lanes = scene.forced() ? 2 : 0;
-  Index lanes = basis.lambda.size() + mode.forcing_lanes;
-  for (const double lambda : basis.lambda)
-    if (strongly_damped(scene.beta, lambda)) ++lanes;
-  if (D != Eigen::Dynamic) lanes = D;
-  for (auto *array : {&mode.kappa, &mode.lambda, &mode.rate, &mode.resonant}) array->setZero(lanes);
-  mode.decay.setConstant(lanes, false);
-  mode.equilibrium = static_positions(scene, held, held_at);
-  mode.shape.setZero(n, lanes);
-  mode.to_modal.setZero(lanes, n);
-  mode.velocity_to_modal.setZero(lanes, n);
-  for (Index j = 0, lane = 0; j < basis.lambda.size(); ++j)
-    lane = add_mode(scene, basis, j, lane, mode);
-  mode.lambda.tail(mode.forcing_lanes).setConstant(scene.omega * scene.omega);
-
+  set_static_positions(scene, held, mode.equilibrium, mode.tension);
+  std::size_t size = free.size();
+  for (const double lambda : mode.basis.lambda)
+    if (strongly_damped(scene.beta, lambda)) ++size;
+  resize(mode, size, static_cast<Index>(held.size()));
+  for (Index k = 0, j = 0; k < mode.basis.lambda.size(); ++k) j = add_mode(scene, k, j, mode);
+  all.inverse_frequency = 1.0 / all.frequency.max(1e-300);
+  all.force = all.force_re.abs() + all.force_im.abs();  // one of them is zero
   double slowest = std::numeric_limits<double>::infinity();
-  for (Index j = 0; j < lanes; ++j) {
-    mode.rate(j) = root_modulus(mode.kappa(j), mode.lambda(j));
-    mode.fastest = std::max(mode.fastest, mode.rate(j));
-    if (mode.rate(j) > 0.0) slowest = std::min(slowest, mode.rate(j));
+  for (Index j = 0; j < static_cast<Index>(size); ++j) {
+    all.steady(j) = std::hypot(all.steady_re(j), all.steady_im(j));
+    mode.fastest = std::max(mode.fastest, all.rate(j));
+    if (all.rate(j) > 0.0) slowest = std::min(slowest, all.rate(j));
   }
-  if (mode.fastest == 0.0) mode.fastest = 1.0;  // free fall: a parabola, any rate will do
+  mode.forcing_rate = scene.forced() ? scene.omega : 0.0;
+  mode.fastest = std::max(mode.fastest, mode.forcing_rate);
+  if (mode.forcing_rate > 0.0) slowest = std::min(slowest, mode.forcing_rate);
+  mode.falls = mode.fastest == 0.0;
+  if (mode.falls) mode.fastest = 1.0;  // any unit of time will do
   mode.stiff = scene.beta > 0.0 && mode.fastest > stiff_ratio * slowest;
   mode.extent = mode.shape.cwiseAbs().colwise().maxCoeff().transpose().array();
   add_contacts(scene, mode);
   return mode;
 }
 
-template ContactMode<4> build_contact_mode<4>(const Scene &, const Held &);
-template ContactMode<Eigen::Dynamic> build_contact_mode<Eigen::Dynamic>(const Scene &,
-                                                                        const Held &);
+const ContactMode &ContactModes::enter(const Scene &scene, const Held &held, bool &built) {
+  const auto latest = std::find_if(recent_.rbegin(), recent_.rend(),
+                                   [&held](const auto &mode) { return mode->held == held; });
+  built = latest == recent_.rend();
+  if (!built) {
+    std::rotate(latest.base() - 1, latest.base(), recent_.end());
+    return *recent_.back();
+  }
+  if (recent_.size() == most_contact_modes) recent_.erase(recent_.begin());
+  recent_.push_back(std::make_shared<const ContactMode>(build_contact_mode(scene, held)));
+  return *recent_.back();
+}
 
-}  // namespace vibro_impact
+}  // namespace vibro_impact::detail

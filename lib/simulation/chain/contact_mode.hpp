@@ -1,121 +1,104 @@
 // A contact mode: which masses are held at which stop, and the modal solution of the masses that
-// are free (Eqs. 6-7 restricted to the free rows), as independent lanes y'' + kappa y' + lambda y =
-// 0: one per free mode (its deviation from the steady response), two for the forcing itself.
+// are free (Eqs. 6-7 restricted to the free rows).
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
+#include <complex>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
-#include "vibro_impact/counters.hpp"
+#include "modes.hpp"
 #include "vibro_impact/scene.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
-// A scalar that depends linearly on the lanes: offset + on_value . y + on_slope . y'.
-template <int D>
-struct Reading {
-  Eigen::Array<double, D, 1> on_value, on_slope;
-  double offset = 0.0;
+// One number for each modal coordinate. An odd number of coordinates, or none, is filled up by some
+// that never move, so that loops take two at a time.
+using PerCoordinate = Eigen::ArrayXd;
 
-  double operator()(const Eigen::Array<double, D, 1> &value,
-                    const Eigen::Array<double, D, 1> &slope) const {
-    return offset + (on_value * value).sum() + (on_slope * slope).sum();
+// The modal coordinates: y'' + kappa y' + lambda y = Re(force e^(i Omega t)) (1). A strongly damped
+// mode is carried as its two decays, so that the fast one can die out: there lambda = 0, and (1) is
+// the derivative of y' + kappa y = drive cos(Omega t) (2), with force = i Omega drive.
+struct ModalCoordinates {
+  std::size_t size = 0;  // without the one filled up
+  PerCoordinate kappa, lambda;
+  PerCoordinate force_re, force_im, force;  // of (1), and its modulus
+  PerCoordinate steady_re, steady_im;       // the steady response to it is Re(steady e^(i Omega t))
+  PerCoordinate steady;                     // its modulus; infinite where there is none
+  PerCoordinate frequency, inverse_frequency;  // sqrt(lambda), and 1e300 for 1 / 0
+  PerCoordinate rate;                          // largest modulus of a characteristic root
+  std::vector<char> decay;                     // true of a coordinate of (2)
+  PerCoordinate drive;                         // of (2)
+  bool any_decay = false;
+
+  std::complex<double> force_of(Eigen::Index j) const {
+    return {force_re(j), force_im(j)};
+  }
+  std::complex<double> steady_of(Eigen::Index j) const {
+    return {steady_re(j), steady_im(j)};
   }
 };
 
-// Taylor coefficients of a reading, per unit of every lane: those of order n, in units of rate^-n.
-// Orders come in packets of four; per packet one column for every y, then for every y' of a mode
-// (y' of the forcing lanes is known from their values).
-struct ReadingWeights {
-  double rate = -1.0;  // of the fastest lane that may be in motion; -1 before they are built
-  Eigen::Array<double, 4, Eigen::Dynamic> weight;
-};
-
-// Taylor coefficients of the solution S of every mode with S(0) = 0, S'(0) = 1, and of S' - 1, in
-// terms of rate * time: column n is of order n, with the rows filled up to an even number.
-template <int D>
-struct FlowWeights {
-  static constexpr int rows = D == Eigen::Dynamic ? Eigen::Dynamic : (D - 1) / 2 * 2;
-  double rate = -1.0;
-  Eigen::Array<double, rows, Eigen::Dynamic> response, rate_of_response;
-};
-
-// A stop that a mass of this contact mode may come to or is held at, with what stays positive until
-// something happens there: the gap sigma (s - x) of a free mass, the pressing force of a held one.
-template <int D>
+// A stop that a mass of this contact mode may come to, or is held at, with what stays positive
+// until something happens there: the gap sigma (s - x) of a free mass, or the force that presses a
+// held one. Both are offset + row . y + damping row . y' + forcing cos(Omega t) (3); a gap has
+// damping = forcing = 0.
 struct Contact {
   std::size_t stop = 0, mass = 0;  // indices from 0
   double sigma = 1.0;              // the sign of its side
   bool held = false;
-  Reading<D> watched;
-  // Force that would press a free mass into the stop if it were at rest there.
-  Reading<D> press;
-  // Bound of the rate of what is watched, per unit bound of the speed of every lane; and what a
-  // unit jump of the gap speed does to the lanes.
-  Eigen::Array<double, D, 1> reach, jump_value, jump_slope;
-  double restitution = 0.0;  // r at rest
-  // Of what it watches: built when first asked for, and again when lanes that moved have died out
-  // or others have come to move.
-  mutable ReadingWeights weights = {};
+  double offset = 0.0, damping = 0.0, forcing = 0.0;
+  PerCoordinate row;
+  PerCoordinate modulus;        // |row|
+  PerCoordinate impulse;        // change of y' by a unit jump of the gap speed
+  PerCoordinate impulse_value;  // and of y, which only decays have; else empty
+  PerCoordinate placement;      // change of y by a unit of gap: a static deflection at the mass
+  std::complex<double> steady;  // (3) in the steady response is its real part times e^(i Omega t)
+  double restitution = 0.0;     // r at rest
 };
 
-template <int D>
 struct ContactMode {
-  static constexpr int masses = D == Eigen::Dynamic ? Eigen::Dynamic : D - 2;
-  using Lanes = Eigen::Array<double, D, 1>;
   Held held;
-  Lanes kappa, lambda;
-  Lanes rate;            // largest modulus of a characteristic root of each lane
-  Lanes extent;          // largest modulus in each column of `shape`
-  double fastest = 0.0;  // the largest rate
-  bool stiff = false;    // some lanes are much faster than others
-  // x = equilibrium + shape y, N x lanes; rows of held masses are zero. The last two columns are
-  // the steady response to cos(Omega t) and sin(Omega t) where there is forcing.
-  Eigen::Matrix<double, masses, 1> equilibrium;  // static position of every mass, N
-  Eigen::Matrix<double, masses, D> shape;
-  Eigen::Matrix<double, D, masses> to_modal;           // y per displacement (and y' per velocity)
-  Eigen::Matrix<double, D, masses> velocity_to_modal;  // y per velocity: of split modes only
-  // A strongly over-damped mode is split into its two decays, one lane each (lambda = 0, y' =
-  // -kappa y), so that the fast one can be dropped once it has died out.
-  Eigen::Array<bool, D, 1> decay;
-  bool any_decay = false;
-  // Forcing of the lanes too close to resonance for a steady response, and of the rigid-body mode
-  // of a free chain, which has none.
-  Lanes resonant;
-  bool any_resonant = false;
-  Eigen::Index forcing_lanes = 0;  // 2 at the end, cos(Omega t) and sin(Omega t), or none
-  std::vector<Contact<D>> contacts;
-  mutable FlowWeights<D> flow_weights = {};  // built as those of the contacts
+  ModalBasis basis;  // the modes of the free masses
+  // The first coordinate of each mode; the other decay of a strongly damped mode follows it.
+  std::vector<Eigen::Index> first_coordinate;
+  ModalCoordinates coordinates;
+  double fastest = 0.0;             // the largest rate of a coordinate and of the forcing
+  double forcing_rate = 0.0;        // Omega, where there is forcing
+  bool falls = false;               // nothing but a fall: `fastest` is 1, which means nothing
+  bool stiff = false;               // some coordinates are much faster than others
+  Eigen::Index drift = -1;          // the rigid-body mode y'' = f cos(Omega t), if there is one
+  Eigen::VectorXd equilibrium;      // N: static positions without forcing
+  Eigen::VectorXd tension;          // N: sqrt(k_i) (x_i - x_(i-1)) of the links at these
+  Eigen::VectorXd lowest, highest;  // N: the stops of each mass; infinite where there is none
+  // x = equilibrium + shape y, N x coordinates, with zero rows for held masses.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> shape;
+  PerCoordinate extent;  // largest modulus in each column of `shape`
+  std::vector<Contact> contacts;
 
-  Eigen::Index lanes() const {
-    return kappa.size();
-  }
-  // The lanes that are not of the forcing.
-  Eigen::Index modal_lanes() const {
-    return D == Eigen::Dynamic ? lanes() - forcing_lanes : D - 2;
+  Eigen::Index padded() const {
+    return coordinates.kappa.size();
   }
 };
 
-// Decomposes the contact mode `held`. D is the number of lanes, N + 2 for N masses under forcing,
-// or Eigen::Dynamic; compiled for the lanes of a run (run/lanes.hpp).
-template <int D>
-ContactMode<D> build_contact_mode(const Scene &scene, const Held &held);
+// Sets the coordinates of mode k to this value and velocity of the mode. Of a strongly damped one,
+// y = y_slow + y_fast and y' = -slow y_slow - fast y_fast.
+void set_mode(const ContactMode &mode, Eigen::Index k, double value, double velocity,
+              PerCoordinate &y, PerCoordinate &dy);
 
-// The contact modes of one scene, each built on first entry. Addresses stay valid.
-template <int D>
-struct Modes {
-  std::map<Held, ContactMode<D>> built;
+ContactMode build_contact_mode(const Scene &scene, const Held &held);
 
-  const ContactMode<D> &enter(const Scene &scene, const Held &held, Counters &counters) {
-    auto found = built.find(held);
-    if (found == built.end()) {
-      found = built.emplace(held, build_contact_mode<D>(scene, held)).first;
-      ++counters.modes_built;
-      counters.forcing_lanes = scene.forced() ? 2 : 0;
-    }
-    return found->second;
-  }
+// The contact modes of one run, each built when the run first enters it, and the ones entered least
+// recently dropped when there are too many. Copies of a run share the modes, which never change.
+class ContactModes {
+ public:
+  // `built` is set to whether the mode had to be built. The mode lives at least until
+  // `most_contact_modes` others have been entered.
+  const ContactMode &enter(const Scene &scene, const Held &held, bool &built);
+
+ private:
+  std::vector<std::shared_ptr<const ContactMode>> recent_;  // the latest entered last
 };
 
-}  // namespace vibro_impact
+}  // namespace vibro_impact::detail

@@ -4,29 +4,29 @@
 
 #include <cstddef>
 
-#include "tolerances.hpp"
 #include "vibro_impact/scene.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
-// Row i (from 0) of -K x with x_i = `at`: the force of the links on mass i. `x(j)` gives x_j and is
-// asked of the neighbours only. With velocities in place of displacements, and times beta, it is
-// the force of the dampers.
-template <class Number, class Coordinates>
-Number link_force(const Scene &scene, std::size_t i, Number at, const Coordinates &x) {
+// Row i (from 0) of -K x: the force of the links on mass i, which stands at `own`. `x(j)` gives x_j
+// and is asked of the neighbours only. With velocities in place of displacements, and times beta,
+// it is the force of the dampers.
+template <class Coordinates>
+double link_force(const Scene &scene, std::size_t i, double own, const Coordinates &x) {
   // Differences first: a neighbour at the same position exerts no force at all, not a rounded one.
-  Number force = scene.stiffness[i] * ((i > 0 ? x(i - 1) : Number(0)) - at);
-  if (i + 1 < scene.mass.size()) force += scene.stiffness[i + 1] * (x(i + 1) - at);
+  double force = scene.stiffness[i] * ((i > 0 ? x(i - 1) : 0.0) - own);
+  if (i + 1 < scene.mass.size()) force += scene.stiffness[i + 1] * (x(i + 1) - own);
   return force;
 }
 
+// A_i, zero in a scene without forcing.
 inline double amplitude_on(const Scene &scene, std::size_t i) {
   return scene.amplitude.empty() ? 0.0 : scene.amplitude[i];
 }
 
 // The force on mass i (from 0) towards +x (Eq. 4): links, dampers and forcing, by the coordinates
 // x(j) and v(j) of the mass itself and its neighbours and the cosine of the forcing. A derivative
-// of the force is the force of the same derivative of all three; with the mass at rest at its stop
+// of the force is the force of the same derivative of all three. With the mass at rest at its stop
 // it is the hold force (Eqs. 12-13).
 template <class Displacements, class Velocities>
 double force_on(const Scene &scene, std::size_t i, const Displacements &x, const Velocities &v,
@@ -35,12 +35,15 @@ double force_on(const Scene &scene, std::size_t i, const Displacements &x, const
          amplitude_on(scene, i) * cosine;
 }
 
-// A bound of the rate of every contact mode, in units of which derivatives of forces are carried.
-double rate_of(const Scene &scene);
+// Gershgorin's bound of the eigenvalues of the chain (squares of its natural frequencies). It holds
+// for every contact mode: holding masses keeps the eigenvalues between those of the free chain.
+double largest_eigenvalue_bound(const Scene &scene);
 
-// A mode of which the two decays are well apart: damping ratio beta sqrt(lambda) / 2 (Eq. 7).
-inline bool strongly_damped(double beta, double lambda) {
-  return beta * beta * lambda > 4.0 * strong_damping * strong_damping;
-}
+// Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
+double root_modulus(double kappa, double lambda);
 
-}  // namespace vibro_impact
+// A bound of the rate of every contact mode and of the forcing, in units of which derivatives of
+// forces are carried; 1 where nothing has a rate.
+double rate_bound(const Scene &scene);
+
+}  // namespace vibro_impact::detail

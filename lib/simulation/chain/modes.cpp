@@ -9,7 +9,7 @@
 
 #include "tolerances.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
 namespace {
 
@@ -76,7 +76,7 @@ MatrixXd tensions_of(const Scene &scene, const std::vector<std::size_t> &free,
 // The solver leaves products u_p^T A u_q of epsilon times the largest eigenvalue. For two modes
 // that are both soft beside it this is large in |tension_p| |tension_q|: the solver mixes them. So
 // only the pairs with a product of rates below `soft_pair` of the largest eigenvalue are looked at.
-void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first) {
+void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first, double soft) {
   VectorXd length = tension.colwise().norm().transpose();
   const double largest = length.maxCoeff(),
                tolerance = std::sqrt(static_cast<double>(tension.rows())) *
@@ -86,7 +86,7 @@ void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first) {
     rotated = false;
     for (Index p = first; p < tension.cols(); ++p)
       for (Index q = p + 1; q < tension.cols(); ++q) {
-        if (length(p) / largest * (length(q) / largest) > soft_pair) continue;
+        if (length(p) / largest * (length(q) / largest) > soft) continue;
         const double product = tension.col(p).dot(tension.col(q));
         if (std::abs(product) <= tolerance * length(p) * length(q)) continue;
         Eigen::JacobiRotation<double> rotation;
@@ -104,17 +104,19 @@ void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first) {
 
 ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free) {
   const auto n = static_cast<Index>(scene.mass.size()), modes = static_cast<Index>(free.size());
-  ModalBasis basis{VectorXd(modes), MatrixXd::Zero(n, modes), MatrixXd::Zero(modes, n)};
+  ModalBasis basis{VectorXd(modes), MatrixXd::Zero(n, modes), MatrixXd::Zero(modes, n),
+                   MatrixXd::Zero(n, modes)};
   if (modes == 0) return basis;
   const bool floats = scene.stiffness[0] == 0.0 && modes == n;
   // A copy, because Eigen adds up in an order that depends on the alignment of the memory.
   const VectorXd mass = Eigen::Map<const VectorXd>(scene.mass.data(), n);
-  MatrixXd vectors = eigenvectors_of(scene, free);
+  const bool light = mass.minCoeff() < light_mass * mass.maxCoeff();
+  MatrixXd vectors = light ? MatrixXd::Identity(modes, modes) : eigenvectors_of(scene, free);
   if (floats)  // the rigid-body mode x = 1 without tension
     rotate_to_front(mass.cwiseSqrt().normalized(), vectors);
   MatrixXd tension = tensions_of(scene, free, vectors);
   if (floats) tension.col(0).setZero();
-  make_orthogonal(tension, vectors, floats ? 1 : 0);
+  make_orthogonal(tension, vectors, floats ? 1 : 0, light ? 2.0 : soft_pair);
 
   const VectorXd lambda = tension.colwise().squaredNorm().transpose();
   std::vector<Index> order(free.size());
@@ -125,6 +127,7 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
     const Index from = order[static_cast<std::size_t>(j)];
     const double orient = vectors(modes - 1, from) < 0.0 ? -1.0 : 1.0;
     basis.lambda(j) = lambda(from);
+    basis.tension.col(j) = orient * tension.col(from);
     for (Index a = 0; a < modes; ++a) {
       const auto i = free[static_cast<std::size_t>(a)];
       const double u = orient * vectors(a, from), root_m = std::sqrt(scene.mass[i]);
@@ -144,4 +147,4 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
   return basis;
 }
 
-}  // namespace vibro_impact
+}  // namespace vibro_impact::detail

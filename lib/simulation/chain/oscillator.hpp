@@ -1,12 +1,11 @@
-// One oscillator in closed form: y'' + kappa y' + lambda y = 0, and forced where that cannot be
-// split off. The formulas hold for under-, critically and over-damped modes and pass smoothly from
-// one to the other; the paper prints the under-damped case only.
+// One oscillator in closed form: y'' + kappa y' + lambda y = 0, and forced where the response
+// cannot be split off. The formulas hold for under-, critically and over-damped modes and pass
+// smoothly from one to the other; the paper prints the under-damped case only.
 #pragma once
 
-#include <cmath>
 #include <complex>
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
 // One oscillator's value and time derivative.
 struct OscillatorState {
@@ -14,57 +13,17 @@ struct OscillatorState {
 };
 
 // Solution after tau of y'' + kappa y' + lambda y = 0 from (value, slope); kappa, lambda >= 0.
-inline OscillatorState free_response(double kappa, double lambda, OscillatorState start,
-                                     double tau) {
-  const double alpha = kappa / 2, discriminant = alpha * alpha - lambda;
-  if (discriminant < 0) {
-    const double omega = std::sqrt(-discriminant), decay = std::exp(-alpha * tau);
-    const double c = std::cos(omega * tau), s = std::sin(omega * tau) / omega;
-    return {decay * (start.value * (c + alpha * s) + start.slope * s),
-            decay * (start.slope * (c - alpha * s) - lambda * start.value * s)};
-  }
-  // Roots -slow and -(slow + 2 delta); slow = alpha - delta is formed without cancellation. The
-  // functions used are analytic in the discriminant, so critical damping is not a special case.
-  const double delta = std::sqrt(discriminant);
-  if (alpha + delta == 0) return {start.value + start.slope * tau, start.slope};
-  const double slow = lambda / (alpha + delta), decay = std::exp(-slow * tau);
-  const double fast = std::exp(-2 * delta * tau);
-  const double s = delta > 0 ? -std::expm1(-2 * delta * tau) / (2 * delta) : tau;
-  // c = (1 + fast) / 2, so that c - alpha s = fast - slow s and c + alpha s = 1 + slow s.
-  return {decay * (start.value * (1 + slow * s) + start.slope * s),
-          decay * (start.slope * (fast - slow * s) - lambda * start.value * s)};
-}
+OscillatorState free_response(double kappa, double lambda, OscillatorState start, double tau);
 
 // Response from rest after tau of y'' + kappa y' + lambda y = Re(F(t)), F turning at the rate omega
-// from `force` to `force_after`, for an under-damped mode at or near resonance, or for lambda =
-// kappa = 0, the rigid-body mode: difference quotients instead of a steady response that grows
-// without bound there. However long tau is, the phase of the forcing is not rounded with it.
-inline OscillatorState forced_from_rest(double kappa, double lambda, std::complex<double> force,
-                                        std::complex<double> force_after, double omega,
-                                        double tau) {
-  using Complex = std::complex<double>;
-  const Complex drive(0, omega);
-  if (lambda == 0.0) {
-    const Complex z = drive * tau;
-    if (std::abs(z) > 1.0)
-      return {std::real((force_after - force * (1.0 + z)) / (drive * drive)),
-              std::real((force_after - force) / drive)};
-    Complex second = 0.0;  // (exp(z) - 1 - z) / z^2, from its series
-    for (int n = 20; n >= 2; --n) second = (1.0 + second * z) / static_cast<double>(n);
-    return {tau * tau * std::real(force * second), tau * std::real(force * (1.0 + z * second))};
-  }
-  const double alpha = kappa / 2, damped = std::sqrt(lambda - alpha * alpha);
-  // (F exp(drive tau) - F exp(root tau)) / (drive - root), without cancellation as drive -> root.
-  const auto quotient = [&](Complex root) {
-    const Complex half = (drive - root) * (tau / 2);
-    if (std::abs(half) > 1.0) return (force_after - force * std::exp(root * tau)) / (drive - root);
-    const Complex ratio = std::abs(half) < 1e-4 ? 1.0 + half * half / 6.0 : std::sinh(half) / half;
-    return force_after * std::exp(-half) * ratio * tau;
-  };
-  const Complex upper(-alpha, damped), lower(-alpha, -damped);
-  const Complex split = upper - lower, at_upper = quotient(upper), at_lower = quotient(lower);
-  return {std::real((at_upper - at_lower) / split),
-          std::real((upper * at_upper - lower * at_lower) / split)};
-}
+// from `force` to `force_after`, for an under-damped mode at or near resonance: difference
+// quotients instead of a steady response that grows without bound there. However long tau is, the
+// phase of the forcing is not rounded with it.
+OscillatorState forced_from_rest(double kappa, double lambda, std::complex<double> force,
+                                 std::complex<double> force_after, double omega, double tau);
 
-}  // namespace vibro_impact
+// The same for lambda = kappa = 0, the rigid-body mode of a free chain; omega = 0 is a fall.
+OscillatorState forced_drift(std::complex<double> force, std::complex<double> force_after,
+                             double omega, double tau);
+
+}  // namespace vibro_impact::detail

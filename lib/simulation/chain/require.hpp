@@ -10,7 +10,7 @@
 
 #include "vibro_impact/scene.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
 inline void append(std::string &text, std::string_view piece) {
   text += piece;
@@ -46,4 +46,4 @@ inline void require_mass(int mass, int masses) {
   require(mass >= 1 && mass <= masses, "mass ", mass, ": the chain has masses 1 to ", masses);
 }
 
-}  // namespace vibro_impact
+}  // namespace vibro_impact::detail

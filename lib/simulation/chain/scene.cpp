@@ -8,6 +8,9 @@
 
 namespace vibro_impact {
 
+using detail::line;
+using detail::require;
+
 namespace {
 
 void require_one_per_mass(const std::vector<double> &values, const Scene &scene, const char *what) {
@@ -50,16 +53,6 @@ void check_stop(const Stop &stop, const Scene &scene) {
 
 }  // namespace
 
-void refuse_omega(double omega) {
-  throw std::invalid_argument(
-      line("omega = ", omega, ": must be non-negative and finite, with a finite period"));
-}
-
-void refuse_time(double time) {
-  throw std::invalid_argument(
-      line("time ", time, ": more forcing periods than double precision can count"));
-}
-
 const char *name(Side side) {
   return side == Side::upper ? "upper" : "lower";
 }
@@ -67,27 +60,6 @@ const char *name(Side side) {
 MotionState start_of(const Scene &scene) {
   check(scene);
   return first_motion(scene);
-}
-
-double largest_eigenvalue_bound(const Scene &scene) {
-  require_one_per_mass(scene.stiffness, scene, "stiffness");
-  double bound = 0.0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    bound = std::max(bound, 2.0 * (scene.stiffness[i] + right) / scene.mass[i]);
-  }
-  return bound;
-}
-
-double root_modulus(double kappa, double lambda) {
-  const double alpha = kappa / 2, discriminant = alpha * alpha - lambda;
-  return discriminant > 0 ? alpha + std::sqrt(discriminant) : std::sqrt(lambda);
-}
-
-double rate_of(const Scene &scene) {
-  const double lambda = largest_eigenvalue_bound(scene);
-  const double rate = std::max(root_modulus(scene.beta * lambda, lambda), scene.omega);
-  return rate > 0.0 ? rate : 1.0;
 }
 
 void check(const Scene &scene) {
@@ -106,6 +78,9 @@ void check(const Scene &scene) {
   static_cast<void>(Clock(scene.omega));  // refuses an Omega that is negative or not finite
   require_restitution(scene.restitution);
   if (!scene.amplitude.empty()) require_one_per_mass(scene.amplitude, scene, "amplitude");
+  const double rate = detail::rate_bound(scene);
+  require(std::isfinite(rate * rate), "rate = ", rate,
+          ": the largest rate that k, m, beta and omega allow, and its square, must be finite");
   for (const Stop &stop : scene.stops) check_stop(stop, scene);
   check(scene, first_motion(scene));
 }
@@ -113,7 +88,7 @@ void check(const Scene &scene) {
 void check(const Scene &scene, const MotionState &start) {
   require_one_per_mass(start.displacement, scene, "start: displacement");
   require_one_per_mass(start.velocity, scene, "start: velocity");
-  check_place(scene, start.instant, start.held);
+  detail::check_place(scene, start.instant, start.held);
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     const double x = start.displacement[i], v = start.velocity[i];
@@ -124,6 +99,39 @@ void check(const Scene &scene, const MotionState &start) {
               name(stop.side), " stop at ", stop.position, ", and stands at ", x, " with velocity ",
               v);
   }
+}
+
+namespace detail {
+
+void refuse_omega(double omega) {
+  throw std::invalid_argument(
+      line("omega = ", omega, ": must be non-negative and finite, with a finite period"));
+}
+
+void refuse_time(double time) {
+  throw std::invalid_argument(
+      line("time ", time, ": more forcing periods than double precision can count"));
+}
+
+double largest_eigenvalue_bound(const Scene &scene) {
+  require_one_per_mass(scene.stiffness, scene, "stiffness");
+  double bound = 0.0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+    bound = std::max(bound, 2.0 * (scene.stiffness[i] + right) / scene.mass[i]);
+  }
+  return bound;
+}
+
+double root_modulus(double kappa, double lambda) {
+  const double alpha = kappa / 2, discriminant = alpha * alpha - lambda;
+  return discriminant > 0 ? alpha + std::sqrt(discriminant) : std::sqrt(lambda);
+}
+
+double rate_bound(const Scene &scene) {
+  const double lambda = largest_eigenvalue_bound(scene);
+  const double rate = std::max(root_modulus(scene.beta * lambda, lambda), scene.omega);
+  return rate > 0.0 ? rate : 1.0;
 }
 
 void check_place(const Scene &scene, const Instant &instant, const Held &held) {
@@ -144,5 +152,7 @@ void check_place(const Scene &scene, const Instant &instant, const Held &held) {
             "start: mass ", i + 1, " held as ", static_cast<int>(held[i]),
             ": it has no such stop (0 free, 1 upper, -1 lower)");
 }
+
+}  // namespace detail
 
 }  // namespace vibro_impact

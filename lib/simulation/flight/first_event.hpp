@@ -1,111 +1,63 @@
-// The first event along one expansion: impacts, and hold forces that come to zero, of one mass or
-// of several at the same instant.
+// The first event along one step: impacts, and hold forces that come to zero, of one mass or of
+// several at the same instant.
 #pragma once
 
-#include <algorithm>
+#include <optional>
 #include <vector>
 
-#include "clearance.hpp"
-#include "expansion.hpp"
+#include "simulation/chain/stop_state.hpp"
+#include "taylor_table.hpp"
 
-namespace vibro_impact {
+namespace vibro_impact::detail {
 
-// One flight, its storage reused: no allocation between events.
-template <int D>
-struct Flight {
-  // What is known of a contact along the flight.
-  struct Watch {
-    bool clear = false;        // certain to stay positive: not looked at
-    Polynomial polynomial;     // else
-    std::optional<Root> root;  // its first one on the path, where the flight ends
-  };
-  Expansion path;
-  std::vector<Watch> watched;         // by contact of the mode
-  Eigen::Array<double, D, 1> speeds;  // bounds of those of the lanes
-  double u = 1.0;                     // of the first event, or the end of the path
-  bool eventful = false;
-  bool all_clear = false;  // no contact was near
+// A contact along the step.
+struct Approach {
+  bool out_of_reach = false;  // certain to stay positive over the step
+  Polynomial polynomial;      // else (3) along the step
+  std::optional<Root> root;   // and its first root, where the flight ends
 };
 
-// Finds the first event in (0, 1] of the flight's path, along which `state` moves.
-template <int D>
-void find_first_event(const State<D> &state, double scene_rate, Flight<D> &flight,
-                      Counters &counters) {
-  const ContactMode<D> &mode = *state.mode;
-  const Expansion &path = flight.path;
-  bound_speeds(state, path.span, flight.speeds);
-  const double together = same_instant / (path.rate * path.span);
-  if (flight.watched.size() < mode.contacts.size()) flight.watched.resize(mode.contacts.size());
-  flight.all_clear = true;
-  flight.eventful = false;
-  flight.u = 1.0;
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    const Contact<D> &contact = mode.contacts[k];
-    const AtStop &stop = state.stops[contact.stop];
-    auto &watch = flight.watched[k];
-    watch.root.reset();
-    const double now = contact.held ? watched_now(state, contact) : stop.gap;
-    watch.clear =
-        !stop.decided && stays_clear(state, contact, now, flight.speeds, path.span, 2.0 * wide);
-    if (watch.clear) {
-      ++counters.stops_clear;
-      continue;
-    }
-    flight.all_clear = false;
-    read_along(state, contact, path, scene_rate, watch.polynomial, counters);
-    watch.root = first_root(watch.polynomial, std::min(1.0, flight.u + together), counters);
-    if (!watch.root) continue;
-    flight.eventful = true;
-    flight.u = std::min(flight.u, watch.root->at);
-  }
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // at the same instant, or later
-    std::optional<Root> &root = flight.watched[k].root;
-    if (root && root->at > flight.u + together) root.reset();
-  }
-}
+// One step of a flight, its storage reused: no allocation between events.
+struct Flight {
+  Step step;
+  TaylorTable table, moduli;
+  PerCoordinate travel, rate_travel;  // bounds of what y and y' can change by over the step
+  std::vector<Approach> approaches;   // by contact of the mode
+  double u = 1.0;                     // of the first event, or the end of the step
+  bool event = false;
+  bool any_near = false;  // some contact was within reach
+};
 
-// Moves the state to u of the path: lanes, time, and what is carried of the stops.
-template <int D>
-void move_along(State<D> &state, Flight<D> &flight, double u, const Scene &scene,
-                const Clock &clock) {
-  const ContactMode<D> &mode = *state.mode;
-  const Expansion &path = flight.path;
-  if (u > 0.0) {
-    move_lanes(state, scene, clock, path, u * path.span);
-    drop_dead_lanes(state);
-  }
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    const Contact<D> &contact = mode.contacts[k];
-    const auto &watch = flight.watched[k];
-    AtStop &stop = state.stops[contact.stop];
-    if (contact.held) {
-      if (u > 0.0) set_in_flight(stop);  // what is known of its force is known at one instant
-      continue;
-    }
-    if (u == flight.u && watch.root) {
-      set_in_flight(stop, 0.0, watch.root->slope / path.span);
-      continue;
-    }
-    if (u == 0.0) continue;
-    // A wide gap is read off the lanes, so that the carried one cannot drift away from them; and so
-    // is a narrower one that has: a mass that seldom hits beside one that does so 20,000 times.
-    const double size = watch.clear ? 0.0 : size_of(state, contact),
-                 read = watch.clear ? 0.0 : watched_now(state, contact);
-    bool off_the_lanes = watch.clear || read > wide * size;
-    Jet carried{};
-    if (!off_the_lanes) {
-      carried = jet_at(watch.polynomial, 0, u);
-      if (stop.decided && carried.value == 0.0 && carried.slope == 0.0)
-        continue;  // at rest still, as far as can be told
-      off_the_lanes = read > wide * wide * size && std::abs(carried.value - read) > drifted * size;
-    }
-    if (off_the_lanes) {
-      read_gap(state, contact);
-      continue;
-    }
-    set_in_flight(stop, std::max(0.0, carried.value), carried.slope / path.span);
-    stop.below_rounding = stop.gap < rounding * size;
-  }
-}
+// Bounds the travel of all coordinates in `time`: |y'| stays below |y'| + sqrt(lambda) |y| +
+// |force| time, because y'^2 + lambda y^2 grows by the forcing alone.
+void bound_travel(const Motion &motion, double time, PerCoordinate &speed);
 
-}  // namespace vibro_impact
+// True when (3) of a contact, now `value`, is certain to stay positive for `time`, by this share of
+// its terms, at such speeds of the coordinates. `jumps` is what impacts to come may take off it at
+// once: a hold force jumps with the speeds of the neighbours.
+bool stays_out_of_reach(const Motion &motion, const Contact &contact, double value,
+                        const PerCoordinate &speed, double omega, double time, double margin,
+                        double jumps);
+
+// How long no contact can come to zero, whatever the time: the amplitudes of the coordinates, which
+// never grow, bound what each contact swings by, and the rigid-body mode drifts. Infinite for a
+// motion in which nothing can happen any more.
+double quiet_time(const Motion &motion, const std::vector<StopState> &stops, double omega);
+
+// Finds the first event in (0, 1] of the flight's step, along which the motion goes. `rate_bound`
+// is the unit of leading derivatives.
+void find_first_event(const Motion &motion, const std::vector<StopState> &stops, const Clock &clock,
+                      bool forced, double rate_bound, Flight &flight, Counters &counters);
+
+// Moves motion and stops to u of the step.
+void move_along(const Flight &flight, double u, const Clock &clock, Motion &motion,
+                std::vector<StopState> &stops);
+
+// Moves motion and stops to `target`, in closed form. `change` is scratch.
+void fly_along(const Instant &target, const Clock &clock, Motion &motion,
+               std::vector<StopState> &stops, PerCoordinate &change);
+
+// The gap of a contact, along a table or by a change of the coordinates.
+double gap_of(const StopState &stop);
+
+}  // namespace vibro_impact::detail

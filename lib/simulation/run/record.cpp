@@ -8,6 +8,9 @@
 
 namespace vibro_impact {
 
+using detail::require;
+using detail::require_mass;
+
 const char *name(EventKind kind) {
   return kind == EventKind::impact ? "impact" : kind == EventKind::stick ? "stick" : "release";
 }

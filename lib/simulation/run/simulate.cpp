@@ -1,13 +1,17 @@
 #include "vibro_impact/simulate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "run_state.hpp"
+#include "run.hpp"
 #include "simulation/chain/forces.hpp"
 #include "simulation/chain/require.hpp"
 
 namespace vibro_impact {
+
+namespace detail {
 
 namespace {
 
@@ -22,48 +26,103 @@ void check_options(const RunOptions &options) {
           "max_impacts_per_period = ", options.max_impacts_per_period, ": must be positive");
 }
 
-Outcome run(const Scene &scene, const MotionState *motion, const RunState *state,
-            const Instant &from, double until, const RunOptions &options,
-            std::span<const RecorderRef> recorders) {
-  const Clock clock(scene.omega);
-  const double begins = time_of(from, clock);
-  check_options(options);
-  require(std::isfinite(until), "until = ", until, ": must be finite");
-  require(until >= begins || !(instant_at(until, clock) < from), "until = ", until,
-          ": lies before the start at ", begins);
-  for (const RecorderRef &recorder : recorders) {
-    if (recorder.check) recorder.check(scene);
-    if (!recorder.sample) continue;
-    require(recorder.next_time != nullptr, "a recorder takes samples and asks for no time");
-    const double first = recorder.next_time();
-    require(first >= begins, "sample at t = ", first, ": the run begins at ", begins);
+// A run that stands at its start.
+Run start_run(std::shared_ptr<const Scene> scene, const MotionState *start,
+              const RunOptions &options) {
+  MotionState state = start_of(*scene);  // checks the scene
+  if (start != nullptr) {
+    check(*scene, *start);
+    state = *start;
   }
-  // Two masses under forcing, the paper's case, get lanes of fixed size; the code is the same. They
-  // have no room for a strongly damped mode split in two.
-  if (scene.forced() && scene.masses() == 2 &&
-      !strongly_damped(scene.beta, largest_eigenvalue_bound(scene)))
-    return run_lanes<4>(scene, motion, state, until, options, recorders);
-  return run_lanes<Eigen::Dynamic>(scene, motion, state, until, options, recorders);
+  check_options(options);
+  Problem problem(std::move(scene), options);
+  // A slow forcing says nothing of how many impacts there may be.
+  const double rate = problem.rate_bound;
+  const double window = problem.forced && problem.clock.omega > 0.0
+                            ? std::min(problem.clock.period, budget_window / rate)
+                            : 6.3 / rate;
+  Run run{.problem = std::move(problem), .start = std::move(state), .budget = {.window = window}};
+  run.motion.now = run.start->instant;
+  return run;
+}
+
+Outcome advance_to(Run &run, double until, Recorders recorders) {
+  const Clock &clock = run.problem.clock;
+  // After a call the run stands at the last step before the end that it reported.
+  const Instant reported = run.start ? run.start->instant : run.progress.last.instant;
+  const double begin = time_of(reported, clock);
+  require(std::isfinite(until), "until = ", until, ": must be finite");
+  const Instant end = instant_at(until, clock);
+  require(until >= begin || !(end < reported), "until = ", until, ": lies before the start at ",
+          begin);
+  for (const RecorderRef &recorder : recorders) {
+    if (recorder.check) recorder.check(run.scene());
+    if (!recorder.sample) continue;
+    const double first = recorder.next_time();
+    require(first >= begin, "sample at t = ", first, ": the run begins at ", begin);
+  }
+  run.counters = {};
+  advance(run, end, recorders);
+  const Progress &progress = run.progress;
+  return {progress.last, time_of(progress.last.instant, clock), progress.ending, progress.reason,
+          run.counters};
 }
 
 }  // namespace
 
-const Outcome &require_complete(const Outcome &outcome) {
+Problem::Problem(std::shared_ptr<const Scene> of, const RunOptions &with)
+    : scene(std::move(of)),
+      options(with),
+      clock(scene->omega),
+      rate_bound(detail::rate_bound(*scene)),
+      forced(scene->forced()),
+      orders(options.flight_tolerance) {
+}
+
+Outcome simulate(const Scene &scene, const MotionState *start, double until,
+                 const RunOptions &options, Recorders recorders) {
+  // The run does not outlive the call, and refers to the caller's scene.
+  const std::shared_ptr<const Scene> borrowed(std::shared_ptr<void>(), &scene);
+  Run run = start_run(borrowed, start, options);
+  return advance_to(run, until, recorders);
+}
+
+}  // namespace detail
+
+Outcome require_complete(Outcome outcome) {
   if (outcome.ending == Ending::given_up) throw std::runtime_error(outcome.reason);
   return outcome;
 }
 
-Outcome simulate_seen(const Scene &scene, const MotionState &start, double until,
-                      const RunOptions &options, std::span<const RecorderRef> recorders) {
-  check(scene);
-  check(scene, start);
-  return run(scene, &start, nullptr, start.instant, until, options, recorders);
+Simulation::Simulation(const Scene &scene, const RunOptions &options)
+    : run_(std::make_unique<detail::Run>(
+          detail::start_run(std::make_shared<const Scene>(scene), nullptr, options))) {
 }
 
-Outcome resume_seen(const Scene &scene, const RunState &state, double until,
-                    const RunOptions &options, std::span<const RecorderRef> recorders) {
-  check(scene);
-  return run(scene, nullptr, &state, instant_of(state), until, options, recorders);
+Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options)
+    : run_(std::make_unique<detail::Run>(
+          detail::start_run(std::make_shared<const Scene>(scene), &start, options))) {
+}
+
+Simulation::Simulation(const Simulation &other) : run_(std::make_unique<detail::Run>(*other.run_)) {
+}
+
+Simulation::Simulation(Simulation &&other) noexcept = default;
+
+Simulation &Simulation::operator=(Simulation other) noexcept {
+  run_ = std::move(other.run_);
+  return *this;
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::set_options(const RunOptions &options) {
+  detail::check_options(options);
+  run_->problem = detail::Problem(run_->problem.scene, options);
+}
+
+Outcome Simulation::advance_with(double until, std::span<const detail::RecorderRef> recorders) {
+  return detail::advance_to(*run_, until, recorders);
 }
 
 }  // namespace vibro_impact

@@ -34,8 +34,7 @@ template <class... Recorders>
 MotionState stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
                              const RunOptions &options = {}, Recorders &...recorders) {
   const double until = time_after(scene, start, periods);
-  MotionState state =
-      require_complete(simulate_from(scene, start, until, options, recorders...)).state;
+  MotionState state = require_complete(simulate(scene, start, until, options, recorders...)).state;
   state.instant = start.instant;
   return state;
 }

@@ -44,11 +44,11 @@ EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int 
                       const Held &held);
 
 struct SettledMotion {
-  int period = 0;       // forcing periods; 0: not settled
-  int periods_run = 0;  // forcing periods integrated
-  MotionState state;    // at the last section, cycle count as it stands
-  EventCounts counts;   // of the last `period` periods; empty where it is 0
-  RunState resume;      // where the run stood
+  int period = 0;           // forcing periods; 0: not settled
+  int periods_run = 0;      // forcing periods integrated
+  MotionState state = {};   // at the last section, cycle count as it stands
+  EventCounts counts = {};  // of the last `period` periods; empty where it is 0
+  Simulation simulation;    // stands at the last section
 };
 
 // Follows the motion from `start` until it has settled. Throws std::invalid_argument for what

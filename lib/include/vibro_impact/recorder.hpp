@@ -1,0 +1,132 @@
+// What a recorder is: any value with one or more of these members.
+//   void event(const Event &, const Moment &)   called at every event
+//   double next_time(), void sample(const Moment &)
+//       A run calls `sample` at the time that `next_time` asks for. Each time must be later than
+//       the one before; infinity asks for no more samples.
+//   bool done()   asked after each of these calls: true ends the run there. A recorder that has
+//   this
+//       member alone is asked after every flight.
+//   void check(const Scene &)   called before the run; throws std::invalid_argument
+// An exception that a member throws ends the run and reaches the caller; the state of the
+// simulation is then unspecified.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace vibro_impact {
+
+struct Event;
+struct Scene;
+class Moment;
+
+namespace detail {
+
+// Whether R has a member of this name, whatever its form: the name is ambiguous beside another one.
+struct RecorderNames {
+  int event, next_time, sample, done, check;
+};
+template <class R>
+struct WithRecorderNames : R, RecorderNames {};
+template <class R>
+concept has_event = !requires {
+  &WithRecorderNames<R>::event;
+};
+template <class R>
+concept has_next_time = !requires {
+  &WithRecorderNames<R>::next_time;
+};
+template <class R>
+concept has_sample = !requires {
+  &WithRecorderNames<R>::sample;
+};
+template <class R>
+concept has_done = !requires {
+  &WithRecorderNames<R>::done;
+};
+template <class R>
+concept has_check = !requires {
+  &WithRecorderNames<R>::check;
+};
+
+template <class R>
+concept takes_events = requires(R &recorder, const Event &event, const Moment &moment) {
+  recorder.event(event, moment);
+};
+template <class R>
+concept takes_samples = requires(R &recorder, const Moment &moment) {
+  { recorder.next_time() } -> std::convertible_to<double>;
+  recorder.sample(moment);
+};
+template <class R>
+concept is_asked = requires(R &recorder) {
+  { recorder.done() } -> std::convertible_to<bool>;
+};
+template <class R>
+concept checks_scenes = requires(R &recorder, const Scene &scene) {
+  recorder.check(scene);
+};
+
+// A recorder as a run calls it: empty where it has no such member. Refers to the recorder.
+struct RecorderRef {
+  std::function<void(const Event &, const Moment &)> event = {};
+  std::function<double()> next_time = {};
+  std::function<void(const Moment &)> sample = {};
+  std::function<bool()> done = {};
+  std::function<void(const Scene &)> check = {};
+};
+
+}  // namespace detail
+
+// A member with the name of one of a recorder's that does not fit does not compile: it would never
+// be called.
+template <class R>
+concept Recorder =
+    std::is_class_v<R> && !std::is_final_v<R> &&
+    (detail::takes_events<R> || detail::takes_samples<R> || detail::is_asked<R>)&&(
+        detail::takes_events<R> ||
+        !detail::has_event<R>)&&(detail::takes_samples<R> ||
+                                 (!detail::has_sample<R> && !detail::has_next_time<R>)) &&
+    (detail::is_asked<R> || !detail::has_done<R>)&&(detail::checks_scenes<R> ||
+                                                    !detail::has_check<R>);
+
+namespace detail {
+
+template <Recorder R>
+RecorderRef recorder_ref(R &recorder) {
+  RecorderRef ref;
+  if constexpr (takes_events<R>)
+    ref.event = [&recorder](const Event &event, const Moment &moment) {
+      recorder.event(event, moment);
+    };
+  if constexpr (takes_samples<R>) {
+    ref.next_time = [&recorder] { return static_cast<double>(recorder.next_time()); };
+    ref.sample = [&recorder](const Moment &moment) { recorder.sample(moment); };
+  }
+  if constexpr (is_asked<R>) ref.done = [&recorder] { return static_cast<bool>(recorder.done()); };
+  if constexpr (checks_scenes<R>)
+    ref.check = [&recorder](const Scene &scene) { recorder.check(scene); };
+  return ref;
+}
+
+}  // namespace detail
+
+// Recorders chosen while the program runs: takes part in a run in place of them. They must outlive
+// the run.
+class RecorderGroup {
+ public:
+  template <Recorder R>
+  void add(R &recorder) {
+    refs_.push_back(detail::recorder_ref(recorder));
+  }
+  const std::vector<detail::RecorderRef> &refs() const {
+    return refs_;
+  }
+
+ private:
+  std::vector<detail::RecorderRef> refs_;
+};
+
+}  // namespace vibro_impact

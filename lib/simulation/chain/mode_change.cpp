@@ -1,0 +1,82 @@
+#include "mode_change.hpp"
+
+#include <cmath>
+
+namespace vibro_impact::detail {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// The values of the modes from displacements x and tensions t: phi_k^T M x = phi_k^T K x /
+// lambda_k. The first is off by the rounding of sqrt(x^T M x), the second by that of |t| /
+// sqrt(lambda_k). So the tensions are taken for the modes above the Rayleigh quotient t^T t / x^T M
+// x of the motion: a slow motion does not set a stiff mode in motion by its rounding. `values` has
+// the result.
+void set_values(const ModalBasis &basis, const VectorXd &x, const VectorXd &t, VectorXd &values) {
+  const Index modes = basis.lambda.size();
+  for (Index k = 0; k < modes; ++k) values(k) = basis.inverse.row(k).dot(x);
+  const double inertia = values.head(modes).squaredNorm(), stretch = t.squaredNorm();
+  for (Index k = 0; k < modes; ++k)
+    if (basis.lambda(k) * inertia > stretch)
+      values(k) = basis.tension.col(k).dot(t) / basis.lambda(k);
+}
+
+void set_coordinates(const ContactMode &mode, ChainMotion &chain, Motion &motion) {
+  motion.mode = &mode;
+  motion.y.setZero(mode.padded());
+  motion.dy.setZero(mode.padded());
+  set_values(mode.basis, chain.displacement, chain.tension, chain.value);
+  set_values(mode.basis, chain.velocity, chain.tension_rate, chain.speed);
+  for (Index k = 0; k < mode.basis.lambda.size(); ++k)
+    set_mode(mode, k, chain.value(k), chain.speed(k), motion.y, motion.dy);
+  motion.following.assign(mode.stiff ? static_cast<std::size_t>(mode.padded()) : 0, false);
+  complete_change(motion);
+}
+
+}  // namespace
+
+void express(const Scene &scene, const MotionState &state, const ContactMode &mode,
+             const Clock &clock, ChainMotion &chain, Motion &motion) {
+  const auto n = static_cast<Index>(state.displacement.size());
+  chain = {VectorXd(n), VectorXd(n), VectorXd(n), VectorXd(n), VectorXd(n), VectorXd(n)};
+  double x_before = 0.0, v_before = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    const double x = state.displacement[static_cast<std::size_t>(i)],
+                 v = state.velocity[static_cast<std::size_t>(i)],
+                 root = std::sqrt(scene.stiffness[static_cast<std::size_t>(i)]);
+    chain.displacement(i) = x - mode.equilibrium(i);
+    chain.tension(i) = root * (x - x_before) - mode.tension(i);
+    chain.velocity(i) = v;
+    chain.tension_rate(i) = root * (v - v_before);
+    x_before = x;
+    v_before = v;
+  }
+  set_clock(motion, clock, state.instant);
+  set_coordinates(mode, chain, motion);
+}
+
+void change_mode(const ContactMode &mode, ChainMotion &chain, Motion &motion) {
+  const ContactMode &before = *motion.mode;
+  const ModalBasis &basis = before.basis;
+  chain.displacement = before.equilibrium - mode.equilibrium;
+  chain.tension = before.tension - mode.tension;
+  chain.velocity.setZero(mode.equilibrium.size());
+  chain.tension_rate.setZero(mode.equilibrium.size());
+  for (Index k = 0; k < basis.lambda.size(); ++k) {
+    const Index j = before.first_coordinate[static_cast<std::size_t>(k)];
+    double value = motion.y(j), velocity = motion.dy(j);
+    if (before.coordinates.decay[static_cast<std::size_t>(j)]) {
+      value += motion.y(j + 1);
+      velocity += motion.dy(j + 1);
+    }
+    chain.displacement += value * basis.shape.col(k);
+    chain.tension += value * basis.tension.col(k);
+    chain.velocity += velocity * basis.shape.col(k);
+    chain.tension_rate += velocity * basis.tension.col(k);
+  }
+  set_coordinates(mode, chain, motion);
+}
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,270 @@
+#include "motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces.hpp"
+#include "oscillator.hpp"
+#include "tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+Complex turn_at(double omega, double phase) {
+  return {std::cos(omega * phase), std::sin(omega * phase)};
+}
+
+// The steady response of a coordinate, and its slope.
+OscillatorState steady_state(const ModalCoordinates &all, Index j, Complex turn, double omega) {
+  const Complex steady = all.steady_of(j) * turn;
+  return {steady.real(), -omega * steady.imag()};
+}
+
+void tie_decays(Motion &motion) {
+  const ModalCoordinates &all = motion.mode->coordinates;
+  if (all.any_decay)
+    for (Index j = 0; j < motion.y.size(); ++j)
+      if (all.decay[static_cast<std::size_t>(j)])
+        motion.dy(j) = all.drive(j) * motion.turn.real() - all.kappa(j) * motion.y(j);
+}
+
+// What (1) makes of a coordinate within two radians: the Taylor series, whose terms fall from the
+// start, adds up changes that are as accurate as they are small.
+OscillatorState change_by_series(const ModalCoordinates &all, Index j, OscillatorState start,
+                                 Complex turn, double omega, double tau) {
+  const double kappa = all.kappa(j) * tau, lambda = all.lambda(j) * tau * tau;
+  Complex force = all.force_of(j) * turn * (tau * tau);
+  double before = start.value, term = start.slope * tau;
+  OscillatorState change{term, 0.0};
+  for (int n = 0; n < 26; ++n) {
+    const double next =
+        (force.real() - lambda * before - kappa * (n + 1) * term) / ((n + 1.0) * (n + 2.0));
+    before = term;
+    term = next;
+    change.value += term;
+    change.slope += (n + 2) * term;
+    force *= Complex(0.0, omega * tau / (n + 1));
+  }
+  return {change.value, tau > 0.0 ? change.slope / tau : 0.0};
+}
+
+// The state of one coordinate after tau, as a change.
+OscillatorState change_of(const Motion &motion, Index j, Complex turn_after, double omega,
+                          double tau) {
+  const ModalCoordinates &all = motion.mode->coordinates;
+  const OscillatorState start{motion.y(j), motion.dy(j)};
+  const double kappa = all.kappa(j), lambda = all.lambda(j), force = all.force(j);
+  const bool slow_forcing = force == 0.0 || omega * tau <= max_step_radians;
+  if (all.rate(j) * tau <= max_step_radians && slow_forcing && j != motion.mode->drift)
+    return change_by_series(all, j, start, motion.turn, omega, tau);
+  if (j == motion.mode->drift) {
+    const OscillatorState forced =
+        forced_drift(all.force_of(j) * motion.turn, all.force_of(j) * turn_after, omega, tau);
+    return {start.slope * tau + forced.value, forced.slope};
+  }
+  const bool decay = all.decay[static_cast<std::size_t>(j)];
+  const double detuning = lambda - omega * omega;
+  if (force != 0.0 && !decay &&
+      std::hypot(detuning, kappa * omega) < near_resonance * (lambda + omega * omega)) {
+    const OscillatorState forced = forced_from_rest(kappa, lambda, all.force_of(j) * motion.turn,
+                                                    all.force_of(j) * turn_after, omega, tau);
+    const OscillatorState free = free_response(kappa, lambda, start, tau);
+    return {free.value + forced.value - start.value, free.slope + forced.slope - start.slope};
+  }
+  const OscillatorState before = steady_state(all, j, motion.turn, omega),
+                        after = steady_state(all, j, turn_after, omega);
+  OscillatorState own{start.value - before.value, start.slope - before.slope};
+  if (decay)
+    own.value *= std::exp(-kappa * tau);
+  else
+    own = free_response(kappa, lambda, own, tau);
+  return {own.value + after.value - start.value, own.slope + after.slope - start.slope};
+}
+
+}  // namespace
+
+void set_clock(Motion &motion, const Clock &clock, const Instant &instant) {
+  motion.now = instant;
+  motion.turn = turn_at(clock.omega, instant.phase);
+}
+
+void pass_time(Motion &motion, const Clock &clock, double tau) {
+  const double step = tau + motion.now_rest, phase = motion.now.phase, sum = phase + step;
+  const double added = sum - phase;
+  motion.now_rest = (phase - (sum - added)) + (step - added);  // what the sum has rounded
+  Instant now = later(motion.now, step, clock);
+  if (now.cycle != motion.now.cycle && now.phase + motion.now_rest >= 0.0) {
+    // The phase of a new period is finer than that of the sum.
+    const double finer = now.phase + motion.now_rest;
+    motion.now_rest -= finer - now.phase;
+    now.phase = finer;
+  }
+  set_clock(motion, clock, now);
+}
+
+double time_until(const Motion &motion, const Instant &instant, const Clock &clock) {
+  return elapsed(motion.now, instant, clock) - motion.now_rest;
+}
+
+void complete_move(Motion &motion, const Clock &clock) {
+  const ContactMode &mode = *motion.mode;
+  const ModalCoordinates &all = mode.coordinates;
+  tie_decays(motion);
+  for (std::size_t k = 0; k < motion.following.size(); ++k) {
+    if (!motion.following[k]) continue;
+    const auto j = static_cast<Index>(k);
+    const OscillatorState steady = steady_state(all, j, motion.turn, clock.omega);
+    motion.y(j) = steady.value;
+    motion.dy(j) = steady.slope;
+  }
+  if (mode.drift < 0) return;
+  const Index j = mode.drift;
+  const Motion::Drift &from = motion.drift;
+  const double tau = elapsed(from.since, motion.now, clock) + (motion.now_rest - from.since_rest);
+  OscillatorState forced{0.0, 0.0};
+  if (all.force(j) > 0.0)
+    forced =
+        forced_drift(all.force_of(j) * from.turn, all.force_of(j) * motion.turn, clock.omega, tau);
+  motion.y(j) = from.y + (from.dy * tau + forced.value);
+  motion.dy(j) = from.dy + forced.slope;
+}
+
+void complete_change(Motion &motion) {
+  tie_decays(motion);
+  std::fill(motion.following.begin(), motion.following.end(), false);
+  const Index j = motion.mode->drift;
+  if (j >= 0) motion.drift = {motion.now, motion.now_rest, motion.turn, motion.y(j), motion.dy(j)};
+}
+
+void let_dead_coordinates_follow(Motion &motion, double omega) {
+  const ContactMode &mode = *motion.mode;
+  const ModalCoordinates &all = mode.coordinates;
+  if (!mode.stiff) return;
+  double acceleration = 0.0, extent = 0.0;
+  for (Index j = 0; j < motion.y.size(); ++j) {
+    const double rate = std::max(all.rate(j), all.force(j) > 0.0 ? omega : 0.0);
+    acceleration += mode.extent(j) * rate * (rate * std::abs(motion.y(j)) + std::abs(motion.dy(j)));
+    extent += mode.extent(j) * std::abs(motion.y(j));
+  }
+  for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
+    char &follows = motion.following[static_cast<std::size_t>(j)];
+    if (follows || !(all.kappa(j) > 0.0)) continue;
+    const OscillatorState steady = steady_state(all, j, motion.turn, omega);
+    const double rate = all.rate(j);
+    const double speed = mode.extent(j) * (rate * std::abs(motion.y(j) - steady.value) +
+                                           std::abs(motion.dy(j) - steady.slope));
+    const double rounding = response_rounding * mode.extent(j) * all.steady(j);
+    if (speed * rate <= std::max(negligible * acceleration, rounding * rate * rate) &&
+        speed / rate <= std::max(negligible * extent, rounding)) {
+      follows = true;
+      motion.y(j) = steady.value;
+      motion.dy(j) = steady.slope;
+    }
+  }
+}
+
+double rate_in_motion(const Motion &motion) {
+  const ContactMode &mode = *motion.mode;
+  const ModalCoordinates &all = mode.coordinates;
+  if (!mode.stiff) return mode.fastest;
+  double fastest = mode.forcing_rate;
+  for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
+    const bool moves = motion.y(j) != 0.0 || motion.dy(j) != 0.0 || all.force(j) > 0.0;
+    if (moves && !motion.following[static_cast<std::size_t>(j)])
+      fastest = std::max(fastest, all.rate(j));
+  }
+  return fastest > 0.0 ? fastest : mode.fastest;  // nothing moves: any rate will do
+}
+
+void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change) {
+  const double tau = time_until(motion, target, clock);
+  const Complex after = turn_at(clock.omega, target.phase);
+  change.setZero(motion.y.size());
+  for (Index j = 0; j < static_cast<Index>(motion.mode->coordinates.size); ++j) {
+    const OscillatorState step = change_of(motion, j, after, clock.omega, tau);
+    change(j) = step.value;
+    motion.y(j) += step.value;
+    motion.dy(j) += step.slope;
+  }
+  set_clock(motion, clock, target);
+  motion.now_rest = 0.0;
+  complete_move(motion, clock);
+}
+
+double displacement(const Motion &motion, std::size_t mass) {
+  const auto i = static_cast<Index>(mass);
+  const ContactMode &mode = *motion.mode;
+  const double x = mode.equilibrium(i) + dot(mode.shape.data() + i * motion.y.size(), motion.y);
+  return std::clamp(x, mode.lowest(i), mode.highest(i));
+}
+
+double velocity(const Motion &motion, std::size_t mass) {
+  const auto i = static_cast<Index>(mass);
+  return dot(motion.mode->shape.data() + i * motion.dy.size(), motion.dy);
+}
+
+double terms_of(const Contact &contact, const Motion &motion) {
+  double sum = std::abs(contact.offset) + dot_moduli(contact.modulus, motion.y);
+  if (contact.held)
+    sum += contact.damping * dot_moduli(contact.modulus, motion.dy) +
+           std::abs(contact.forcing * motion.turn.real());
+  return sum;
+}
+
+bool is_resolved(const Contact &contact, const Motion &motion) {
+  return evaluate(contact, motion) > gap_reread_ratio * terms_of(contact, motion);
+}
+
+void set_state(const Motion &motion, const std::vector<StopState> &stops, const Scene &scene,
+               MotionState &state) {
+  const ContactMode &mode = *motion.mode;
+  state.instant = motion.now;
+  state.held = mode.held;
+  state.displacement.resize(mode.held.size());
+  state.velocity.resize(mode.held.size());
+  for (std::size_t mass = 0; mass < mode.held.size(); ++mass) {
+    state.displacement[mass] = displacement(motion, mass);
+    state.velocity[mass] = velocity(motion, mass);
+  }
+  for (const Contact &contact : mode.contacts) {
+    if (contact.held || is_resolved(contact, motion)) continue;
+    const auto *flight = std::get_if<InFlight>(&stops[contact.stop].contact);
+    const InFlight small = flight != nullptr ? *flight : InFlight{};
+    state.displacement[contact.mass] =
+        scene.stops[contact.stop].position - contact.sigma * small.gap;
+    state.velocity[contact.mass] = -contact.sigma * small.speed;
+  }
+}
+
+void set_rounding(const Motion &motion, const Scene &scene, double rate,
+                  std::vector<double> &error) {
+  const ContactMode &mode = *motion.mode;
+  double largest = 0.0;
+  for (Index i = 0; i < mode.equilibrium.size(); ++i) {
+    const double moving =
+        (mode.shape.row(i).transpose().array().abs() * (motion.y.abs() + motion.dy.abs() / rate))
+            .sum();
+    largest = std::max(largest, std::abs(mode.equilibrium(i)) + moving);
+  }
+  error.assign(scene.mass.size(), row_rounding * largest);
+  for (const Contact &contact : mode.contacts)
+    if (!contact.held && !is_resolved(contact, motion))
+      error[contact.mass] = row_rounding * std::abs(scene.stops[contact.stop].position);
+}
+
+double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion) {
+  if (contact.held) return evaluate(contact, motion);
+  const double stop = scene.stops[contact.stop].position;
+  return contact.sigma *
+         force_on(
+             scene, contact.mass,
+             [&](std::size_t j) { return j == contact.mass ? stop : displacement(motion, j); },
+             [&](std::size_t j) { return j == contact.mass ? 0.0 : velocity(motion, j); },
+             motion.turn.real());
+}
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,282 @@
+#include "first_event.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "simulation/chain/pair.hpp"
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// True while the force on a mass at rest is known beyond its modal coordinates.
+const LeadingDerivative *decided_force(const StopState &stop) {
+  const auto *rest = std::get_if<AtRest>(&stop.contact);
+  return rest != nullptr && rest->decided ? &*rest->decided : nullptr;
+}
+
+// (3) of a contact now: the carried gap of a free mass.
+double value_of(const Motion &motion, const Contact &contact, const StopState &stop) {
+  return contact.held ? evaluate(contact, motion) : gap_of(stop);
+}
+
+// Bounds, over the step, of the change of each y and y', with a share of their sizes as a margin:
+// out of reach stays what is well above its rounding, and can be evaluated anew after the step.
+//
+// With E^2 = y'^2 + lambda y^2 and E'^2 = y''^2 + lambda y'^2, which grow by the forcing alone,
+//   |y'| <= |y'| + sqrt(lambda) |y| + |force| time, and
+//   |y'| <= |y'| + (|y''| + Omega |force| time) / sqrt(lambda),
+// of the values now on the right. The second is small for a coordinate that hardly moves, as under
+// a slow forcing.
+void bound_travel_with_margin(const Motion &motion, double omega, Flight &flight) {
+  constexpr double margin = 2.0 * gap_reread_ratio;
+  const ModalCoordinates &all = motion.mode->coordinates;
+  const double length = flight.step.length, time = (1.0 + gap_reread_ratio) * length;
+  flight.travel.resize(motion.y.size());
+  flight.rate_travel.resize(motion.y.size());
+  for (Index j = 0; j < motion.y.size(); j += 2) {
+    const Pair y = abs(pair(motion.y.data() + j)), dy = abs(pair(motion.dy.data() + j)),
+               force = pair(all.force.data() + j);
+    const Pair frequency = pair(all.frequency.data() + j);
+    const Pair bend = abs(pair(flight.table.of_order(2) + j)) * (2.0 / (length * length)) +
+                      omega * length * force;
+    const Pair speed =
+        dy + smaller(frequency * y + length * force, bend * pair(all.inverse_frequency.data() + j));
+    store(time * speed + margin * y, flight.travel.data() + j);
+    store(time * (bend + frequency * dy) + margin * dy, flight.rate_travel.data() + j);
+  }
+}
+
+bool is_out_of_reach(const Contact &contact, double value, double omega, const Flight &flight) {
+  constexpr double margin = 2.0 * gap_reread_ratio;
+  double travel = dot(contact.modulus, flight.travel) + margin * std::abs(contact.offset);
+  if (contact.held)
+    travel += contact.damping * dot(contact.modulus, flight.rate_travel) +
+              std::abs(contact.forcing) * (1.01 * omega * flight.step.length + margin);
+  return value > travel;
+}
+
+// Puts what is known exactly in place of what rounding has left in the polynomial of a contact.
+void insert_exact_coefficients(const Contact &contact, const StopState &stop, double rate_bound,
+                               double length, Polynomial &p) {
+  if (const LeadingDerivative *leading = decided_force(stop)) {
+    // The force on a released mass is the second derivative of its gap.
+    const int known = contact.held ? leading->zeros : leading->zeros + 2;
+    const int zeros = leading->value == 0.0 ? p.order + 1 : std::min(known, p.order + 1);
+    double term = leading->value;
+    for (int n = 0; n < zeros; ++n) {
+      p.coefficient[static_cast<std::size_t>(n)] = 0.0;
+      term *= length * rate_bound / (n + 1);
+    }
+    if (zeros <= p.order) p.coefficient[static_cast<std::size_t>(zeros)] = term;
+  } else if (const auto *flight = std::get_if<InFlight>(&stop.contact)) {
+    p.coefficient[0] = flight->gap;
+    p.coefficient[1] = flight->speed * length;
+  }
+}
+
+// The gap after a step: evaluated anew from the coordinates where it is well above their rounding,
+// or where the carried gap has drifted from them; else the carried gap.
+template <class Carry>
+void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, StopState &stop) {
+  const double terms = terms_of(contact, motion), evaluated = evaluate(contact, motion);
+  InFlight carried;
+  bool evaluate_anew = evaluated > gap_reread_ratio * terms;
+  if (!evaluate_anew) {
+    carried = carry();
+    // Where gap and speed still are exactly zero, nothing shows that the mass has left its stop.
+    if (decided_force(stop) != nullptr && carried.gap == 0.0 && carried.speed == 0.0) return;
+    evaluate_anew = evaluated > gap_reread_ratio * gap_reread_ratio * terms &&
+                    std::abs(carried.gap - evaluated) > carried_gap_drift * terms;
+  }
+  if (evaluate_anew) {
+    stop.contact = InFlight{evaluated, gap_speed(contact, motion)};
+    return;
+  }
+  carried.gap = std::max(0.0, carried.gap);
+  carried.below_rounding = carried.gap < row_rounding * terms;
+  stop.contact = carried;
+}
+
+}  // namespace
+
+double gap_of(const StopState &stop) {
+  const auto *flight = std::get_if<InFlight>(&stop.contact);
+  return flight != nullptr ? flight->gap : 0.0;
+}
+
+void bound_travel(const Motion &motion, double time, PerCoordinate &speed) {
+  const ModalCoordinates &all = motion.mode->coordinates;
+  speed = motion.dy.abs() + all.frequency * motion.y.abs() + time * all.force;
+}
+
+bool stays_out_of_reach(const Motion &motion, const Contact &contact, double value,
+                        const PerCoordinate &speed, double omega, double time, double margin,
+                        double jumps) {
+  const ModalCoordinates &all = motion.mode->coordinates;
+  double rate = dot(contact.modulus, speed);
+  if (contact.held)
+    rate += contact.damping * (contact.modulus * (3.0 * all.rate * speed + all.force)).sum() +
+            std::abs(contact.forcing) * omega;
+  return value >
+         jumps + (1.0 + gap_reread_ratio) * time * rate + margin * terms_of(contact, motion);
+}
+
+double quiet_time(const Motion &motion, const std::vector<StopState> &stops, double omega) {
+  const ContactMode &mode = *motion.mode;
+  const ModalCoordinates &all = mode.coordinates;
+  // The amplitude of a coordinate about its steady response.
+  const auto amplitude_of = [&](Index j) {
+    const Complex steady = all.steady_of(j) * motion.turn;
+    const double y = motion.y(j) - steady.real();
+    if (!(all.frequency(j) > 0.0)) return std::abs(y);
+    return std::hypot(y, (motion.dy(j) + omega * steady.imag()) / all.frequency(j));
+  };
+  double quiet = infinity;
+  for (const Contact &contact : mode.contacts) {
+    const StopState &stop = stops[contact.stop];
+    if (!contact.held && rests_without_force(stop)) continue;
+    double swing = 0.0, rest = contact.held ? contact.offset : gap_of(stop);
+    for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
+      if (j == mode.drift) continue;
+      if (!contact.held) rest -= contact.row(j) * motion.y(j);
+      swing += contact.modulus(j) * (1.0 + contact.damping * all.rate(j)) * amplitude_of(j);
+    }
+    if (omega == 0.0)
+      rest += contact.steady.real();
+    else
+      swing += std::abs(contact.steady);
+    const double room = rest - swing - 2.0 * gap_reread_ratio * (std::abs(rest) + swing);
+    if (!(room > 0.0)) return 0.0;
+    if (mode.drift < 0 || contact.held) continue;
+    // The rigid-body mode y'' = f cos(Omega t), by its speed and the modulus of f, or, where the
+    // forcing turns, by its mean speed and the amplitude 2 f / Omega^2.
+    const double row = contact.row(mode.drift), force = all.force_re(mode.drift);
+    const double closing = std::max(0.0, -row * motion.dy(mode.drift)),
+                 push = std::abs(row * force);
+    const bool pushed_away = omega == 0.0 && row * force >= 0.0;
+    double time = infinity;
+    if (pushed_away ? closing * closing > 2.0 * push * room || (push == 0.0 && closing > 0.0)
+                    : push > 0.0 || closing > 0.0)
+      time = 2.0 * room /
+             (closing + (pushed_away ? closing : std::sqrt(closing * closing + 2.0 * push * room)));
+    if (omega > 0.0 && force != 0.0) {
+      const double drifting = motion.dy(mode.drift) - force / omega * motion.turn.imag(),
+                   left = room - 2.0 * push / (omega * omega);
+      if (left > 0.0)
+        time = std::max(time, row * drifting < 0.0 ? left / (-row * drifting) : infinity);
+    }
+    quiet = std::min(quiet, time);
+  }
+  return quiet;
+}
+
+void find_first_event(const Motion &motion, const std::vector<StopState> &stops, const Clock &clock,
+                      bool forced, double rate_bound, Flight &flight, Counters &counters) {
+  const ContactMode &mode = *motion.mode;
+  const Step &step = flight.step;
+  expand(motion, step, clock.omega, forced, flight.table);
+  bound_travel_with_margin(motion, clock.omega, flight);
+  // Events so near to one at u are at the same instant: within the rounding of the motion, and of a
+  // flight that is much shorter than the time scale of the motion.
+  const auto simultaneous = [&step](double u) {
+    return same_instant * std::min(1.0 / (step.rate * step.length), short_flight_ratio * u);
+  };
+  if (flight.approaches.size() < mode.contacts.size())
+    flight.approaches.resize(mode.contacts.size());
+  flight.any_near = flight.event = false;
+  flight.u = 1.0;
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    const Contact &contact = mode.contacts[k];
+    const StopState &stop = stops[contact.stop];
+    Approach &approach = flight.approaches[k];
+    approach.root.reset();
+    approach.out_of_reach = is_postponed(stop);  // until the end of the step, which is an event
+    if (approach.out_of_reach) {
+      flight.any_near = flight.event = true;
+      continue;
+    }
+    const LeadingDerivative *leading = decided_force(stop);
+    const double value = value_of(motion, contact, stop);
+    approach.out_of_reach =
+        leading == nullptr && is_out_of_reach(contact, value, clock.omega, flight);
+    if (approach.out_of_reach) {
+      ++counters.stops_clear;
+      continue;
+    }
+    flight.any_near = true;
+    Polynomial &p = approach.polynomial;
+    read_along(flight.table, contact, p);
+    counters.products += (step.order + 1) * mode.padded();
+    const auto *in_flight = std::get_if<InFlight>(&stop.contact);
+    // More than one zero, as at a root of a force: motion has yet to come along the chain.
+    if ((in_flight != nullptr && in_flight->below_rounding) ||
+        (leading != nullptr && leading->zeros > 1))
+      drop_rounding(motion, clock.omega, flight.table, contact, flight.moduli, p);
+    insert_exact_coefficients(contact, stop, rate_bound, step.length, p);
+    approach.root = first_root(p, std::min(1.0, flight.u + simultaneous(flight.u)), counters);
+    if (!approach.root) continue;
+    flight.event = true;
+    flight.u = std::min(flight.u, approach.root->u);
+  }
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // at the same instant, or later
+    std::optional<Root> &root = flight.approaches[k].root;
+    if (root && root->u > flight.u + simultaneous(flight.u)) root.reset();
+  }
+}
+
+void move_along(const Flight &flight, double u, const Clock &clock, Motion &motion,
+                std::vector<StopState> &stops) {
+  const ContactMode &mode = *motion.mode;
+  const double length = flight.step.length;
+  if (u > 0.0) {
+    move_coordinates(flight.table, u, motion);
+    pass_time(motion, clock, u * length);
+    complete_move(motion, clock);
+    let_dead_coordinates_follow(motion, clock.omega);
+  }
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    const Contact &contact = mode.contacts[k];
+    const Approach &approach = flight.approaches[k];
+    StopState &stop = stops[contact.stop];
+    if (is_postponed(stop)) continue;
+    if (contact.held) {
+      if (u > 0.0) stop.contact = AtRest{};  // what was decided holds at one instant
+    } else if (u == flight.u && approach.root) {
+      stop.contact = InFlight{0.0, approach.root->slope / length};
+    } else if (u > 0.0 && approach.out_of_reach) {
+      stop.contact = InFlight{std::max(0.0, evaluate(contact, motion)), gap_speed(contact, motion)};
+    } else if (u > 0.0) {
+      const auto along_step = [&] {
+        const Jet jet = jet_at(approach.polynomial, 0, u);
+        return InFlight{jet.value, jet.slope / length};
+      };
+      set_gap(motion, contact, along_step, stop);
+    }
+  }
+}
+
+void fly_along(const Instant &target, const Clock &clock, Motion &motion,
+               std::vector<StopState> &stops, PerCoordinate &change) {
+  fly(motion, clock, target, change);
+  for (const Contact &contact : motion.mode->contacts) {
+    StopState &stop = stops[contact.stop];
+    if (contact.held)
+      stop.contact = AtRest{};
+    else if (!rests_without_force(stop))
+      set_gap(
+          motion, contact,
+          [&] {
+            return InFlight{gap_of(stop) + dot(contact.row, change), gap_speed(contact, motion)};
+          },
+          stop);
+  }
+}
+
+}  // namespace vibro_impact::detail

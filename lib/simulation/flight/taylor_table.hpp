@@ -1,0 +1,71 @@
+// The Taylor table of a step: the coefficients of all modal coordinates about its start. Gaps and
+// hold forces are read from it, and it moves the motion (lib/README.md, section 3).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "polynomial.hpp"
+#include "simulation/chain/motion.hpp"
+
+namespace vibro_impact::detail {
+
+// One step of a flight, in u = tau / length from 0 to 1: the polynomials of gaps and hold forces
+// have this order.
+struct Step {
+  double length = 0.0;
+  double rate = 0.0;  // the largest of what is in motion
+  int order = 0;
+};
+
+// The order by the radians rate * length of a step: the smallest of the form 4 k + 3 of which the
+// remainder, its first term 2 x^(p-1) / (p+1)! for order p and x radians, is at most `tolerance` of
+// the second-order term. That keeps small gaps accurate.
+class OrderTable {
+ public:
+  explicit OrderTable(double tolerance);
+  int order_of(double radians) const;
+
+ private:
+  std::array<double, max_order / 4> longest_;  // in radians, of order 4 k + 3
+};
+
+struct TaylorTable {
+  double length = 0.0;  // of the step
+  int order = 0;        // of the polynomials; a hold force needs one order more of the coordinates
+  Eigen::Index coordinates = 0;
+  std::vector<double> coefficients = {};  // order by order, one for each coordinate
+  Terms cosine{}, sine{};                 // of the forcing; zero where there is none
+
+  double *of_order(int n) {
+    return coefficients.data() + n * coordinates;
+  }
+  const double *of_order(int n) const {
+    return coefficients.data() + n * coordinates;
+  }
+};
+
+// The table of the motion over a step, by the recurrence that (1) gives.
+void expand(const Motion &motion, const Step &step, double omega, bool forced, TaylorTable &table);
+
+// The table of what an impulse at a contact alone sets in motion.
+void expand_impulse(const ContactMode &mode, const Contact &contact, const Step &step,
+                    TaylorTable &table);
+
+// sum_j row_j y_j[n] of the orders n = 0, ..., last.
+void sum_row(const TaylorTable &table, const PerCoordinate &row, int last, Terms &sums);
+
+// (3) of a contact along the step.
+void read_along(const TaylorTable &table, const Contact &contact, Polynomial &polynomial);
+
+// Sets to zero the coefficients of (3) that lie below the rounding of the modal coordinates. A mass
+// that moves less than that, because motion has yet to come along the chain, would be thrown back
+// by them. `moduli` is scratch.
+void drop_rounding(const Motion &motion, double omega, const TaylorTable &table,
+                   const Contact &contact, TaylorTable &moduli, Polynomial &polynomial);
+
+// Moves the coordinates to u of the step: changes are added up, because the coordinates themselves
+// would be rounded alike in each of many steps of one length. The clock is left to the caller.
+void move_coordinates(const TaylorTable &table, double u, Motion &motion);
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,267 @@
+#include "instant.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "observers.hpp"
+#include "simulation/chain/require.hpp"
+#include "simulation/stops/impact.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
+                  bool by_a_jump, Recorders recorders) {
+  if (run.progress.inside_chatter) return;
+  if (report(run, kind, stop, velocities, by_a_jump, recorders, run.scratch.event))
+    stop_run(run, Ending::stopped);
+}
+
+// At the start of a run its state is known exactly; later the modal coordinates are what is known.
+void enter_mode(Run &run, const MotionState &state, bool at_start) {
+  bool built = false;
+  const ContactMode &mode = run.modes.enter(run.scene(), state.held, built);
+  if (built) {
+    ++run.counters.modes_built;
+    run.counters.forced_coordinates = (mode.coordinates.force > 0.0).count();
+  }
+  if (at_start) {
+    express(run.scene(), state, mode, run.problem.clock, run.scratch.chain, run.motion);
+    return;
+  }
+  change_mode(mode, run.scratch.chain, run.motion);
+  for (const Contact &contact : mode.contacts)
+    if (const auto *flight = std::get_if<InFlight>(&run.stops[contact.stop].contact);
+        flight != nullptr && !contact.held && !is_resolved(contact, run.motion))
+      place(contact, *flight, run.motion);
+}
+
+// Counts an impact at this closing speed, and gives the run up when there are too many. An impact
+// that goes on with a chatter may be one of a complete one, and is not counted against the run.
+void count_impact(Run &run, StopState &stop, double speed) {
+  ++run.counters.impacts;
+  const bool falls = speed < stop.last_speed;
+  if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
+  stop.falling = falls ? stop.falling + 1 : 0;
+  stop.last_speed = speed;
+  const bool goes_on = run.chatter.under_way() && run.scratch.hits == run.chatter.contacts &&
+                       1.0 - run.chatter.restitution >= slowest_chatter;
+  if (run.progress.inside_chatter || goes_on) return;
+  ImpactBudget &budget = run.budget;
+  if (!(elapsed(budget.since, run.motion.now, run.problem.clock) <= budget.window)) {
+    budget.since = run.motion.now;
+    budget.impacts = 0;
+  }
+  const long long most = run.problem.options.max_impacts_per_period;
+  if (++budget.impacts > most)
+    stop_run(run, Ending::given_up,
+             line("more than ", most, " impacts in one period, given up at t = ",
+                  time_of(run.motion.now, run.problem.clock)));
+}
+
+// Applies the impacts at the contacts hit. A chatter of which what is left lies below rounding is
+// over: its mass is at rest, whatever else happens within that rounding.
+void apply_impacts(Run &run, Recorders recorders) {
+  Motion &motion = run.motion;
+  const ContactMode &mode = *motion.mode;
+  const std::vector<std::size_t> &hits = run.scratch.hits;
+  run.scratch.flights.clear();
+  for (const std::size_t k : hits) {
+    const Contact &contact = mode.contacts[k];
+    StopState &stop = run.stops[contact.stop];
+    const double closing = std::max(0.0, -speed_of(stop));
+    count_impact(run, stop, closing);
+    const ImpactLaw law = law_of(run.scene(), run.scene().stops[contact.stop]);
+    leave_stop(contact, law.after(closing), motion, run.stops);
+  }
+  for (const std::size_t k : hits) {
+    const Contact &contact = mode.contacts[k];
+    const StopState &stop = run.stops[contact.stop];
+    report_event(run, EventKind::impact, contact.stop,
+                 {contact.sigma * stop.last_speed, -contact.sigma * speed_of(stop)}, false,
+                 recorders);
+  }
+  for (const std::size_t k : hits) {
+    const Contact &contact = mode.contacts[k];
+    const double speed = speed_of(run.stops[contact.stop]);
+    run.scratch.flights.push_back(next_flight(run.scene(), contact, speed, motion));
+    if (!(speed > 0.0)) continue;
+    const double left = run.scratch.flights.back() / (1.0 - contact.restitution);
+    if (!(left * mode.fastest < same_instant) && !is_negligible(contact, speed, motion)) continue;
+    leave_stop(contact, 0.0, motion, run.stops);
+    ++run.counters.chatter_limits;
+  }
+}
+
+// True when the dampers pass the jump of a speed on to this mass.
+bool is_pushed(const Run &run, std::size_t mass) {
+  if (!(run.scene().beta > 0.0)) return false;
+  return std::any_of(run.scratch.hits.begin(), run.scratch.hits.end(), [&](std::size_t hit) {
+    const Contact &contact = run.motion.mode->contacts[hit];
+    return (contact.mass + 1 == mass || mass + 1 == contact.mass) &&
+           !is_negligible(contact, run.stops[contact.stop].last_speed, run.motion);
+  });
+}
+
+// Gathers the masses at rest on a stop whose force is in question: those not held, those whose
+// force has come to zero, those decided at this very instant before, and those beside an impact
+// that are not pressed clearly. Before the first flight of a run every held mass is in question.
+void gather_resting(Run &run, bool at_start) {
+  const std::vector<std::size_t> &roots = run.scratch.roots;
+  std::vector<RestingMass> &masses = run.scratch.rest.masses;
+  masses.clear();
+  for (std::size_t k = 0; k < run.motion.mode->contacts.size(); ++k) {
+    const Contact &contact = run.motion.mode->contacts[k];
+    const StopState &stop = run.stops[contact.stop];
+    const auto *rest = std::get_if<AtRest>(&stop.contact);
+    if (!contact.held && !(gap_of(stop) == 0.0 && speed_of(stop) == 0.0)) continue;
+    const bool root = std::find(roots.begin(), roots.end(), k) != roots.end(),
+               pushed = is_pushed(run, contact.mass), decided = rest != nullptr && rest->decided;
+    if (contact.held && !root && !at_start && !decided && !is_postponed(stop) &&
+        !(pushed && !is_resolved(contact, run.motion)))
+      continue;
+    // The force is zero now, or at this very instant before, unless it has jumped since.
+    const bool zero =
+        root || (decided && (rest->decided->zeros > 0 || rest->decided->value == 0.0));
+    masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
+  }
+}
+
+// Sets what a decision says of the stops.
+void set_stops(Run &run, const RestingMass &mass) {
+  const std::vector<Stop> &stops = run.scene().stops;
+  StopState &stop = run.stops[mass.stop];
+  stop.contact = AtRest{mass.leading};
+  if (mass.held == mass.was_held) return;
+  stop.changed = run.motion.now;
+  stop.falling = 0;
+  stop.last_speed = 0.0;
+  for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)  // a stop across is there again
+    if (k != mass.stop && stops[k].mass == stops[mass.stop].mass)
+      run.stops[k] = {InFlight{std::abs(stops[k].position - stops[mass.stop].position), 0.0}};
+}
+
+// Predicts the flight after the impacts of this instant, and adds them to the chatter that they go
+// on with or begin. The chatter ends where they are no impacts, where a mass was left at rest, or
+// where the contact mode has changed from `before`.
+void follow_chatter(Run &run, const ContactMode &before) {
+  const std::vector<std::size_t> &hits = run.scratch.hits;
+  const ContactMode &mode = *run.motion.mode;
+  std::vector<double> &jumps = run.scratch.jumps;
+  jumps.clear();
+  double flight = 0.0;
+  bool leaving = !hits.empty() && &mode == &before;
+  for (std::size_t i = 0; i < hits.size() && leaving; ++i) {
+    const Contact &contact = mode.contacts[hits[i]];
+    const StopState &stop = run.stops[contact.stop];
+    const double speed = speed_of(stop);
+    leaving = speed > 0.0;
+    jumps.push_back(stop.last_speed + speed);
+    flight = std::max(flight, run.scratch.flights[i]);
+  }
+  if (!leaving) return end(run.chatter);
+  run.hint.flight = flight;
+  Chatter &chatter = run.chatter;
+  if (!(chatter.under_way() && flight < chatter.flight && hits == chatter.contacts)) {
+    end(chatter);
+    const double r = mode.contacts[hits[0]].restitution;
+    // No chatter where r = 0 (one impact stops the mass) and where r = 1 (it never ends).
+    if (!(r > 0.0 && r < 1.0 && (mode.falls || flight * mode.fastest < 1.0))) return;
+    begin(chatter, hits, r);
+  }
+  if (add_impact(chatter, flight, jumps)) ++run.counters.chatter_nodes;
+}
+
+}  // namespace
+
+void stop_run(Run &run, Ending ending, std::string reason) {
+  if (run.progress.over) return;
+  run.progress.over = true;
+  run.progress.ending = ending;
+  run.progress.reason = std::move(reason);
+}
+
+void hold_or_release(Run &run, Recorders recorders, bool at_start) {
+  gather_resting(run, at_start);
+  RestDecision &rest = run.scratch.rest;
+  if (rest.masses.empty()) return;
+  MotionState &state = run.scratch.state;
+  const double rate = run.problem.rate_bound;
+  if (at_start) {
+    rest.state_error.assign(state.held.size(), 0.0);
+  } else {
+    set_state(run.motion, run.stops, run.scene(), state);
+    set_rounding(run.motion, run.scene(), rate, rest.state_error);
+  }
+  rest.decide(run.scene(), state, rate);
+  for (RestingMass &mass : rest.masses) {
+    const std::optional<Instant> &changed = run.stops[mass.stop].changed;
+    if (mass.held != mass.was_held && changed && !(*changed < run.motion.now)) {
+      run.stops[mass.stop].contact = AtRest{.postponed = true};
+      run.hint = {.quiet = false, .postponed = true};
+      mass.held = mass.was_held;
+    } else {
+      set_stops(run, mass);
+    }
+    state.held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
+  }
+  if (state.held == run.motion.mode->held) return;
+  enter_mode(run, state, at_start);
+  for (const RestingMass &mass : rest.masses) {
+    if (mass.held == mass.was_held) continue;
+    ++(mass.held ? run.counters.sticks : run.counters.releases);
+    report_event(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, {},
+                 !mass.held && !mass.force_is_zero, recorders);
+  }
+}
+
+void handle_instant(Run &run, Recorders recorders) {
+  const ContactMode &mode = *run.motion.mode;
+  Scratch &scratch = run.scratch;
+  scratch.hits.clear();
+  scratch.roots.clear();
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k)
+    if (scratch.flight.approaches[k].root)
+      (mode.contacts[k].held ? scratch.roots : scratch.hits).push_back(k);
+  apply_impacts(run, recorders);
+  hold_or_release(run, recorders);
+  follow_chatter(run, mode);
+}
+
+void handle_start(Run &run, Recorders recorders) {
+  Scratch &scratch = run.scratch;
+  MotionState &state = scratch.state;
+  state = *std::exchange(run.start, std::nullopt);
+  run.motion.now = run.budget.since = state.instant;
+  enter_mode(run, state, true);
+  const std::vector<Stop> &stops = run.scene().stops;
+  run.stops.resize(stops.size());
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const auto i = static_cast<std::size_t>(stops[k].mass - 1);
+    const double sigma = sign(stops[k].side);
+    if (state.held[i] == static_cast<signed char>(stops[k].side))
+      run.stops[k].contact = AtRest{};
+    else
+      run.stops[k].contact =
+          InFlight{sigma * (stops[k].position - state.displacement[i]), -sigma * state.velocity[i]};
+  }
+  const ContactMode &mode = *run.motion.mode;
+  scratch.hits.clear();
+  scratch.roots.clear();
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    const StopState &stop = run.stops[mode.contacts[k].stop];
+    if (!mode.contacts[k].held && gap_of(stop) == 0.0 && speed_of(stop) < 0.0)
+      scratch.hits.push_back(k);
+  }
+  apply_impacts(run, recorders);
+  for (const std::size_t k : scratch.hits) {
+    const Contact &contact = mode.contacts[k];
+    state.velocity[contact.mass] = -contact.sigma * speed_of(run.stops[contact.stop]);
+  }
+  hold_or_release(run, recorders, true);
+  follow_chatter(run, mode);
+}
+
+}  // namespace vibro_impact::detail

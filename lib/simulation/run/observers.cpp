@@ -1,0 +1,102 @@
+#include "observers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/chain/require.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+class MomentOfMotion final : public Moment {
+ public:
+  MomentOfMotion(const Motion &motion, const Instant &of, const Clock &clock)
+      : Moment(of, time_of(of, clock)), motion_(motion) {
+  }
+  int masses() const override {
+    return static_cast<int>(motion_.mode->held.size());
+  }
+  double displacement(int mass) const override {
+    return detail::displacement(motion_, index_of(mass));
+  }
+  double velocity(int mass) const override {
+    return detail::velocity(motion_, index_of(mass));
+  }
+  double hold_force(int mass) const override {
+    const std::size_t index = index_of(mass);
+    for (const Contact &contact : motion_.mode->contacts)
+      if (contact.held && contact.mass == index) return contact.sigma * evaluate(contact, motion_);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  const Motion &motion_;
+
+  std::size_t index_of(int mass) const {
+    require_mass(mass, masses());
+    return static_cast<std::size_t>(mass - 1);
+  }
+};
+
+bool is_done(const RecorderRef &recorder) {
+  return recorder.done && recorder.done();
+}
+
+}  // namespace
+
+bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
+            bool by_a_jump, Recorders recorders, Event &event) {
+  if (recorders.empty()) return false;
+  const Stop &of = run.scene().stops[stop];
+  event.kind = kind;
+  event.stop = static_cast<int>(stop) + 1;
+  event.mass = of.mass;
+  event.side = of.side;
+  event.instant = run.motion.now;
+  event.velocity_before = velocities.before;
+  event.velocity_after = velocities.after;
+  event.falling = run.stops[stop].falling;
+  event.by_a_jump = by_a_jump;
+  event.held = run.motion.mode->held;
+  const MomentOfMotion moment(run.motion, event.instant, run.problem.clock);
+  event.time = moment.time;
+  bool done = false;
+  for (const RecorderRef &recorder : recorders) {
+    if (!recorder.event) continue;
+    recorder.event(event, moment);
+    done = is_done(recorder) || done;
+  }
+  return done;
+}
+
+double next_sample(Recorders recorders) {
+  double next = std::numeric_limits<double>::infinity();
+  for (const RecorderRef &recorder : recorders) {
+    if (!recorder.sample) continue;
+    const double time = recorder.next_time();
+    require(!std::isnan(time), "next_time = ", time, ": must be a time");
+    next = std::min(next, time);
+  }
+  return next;
+}
+
+bool report_sample(const Motion &motion, double time, const Clock &clock, Recorders recorders) {
+  const MomentOfMotion moment(motion, instant_at(time, clock), clock);
+  for (const RecorderRef &recorder : recorders) {
+    if (!recorder.sample || recorder.next_time() > time) continue;
+    recorder.sample(moment);
+    if (is_done(recorder)) return true;
+    const double next = recorder.next_time();
+    require(next > time, "next_time = ", next, " after the sample at ", time, ": must be later");
+  }
+  return false;
+}
+
+bool is_done(Recorders recorders) {
+  return std::any_of(recorders.begin(), recorders.end(), [](const RecorderRef &recorder) {
+    return !recorder.event && !recorder.sample && is_done(recorder);
+  });
+}
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,204 @@
+// Motions that are slow or small beside what could move: digits that a steady response, a long
+// clock, the rounding of steps or of stiff coordinates would take. Each has its motion in closed
+// form.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "reference/paper_scenes.hpp"
+#include "tests/refusals.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::testing;
+
+constexpr double far = 1e300;  // a stop that nothing reaches
+
+struct Ball {
+  double mass = 1.0, stiffness = 0.0, amplitude = 0.0, omega = 1.0, restitution = 1.0;
+  double stop = far, displacement = 0.0, velocity = 0.0;
+};
+
+Scene scene_of(const Ball &ball) {
+  Scene scene;
+  scene.mass = {ball.mass};
+  scene.stiffness = {ball.stiffness};
+  scene.amplitude = {ball.amplitude};
+  scene.omega = ball.omega;
+  scene.restitution = ball.restitution;
+  scene.stops = {{1, Side::upper, ball.stop}};
+  scene.displacement = {ball.displacement};
+  scene.velocity = {ball.velocity};
+  return scene;
+}
+
+double displacement_at(const Scene &scene, double time) {
+  return simulate(scene, time).state.displacement[0];
+}
+
+// The steady response f / Omega^2 of a free mass is up to 1e15 times its motion. 1e-14 of the
+// motion: some fifty roundings.
+TEST(SlowForcing, OfAFreeMassCancelsNoDigits) {
+  for (const double omega : {1.0, 3e-3, 3e-5, 3e-7, 1e-8, 0.0}) {
+    const Scene scene = scene_of({1.3, 0.0, 0.37, omega, 1.0, far, 0.1, 0.2});
+    for (const double t : {0.1, 0.6, 1.3, 2.2, 3.7}) {
+      // 2 sin^2(Omega t / 2) is 1 - cos(Omega t) without cancellation.
+      const double half = omega * t / 2.0, sinc = half > 0.0 ? std::sin(half) / half : 1.0;
+      const double exact = 0.1 + 0.2 * t + 0.37 / 1.3 * t * t / 2.0 * sinc * sinc;
+      EXPECT_NEAR(displacement_at(scene, t), exact, 1e-14 * exact) << omega << " " << t;
+    }
+  }
+}
+
+// Under a constant force a soft spring has moved by a 1e-11th of its static deflection.
+TEST(SlowForcing, OfASoftSpringCancelsNoDigits) {
+  for (const double stiffness : {1e-3, 1e-7, 1e-9, 1e-11}) {
+    const Scene scene = scene_of({1.0, stiffness, 1.0, 0.0});
+    for (const double t : {0.0, 1e-5, 0.6, 3.7}) {
+      const double half = std::sin(std::sqrt(stiffness) * t / 2.0);
+      const double exact = 2.0 * half * half / stiffness;
+      EXPECT_NEAR(displacement_at(scene, t), exact, 1e-14 * exact) << stiffness << " " << t;
+    }
+  }
+}
+
+// The centre of mass, in 1e5 forcing periods beside a stop that it all but reaches in each: 1e-12
+// of its motion, in steps of two radians of the fastest mode.
+TEST(RigidBodyMode, IsExactInStepsBesideAStop) {
+  Scene scene = paper::figure2();
+  scene.stiffness = {0.0, 0.35};
+  scene.amplitude = {0.5, 0.0};
+  scene.omega = 0.5;
+  scene.stops = {{1, Side::upper, 2.4}};
+  const double until = time_of({100'000, 3.0}, Clock(scene.omega));
+  const Outcome outcome = require_complete(simulate(scene, until));
+  EXPECT_GT(outcome.counters.expansions, 100'000);
+  EXPECT_EQ(outcome.counters.impacts, 0);
+  const double x = (outcome.state.displacement[0] + outcome.state.displacement[1]) / 2.0;
+  EXPECT_NEAR(x, 1.0 - std::cos(0.5 * outcome.state.instant.phase), 1e-12);
+}
+
+// From any start: the time is a whole number of periods and a phase.
+TEST(Clock, OfALongQuietMotionIsNotRounded) {
+  Scene scene = scene_of({1.0, 1.0, 0.5, 0.28, 0.7, 200.0});
+  scene.beta = 0.1;
+  const double stiff = 1.0 - 0.28 * 0.28, drag = 0.1 * 0.28;
+  for (const long long cycle : {0LL, 1LL, 1'000'000LL, 10'000'000'000LL}) {
+    const MotionState start{{cycle, 1.0}, {0.1}, {0.0}, {0}};
+    const Outcome outcome = simulate(scene, start, time_of({cycle + 1'000'000, 2.0}, Clock(0.28)));
+    const double angle = 0.28 * outcome.state.instant.phase;
+    EXPECT_NEAR(
+        outcome.state.displacement[0],
+        0.5 * (stiff * std::cos(angle) + drag * std::sin(angle)) / (stiff * stiff + drag * drag),
+        8e-16)
+        << cycle;
+  }
+}
+
+// A free mass that drifts to its stop, and away from it: steps as long as the motion is slow.
+TEST(Drift, TakesFewSteps) {
+  for (const double speed : {1e-2, 1e-6, 1e-12}) {
+    EventRecorder events;
+    const Scene scene = scene_of({1.0, 0.0, 0.0, 1.0, 0.5, 1.0, 0.1, speed});
+    const Outcome outcome = simulate(scene, 1.8 / speed, events);
+    ASSERT_EQ(events.events.size(), 1u) << speed;
+    EXPECT_NEAR(events.events[0].time * speed, 0.9, 1e-15) << speed;
+    EXPECT_NEAR(outcome.state.displacement[0], 1.0 - 0.45, 1e-15) << speed;
+    EXPECT_LE(outcome.counters.expansions, 50) << speed;
+  }
+}
+
+// A sample at the start of a long flight.
+TEST(SmallMotion, IsFiniteInNoTime) {
+  const MotionState start = simulate(scene_of({1.0, 1.0, 0.0, 1.0, 1.0, far, 0.1, 0.2}), 0.0).state;
+  EXPECT_EQ(start.displacement[0], 0.1);
+  EXPECT_EQ(start.velocity[0], 0.2);
+}
+
+// A motion of 1e-170, of which the squares underflow.
+TEST(SmallMotion, MissesNoImpact) {
+  const Scene scene = scene_of({1.0, 1.0, 0.0, 1.0, 0.5, 0.5e-170, -1e-170});
+  EXPECT_EQ(simulate(scene, 10.0).counters.impacts, 2);
+}
+
+// Two flights of 1e-15 that differ by a third.
+TEST(SmallMotion, KeepsShortFlightsApart) {
+  Scene scene;
+  scene.mass = scene.stiffness = {1.0, 1.0};
+  scene.restitution = 0.5;
+  scene.stops = {{1, Side::upper, 1e-15}, {2, Side::upper, 1e-15}};
+  scene.velocity = {1.0, 0.7};
+  EventRecorder events;
+  require_complete(simulate(scene, 2e-15, events));
+  ASSERT_EQ(events.events.size(), 2u);
+  EXPECT_DOUBLE_EQ(events.events[0].time, 1e-15);
+  EXPECT_NEAR(events.events[1].time, 1e-15 / 0.7, 1e-29);  // ten roundings
+}
+
+// One impact in half a period of the mode, 1e6 of them in a period of the forcing.
+TEST(ImpactBudget, IsNotThatOfASlowForcing) {
+  const Scene scene = scene_of({1.0, 1.0, 1e-300, 1e-6, 1.0, 0.0, -1.0});
+  EXPECT_EQ(simulate(scene, 4e4, {.max_impacts_per_period = 2000}).ending, Ending::reached);
+}
+
+// A fast decay that wakes up late in a run, where its steps lie below the rounding of the phase.
+TEST(Clock, ResolvesAFastDecayLateInARun) {
+  Scene scene;
+  scene.mass = {1.0, 1.0};
+  scene.stiffness = {1.0, 1e9};
+  scene.beta = 1e4;
+  scene.amplitude = {1.0, 0.0};
+  scene.omega = 1e-4;
+  scene.restitution = 0.5;
+  scene.stops = {{2, Side::upper, 0.05}};
+  const Outcome outcome = simulate(scene, 4e4);
+  EXPECT_EQ(outcome.ending, Ending::reached);
+  EXPECT_GT(outcome.counters.impacts, 0);
+}
+
+// A recorder that is done at the impact at which the run is given up.
+struct Third {
+  int seen = 0;
+  void event(const Event &, const Moment &) {
+    ++seen;
+  }
+  bool done() const {
+    return seen == 3;
+  }
+};
+
+TEST(Ending, OfARunGivenUpStaysSo) {
+  Third third;
+  const Scene scene = scene_of({1.0, 1.0, 0.0, 1.0, 1.0, 0.5, -1.0});
+  const Outcome outcome = simulate(scene, 100.0, {.max_impacts_per_period = 2}, third);
+  EXPECT_EQ(outcome.ending, outcome.reason.empty() ? Ending::stopped : Ending::given_up);
+}
+
+// A member that does not fit is never called, so that its recorder is none.
+struct NoMoment {
+  void event(const Event &);
+  bool done();
+};
+struct NoTime {
+  void sample(const Moment &);
+  void event(const Event &, const Moment &);
+};
+static_assert(Recorder<EventRecorder> && Recorder<SampleRecorder> && Recorder<Third>);
+static_assert(!Recorder<NoMoment> && !Recorder<NoTime> && !Recorder<Scene>);
+static_assert(!std::is_reference_v<decltype(require_complete(simulate(Scene{}, 0.0)))>);
+
+TEST(Refusals, OfRatesBeyondTheRangeOfDoubles) {
+  Scene light = scene_of({1e-300, 1e10}), damped = scene_of({1.0, 1.0});
+  damped.beta = 1e200;
+  expect_refused({
+      {[&] { require_complete(simulate(light, 1.0)); }, "rate = inf"},
+      {[&] { require_complete(simulate(damped, 1.0)); }, "must be finite"},
+  });
+}
+
+}  // namespace
