@@ -83,6 +83,31 @@ TEST(RigidBodyMode, IsExactInStepsBesideAStop) {
   EXPECT_NEAR(x, 1.0 - std::cos(0.5 * outcome.state.instant.phase), 1e-12);
 }
 
+// A mode far slower than its forcing, in 1e4 forcing periods of steps beside a stop. Sums over
+// steps would be off by 3e-11 of the motion. 1e-14: some fifty roundings.
+TEST(SoftSpring, IsExactInStepsBesideAStop) {
+  Scene scene = scene_of({1.0, 1e-8, 10.0, 2.5, 0.7, far, 1.0, 0.01});
+  scene.stops = {{1, Side::lower, -0.7}};
+  const Outcome outcome = require_complete(simulate(scene, 29'000.0));
+  EXPECT_GT(outcome.counters.expansions, 10'000);
+  EXPECT_EQ(outcome.counters.impacts, 0);
+  const long double k = 1e-8L, root = std::sqrt(k), omega = 2.5L, t = 29'000.0L,
+                    steady = 10.0L / (k - omega * omega);
+  const long double exact = steady * std::cos(omega * t) + (1.0L - steady) * std::cos(root * t) +
+                            0.01L / root * std::sin(root * t);
+  EXPECT_NEAR(outcome.state.displacement[0], static_cast<double>(exact), 1e-14 * 120.0);
+}
+
+// At a natural frequency of 1 and Omega = 1, whole periods bring the free motion back.
+TEST(Clock, TurnsAFreeMotionByWholePeriodsExactly) {
+  const Scene scene = scene_of({1.0, 1.0});
+  for (const long long cycles : {1'000LL, 1'000'000LL, 1'000'000'000LL}) {
+    const MotionState start{{1, 1.0}, {0.1}, {0.0}, {0}};
+    const Outcome end = simulate(scene, start, time_of({1 + cycles, 2.0}, Clock(1.0)));
+    EXPECT_NEAR(end.state.displacement[0], 0.1 * std::cos(end.state.instant.phase - 1.0), 4e-16);
+  }
+}
+
 // From any start: the time is a whole number of periods and a phase.
 TEST(Clock, OfALongQuietMotionIsNotRounded) {
   Scene scene = scene_of({1.0, 1.0, 0.5, 0.28, 0.7, 200.0});
@@ -98,6 +123,19 @@ TEST(Clock, OfALongQuietMotionIsNotRounded) {
         8e-16)
         << cycle;
   }
+}
+
+// A ball that falls from 1 at unit weight rests after sqrt(2) (1 + 2 r / (1 - r)). The tolerance of
+// the time is that of the limit, 1e-13, and what some thousand impacts round.
+TEST(SlowChatter, EndsInItsLimit) {
+  constexpr double r = 0.99999;
+  const Scene scene = scene_of({1.0, 0.0, 1.0, 0.0, r, 0.0, -1.0});
+  const double rest = std::sqrt(2.0) * (1.0 + 2.0 * r / (1.0 - r));
+  EventRecorder events;
+  const Outcome outcome = require_complete(simulate(scene, 2.0 * rest, events));
+  EXPECT_EQ(outcome.counters.sticks, 1);
+  EXPECT_LT(outcome.counters.impacts, 1'000'000);
+  EXPECT_NEAR(events.events.back().time, rest, 1e-12 * rest);
 }
 
 // A free mass that drifts to its stop, and away from it: steps as long as the motion is slow.

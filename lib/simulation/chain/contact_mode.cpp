@@ -226,6 +226,12 @@ ContactMode build_contact_mode(const Scene &scene, const Held &held) {
     if (strongly_damped(scene.beta, lambda)) ++size;
   resize(mode, size, static_cast<Index>(held.size()));
   for (Index k = 0, j = 0; k < mode.basis.lambda.size(); ++k) j = add_mode(scene, k, j, mode);
+  const auto is_slow = [&](Index j) {
+    return j == mode.drift || (all.force_re(j) != 0.0 && all.rate(j) < slow_rate * scene.omega &&
+                               !all.decay[static_cast<std::size_t>(j)]);
+  };
+  for (Index j = 0; j < static_cast<Index>(size); ++j)
+    if (is_slow(j)) mode.slow.push_back(j);
   all.inverse_frequency = 1.0 / all.frequency.max(1e-300);
   all.force = all.force_re.abs() + all.force_im.abs();  // one of them is zero
   double slowest = std::numeric_limits<double>::infinity();

@@ -69,6 +69,7 @@ struct ContactMode {
   bool falls = false;               // nothing but a fall: `fastest` is 1, which means nothing
   bool stiff = false;               // some coordinates are much faster than others
   Eigen::Index drift = -1;          // the rigid-body mode y'' = f cos(Omega t), if there is one
+  std::vector<Eigen::Index> slow;   // the rigid-body mode and those far slower than their forcing
   Eigen::VectorXd equilibrium;      // N: static positions without forcing
   Eigen::VectorXd tension;          // N: sqrt(k_i) (x_i - x_(i-1)) of the links at these
   Eigen::VectorXd lowest, highest;  // N: the stops of each mass; infinite where there is none

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "forces.hpp"
-#include "oscillator.hpp"
 #include "tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -52,36 +51,53 @@ OscillatorState change_by_series(const ModalCoordinates &all, Index j, Oscillato
   return {change.value, tau > 0.0 ? change.slope / tau : 0.0};
 }
 
-// The state of one coordinate after tau, as a change.
-OscillatorState change_of(const Motion &motion, Index j, Complex turn_after, double omega,
-                          double tau) {
-  const ModalCoordinates &all = motion.mode->coordinates;
-  const OscillatorState start{motion.y(j), motion.dy(j)};
+// The time between two instants, and what rounding leaves off it: a long flight turns by both.
+struct Duration {
+  double tau, rest;
+};
+
+Duration duration_of(const Motion &motion, const Instant &target, const Clock &clock) {
+  const double cycles = static_cast<double>(target.cycle) - static_cast<double>(motion.now.cycle),
+               whole = cycles * clock.period, phases = target.phase - motion.now.phase,
+               sum = elapsed(motion.now, target, clock), tau = sum - motion.now_rest,
+               rounded = std::fma(cycles, clock.period, -whole) + cycles * clock.period_rest;
+  return {tau, ((whole - sum) + phases) + rounded + ((sum - tau) - motion.now_rest)};
+}
+
+// The state of one coordinate after a time, as a change from `start`. `turn` is e^(i Omega t)
+// there.
+OscillatorState change_of(const ContactMode &mode, Index j, OscillatorState start, Complex turn,
+                          Complex turn_after, double omega, Duration duration) {
+  const ModalCoordinates &all = mode.coordinates;
+  const double tau = duration.tau;
   const double kappa = all.kappa(j), lambda = all.lambda(j), force = all.force(j);
   const bool slow_forcing = force == 0.0 || omega * tau <= max_step_radians;
-  if (all.rate(j) * tau <= max_step_radians && slow_forcing && j != motion.mode->drift)
-    return change_by_series(all, j, start, motion.turn, omega, tau);
-  if (j == motion.mode->drift) {
+  if (all.rate(j) * tau <= max_step_radians && slow_forcing && j != mode.drift)
+    return change_by_series(all, j, start, turn, omega, tau);
+  if (j == mode.drift) {
     const OscillatorState forced =
-        forced_drift(all.force_of(j) * motion.turn, all.force_of(j) * turn_after, omega, tau);
+        forced_drift(all.force_of(j) * turn, all.force_of(j) * turn_after, omega, tau);
     return {start.slope * tau + forced.value, forced.slope};
   }
   const bool decay = all.decay[static_cast<std::size_t>(j)];
   const double detuning = lambda - omega * omega;
+  const auto free_motion = [&](const OscillatorState &from) {
+    return free_response(kappa, lambda, free_response(kappa, lambda, from, tau), duration.rest);
+  };
   if (force != 0.0 && !decay &&
       std::hypot(detuning, kappa * omega) < near_resonance * (lambda + omega * omega)) {
-    const OscillatorState forced = forced_from_rest(kappa, lambda, all.force_of(j) * motion.turn,
+    const OscillatorState forced = forced_from_rest(kappa, lambda, all.force_of(j) * turn,
                                                     all.force_of(j) * turn_after, omega, tau);
-    const OscillatorState free = free_response(kappa, lambda, start, tau);
+    const OscillatorState free = free_motion(start);
     return {free.value + forced.value - start.value, free.slope + forced.slope - start.slope};
   }
-  const OscillatorState before = steady_state(all, j, motion.turn, omega),
+  const OscillatorState before = steady_state(all, j, turn, omega),
                         after = steady_state(all, j, turn_after, omega);
   OscillatorState own{start.value - before.value, start.slope - before.slope};
   if (decay)
     own.value *= std::exp(-kappa * tau);
   else
-    own = free_response(kappa, lambda, own, tau);
+    own = free_motion(own);
   return {own.value + after.value - start.value, own.slope + after.slope - start.slope};
 }
 
@@ -121,23 +137,29 @@ void complete_move(Motion &motion, const Clock &clock) {
     motion.y(j) = steady.value;
     motion.dy(j) = steady.slope;
   }
-  if (mode.drift < 0) return;
-  const Index j = mode.drift;
-  const Motion::Drift &from = motion.drift;
-  const double tau = elapsed(from.since, motion.now, clock) + (motion.now_rest - from.since_rest);
-  OscillatorState forced{0.0, 0.0};
-  if (all.force(j) > 0.0)
-    forced =
-        forced_drift(all.force_of(j) * from.turn, all.force_of(j) * motion.turn, clock.omega, tau);
-  motion.y(j) = from.y + (from.dy * tau + forced.value);
-  motion.dy(j) = from.dy + forced.slope;
+  if (mode.slow.empty()) return;
+  const Motion::Change &from = motion.change;
+  const double tau = elapsed(from.instant, motion.now, clock) + (motion.now_rest - from.rest);
+  for (std::size_t k = 0; k < mode.slow.size(); ++k) {
+    const Index j = mode.slow[k];
+    const OscillatorState &start = from.states[k];
+    const OscillatorState change =
+        change_of(mode, j, start, from.turn, motion.turn, clock.omega, {tau, 0.0});
+    motion.y(j) = start.value + change.value;
+    motion.dy(j) = start.slope + change.slope;
+  }
 }
 
 void complete_change(Motion &motion) {
   tie_decays(motion);
   std::fill(motion.following.begin(), motion.following.end(), false);
-  const Index j = motion.mode->drift;
-  if (j >= 0) motion.drift = {motion.now, motion.now_rest, motion.turn, motion.y(j), motion.dy(j)};
+  if (motion.mode->slow.empty()) return;
+  Motion::Change &change = motion.change;
+  change.instant = motion.now;
+  change.rest = motion.now_rest;
+  change.turn = motion.turn;
+  change.states.clear();
+  for (const Index j : motion.mode->slow) change.states.push_back({motion.y(j), motion.dy(j)});
 }
 
 void let_dead_coordinates_follow(Motion &motion, double omega) {
@@ -181,11 +203,12 @@ double rate_in_motion(const Motion &motion) {
 }
 
 void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change) {
-  const double tau = time_until(motion, target, clock);
+  const Duration duration = duration_of(motion, target, clock);
   const Complex after = turn_at(clock.omega, target.phase);
   change.setZero(motion.y.size());
   for (Index j = 0; j < static_cast<Index>(motion.mode->coordinates.size); ++j) {
-    const OscillatorState step = change_of(motion, j, after, clock.omega, tau);
+    const OscillatorState step = change_of(*motion.mode, j, {motion.y(j), motion.dy(j)},
+                                           motion.turn, after, clock.omega, duration);
     change(j) = step.value;
     motion.y(j) += step.value;
     motion.dy(j) += step.slope;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact_mode.hpp"
+#include "oscillator.hpp"
 #include "pair.hpp"
 #include "stop_state.hpp"
 #include "vibro_impact/instant.hpp"
@@ -22,14 +23,14 @@ struct Motion {
   // True of a coordinate whose own motion has died out: it follows its steady response. Of a
   // contact mode that is stiff; else empty.
   std::vector<char> following;
-  // The rigid-body mode is not summed up from step to step, because nothing pulls back what a sum
-  // rounds: it is evaluated from where it was changed last.
-  struct Drift {
-    Instant since;
-    double since_rest = 0.0;
+  // The slow coordinates are not summed up from step to step, because hardly anything pulls back
+  // what a sum rounds. They are evaluated from the latest change of the motion at one instant.
+  struct Change {
+    Instant instant;
+    double rest = 0.0;
     std::complex<double> turn;
-    double y = 0.0, dy = 0.0;
-  } drift;
+    std::vector<OscillatorState> states;  // one for each slow coordinate
+  } change;
 };
 
 // Sets the clock to an instant, with the forcing.

@@ -11,6 +11,7 @@ constexpr double soft_pair =
 constexpr double light_mass = 1e-4;     // in the heaviest
 constexpr int most_jacobi_sweeps = 30;  // LAPACK's dgesvj ends at as many; ten are rare
 constexpr double near_resonance = 0x1p-6;  // |lambda - Omega^2| in lambda + Omega^2
+constexpr double slow_rate = 1.0 / 16.0;   // of a coordinate, in the Omega that forces it
 constexpr double strong_damping = 1.5;     // damping ratio from which a mode is split in two decays
 constexpr double stiff_ratio = 16.0;       // of the largest rate to the smallest of a stiff mode
 constexpr std::size_t most_contact_modes = 64;  // kept by a run
@@ -41,10 +42,11 @@ constexpr double node_ratio = 0.75;                  // of x from node to node, 
 constexpr double min_error_decay = 1.0 / 4.0;        // of the estimate with one node less
 constexpr double response_error_share = 1.0 / 32.0;  // of what the oldest node changes
 constexpr double impact_rounding = 0x1p-52;          // of the jump of an impact
-constexpr double prediction_share = 1.0 / 16.0;  // of the time left, that predictions may differ
-constexpr double jump_sum_factor = 1.5;          // of the jumps to come, in a geometric sequence
-constexpr double next_speed_factor = 1.125;      // of the next impact, in the latest rebound
-constexpr double slowest_chatter = 0x1p-24;      // 1 - r, up to which all impacts are waited for
-constexpr int chatter_impacts = 5;               // falling impacts that are counted as a chatter
+constexpr double prediction_share = 1.0 / 16.0;   // of the time left, that predictions may differ
+constexpr double jump_sum_factor = 1.5;           // of the jumps to come, in a geometric sequence
+constexpr double next_speed_factor = 1.125;       // of the next impact, in the latest rebound
+constexpr std::size_t slow_chatter_stride = 256;  // of a chatter that the budget cannot pay for
+constexpr double slowest_chatter = 0x1p-24;       // 1 - r, up to which all impacts are waited for
+constexpr int chatter_impacts = 5;                // falling impacts that are counted as a chatter
 
 }  // namespace vibro_impact::detail

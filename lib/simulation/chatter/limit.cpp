@@ -77,7 +77,8 @@ void set_limit_state(const Chatter &chatter, const ChatterLimit &limit, const St
     const double jump = chatter.jumps[oldest * chatter.contacts.size() + j];
     // Some n = 1 / (1 - r) jumps come, each off by what n^(1/2) impacts round: no error shows
     // below.
-    const double rounded = impact_rounding / 8.0 * std::pow(1.0 - hit.restitution, -1.5);
+    const double loss = 1.0 - hit.restitution,
+                 rounded = impact_rounding / 8.0 / (loss * std::sqrt(loss));
     state.error = std::max(state.error, response_error_share * sum / jump - rounded);
   }
   // The gap at the limit is zero, which gives M_1.

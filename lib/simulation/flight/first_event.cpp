@@ -185,8 +185,9 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
   bound_travel_with_margin(motion, clock.omega, flight);
   // Events so near to one at u are at the same instant: within the rounding of the motion, and of a
   // flight that is much shorter than the time scale of the motion.
-  const auto simultaneous = [&step](double u) {
-    return same_instant * std::min(1.0 / (step.rate * step.length), short_flight_ratio * u);
+  const double rounding = same_instant / (step.rate * step.length);
+  const auto simultaneous = [rounding](double u) {
+    return std::min(rounding, same_instant * short_flight_ratio * u);
   };
   if (flight.approaches.size() < mode.contacts.size())
     flight.approaches.resize(mode.contacts.size());

@@ -38,17 +38,22 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
       place(contact, *flight, run.motion);
 }
 
-// Counts an impact at this closing speed, and gives the run up when there are too many. An impact
-// that goes on with a chatter may be one of a complete one, and is not counted against the run.
+// True when the impacts at hand go on with a chatter of so many impacts that the budget could not
+// pay for them. At a restitution nearer to 1 nobody would wait for its end.
+bool goes_on_with_slow_chatter(const Run &run) {
+  const Chatter &chatter = run.chatter;
+  return chatter.stride >= slow_chatter_stride && chatter.under_way() &&
+         1.0 - chatter.restitution >= slowest_chatter && run.scratch.hits == chatter.contacts;
+}
+
+// Counts an impact at this closing speed, and gives the run up when there are too many.
 void count_impact(Run &run, StopState &stop, double speed) {
   ++run.counters.impacts;
   const bool falls = speed < stop.last_speed;
   if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
   stop.falling = falls ? stop.falling + 1 : 0;
   stop.last_speed = speed;
-  const bool goes_on = run.chatter.under_way() && run.scratch.hits == run.chatter.contacts &&
-                       1.0 - run.chatter.restitution >= slowest_chatter;
-  if (run.progress.inside_chatter || goes_on) return;
+  if (run.progress.inside_chatter || goes_on_with_slow_chatter(run)) return;
   ImpactBudget &budget = run.budget;
   if (!(elapsed(budget.since, run.motion.now, run.problem.clock) <= budget.window)) {
     budget.since = run.motion.now;
