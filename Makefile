@@ -1,6 +1,6 @@
-# make figures        install what is missing, build, and draw the paper into build/figures: Figures 2 to 5,
-#                     Table I, exit boundaries, multi-sliding, the inferred frequencies, error against run
-#                     time; then check every key number
+# make figures        install what is missing, build, and draw the paper into build/figures: Figure 1, still
+#                     (chain) and moving (motion.gif), Figures 2 to 5, Table I, exit boundaries, the inferred
+#                     frequencies, error against run time; then check every key number
 # make test           install what is missing, build, and run every test
 #
 # make figure2 ...    draw one picture
@@ -46,7 +46,7 @@ build: configured-runner
 
 figures: configured-figures
 	$(make_target) paper_programs
-	@$(MAKE) $(paper:%=$(tables)/%.png) $(tables)/error_vs_runtime.png
+	@$(MAKE) $(paper:%=$(tables)/%.png) $(tables)/motion.gif $(tables)/error_vs_runtime.png
 	@$(folder)/bin/check >$(folder)/check.log || { cat $(folder)/check.log; exit 1; }
 	@tail -n 1 $(folder)/check.log
 
@@ -66,6 +66,9 @@ $(tables)/%.tables: $(folder)/bin/%
 .SECONDEXPANSION:
 $(tables)/%.png: $(tables)/%.tables $$(wildcard figures/%.gp figures/*/%.gp) figures/style.gp
 	@for kind in pdf png; do LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='$$kind'" $(wildcard figures/$*.gp figures/*/$*.gp) || exit; done
+	@echo "drawn: $@"
+$(tables)/motion.gif: $(tables)/chain.png
+	@LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='gif'" figures/chain.gp
 	@echo "drawn: $@"
 .PRECIOUS: $(tables)/%.tables
 $(folder)/bin/%: ;

@@ -1,19 +1,30 @@
-# Figure 2: displacement of both masses; stops at s1 = -0.3 and s2 = 0.1.
+# Figure 2: displacement of both masses. Bars: a mass sticks.
 load 'figures/style.gp'
 set xlabel 'Time'
 set ylabel 'Displacement'
-set key at graph 0.42, graph 0.17
+set tmargin 2
+set rmargin 5
+eval key_beside_heading
 
+eval scenes('figure2')
 eval page('figure2', 2, 1)
 
 eval panel('a')
+eval scene(1, 'Ω')
 set xrange [700:750]; set xtics 5
 set yrange [-0.5:0.4]; set ytics 0.1
-plot -0.3 lt 3, 0.1 lt 3, \
-  data.'/figure2a.csv' using 't':'x1' with lines lt 1 title 'mass 1', \
+table = data.'/figure2a.csv'
+plot s1[1] lt 3, s2[1] lt 3, \
+  table using 't':(stuck(column('x1'), s1[1])) with lines lt 7 title 'sticking', \
+  '' using 't':(stuck(column('x2'), s2[1])) with lines lt 7, \
+  '' using 't':'x1' with lines lt 1 title 'mass 1', \
   '' using 't':'x2' with lines lt 2 title 'mass 2'
 
 eval panel('b')
+eval heading('close-up of the chatter of mass 2 (mass 1 is not drawn)')
+unset label 2
 set xrange [715:722]; set xtics 1
 set yrange [-0.06:0.12]; set ytics 0.02
-plot 0.1 lt 3, data.'/figure2b.csv' using 't':'x2' with lines lt 2
+table = data.'/figure2b.csv'
+plot s2[1] lt 3, table using 't':(stuck(column('x2'), s2[1])) with lines lt 7, \
+  '' using 't':'x2' with lines lt 2

@@ -1,8 +1,9 @@
 # Figure 4: hold force on mass 1 while it sticks, before (a) and after (b) the multi-sliding
-# bifurcation.
+# bifurcation. Inset: where the force of (a) turns back, and the force at the bifurcation.
 load 'figures/style.gp'
-set xlabel 'Time within a settled forcing period'
-set ylabel '{/:Italic F}_2'
+set xlabel 'Time {/*0.85 (0: a settled forcing period begins; inferred)}'
+set ylabel '{/:Italic F}₂ {/*0.85 (force on mass 1)}'
+set tmargin 2
 set xrange [12:17.5]; set xtics 0.5
 set yrange [-0.2:0.02]; set ytics 0.02
 
@@ -13,11 +14,23 @@ do for [n = 1:2] {
   phases[n] = int(STATS_max)
 }
 
+eval scenes('figure4')
 eval page('figure4', 2, 1)
 do for [n = 1:2] {
   letter = 'ab'[n:n]
   eval panel(letter)
-  if (letter eq 'b') { set label 2 'chatter' at 14.4, -0.014 center }
+  eval heading(parameters(n, ''))
+  if (n == 2) { set label 2 'chatter' at 14.4, -0.014 center }
   plot 0 lt 3, for [phase = 1:phases[n]] table(letter) \
     using 't':(column('phase') == phase ? column('F2') : NaN) with lines lt 1
 }
+
+stats [13.5:14.8] [*:*] table('a') using 't':'F2' nooutput name 'turn'
+eval inset(1, 2, 0.27, 0.55)
+set lmargin at screen 0.5; set rmargin at screen 0.93
+set ylabel '10^5 {/:Italic F}₂' font ',18' offset 1, 0
+set xrange [14.12:14.23]; set xtics 0.02
+set yrange [-16:8]; set ytics 5
+set label 1 sprintf('at Ω = %.10f: touches zero', omega[3]) at turn_pos_max_y, 4 center font ',18'
+set label 2 sprintf('(a): turns back at %.1f', 1e5 * turn_max_y) at turn_pos_max_y, -10 center font ',18'
+plot 0 lt 3, for [letter in 'a _at'] table(letter) using 't':(1e5 * column('F2')) with lines lt (letter eq 'a' ? 1 : 5)

@@ -9,6 +9,8 @@ int main(int argc, char **argv) {
       [](const std::filesystem::path &output) {
         using namespace paper;
         using figures::displacements;
+        write(figures::parameters({figure5a(), figure5b(), figure5c()}),
+              output / "figure5_scenes.csv");
         write(displacements(figure5a(), figure5a_box, 0.001), output / "figure5a.csv");
         write(displacements(figure5b(), figure5b_box, 0.001), output / "figure5b.csv");
         write(displacements(figure5c(), figure5c_box, 0.005), output / "figure5c.csv");

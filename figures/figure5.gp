@@ -1,26 +1,42 @@
-# Figure 5: sticking-impact (a), grazing-sticking (b), close to dual sticking (c).
+# Figure 5: sticking-impact (a), grazing-sticking (b), close to dual sticking (c). Bars: mass 1 sticks.
+# Insets: what is smaller than a line.
 load 'figures/style.gp'
 set xlabel 'Time'
 set ylabel 'Displacement'
-set key at graph 0.97, graph 0.25
+set tmargin 2
+set rmargin 7
+eval key_beside_heading
 
+eval scenes('figure5')
+array inferred[3] = ['Ω', 'Ω s₁', 's₁ = s₂']
 eval page('figure5', 3, 1)
+table(n) = data.'/figure5'.'abc'[n:n].'.csv'
+do for [n = 1:3] {
+  eval panel('abc'[n:n])
+  eval scene(n, inferred[n])
+  if (n == 1) { set xrange [950:964]; set xtics 2; set yrange [-0.05:0.35]; set ytics 0.05 }
+  if (n == 2) { set xrange [916:930]; set yrange [-0.4:0.5]; set ytics 0.1 }
+  if (n == 3) { set xrange [900:1000]; set xtics 20; set yrange [0.2:0.31]; set ytics 0.01 }
+  plot for [stop = 1:(s1[n] == s2[n] ? 1 : 2)] (stop == 1 ? s1[n] : s2[n]) lt 3, \
+    table(n) using 't':(stuck(column('x1'), s1[n])) with lines lt 7 title (n == 1 ? 'sticking' : ''), \
+    '' using 't':'x1' with lines lt 1 title (n == 1 ? 'mass 1' : ''), \
+    '' using 't':'x2' with lines lt 2 title (n == 1 ? 'mass 2' : '')
+}
 
-eval panel('a')
-set xrange [950:964]; set xtics 2
-set yrange [-0.05:0.35]; set ytics 0.05
-plot 0.3 lt 3, \
-  data.'/figure5a.csv' using 't':'x1' with lines lt 1 title 'mass 1', \
-  '' using 't':'x2' with lines lt 2 title 'mass 2'
 
-eval panel('b')
-set xrange [916:930]
-set yrange [-0.4:0.5]; set ytics 0.1
-plot 0.3 lt 3, 0.45 lt 3, \
-  data.'/figure5b.csv' using 't':'x1' with lines lt 1, '' using 't':'x2' with lines lt 2
+set lmargin at screen 0.45; set rmargin at screen 0.76
+stats [916:930] [*:*] table(2) using 't':(column('x2') - s2[2]) nooutput name 'graze'
+eval inset(2, 3, 0.3, 0.6)
+set ylabel '10^5 ({/:Italic x}₂ − s₂)' font ',18' offset 1, 0
+set xrange [graze_pos_max_y - 0.05:graze_pos_max_y + 0.05]; set xtics 0.02
+set yrange [-25:5]; set ytics 10
+set label 1 sprintf('nearest: %.1f', 1e5 * graze_max_y) at graph 0.5, graph 0.3 center font ',18'
+plot 0 lt 3, table(2) using 't':(1e5 * (column('x2') - s2[2])) with lines lt 2
 
-eval panel('c')
+eval inset(3, 3, 0.33, 0.78)
+set ylabel 's₂ − {/:Italic x}₂' font ',18' offset 1, 0
 set xrange [900:1000]; set xtics 20
-set yrange [0.2:0.31]; set ytics 0.01
-plot 0.3 lt 3, \
-  data.'/figure5c.csv' using 't':'x1' with lines lt 1, '' using 't':'x2' with lines lt 2
+set logscale y; set format y '10^{%T}'; set yrange [1e-11:1]; set ytics 1e3
+set label 1 'still bouncing at the release of mass 1' at graph 0.04, graph 0.91 font ',18'
+plot table(3) using 't':(s2[3] - column('x2')) with lines lt 2 dt solid lw 0.8, \
+  '' using 't':(column('x1') == s1[3] ? 2e-11 : NaN) with lines lt 7

@@ -54,6 +54,14 @@ inline Table displacements(const Scene &scene, const paper::AxisBox &box, double
   return displacement_table(samples);
 }
 
+// The parameters of the scenes that a figure shows, one row per panel.
+inline Table parameters(const std::vector<Scene> &scenes) {
+  Table table("omega,r,s1,s2");
+  for (const Scene &scene : scenes)
+    table.row(scene.omega, scene.restitution, scene.stops[0].position, scene.stops[1].position);
+  return table;
+}
+
 // The sticking phases of one mass, counted from 1: at uniform times, at the stick and at the
 // release the hold force on it (F_p of Eqs. 12-13) and the motion of another mass.
 struct StickingPhaseRecorder {

@@ -1,9 +1,10 @@
 # Shared by the figures. Run a figure from the top of the repository:
 #   gnuplot -e "data='build/figures'; kind='png'" figures/figure2.gp
-# It reads the tables in `data` and writes the picture, png, pdf or svg, beside them. With the kind
-# table it writes the points of every curve as text instead: the tests read these.
-if (!exists("data")) data = 'build/figures'
-if (!exists("kind")) kind = 'png'
+# It reads the tables in `data` and writes the picture, png, pdf or svg, beside them; chain.gp also
+# has the kind gif. With the kind table it writes the points of every curve as text instead: the
+# tests read these.
+if (!exists("data")) { data = 'build/figures' }
+if (!exists("kind")) { kind = 'png' }
 
 set encoding utf8
 set datafile separator comma
@@ -27,6 +28,7 @@ set linetype 3 linecolor rgb '#404040' linewidth 0.6 dashtype (2, 5)   # stops, 
 set linetype 4 linecolor rgb '#9a9a9a' linewidth 0.6 dashtype solid    # border orbit
 set linetype 5 linecolor rgb '#0f5f40' linewidth 1.2 dashtype (3, 3)   # multi-sliding
 set linetype 6 linecolor rgb '#6a4c93' linewidth 1.2 dashtype solid    # a sixth curve
+set linetype 7 linecolor rgb '#e0a030' linewidth 4 dashtype solid      # where a mass sticks
 
 set border linewidth 0.7 linecolor rgb '#202020'
 set tics nomirror out scale 0.6
@@ -35,7 +37,33 @@ set rmargin 3
 set tmargin 0.8
 set bmargin 3.2
 set xlabel offset 0, 0.3
-set key samplen 4 spacing 1.2 noautotitle
+set key samplen 3 spacing 1.2 noautotitle reverse Left
 
 # eval panel('a') names the panel.
 panel(letter) = sprintf("set label 1 '(%s)' at character 1.2, graph 0.985", letter)
+
+# eval read(table, 'omega') makes an array of the column of that name.
+read(table, name) = sprintf("array %s[99]; stats [*:*] [*:*] '%s' using (%s[$0 + 1] = column('%s')) nooutput; ", \
+                            name, table, name, name)
+# eval scenes('figure2') reads the parameters of the scenes in the panels of a figure.
+scenes(name) = scene_columns(data.'/'.name.'_scenes.csv')
+scene_columns(table) = read(table, 'omega').read(table, 'r').read(table, 's1').read(table, 's2')
+# The parameters of scene n in words. The paper does not give those named in `inferred`.
+known(name, x, inferred) = sprintf('%s = %g%s', name, x, strstrt(inferred, name) ? ' (inferred)' : '')
+stops(n, inferred) = s1[n] == s2[n] ? known('s₁ = s₂', s1[n], inferred) : \
+  known('s₁', s1[n], inferred).',  '.known('s₂', s2[n], inferred)
+parameters(n, inferred) = \
+  known('Ω', omega[n], inferred).',  '.known('r', r[n], '').',  '.stops(n, inferred)
+# eval scene(n, inferred) writes the parameters above a panel, and the names of the stops at their lines.
+scene(n, inferred) = heading(parameters(n, inferred)).'; '.stop_lines(n)
+heading(text) = sprintf("set label 4 '%s' at graph 0, graph 1 offset 0, 0.9", text)
+# A key on the line of the headings, in a row.
+key_beside_heading = 'set key horizontal maxrows 1 samplen 2 width -2 at graph 1, graph 1.125 right'
+stop_lines(n) = sprintf("set label 2 '%s' at graph 1.01, first %g; ", s1[n] == s2[n] ? 's₁ = s₂' : 's₁', s1[n]). \
+  sprintf("set label 3 '%s' at graph 1.01, first %g", s1[n] == s2[n] ? '' : 's₂', s2[n])
+# A mass sticks where it stands exactly on its stop.
+stuck(x, stop) = x == stop ? x : NaN
+# eval inset(n, rows, low, high) places the next plot inside panel n, between these heights of it.
+inset(n, rows, low, high) = "unset label; unset xlabel; set xtics font ',18'; set ytics font ',18'; ". \
+  sprintf('set bmargin at screen %g; set tmargin at screen %g', height(n, rows, low), height(n, rows, high))
+height(n, rows, part) = (rows - n + part) / (1.0 * rows)

@@ -72,7 +72,7 @@ inline std::vector<Panel> panels_in_table(const std::string &path) {
 // (an opaque key draws them twice); tick labels and letter of a panel come before its first curve.
 inline void add_picture(std::vector<Panel> &panels, const std::string &path) {
   const std::regex plot("id=\"gnuplot_plot_([0-9]+)([a-z])"), text("<tspan[^>]*> *([^<]*)<"),
-      colour("(?:stroke|color)='(rgb\\([^)]*\\))");
+      colour("(?:stroke|color|fill) ?= ?'(rgb\\([^)]*\\))");
   std::vector<std::string> texts;  // since the last curve
   Curve *curve = nullptr;
   std::ifstream file = figures::opened(path);
