@@ -1,67 +1,63 @@
-# Error against run time and against work, for this library and what one would otherwise pick. A cross
-# at the upper edge is a run that failed; the table says where and why. Bars: fastest and slowest
-# repeat. An error below 1e-15, the rounding of small times, is drawn at 1e-15.
+# Error against run time of this library and of what one would otherwise pick: all five problems, and as
+# error_vs_runtime_two the first two.
 load 'figures/style.gp'
 table = data.'/error_vs_runtime.csv'
-problems = 'figure2 figure4 flight chatter sticking'
-titles = '"ten periods of Figure 2" "ten periods of Figure 4(a)" "one flight" "one chatter sequence" "one sticking phase"'
+array problem[5] = ['figure2', 'figure4', 'flight', 'chatter', 'sticking']
+array name[5] = ['ten forcing periods of Figure 2', 'ten forcing periods of Figure 4(a)', 'one flight of Figure 2', \
+  'one chatter sequence of Figure 2', 'one sticking phase of Figure 2']
 
-# Name in the table, colour (of that line type, one a family) and point type.
-methods = '"this library" "this library (every impact)" "plain event-driven" "odeint runge_kutta_dopri5" "odeint runge_kutta_fehlberg78" "CVODE Adams" "Siconos Moreau-Jean" "stiff spring (dopri5)"'
-colours = '1 1 3 2 2 5 6 3'
-points = '7 6 3 5 9 4 8 12'
-missing = system("for family in CVODE Siconos; do grep -q $family '".table."' || echo $family; done")
+# Methods differ in colour, point and dash. One that is not installed has no rows in the table.
+array method[8] = ['this library', 'this library (every impact)', 'plain event-driven', 'odeint runge_kutta_dopri5', \
+  'odeint runge_kutta_fehlberg78', 'CVODE Adams', 'Siconos Moreau-Jean', 'stiff spring (dopri5)']
+array short[8] = ['this library', 'every impact', 'plain', 'dopri5', 'fehlberg78', 'CVODE', 'Siconos', 'stiff spring']
+array colour[8] = ['#12355b', '#12355b', '#606060', '#d55e00', '#b08000', '#009e73', '#a04090', '#000000']
+array mark[8] = [7, 6, 5, 9, 8, 13, 11, 2]
+array dash[8] = [1, 1, 3, 1, 2, 1, 2, 3]
+note = "Bars: fastest and slowest of five repeats.%sCross at the upper edge: the run misses an event.%s". \
+  "Errors below 10^{-15} are drawn at 10^{-15}."
 
-floor = 1e-15
-top = 10.0
-drawn(error) = error < floor ? floor : error
-of(p, m) = strcol("problem") eq p && strcol("method") eq m
-good(p, m) = of(p, m) && strlen(strcol("failure")) == 0 ? drawn(column('error_time')) : NaN
-bad(p, m) = of(p, m) && strlen(strcol("failure")) > 0 ? top : NaN
+shown(error) = error < 1e-15 ? 1e-15 : error
+row(p, m, ok) = strcol('problem') eq problem[p] && strcol('method') eq method[m] && (strlen(strcol('failure')) == 0) == ok
+good(p, m) = row(p, m, 1) ? shown(column('error_time')) : NaN
+bad(p, m) = row(p, m, 0) ? 10 : NaN
+# Where the line of a method ends: the row of its last good run.
+array last_time[8]; array last_error[8]
+end(p, m) = sprintf('last_time[%d] = 0; stats [*:*] [*:*] table using (row(%d, %d, 1) ? ', m, p, m). \
+  sprintf("(last_time[%d] = column('median_us'), last_error[%d] = good(%d, %d)) : 0) nooutput", m, m, p, m)
 
-set tmargin 2.2
-set logscale xy
-set format '10^{%T}'
-set yrange [0.5 * floor:2 * top]
-set ytics 1e3
-set mytics 1
-set xtics 10
-set grid xtics ytics linetype 4 linewidth 0.2
-set ylabel 'error of event times'
-array name[words(methods)]
-do for [k = 1:words(methods)] { name[k] = word(methods, k) }
-
-rows = words(problems)
-height = 0.92 / rows  # of a panel; the key has the rest
-font = "font 'Liberation Serif,20'"
-eval opened('error_vs_runtime', 1700, 2500)
-set multiplot
-set size 0.5, height
-do for [n = 1:rows] {
-  p = word(problems, n)
-  set label 1 word(titles, n) at graph 0.0, graph 1.06
-  do for [x in 'median_us_per_period rhs_or_expansions'] {
-    timed = x eq 'median_us_per_period'
-    set origin timed ? 0.0 : 0.5, 1.0 - height * n
-    set xlabel timed ? 'microseconds of processor time / length of the run in periods' : 'work (evaluations, steps or expansions)'
-    plot for [k = 1:words(methods)] table using x:(good(p, name[k])) with linespoints \
-        linecolor int(word(colours, k)) pointtype int(word(points, k)) pointsize 0.9 linewidth 1.2 dashtype solid, \
-      for [k = 1:words(methods)] table using x:(timed ? good(p, name[k]) : NaN):'low':'high' with xerrorbars \
-        linecolor int(word(colours, k)) pointtype 0 linewidth 0.8 dashtype solid, \
-      for [k = 1:words(methods)] table using x:(bad(p, name[k])) with points \
-        linecolor int(word(colours, k)) pointtype 2 pointsize 1.2
+do for [picture in '5 2'] {
+  reset
+  load 'figures/style.gp'
+  problems = int(picture)
+  rows = problems == 5 ? 3.0 : 1.55
+  eval opened('error_vs_runtime'.(problems == 5 ? '' : '_two'), 1400, 460 * rows)
+  set multiplot
+  set size 0.5, 1 / rows
+  set lmargin 10; set rmargin 2; set tmargin 2
+  set logscale xy; set format '10^{%T}'
+  set grid xtics ytics linetype 4 linewidth 0.2
+  do for [p = 1:problems] {
+    unset label
+    do for [m = 1:8] { eval end(p, m) }
+    set origin 0.5 * ((p - 1) % 2), 1 - ((p + 1) / 2) / rows
+    eval heading(name[p])
+    set xlabel p > 2 ? 'µs per run' : 'µs per forcing period'
+    set ylabel 'error of the event times'
+    set xrange [0.5:4e5]; set xtics 10; set yrange [5e-16:20]; set ytics 1e3; set mytics 1
+    do for [m = 1:8] {
+      if (p < 3 && last_time[m] > 0) { set label short[m] at last_time[m] * 1.3, last_error[m] offset (m == 1 ? -7.7 : 0), 0 font ',17' }
+    }
+    plot for [m = 1:8] table using 'median_us':(good(p, m)):'low':'high' with xerrorbars lc rgb colour[m] pt 0 lw 1.2 dt 1, \
+      for [m = 1:8] '' using 'median_us':(good(p, m)) with linespoints lc rgb colour[m] pt mark[m] dt dash[m] ps 1.2 lw 1.2, \
+      for [m = 1:8] '' using 'median_us':(bad(p, m)) with points lc rgb colour[m] pt 2 ps 1.2 lw 1.2
   }
+  do for [m = 1:8] { eval end(1, m) }  # every method that is installed ends in Figure 2
+  # The key fills the sixth cell, or the strip below two.
+  unset label; unset xlabel; unset ylabel; unset tics; unset border; unset grid; set bmargin 0.5
+  if (problems == 5) { set origin 0.5, 0 } else { set size 1, 1 - 1 / rows; set origin 0, 0 }
+  set key at graph 0, graph 1 left maxrows (problems == 5 ? 8 : 3) spacing 1.1 font ',20'
+  set label 1 sprintf(note, problems == 5 ? "\n" : "  ", "\n") at graph 0.02, graph 0.25 font ',20'
+  plot for [m = 1:8] NaN with linespoints lc rgb colour[m] pt mark[m] dt dash[m] ps 1.2 lw 1.2 title (last_time[m] > 0 ? method[m] : '') noenhanced
+  unset multiplot
 }
-# The key has a panel of its own.
-unset label 1; unset xlabel; unset ylabel; unset tics; unset border; unset grid
-set key center center maxrows 5 spacing 1.2 samplen 2
-set tmargin 0; set bmargin 0
-set origin 0.0, 0.0
-set size 1.0, 0.08
-if (strlen(missing) > 0) { set label 2 "not installed (make peers):\n".missing at screen 0.005, 0.052 left textcolor linetype 2 noenhanced }
-plot for [k = 1:words(methods)] NaN with linespoints \
-    linecolor int(word(colours, k)) pointtype int(word(points, k)) pointsize 0.9 linewidth 1.2 dashtype solid \
-    title (strstrt(missing, word(name[k], 1)) > 0 ? '' : name[k]) noenhanced, \
-  NaN with points linetype 3 pointtype 2 pointsize 1.2 title 'failed (at the upper edge)'
-unset multiplot
 unset output
