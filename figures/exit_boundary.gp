@@ -1,7 +1,7 @@
 # The exit boundaries in the Figure 2 scene: (a) of mass 2, in the plane of mass 1; (b) of mass 1, in
 # the plane of mass 2, moving with the forcing.
 load 'figures/style.gp'
-set tmargin 1.2
+set tmargin 2
 
 second = data.'/exit_boundary2.csv'
 first = data.'/exit_boundary1.csv'
@@ -25,23 +25,25 @@ array shade[5] = ['#b9cfc4', '#90b5a2', '#659a80', '#3b7d5f', '#0f5f40']  # the 
 eval page('exit_boundary', 2, 1)
 
 eval panel('a')
-set xlabel '{/:Italic x}_1'; set ylabel "{/:Italic x}_1'"
+eval heading('mass 2 sticks: the plane of mass 1')
+set xlabel '{/:Italic x}_1'; set ylabel '{/:Italic ẋ}_1'
 set xrange [0.06:0.34]; set xtics 0.04
 set yrange [-0.3:0.35]; set ytics 0.1
 set label 2 '{/:Italic S}' at 0.2, 0.1 center front
-set label 3 sprintf("{/:Italic ∂S}:  {/:Italic x}_1' = %g {/:Italic x}_1 + %g", -rate, rate * s2) at 0.083, 0.24 left front
-set label 4 sprintf('(%g, 0)', s2) at s2 - 0.002, -0.02 right front
+set label 3 sprintf("{/:Italic ∂S}:  {/:Italic ẋ}_1 = %g {/:Italic x}_1 + %g", -rate, rate * s2) at 0.083, 0.24 left front
+set label 5 sprintf('(%g, 0)', s2) at s2 - 0.002, -0.02 right front
 set key at graph 0.97, graph 0.97
 plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
   boundary2(x) with lines lt 5 dt solid lw 1.8, 0 lt 3, \
-  second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title 'mass 2 sticks', \
-  '' using (of_kind('stick', column('x'))):'v' with points lt 1 pt 7 ps 0.9 title 'its stick', \
-  '' using (of_kind('release', column('x'))):'v' with points lt 1 pt 6 ps 1.1 title 'its release', \
-  '+' using (s2):(0) with points pt 2 ps 1.1 lc rgb '#202020'
-unset label
+  second using (of_kind('orbit', column('x'))):'v' with lines lt 1 lw 1 title 'motion of mass 1', \
+  '' using (of_kind('stick', column('x'))):'v' with points lt 1 pt 7 ps 0.9 title 'mass 2 begins to stick', \
+  '' using (of_kind('release', column('x'))):'v' with points lt 1 pt 6 ps 1.1 title 'mass 2 is released', \
+  '+' using (s2):(0) every ::::0 with points pt 2 ps 1.1 lc rgb '#202020'
+unset label 5
 
 eval panel('b')
-set xlabel '{/:Italic x}_2'; set ylabel "{/:Italic x}_2'"
+eval heading('mass 1 sticks: the plane of mass 2,  '.known('Ω', omega, 'Ω'))
+set xlabel '{/:Italic x}_2'; set ylabel '{/:Italic ẋ}_2'
 set xrange [-0.38:-0.1]; set xtics 0.04
 set yrange [0:0.25]; set ytics 0.05
 set label 2 '{/:Italic S} at the release' at -0.28, 0.08 center front
@@ -52,4 +54,3 @@ plot '+' using 1:(boundary1($1, instant(5))):(0) with filledcurves lc rgb '#e9f0
   for [n = 1:5] first using (near(n, column('x'))):'v' with points pt 7 ps 1.1 lc rgb shade[n], \
   for [n = 1:4] first using (of_kind(n == 1 ? 'stick' : 'orbit', near(n, column('x')))):(column('v') + 0.014):(time_text(n)) with labels, \
   first using (of_kind('release', column('phase') == settled ? column('x') + 0.003 : NaN)):(column('v') + 0.004):(time_text(5)) with labels left
-unset label

@@ -11,11 +11,13 @@ namespace {
 using namespace vibro_impact;
 
 // table1_<pair>.csv has a motion, table1_pairs.csv its stops and when it shows its pair: from `t`
-// until `until`, with the masses at x1 and x2 at `t`.
+// until `until`, with the masses at x1 and x2 at `t`. table1_scenes.csv has their parameters.
 void draw(const std::filesystem::path &output) {
-  Table pairs("pair,t,until,x1,x2,s1,s2");
+  Table pairs("pair,t,until,x1,x2,at_rest");
+  std::vector<Scene> scenes;
   for (const auto &[kind, scene, from, to] : figures::table1_scenes()) {
     const char *name = abbreviation(kind);
+    scenes.push_back(scene);
     SampleRecorder samples{.from = from, .to = to, .every = (to - from) / 4000};
     PressedEventRecorder events{scene, from};
     require_complete(simulate(scene, to, figures::all_visible_chatter, samples, events));
@@ -24,10 +26,11 @@ void draw(const std::filesystem::path &output) {
       if (pair.kind != kind) continue;
       const MotionState state = require_complete(simulate(scene, pair.from)).state;
       pairs.row(name, pair.from, pair.to, state.displacement[0], state.displacement[1],
-                scene.stops[0].position, scene.stops[1].position);
+                int{scene.displacement.empty()});
     }
   }
   write(pairs, output / "table1_pairs.csv");
+  write(figures::parameters(scenes), output / "table1_scenes.csv");
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
-# The atlas of settled motions from rest, in the plane of frequency and restitution: their period
-# (a); who sticks, and the borders of the regions in which a mass sticks (b).
+# The atlas of settled motions from rest, in the plane of frequency and restitution: their period in
+# forcing periods (a); which masses stick, and the borders of the regions in which a mass sticks (b).
 load 'figures/style.gp'
 
-# The colours of Okabe and Ito, which the colour-blind tell apart, and greys.
-array colour[10] = ['#e6e6e6', '#56b4e9', '#009e73', '#f0e442', '#e69f00', '#8c8c8c', \
-  '#e6e6e6', '#e69f00', '#56b4e9', '#009e73']
-array meaning[10] = ['period 1', '2', '3', '4', '5 to 8', 'none within 200', \
-  'no mass sticks', 'mass 1', 'mass 2', 'both in turn']
+# Light to dark, so that a grey print has the same order.
+array colour[10] = ['#f0f0f0', '#f0e442', '#56b4e9', '#e69f00', '#009e73', '#505050', \
+  '#f0f0f0', '#9db6d3', '#eeb3a5', '#6a4c93']
+array meaning[10] = ['period 1', 'period 2', 'period 3', 'period 4', 'periods 5 to 8', 'none found', \
+  'no mass', 'mass 1', 'mass 2', 'both masses']
 colours = ''
 do for [c = 1:10] { colours = colours.sprintf("%s %d '%s'", c > 1 ? ',' : '', c, colour[c]) }
 eval 'set palette defined ('.colours.') maxcolors 10'
@@ -20,14 +20,16 @@ of_mass(mass, value) = column('mass') == mass ? value : NaN
 
 eval page('atlas', 2, 1)
 set xlabel 'Ω'; set xtics 0.1
-set ylabel '{/:Italic r}'
+set ylabel '{/:Italic r}'; set ytics 0.2
 set xrange [0.2:0.8]; set yrange [0:0.98]
-set key above left samplen 1 maxrows 2
 set tmargin 4
 do for [part = 1:2] {
   eval panel('ab'[part:part])
-  size = part == 2 ? 0.25 : 0
+  eval heading(part == 1 ? 'Period of the motion from rest' : 'Which masses stick in it')
+  eval key_beside_heading
+  set key samplen 0.7 maxrows 2 at graph 1, graph (part == 1 ? 1.22 : 1.125)
   plot data.'/atlas.csv' using 'omega':'restitution':(class(part)) with image notitle, \
-    for [mass = 1:2] data.'/atlas_borders.csv' using (of_mass(mass, column('omega'))):'restitution' with points pt 7 ps size lt mass notitle, \
+    for [mass = 1:2] data.'/atlas_borders.csv' using (of_mass(mass, column('omega'))):'restitution' \
+      with points pt 7 ps (part == 2 ? 0.3 : 0) lt mass notitle, \
     for [c = first(part):last(part)] NaN with points pt 5 ps 2.4 lc rgb colour[c] title meaning[c]
 }

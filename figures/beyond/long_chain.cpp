@@ -13,9 +13,15 @@ using namespace vibro_impact;
 void draw(const std::filesystem::path &output) {
   const Grid grid{extremes::long_chain(), {{"omega", 0.05, 0.8, 401}}};
   const std::vector<OrbitRecord> records = sweep(grid, figures::recorded_in_figure3);
-  for (const Stop &stop : grid.scene.stops)
+  const Scene &scene = grid.scene;
+  Table stops("mass,side,stop,beta,restitution,amplitude");
+  for (const Stop &stop : scene.stops) {
+    stops.row(stop.mass, sign(stop.side), stop.position, scene.beta, scene.restitution,
+              scene.amplitude[0]);
     write(figures::impact_velocities(grid, records, stop.mass),
           output / fmt::format("long_chain{}.csv", stop.mass));
+  }
+  write(stops, output / "long_chain.csv");
 }
 
 }  // namespace

@@ -1,12 +1,22 @@
 # Ten masses, stops on three of them, from rest: impact velocities against the forcing frequency.
 load 'figures/style.gp'
 
-eval page('long_chain', 1, 1)
-set xlabel 'Ω'
+stops = data.'/long_chain.csv'
+eval read(stops, 'mass').read(stops, 'side').read(stops, 'stop')
+eval read(stops, 'beta').read(stops, 'restitution').read(stops, 'amplitude')
+common = sprintf('from rest,  c = %g,  r = %g,  force %g cos Ω{/:Italic t} on mass 1', beta[1], restitution[1], amplitude[1])
+
+eval canvas('long_chain', 1.8).'; set multiplot layout 3, 1'
 set xrange [0.05:0.8]; set xtics 0.05
-set ylabel 'impact velocity'
-set key left bottom maxrows 1 samplen 1
-array mass[3] = [1, 5, 10]
-array line[3] = [1, 2, 5]
-plot for [n = 1:3] data.'/long_chain'.mass[n].'.csv' using 'omega':'v'.mass[n] with points lt line[n] pt 7 ps 0.3, \
-  for [n = 1:3] NaN with points lt line[n] pt 7 ps 1 title 'mass '.mass[n]
+set tmargin 1.8
+set ytics 0.2
+do for [n = 1:3] {
+  eval panel('abc'[n:n])
+  eval heading(sprintf('mass %d,  %s stop at %g', mass[n], side[n] > 0 ? 'upper' : 'lower', stop[n]))
+  set label 2 n == 1 ? common : '' at graph 1, graph 1 offset 0, 0.9 right
+  set xlabel n == 3 ? 'Ω' : ''
+  set ylabel sprintf('{/:Italic v}_{%d}', mass[n])
+  lowest = side[n] > 0 ? 0 : -0.6
+  set yrange [lowest:lowest + 0.6]
+  plot data.'/long_chain'.int(mass[n]).'.csv' using 'omega':'v'.int(mass[n]) with points lt (n == 3 ? 5 : n) pt 7 ps 0.3
+}
