@@ -10,7 +10,7 @@ do for [i = 1:masses] { shift[i] = 0; action[i] = '' }
 
 # The masses stand on a floor. A spring and a damper join each to the one before, the first to a wall.
 distance = 2.4
-half = 0.4  # width of a mass
+half = 0.4  # of the width of a mass; the wall stands at this place, so that the links are equal
 face(i, side) = i == 0 ? half : i * distance + shift[i] + side * half
 along(i, part) = face(i - 1, 1) + part * (face(i, -1) - face(i - 1, 1))
 face_of_stop(i) = i * distance + stop[i] + side[i] * half
@@ -20,22 +20,23 @@ box(x0, y0, x1, y1, colour) = sprintf("set object rectangle from %g, %g to %g, %
   x0, y0, x1, y1, colour)."fs solid border rgb '#202020'; "
 zigzag(part) = 0.8 + (abs(part - 0.5) > 0.35 ? 0 : 0.07 * asin(sin(2 * pi * 10 * (part - 0.15))))
 # The cylinder of a damper keeps its length; the piston moves in it.
-low(i) = along(i, 0.5) - 0.25
-high(i) = along(i, 0.5) + 0.25
+end_of_cylinder(i, side) = along(i, 0.5) + side * 0.25
+cylinder(left, right) = line(left, 0.38, left, 0.62).line(left, 0.38, right, 0.38).line(left, 0.62, right, 0.62)
 piston(i) = along(i, 0.5) + 0.25 * (face(i, -1) - face(i - 1, 1) - distance + 2 * half)
-damper(i) = line(face(i - 1, 1), 0.5, low(i), 0.5).line(low(i), 0.38, low(i), 0.62). \
-  line(low(i), 0.38, high(i), 0.38).line(low(i), 0.62, high(i), 0.62). \
+damper(i) = line(face(i - 1, 1), 0.5, end_of_cylinder(i, -1), 0.5). \
+  cylinder(end_of_cylinder(i, -1), end_of_cylinder(i, 1)). \
   line(piston(i), 0.5, face(i, -1), 0.5).line(piston(i), 0.41, piston(i), 0.59)
 colour_of(i) = action[i] eq 'sticks' ? '#e0a030' : i == 1 ? '#c9d6e6' : '#f3d3cb'
 body(i) = damper(i).box(face(i, -1), 0, face(i, 1), 1, colour_of(i)). \
   box(face_of_stop(i), 0, face_of_stop(i) + side[i] * 0.07, 0.3, action[i] eq 'impact' ? '#d00000' : '#707070'). \
   sprintf("set label '{/:Italic m}_%d' at %g, 0.6 center front; ", i, i * distance + shift[i]). \
   sprintf("set label '%s' at %g, 1.2 center; ", action[i], i * distance)
-floor = box(half - 0.12, -0.06, half, 1.1, '#b0b0b0').box(half - 0.12, -0.06, masses * distance + 1, 0, '#b0b0b0')
+ground = box(half - 0.12, -0.06, half, 1.1, '#b0b0b0').box(half - 0.12, -0.06, masses * distance + 1, 0, '#b0b0b0')
 set samples 401
 # Draws the chain on a canvas or in a part of it.
-drawn = "unset border; unset tics; unset xlabel; unset ylabel; set size ratio -1; ". \
-  "eval floor; do for [i = 1:masses] { eval body(i) }; set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0; set xrange [half - 0.25:masses * distance + 1.1]; ". \
+draw_chain = "unset border; unset tics; unset xlabel; unset ylabel; set size ratio -1; ". \
+  "eval ground; do for [i = 1:masses] { eval body(i) }; ". \
+  "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0; set xrange [half - 0.25:masses * distance + 1.1]; ". \
   "plot for [i = 1:masses] [part = 0:1] '+' using (along(i, $1)):(zigzag($1)) with lines lc rgb '#202020' dt solid; ". \
   "unset object; unset arrow; unset label"
 
@@ -55,7 +56,7 @@ if (kind ne 'gif') {
     set arrow from face(i, side[i]), 0.15 to face_of_stop(i), 0.15 heads size 0.05, 20 lw 1 front
     set label sprintf('{/*0.85 s_%d = %g}', i, stop[i]) at 0.5 * (face(i, side[i]) + face_of_stop(i)), -0.14 center
   }
-  eval drawn
+  eval draw_chain
 } else {
   set terminal gif animate delay 8 loop 0 optimize size 800,420 font 'Liberation Serif,15' background rgb '#ffffff'
   set output data.'/motion.gif'
@@ -70,7 +71,7 @@ if (kind ne 'gif') {
         action[1] = word('sticks impact '.strcol(4), pass), action[2] = word('sticks impact '.strcol(5), pass), 0) nooutput
       set origin 0, 0; set size noratio 1, 1; clear
       set origin 0, 0.48; set size 1, 0.52; set yrange [-0.1:1.35]
-      eval drawn
+      eval draw_chain
       set origin 0, 0; set size noratio 1, 0.48
       set border; set xtics 5; set ytics 0.2; set xlabel 'Time'; set ylabel 'Displacement'
       set lmargin 8; set rmargin 3; set tmargin 0.5; set bmargin 3.2

@@ -10,7 +10,7 @@ eval key_beside_heading
 
 bifurcations = data.'/figure3_bifurcations.csv'
 of_kind(name, mass) = strcol('kind') eq name && column('mass') == mass ? column('omega') : NaN
-beside(n) = strcol('kind') eq 'border orbit' ? 0.0036 : -0.0034
+label_offset(kind) = kind eq 'border orbit' ? 0.0036 : -0.0034
 of_mass(mass) = column('mass') == mass ? column('omega') : NaN
 array window_from[2] = [0.3, 0.37]
 array window_to[2] = [0.35, 0.4]
@@ -34,7 +34,7 @@ do for [mass = 1:2] {
     data.'/figure3_sticking.csv' using (of_mass(mass)):(bar[mass]):(0.5 * step):(0.005) with boxxyerror lt 7 fillstyle solid noborder, \
     bifurcations using (of_kind('border orbit', mass)):(lowest):(0):(0.4) with vectors nohead lt 4 title 'border orbit', \
     '' using (of_kind('multi-sliding', mass)):(lowest):(0):(0.4) with vectors nohead lt 5 title 'multi-sliding', \
-    '' using (of_mass(mass) + beside(0)):(frequencies[mass]):(sprintf('{/*0.7 %.4f}', column('omega'))) \
+    '' using (of_mass(mass) + label_offset(strcol('kind'))):(frequencies[mass]):(sprintf('{/*0.7 %.4f}', column('omega'))) \
       with labels rotate by 90, \
     data.'/figure3'.'ab'[mass:mass].'.csv' using 'omega':'v'.mass with points lt mass pt 7 ps 0.2 lw 0.3
 }

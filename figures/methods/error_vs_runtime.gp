@@ -22,7 +22,7 @@ good(p, m) = row(p, m, 1) ? shown(column('error_time')) : NaN
 bad(p, m) = row(p, m, 0) ? 10 : NaN
 # Where the line of a method ends: the row of its last good run.
 array last_time[8]; array last_error[8]
-end(p, m) = sprintf('last_time[%d] = 0; stats [*:*] [*:*] table using (row(%d, %d, 1) ? ', m, p, m). \
+read_end(p, m) = sprintf('last_time[%d] = 0; stats [*:*] [*:*] table using (row(%d, %d, 1) ? ', m, p, m). \
   sprintf("(last_time[%d] = column('median_us'), last_error[%d] = good(%d, %d)) : 0) nooutput", m, m, p, m)
 
 do for [picture in '5 2'] {
@@ -38,26 +38,28 @@ do for [picture in '5 2'] {
   set grid xtics ytics linetype 4 linewidth 0.2
   do for [p = 1:problems] {
     unset label
-    do for [m = 1:8] { eval end(p, m) }
+    do for [m = 1:8] { eval read_end(p, m) }
     set origin 0.5 * ((p - 1) % 2), 1 - ((p + 1) / 2) / rows
     eval heading(name[p])
     set xlabel p > 2 ? 'µs per run' : 'µs per forcing period'
     set ylabel 'error of the event times'
     set xrange [0.5:4e5]; set xtics 10; set yrange [5e-16:20]; set ytics 1e3; set mytics 1
     do for [m = 1:8] {
-      if (p < 3 && last_time[m] > 0) { set label short[m] at last_time[m] * 1.3, last_error[m] offset (m == 1 ? -7.7 : 0), 0 font ',17' }
+      if (p > 2 || last_time[m] == 0) { continue }
+      set label short[m] at last_time[m] * 1.3, last_error[m] offset (m == 1 ? -7.7 : 0), 0 font ',17'
     }
     plot for [m = 1:8] table using 'median_us':(good(p, m)):'low':'high' with xerrorbars lc rgb colour[m] pt 0 lw 1.2 dt 1, \
       for [m = 1:8] '' using 'median_us':(good(p, m)) with linespoints lc rgb colour[m] pt mark[m] dt dash[m] ps 1.2 lw 1.2, \
       for [m = 1:8] '' using 'median_us':(bad(p, m)) with points lc rgb colour[m] pt 2 ps 1.2 lw 1.2
   }
-  do for [m = 1:8] { eval end(1, m) }  # every method that is installed ends in Figure 2
+  do for [m = 1:8] { eval read_end(1, m) }  # every method that is installed ends in Figure 2
   # The key fills the sixth cell, or the strip below two.
   unset label; unset xlabel; unset ylabel; unset tics; unset border; unset grid; set bmargin 0.5
   if (problems == 5) { set origin 0.5, 0 } else { set size 1, 1 - 1 / rows; set origin 0, 0 }
   set key at graph 0, graph 1 left maxrows (problems == 5 ? 8 : 3) spacing 1.1 font ',20'
   set label 1 sprintf(note, problems == 5 ? "\n" : "  ", "\n") at graph 0.02, graph 0.25 font ',20'
-  plot for [m = 1:8] NaN with linespoints lc rgb colour[m] pt mark[m] dt dash[m] ps 1.2 lw 1.2 title (last_time[m] > 0 ? method[m] : '') noenhanced
+  plot for [m = 1:8] NaN with linespoints lc rgb colour[m] pt mark[m] dt dash[m] ps 1.2 lw 1.2 \
+    title (last_time[m] > 0 ? method[m] : '') noenhanced
   unset multiplot
 }
 unset output
