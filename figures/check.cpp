@@ -19,10 +19,12 @@ using namespace vibro_impact;
 using namespace vibro_impact::figures;
 
 constexpr const char *explanation =
-    "agrees: within half a unit of the last digit printed; between two ticks, where an axis ends; "
-    "within a twentieth of the distance of the ticks, where a value is read off Figure 3\n"
-    "error: of the computed number against the reference (reference/README.md)\n"
-    "allowed: an error above it fails\n";
+    "agrees: within half a unit of the last printed digit, between the two ticks where an axis "
+    "ends, or true as stated\n"
+    "close: within 0.005 of a value that the paper reads off Figure 3, a tenth of the distance of "
+    "its ticks\n"
+    "depends on an inferred value: the paper's text lacks a parameter of the figure\n"
+    "error: of the computed number against its reference; above the allowed error it fails\n";
 
 constexpr const char *explanation_of_published =
     "id: the row of reference/published.csv, which has the parameters\n"
@@ -36,9 +38,9 @@ struct Document {
   bool only_key_numbers;
 };
 
-const Document documents[] = {{"README.md", {"few", "counts", "published"}, true},
-                              {"figures/README.md", {"counts", "inferred"}, true},
-                              {"reference/README.md", {"tables", "published"}, false}};
+const Document documents[] = {{"README.md", {"few", "counts"}, true},
+                              {"figures/README.md", {"counts", "class"}, true},
+                              {"reference/README.md", {"published"}, false}};
 
 std::string content_of(const std::string &path) {
   std::ostringstream text;
@@ -108,7 +110,7 @@ int main(int argc, char **argv) {
                  [&] {
                    const Findings findings{checked_numbers(reference), checked_results(reference)};
                    fmt::print("{}{}\n**Published by others**\n\n{}\n{}", explanation,
-                              tables_by_verdict(findings.numbers, true), explanation_of_published,
+                              tables_by_verdict(findings.numbers), explanation_of_published,
                               table_of_results(findings.results));
                    if (!written.empty()) write_documents(findings, written);
                    std::vector<std::string> faults;

@@ -86,45 +86,40 @@ inline std::vector<CheckedNumber> with_verdict(const std::vector<CheckedNumber> 
   return some;
 }
 
-// A table for every verdict. The last digits of an error are rounding, which no document repeats:
-// with errors only where they are printed.
-inline std::string tables_by_verdict(const std::vector<CheckedNumber> &numbers, bool with_errors) {
+// A table for every verdict, with the error of every number.
+inline std::string tables_by_verdict(const std::vector<CheckedNumber> &numbers) {
   std::string text;
-  const auto add = [&](Verdict verdict, std::string_view title) {
-    const std::vector<CheckedNumber> some = with_verdict(numbers, verdict);
-    const bool differs = verdict == Verdict::differs;
-    Rows rows{{"number", "the paper says", "computed"}};
-    if (differs) rows[0].push_back("by");
-    if (with_errors) rows[0].push_back("error");
-    for (const char *name : {"allowed", "reference", "its digits"}) rows[0].push_back(name);
-    for (const CheckedNumber &checked : some) {
-      const KeyNumber &number = checked.number;
-      auto &row = rows.emplace_back();
-      row = {number.meaning, number.printed.words, number.formatted(checked.computed)};
-      if (differs) row.push_back(number.printed.difference(checked.computed));
-      if (with_errors) row.push_back(fmt::format("{:.1e}", checked.error()));
-      row.push_back(fmt::format("{:.2g}", number.tolerance) + (checked.pass() ? "" : " FAILS"));
-      row.push_back(number.kind);
-      row.push_back(number.reference_digits);
-    }
-    text += fmt::format("\n**{}: {}**\n\n{}", title, some.size(), table_of(rows));
-  };
-  add(Verdict::agrees, "Agrees with the paper, within what its print or plot can tell");
-  add(Verdict::differs, "Differs from the paper, by more than that");
-  add(Verdict::not_in_the_paper, "Not in the paper: library against 50 digits or a formula");
+  for (const Verdict verdict : all_verdicts) {
+    Rows rows{{"number", "the paper says", "computed", "error", "allowed", "reference"}};
+    for (const auto &checked : with_verdict(numbers, verdict))
+      rows.push_back(
+          {checked.number.meaning, checked.number.printed.words,
+           checked.number.formatted(checked.computed), fmt::format("{:.1e}", checked.error()),
+           fmt::format("{:.2g}", checked.number.tolerance) + (checked.pass() ? "" : " FAILS"),
+           checked.number.kind});
+    text += fmt::format("\n**{}: {}**\n\n{}", name(verdict), rows.size() - 1, table_of(rows));
+  }
   return text;
 }
 
-// The numbers of these symbols, which stand with blanks between them.
+// The key number of that symbol. Throws std::runtime_error if there is none.
+inline const CheckedNumber &number_of(const std::vector<CheckedNumber> &numbers,
+                                      const std::string &symbol) {
+  for (const CheckedNumber &checked : numbers)
+    if (checked.number.symbol == symbol) return checked;
+  throw std::runtime_error("key number '" + symbol + "': the table has no such row");
+}
+
+// A table of the numbers with these symbols, which blanks separate.
 inline std::string table_of_few(const std::vector<CheckedNumber> &numbers,
                                 const std::string &symbols) {
-  Rows rows{{"number", "the paper says", "computed", "verdict"}};
+  Rows rows{{"number", "the paper", "here", "class"}};
   std::istringstream words(symbols);
-  for (std::string symbol; words >> symbol;)
-    for (const auto &[number, computed] : numbers)
-      if (number.symbol == symbol)
-        rows.push_back({number.meaning, number.printed.words, number.formatted(computed),
-                        number.printed.sentence(computed)});
+  for (std::string symbol; words >> symbol;) {
+    const auto &[number, computed] = number_of(numbers, symbol);
+    rows.push_back({number.meaning, number.printed.words, number.formatted(computed),
+                    name(number.printed.verdict(computed))});
+  }
   return table_of(rows);
 }
 
@@ -142,12 +137,15 @@ inline std::string table_of_results(const std::vector<CheckedResult> &results) {
   return table_of(rows);
 }
 
-// "42 key numbers: 20 agree with the paper, ..." as the documents and the last line have it.
+// The number of key numbers of every class, as the documents and the last line of `check` have it.
 inline std::string count_of_verdicts(const std::vector<CheckedNumber> &numbers) {
   const auto count = [&](Verdict verdict) { return with_verdict(numbers, verdict).size(); };
-  return fmt::format("{} key numbers: {} agree with the paper, {} differ from it, {} are not in it",
-                     numbers.size(), count(Verdict::agrees), count(Verdict::differs),
-                     count(Verdict::not_in_the_paper));
+  return fmt::format(
+      "{} key numbers: {} agree with the paper, {} are close to it, {} differ from it, {} depend "
+      "on "
+      "an inferred value, {} are not in the paper",
+      numbers.size(), count(Verdict::agrees), count(Verdict::close), count(Verdict::differs),
+      count(Verdict::depends_on_an_inferred_value), count(Verdict::not_in_the_paper));
 }
 
 inline std::string count_of_results(const std::vector<CheckedResult> &results) {

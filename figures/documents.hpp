@@ -1,5 +1,5 @@
 // The parts of a document that are computed. In the text <!--check NAME-->...<!--end--> encloses
-// what belongs to NAME: a table, a sentence with counts, the verdict on a figure, or a key number.
+// what belongs to NAME: a table, a sentence with counts, the class of a key number, or its value.
 // Outside, every number of five or more significant digits must be a key number, rounded to the
 // digits shown.
 #pragma once
@@ -23,40 +23,19 @@ struct Findings {
   std::vector<CheckedResult> results;
 };
 
-// "agrees" if a number whose meaning begins with this text agrees and none differs.
-inline std::string verdict_on(const Findings &findings, const std::string &beginning) {
-  std::size_t agree = 0, differ = 0;
-  for (const CheckedNumber &checked : findings.numbers) {
-    if (!checked.number.meaning.starts_with(beginning)) continue;
-    if (checked.verdict() == Verdict::agrees) ++agree;
-    if (checked.verdict() == Verdict::differs) ++differ;
-  }
-  return differ > 0 ? "differs" : agree > 0 ? "agrees" : "is not in the paper";
-}
-
-// Numbers that agree because a frequency was inferred from them.
-inline std::size_t agreeing_by_inference(const Findings &findings) {
-  std::size_t count = 0;
-  for (const CheckedNumber &checked : with_verdict(findings.numbers, Verdict::agrees))
-    if (checked.number.meaning.find("by which Omega is inferred") != std::string::npos) ++count;
-  return count;
-}
-
-// The text that belongs to a name: tables, counts, inferred, published, "few" with symbols,
-// "verdict Figure 3", or a symbol with a format, as "figure5b_nearest_gap .1e". Throws
-// std::runtime_error for any other.
+// The text that belongs to a name: counts, published, "few" with symbols, "class" with a symbol, or
+// a symbol with a format, as in "figure5b_nearest_gap .1e". Throws std::runtime_error for any
+// other.
 inline std::string text_of(const Findings &findings, const std::string &name) {
-  if (name.starts_with("few ")) return "\n" + table_of_few(findings.numbers, name.substr(4));
-  if (name == "tables") return "\n" + tables_by_verdict(findings.numbers, false);
   if (name == "counts") return count_of_verdicts(findings.numbers);
-  if (name == "inferred") return std::to_string(agreeing_by_inference(findings));
   if (name == "published") return count_of_results(findings.results);
-  if (name.starts_with("verdict ")) return verdict_on(findings, name.substr(8));
   const auto blank = name.find(' ');
-  for (const auto &[number, computed] : findings.numbers)
-    if (blank != std::string::npos && number.symbol == name.substr(0, blank))
-      return fmt::format(fmt::runtime("{:" + name.substr(blank + 1) + "}"), computed);
-  throw std::runtime_error("<!--check " + name + "-->: nothing of that name is computed");
+  if (blank == std::string::npos)
+    throw std::runtime_error("<!--check " + name + "-->: nothing of that name is computed");
+  const std::string first = name.substr(0, blank), rest = name.substr(blank + 1);
+  if (first == "few") return "\n" + table_of_few(findings.numbers, rest);
+  if (first == "class") return figures::name(number_of(findings.numbers, rest).verdict());
+  return fmt::format(fmt::runtime("{:" + rest + "}"), number_of(findings.numbers, first).computed);
 }
 
 // The document with its computed parts written anew. Throws std::runtime_error for a part without

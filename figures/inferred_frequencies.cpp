@@ -1,5 +1,5 @@
-// The frequencies that the paper's text does not give: every value of four digits tried for Figures
-// 2, 5(a) and 5(b). Those that fit are printed and marked in the table.
+// The frequencies that the paper's text does not give. Every value of four decimals is tried for
+// Figures 2, 5(a) and 5(b). The values that fit are printed and marked in the table.
 #include "inferred_frequencies.hpp"
 
 #include <fmt/format.h>

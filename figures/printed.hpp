@@ -1,11 +1,13 @@
-// The table of key numbers, what the paper's print can tell of a number, and the verdict on a
-// computed number that follows.
+// The table of key numbers, what the paper says of each, and the verdict on a computed number.
 //
 // A printed decimal number is known to half a unit of its last digit. An extreme of a plot is known
-// to lie between the two ticks where the printed axis ends. A frequency that the text reads off
-// Figure 3, whose ticks stand 0.05 apart, is known to a twentieth of that distance, which is half a
-// millimetre on the page. A count, or a mass that touches its stop, leaves no room. The statement
+// to lie between the two ticks where the printed axis ends. A count leaves no room. The statement
 // that something happens holds for every count from one on.
+//
+// The text reads the edges of two windows off Figure 3 ("0.3 <~ Omega <~ 0.35"). The ticks of that
+// figure stand 0.05 apart. By eye a value between two ticks is read to about a tenth of their
+// distance, 0.005. This is also half a unit of the second decimal, the last one that these readings
+// have. A computed edge within 0.005 of a reading is close to it.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,30 +21,43 @@
 
 namespace vibro_impact::figures {
 
-enum class Verdict { agrees, differs, not_in_the_paper };
+constexpr double reading_error = 0.05 / 10.0;  // of a frequency read off Figure 3
 
-// The paper's words, and the interval of values that these words cannot be told from. Without words
-// the paper does not have the number.
+enum class Verdict { agrees, close, differs, depends_on_an_inferred_value, not_in_the_paper };
+constexpr Verdict all_verdicts[] = {Verdict::agrees, Verdict::close, Verdict::differs,
+                                    Verdict::depends_on_an_inferred_value,
+                                    Verdict::not_in_the_paper};
+
+inline const char *name(Verdict verdict) {
+  constexpr const char *names[] = {"agrees", "close", "differs", "depends on an inferred value",
+                                   "not in the paper"};
+  return names[static_cast<int>(verdict)];
+}
+
+// How the paper has a number. The computed number rests on an inferred parameter where the paper's
+// statement is about a figure whose parameters are not all printed.
+enum class Claim { none, stated, read_off_figure_3, of_inferred_parameters };
+
+// Throws std::runtime_error naming the table for any other text.
+inline Claim claim_in(const std::string &path, const std::string &cell) {
+  if (cell.empty()) return Claim::none;
+  if (cell == "stated") return Claim::stated;
+  if (cell == "read") return Claim::read_off_figure_3;
+  if (cell == "inferred") return Claim::of_inferred_parameters;
+  throw std::runtime_error(path + ": '" + cell + "' is no kind of claim");
+}
+
+// The paper's words, and the values of which these words are true.
 struct Printed {
   std::string words = {};
+  Claim claim = Claim::none;
   double from = 0.0, to = 0.0;
 
   Verdict verdict(double computed) const {
-    if (words.empty()) return Verdict::not_in_the_paper;
-    return computed >= from && computed <= to ? Verdict::agrees : Verdict::differs;
-  }
-
-  // How far a number that differs lies from the middle of the interval.
-  std::string difference(double computed) const {
-    return std::isinf(to) ? "never" : fmt::format("{:+.2g}", computed - 0.5 * (from + to));
-  }
-
-  std::string sentence(double computed) const {
-    const Verdict result = verdict(computed);
-    if (result == Verdict::agrees) return "agrees with the paper";
-    if (result == Verdict::not_in_the_paper) return "not in the paper";
-    return std::isinf(to) ? "differs from the paper: never"
-                          : "differs from the paper by " + difference(computed);
+    if (claim == Claim::none) return Verdict::not_in_the_paper;
+    if (claim == Claim::of_inferred_parameters) return Verdict::depends_on_an_inferred_value;
+    if (!(computed >= from && computed <= to)) return Verdict::differs;
+    return claim == Claim::read_off_figure_3 ? Verdict::close : Verdict::agrees;
   }
 };
 
@@ -64,18 +79,19 @@ struct KeyNumber {
 // Throws std::runtime_error naming the table and what is wrong with it.
 inline std::vector<KeyNumber> read_key_numbers(const std::string &path) {
   std::vector<KeyNumber> numbers;
-  for (const auto &cells : read_rows(path, 10)) {
+  for (const auto &cells : read_rows(path, 11)) {
     const auto bound = [&](const std::string &cell) {
       return cell.empty() ? std::numeric_limits<double>::infinity() : number_in(path, cell);
     };
-    numbers.push_back({.symbol = cells[0],
-                       .meaning = cells[3],
-                       .printed = {cells[4], bound(cells[5]), bound(cells[6])},
-                       .reference = number_in(path, cells[1]),
-                       .reference_digits = cells[1],
-                       .kind = cells[2],
-                       .format = cells[7],
-                       .tolerance = number_in(path, cells[8])});
+    numbers.push_back(
+        {.symbol = cells[0],
+         .meaning = cells[3],
+         .printed = {cells[4], claim_in(path, cells[5]), bound(cells[6]), bound(cells[7])},
+         .reference = number_in(path, cells[1]),
+         .reference_digits = cells[1],
+         .kind = cells[2],
+         .format = cells[8],
+         .tolerance = number_in(path, cells[9])});
   }
   return numbers;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "figures/key_numbers.hpp"
 #include "figures/panel.hpp"
 #include "figures/printed.hpp"
 #include "reference/paper_scenes.hpp"
@@ -22,16 +23,46 @@ MotionState state_at(const Scene &scene, double time) {
   return require_complete(simulate(scene, time)).state;
 }
 
-// Eq. 24: mass 1, while mass 2 sticks at s2, oscillates about + s2 / 2, not about - s2 / 2. The
-// first sticking phase of mass 2 in Figure 2 is compared, from a tenth of it on.
+// The free motion of x'' + kappa x' + lambda x = 0 from x0, v0.
+double free_motion(double kappa, double lambda, double x0, double v0, double t) {
+  const double decay = kappa / 2, damped = std::sqrt(lambda - decay * decay);
+  return std::exp(-decay * t) *
+         (x0 * std::cos(damped * t) + (v0 + decay * x0) / damped * std::sin(damped * t));
+}
+
+using vibro_impact::testing::events_of;
+using vibro_impact::testing::select;
+
+// 10, 30, 60 and 90 percent of the first sticking phase of a mass.
+std::array<double, 4> times_in_sticking_phase(const Scene &scene, int mass) {
+  const auto events = events_of(scene, 0.0, 50.0);
+  const double stick = select(events, EventKind::stick, mass).at(0).time,
+               phase = select(events, EventKind::release, mass).at(0).time - stick;
+  return {stick + 0.1 * phase, stick + 0.3 * phase, stick + 0.6 * phase, stick + 0.9 * phase};
+}
+
+// Eq. 21: x2(ts) and x2'(ts) determine the constants. The printed conditions x1(ts) = s1 and
+// x1'(ts) = 0 are those of the mass that sticks: with them x2 would stay at s1.
+TEST(Corrections, Equation21StartsFromTheMotionOfMass2) {
+  const Scene scene = paper::figure2();
+  const double s1 = scene.stops[0].position;
+  const auto times = times_in_sticking_phase(scene, 1);
+  const MotionState start = state_at(scene, times[0]);
+  ASSERT_EQ(start.held, (Held{-1, 0}));
+  for (const double time : {times[1], times[2], times[3]}) {
+    const double x2 = state_at(scene, time).displacement[1];
+    EXPECT_NEAR(
+        s1 + free_motion(0.1, 1.0, start.displacement[1] - s1, start.velocity[1], time - times[0]),
+        x2, 1e-14);  // rounding
+    EXPECT_GT(std::abs(s1 - x2), 1e-3);
+  }
+}
+
+// Eq. 24: mass 1, while mass 2 sticks at s2, oscillates about + s2 / 2, not about - s2 / 2.
 TEST(Corrections, Equation24EndsWithPlusHalfOfS2) {
   const Scene scene = paper::figure2();
-  const auto events = vibro_impact::testing::events_of(scene, 0.0, 50.0);
-  const auto stick = std::find_if(events.begin(), events.end(), [](const Event &event) {
-    return event.kind == EventKind::stick && event.mass == 2;
-  });
-  ASSERT_LT(stick, events.end() - 1);
-  const double phase = (stick + 1)->time - stick->time, begin = stick->time + 0.1 * phase;
+  const auto times = times_in_sticking_phase(scene, 2);
+  const double begin = times[0];
   const MotionState start = state_at(scene, begin);
   ASSERT_EQ(start.held, (Held{0, 1}));
   // Steady response of x1'' + kappa x1' + lambda x1 = 0.5 cos(Omega t) + s2.
@@ -43,19 +74,14 @@ TEST(Corrections, Equation24EndsWithPlusHalfOfS2) {
   };
   const double steady_velocity =
       size * omega * (drag * std::cos(omega * begin) - detuning * std::sin(omega * begin));
-  // The free motion x'' + kappa x' + lambda x = 0 from x0, v0.
-  const double decay = kappa / 2, damped = std::sqrt(lambda - decay * decay);
-  const auto free = [&](double x0, double v0, double t) {
-    return std::exp(-decay * t) *
-           (x0 * std::cos(damped * t) + (v0 + decay * x0) / damped * std::sin(damped * t));
-  };
-  for (const double part : {0.3, 0.6, 0.9}) {
-    const double time = stick->time + part * phase, x1 = state_at(scene, time).displacement[0];
+  for (const double time : {times[1], times[2], times[3]}) {
+    const double x1 = state_at(scene, time).displacement[0];
     const auto equation24 = [&](double offset) {
-      const double x0 = start.displacement[0] - offset - steady(begin);
-      return free(x0, start.velocity[0] - steady_velocity, time - begin) + steady(time) + offset;
+      return free_motion(kappa, lambda, start.displacement[0] - offset - steady(begin),
+                         start.velocity[0] - steady_velocity, time - begin) +
+             steady(time) + offset;
     };
-    EXPECT_NEAR(equation24(s2 / 2), x1, 1e-14);
+    EXPECT_NEAR(equation24(s2 / 2), x1, 1e-14);  // rounding
     EXPECT_GT(std::abs(equation24(-s2 / 2) - x1), 1e-3);
   }
 }
@@ -107,21 +133,21 @@ TEST(Corrections, Equation20IsTheForceOnMass1AndEquation23ThatOnMass2) {
   }
 }
 
-// "F_p s_p > 0 holds the mass" reads the side of a stop from the sign of its position. At a lower
-// stop above the origin, or at zero, a mass sticks with F_p s_p <= 0.
-TEST(Corrections, TheSideOfAStopIsNotTheSignOfItsPosition) {
+// The paper reads the side of a stop from the sign of s_p (Eq. 3), and so F_p s_p > 0 holds the
+// mass. With an explicit side a mass also sticks at a lower stop above the origin, or at zero,
+// where F_p s_p <= 0.
+TEST(Generalisations, TheSideOfAStopIsNotTheSignOfItsPosition) {
   for (double place : {0.2, 0.0}) {
-    Scene scene{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {-0.5}, .omega = 0.1};
-    scene.stops = {{1, Side::lower, place}};
-    scene.displacement = {place};
-    scene.restitution = 0.5;
-    figures::StickingPhaseRecorder force;
-    force.to = 5.0;
-    force.every = 0.5;
-    const Outcome outcome = simulate(scene, 5.0, force);
-    EXPECT_EQ(outcome.state.held, Held{-1});
+    const Scene scene{.mass = {1.0},
+                      .stiffness = {1.0},
+                      .amplitude = {-0.5},
+                      .omega = 0.1,
+                      .restitution = 0.5,
+                      .stops = {{1, Side::lower, place}},
+                      .displacement = {place}};
+    figures::StickingPhaseRecorder force{.to = 5.0, .every = 0.5};
+    EXPECT_EQ(simulate(scene, 5.0, {}, force).state.held, Held{-1});
     ASSERT_GT(force.rows.size(), 5u);
-    for (const auto &row : force.rows) EXPECT_LE(row.force * place, 0.0);
     for (const auto &row : force.rows) EXPECT_LT(row.force, 0.0);  // presses downwards
   }
 }
@@ -141,17 +167,21 @@ TEST(Corrections, Figure5bHasNoDualSticking) {
   EXPECT_NEAR(press_on_second(paper::figure5b()), -0.15, 1e-15);
 }
 
-// Figure 5(c), "reduction of Omega and/or r leads to dual sticking": with s1 = s2 the force on
-// mass 2 is zero, whatever Omega and r are. (That none occurs when both are reduced is the key
-// number figure5c_dual_sticks.)
-TEST(Corrections, Figure5cHasNoDualStickingAtLowerFrequencyOrRestitution) {
+// Figure 5(c), "reduction of Omega and/or r leads to dual sticking": with s1 = s2, as inferred, the
+// force on mass 2 is zero, whatever Omega and r are. (That none occurs when both are reduced is the
+// key number figure5c_dual_sticks.) With a slightly lower s2 both masses stick at the printed
+// Omega.
+TEST(Corrections, DualStickingInFigure5cDependsOnTheInferredStops) {
   EXPECT_EQ(press_on_second(paper::figure5c()), 0.0);
+  Scene scene = paper::figure5c();
+  scene.stops[1].position = 0.2999;
+  EXPECT_GT(figures::dual_sticks(scene, 1000.0), 0.0);
 }
 
 // Half a period of the damped mass on its own spring, zeta = 0.05, and the decay over it; 1e-12 is
 // a few units in the last place of t.
 TEST(Corrections, Figure5cBouncesOnAtAConstantInterval) {
-  const auto events = vibro_impact::testing::events_of(paper::figure5c(), 920.0, 985.0);
+  const auto events = events_of(paper::figure5c(), 920.0, 985.0);
   const double zeta = 0.05, interval = std::acos(-1.0) / std::sqrt(1.0 - zeta * zeta),
                ratio = 0.7 * std::exp(-zeta * interval);
   ASSERT_GE(events.size(), 20u);
@@ -161,15 +191,21 @@ TEST(Corrections, Figure5cBouncesOnAtAConstantInterval) {
   }
 }
 
-// Section 3.2, "the region of sticking motions all exist at forcing frequencies < 0.5": mass 1
-// sticks again between 0.632 and about 0.69, every period or every other one, with gaps; mass 2
-// does not.
-TEST(Corrections, Mass1SticksAgainAboveTheFrequencyOneHalf) {
-  using namespace vibro_impact::testing;
-  const auto sticks_in_ten_periods = [](double omega, int mass) {
-    const double until = 200.0 * Clock(omega).period, from = until - 10.0 * Clock(omega).period;
-    return select(events_of(paper::figure3(omega), from, until), EventKind::stick, mass).size();
-  };
+// Sticks of a mass in ten forcing periods of the scene of Figure 3, after so many periods from a
+// start with both masses at rest.
+std::size_t sticks_in_ten_periods(double omega, int mass, const std::vector<double> &start = {},
+                                  double periods = 190.0) {
+  Scene scene = paper::figure3(omega);
+  scene.displacement = start;
+  const double period = Clock(omega).period;
+  const auto events = events_of(scene, periods * period, (periods + 10.0) * period);
+  return select(events, EventKind::stick, mass).size();
+}
+
+// Section 3.2, "the region of sticking motions all exist at forcing frequencies < 0.5": from rest
+// mass 1 sticks again between 0.632 and about 0.69, every period or every other one, with gaps;
+// mass 2 does not.
+TEST(Corrections, FromRestMass1SticksAgainAboveTheFrequencyOneHalf) {
   for (const double omega : {0.48, 0.51, 0.6, 0.63, 0.68, 0.695})
     EXPECT_EQ(sticks_in_ten_periods(omega, 1), 0u) << omega;
   for (const double omega : {0.633, 0.65, 0.685})  // every other period
@@ -179,49 +215,84 @@ TEST(Corrections, Mass1SticksAgainAboveTheFrequencyOneHalf) {
     EXPECT_EQ(sticks_in_ten_periods(omega, 2), 0u) << omega;
 }
 
-// The bounds in the table follow from the paper's words: half a unit of the last digit, the ticks
-// that a value lies between, a twentieth of a tick where it is read off Figure 3. A number without
-// words has no bounds.
-TEST(Verdicts, TheTableSaysWhatThePrintCanTell) {
-  const auto numbers = figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv");
-  ASSERT_FALSE(numbers.empty());
-  for (const figures::KeyNumber &number : numbers) {
-    const figures::Printed &printed = number.printed;
-    const std::string &words = printed.words;
-    const auto to = words.find(" to ");
-    double from = printed.from, until = printed.from;  // a count, or a mass that touches its stop
-    if (const auto value = figures::as_number(words)) {
-      const auto point = words.find('.');
-      const std::size_t decimals = point == std::string::npos ? 0 : words.size() - point - 1;
-      const double half = 0.5 * std::pow(10.0, -static_cast<double>(decimals));
-      from = *value - half;
-      until = *value + half;
-    } else if (words.starts_with("about ")) {
-      from = std::stod(words.substr(6)) - 0.05 / 20.0;
-      until = from + 0.1 / 20.0;
-    } else if (!words.empty() && std::isinf(printed.to)) {  // the statement that it happens
-      from = 1.0;
-      until = printed.to;
-    } else if (words.empty()) {
-      from = until = std::numeric_limits<double>::infinity();
-    } else if (to != std::string::npos) {
-      from = std::stod(words);
-      until = std::stod(words.substr(to + 4));
-    }
-    EXPECT_DOUBLE_EQ(printed.from, from) << number.symbol;
-    EXPECT_DOUBLE_EQ(printed.to, until) << number.symbol;
+// From other starts mass 1 sticks below 0.632, too, for good: still at t = 40,000.
+TEST(Corrections, FromOtherStartsMass1SticksWhereFromRestItDoesNot) {
+  EXPECT_EQ(sticks_in_ten_periods(0.62, 1), 0u);
+  EXPECT_EQ(sticks_in_ten_periods(0.62, 1, {0.532, -0.265}, 3950.0), 5u);
+  EXPECT_EQ(sticks_in_ten_periods(0.622, 1, {0.63, -0.267}, 3960.0), 5u);
+}
+
+// Section 3.3: at r = 0 "the system will have a grazing-sliding bifurcation each time a grazing
+// event occurs". At a graze the gap is least, g'' >= 0, so that the force pulls the mass off its
+// stop: the touch grows into impacts at speeds sqrt(2 a depth), and no sticking phase begins. The
+// maximum of x1, of a motion from rest, is that of the pair GI in table1_scenes.hpp.
+TEST(GrazingSliding, AGrazeBeginsNoStickingPhase) {
+  const auto beyond_by = [](double depth) {
+    const Stop stop{1, Side::upper, 0.43515458820109099 - depth}, far{2, Side::upper, 10.0};
+    return events_of(paper::two_masses(stop, far, 0.0, 0.5), 0.0, 8.0);
+  };
+  EXPECT_TRUE(beyond_by(-1e-6).empty());
+  const auto events = beyond_by(1e-6), deeper = beyond_by(4e-6);
+  ASSERT_EQ(events.size(), 1u) << "one impact, no stick";
+  EXPECT_EQ(events[0].velocity_after, 0.0);
+  // The next term of the speed is sqrt(depth) = 1e-3 of it; twice that is allowed.
+  EXPECT_NEAR(deeper.at(0).velocity_before / events[0].velocity_before, 2.0, 2e-3);
+}
+
+// Section 2.2: grazing-sliding as a contact at zero velocity and acceleration while the force
+// changes its sign. At r = 0 one parameter brings this about. In the chain of Figures 2 to 4 the
+// force on mass 1 is zero at its impact at Omega = 0.27805587. Below, mass 1 sticks at once. Above,
+// it is pulled off first and sticks at a second contact, at a speed of order (Delta Omega)^2.
+TEST(GrazingSliding, AtZeroRestitutionAStickingPhaseBeginsByATouch) {
+  const auto contacts = [](double distance) {
+    Scene scene = paper::figure3(0.27805587 + distance);
+    scene.restitution = 0.0;
+    const double period = Clock(scene.omega).period;
+    auto events = events_of(scene, 30.0 * period, 31.0 * period);
+    std::erase_if(events, [](const Event &event) {
+      return event.mass != 1 || event.kind == EventKind::release;
+    });
+    return events;
+  };
+  const auto below = contacts(-1e-5), above = contacts(1e-5), farther = contacts(2e-5);
+  ASSERT_EQ(below.size(), 2u) << "impact and stick";
+  EXPECT_EQ(below[0].time, below[1].time);
+  ASSERT_EQ(above.size(), 3u) << "impact, touch and stick";
+  EXPECT_LT(above[0].time, above[1].time);
+  EXPECT_EQ(above[1].time, above[2].time);
+  // The frequency is given to 1e-8, a thousandth of the distance.
+  EXPECT_NEAR(farther.at(1).velocity_before / above[1].velocity_before, 4.0, 0.02);
+}
+
+// A value read off Figure 3 is known to the reading error. No verdict hangs on that error: 20
+// percent less, or three times as much, would give the same verdicts.
+TEST(Verdicts, DoNotHangOnTheReadingError) {
+  for (const auto &number : figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv")) {
+    if (number.printed.claim != figures::Claim::read_off_figure_3) continue;
+    const double value = std::stod(number.printed.words.substr(6)),  // "about 0.3"
+        share = std::abs(number.reference - value) / figures::reading_error;
+    EXPECT_DOUBLE_EQ(number.printed.from, value - figures::reading_error);
+    EXPECT_DOUBLE_EQ(number.printed.to, value + figures::reading_error);
+    EXPECT_TRUE(share < 0.8 || share > 3.0) << number.symbol << ": " << share;
   }
 }
 
-TEST(Verdicts, FollowFromTheBounds) {
-  const std::string agrees = "agrees with the paper", differs = "differs from the paper by ";
-  const figures::Printed value{"0.382", 0.3815, 0.3825}, count{"dual sticking", 1.0, HUGE_VAL};
-  EXPECT_EQ(value.sentence(0.38197), agrees);
-  EXPECT_EQ(value.sentence(0.38251), differs + "+0.00051");
-  EXPECT_EQ(value.sentence(0.38149), differs + "-0.00051");
-  EXPECT_EQ(count.sentence(0.0), "differs from the paper: never");
-  EXPECT_EQ(count.sentence(3.0), agrees);
-  EXPECT_EQ(figures::Printed().sentence(1.0), "not in the paper");
+TEST(Verdicts, FollowFromTheClaimAndItsBounds) {
+  using figures::Claim, figures::Printed, figures::Verdict;
+  const Printed value{"0.382", Claim::stated, 0.3815, 0.3825},
+      happens{"dual sticking", Claim::stated, 1.0, HUGE_VAL},
+      edge{"about 0.3", Claim::read_off_figure_3, 0.295, 0.305};
+  for (const double other : {0.38251, 0.38149, std::nan("")})
+    EXPECT_EQ(value.verdict(other), Verdict::differs);
+  EXPECT_EQ(value.verdict(0.38197), Verdict::agrees);
+  EXPECT_EQ(happens.verdict(0.0), Verdict::differs);
+  EXPECT_EQ(happens.verdict(3.0), Verdict::agrees);
+  EXPECT_EQ(edge.verdict(0.2965), Verdict::close);
+  EXPECT_EQ(edge.verdict(0.331), Verdict::differs);
+  EXPECT_EQ((Printed{"two", Claim::of_inferred_parameters, 2.0, 2.0}.verdict(2.0)),
+            Verdict::depends_on_an_inferred_value);
+  EXPECT_EQ(Printed().verdict(1.0), Verdict::not_in_the_paper);
+  EXPECT_THROW(figures::claim_in("table", "reads"), std::runtime_error);
 }
 
 }  // namespace

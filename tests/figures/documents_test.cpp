@@ -8,19 +8,19 @@ namespace {
 
 using namespace vibro_impact::figures;
 
-CheckedNumber checked(const std::string &symbol, const std::string &meaning, const Printed &printed,
-                      double computed) {
+CheckedNumber checked(const std::string &symbol, const Printed &printed, double computed) {
   KeyNumber number{};
   number.symbol = symbol;
-  number.meaning = meaning;
+  number.meaning = "of " + symbol;
+  number.format = ".0e";
   number.printed = printed;
   return {number, computed};
 }
 
 // Two key numbers, of which the second differs from the paper.
 Findings findings() {
-  return {{checked("start", "Figure 2: start", {"715 to 716", 715.0, 716.0}, 715.561564510661),
-           checked("gap", "Figure 5(b): gap", {"it grazes", 0.0, 0.0}, 7.53817007e-05)},
+  return {{checked("start", {"715 to 716", Claim::stated, 715.0, 716.0}, 715.561564510661),
+           checked("gap", {"it grazes", Claim::stated, 0.0, 0.0}, 7.53817007e-05)},
           {}};
 }
 
@@ -42,13 +42,14 @@ TEST(Documents, ComputedPartsAreWrittenAnewAndNothingElse) {
   EXPECT_EQ(written("no part"), "no part");
   EXPECT_EQ(written("a <!--check gap .1e-->7.4e-05<!--end--> b"),
             "a <!--check gap .1e-->7.5e-05<!--end--> b");
-  EXPECT_EQ(written("<!--check verdict Figure 2-->differs<!--end-->, "
-                    "<!--check verdict Figure 5(b)-->agrees<!--end-->"),
-            "<!--check verdict Figure 2-->agrees<!--end-->, "
-            "<!--check verdict Figure 5(b)-->differs<!--end-->");
+  EXPECT_EQ(written("<!--check class start-->differs<!--end-->, <!--check class gap-->x<!--end-->"),
+            "<!--check class start-->agrees<!--end-->, <!--check class gap-->differs<!--end-->");
   EXPECT_EQ(written("<!--check counts-->0<!--end-->"),
-            "<!--check counts-->2 key numbers: 1 agree with the paper, 1 differ from it, 0 are not "
-            "in it<!--end-->");
+            "<!--check counts-->2 key numbers: 1 agree with the paper, 0 are close to it, 1 differ "
+            "from it, 0 depend on an inferred value, 0 are not in the paper<!--end-->");
+  EXPECT_NE(written("<!--check few gap--><!--end-->").find("| it grazes | 8e-05 | differs |"),
+            std::string::npos);
+  EXPECT_THROW(written("<!--check class nothing-->1<!--end-->"), std::runtime_error);
   EXPECT_THROW(written("<!--check gap .1e-->7.5e-05"), std::runtime_error);
   EXPECT_THROW(written("<!--check nothing-->1<!--end-->"), std::runtime_error);
 }
