@@ -33,7 +33,7 @@ inline Scene stops_of_different_sign(double omega) {
   return two_masses({1, Side::lower, -0.3}, {2, Side::upper, 0.1}, 0.7, omega);
 }
 
-// Figure 2. Inferred (inferred_frequencies.hpp): Omega = 0.2797.
+// Figure 2. Inferred (inferred_frequencies.hpp): Omega = 0.2797, our choice among six that fit.
 inline Scene figure2() {
   return stops_of_different_sign(0.2797);
 }
@@ -51,9 +51,8 @@ inline Scene figure4b() {
   return stops_of_different_sign(0.2561);
 }
 
-// Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Inferred
-// (inferred_frequencies.hpp): Omega = 0.1769 (the motion is of this kind from about 0.157 to
-// 0.184).
+// Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Inferred (inferred_frequencies.hpp):
+// Omega = 0.1769, our choice among four that fit.
 inline Scene figure5a() {
   return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.1769);
 }
