@@ -148,12 +148,17 @@ inline std::string count_of_verdicts(const std::vector<CheckedNumber> &numbers) 
       count(Verdict::depends_on_an_inferred_value), count(Verdict::not_in_the_paper));
 }
 
+// The number of published results of every kind (reference/README.md).
 inline std::string count_of_results(const std::vector<CheckedResult> &results) {
-  const auto derived =
-      std::count_if(results.begin(), results.end(),
-                    [](const CheckedResult &checked) { return checked.result.kind == "derived"; });
-  return fmt::format("{} published results and {} limits derived for published scenes",
-                     static_cast<std::ptrdiff_t>(results.size()) - derived, derived);
+  const auto count = [&](const char *kind) {
+    return std::count_if(results.begin(), results.end(), [kind](const CheckedResult &checked) {
+      return checked.result.kind == kind;
+    });
+  };
+  return fmt::format(
+      "{} printed results of other authors, {} values of their formulas and {} limits derived for "
+      "their scenes",
+      count("printed"), count("formula"), count("derived"));
 }
 
 }  // namespace vibro_impact::figures

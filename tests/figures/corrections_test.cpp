@@ -2,10 +2,8 @@
 // library's motion tells them apart.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "figures/key_numbers.hpp"
 #include "figures/panel.hpp"
@@ -222,10 +220,9 @@ TEST(Corrections, FromOtherStartsMass1SticksWhereFromRestItDoesNot) {
   EXPECT_EQ(sticks_in_ten_periods(0.622, 1, {0.63, -0.267}, 3960.0), 5u);
 }
 
-// Section 3.3: at r = 0 "the system will have a grazing-sliding bifurcation each time a grazing
-// event occurs". At a graze the gap is least, g'' >= 0, so that the force pulls the mass off its
-// stop: the touch grows into impacts at speeds sqrt(2 a depth), and no sticking phase begins. The
-// maximum of x1, of a motion from rest, is that of the pair GI in table1_scenes.hpp.
+// Section 3.3: at r = 0 "grazing-sliding ... each time a grazing event occurs". At a graze the gap
+// is least, g'' >= 0. So the force pulls the mass off its stop, and no sticking phase begins. The
+// maximum of x1, from rest, is that of the pair GI in table1_scenes.hpp.
 TEST(GrazingSliding, AGrazeBeginsNoStickingPhase) {
   const auto beyond_by = [](double depth) {
     const Stop stop{1, Side::upper, 0.43515458820109099 - depth}, far{2, Side::upper, 10.0};
