@@ -106,6 +106,7 @@ reference: configured-figures
 	@$(folder)/bin/reference-generate key_numbers reference/key_numbers.csv || exit 2
 	@$(folder)/bin/reference-generate extremes reference/extreme_events.csv || exit 2
 	@$(folder)/bin/reference-generate degenerate reference/degenerate_events.csv || exit 2
+	@$(folder)/bin/reference-generate one_impact reference/one_impact_orbits.csv || exit 2
 	@for part in states events; do \
 	  $(folder)/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
 

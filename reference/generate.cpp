@@ -4,6 +4,7 @@
 #include "event_table.hpp"
 #include "filled_table.hpp"
 #include "key_numbers.hpp"
+#include "one_impact.hpp"
 #include "reference/scenes/degenerate_cases.hpp"
 #include "reference/scenes/extreme_cases.hpp"
 #include "scenes.hpp"
@@ -54,6 +55,7 @@ std::string work_precision_table(bool states) {
 std::string table_named(const std::string &name) {
   if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
   if (name == "extremes") return cases_table(vibro_impact::extremes::all_cases());
+  if (name == "one_impact") return one_impact_table();
   if (name == "degenerate") return cases_table(vibro_impact::extremes::degenerate_cases());
   if (name == "work_precision_states") return work_precision_table(true);
   if (name == "work_precision_events") return work_precision_table(false);
@@ -67,7 +69,7 @@ int main(int argc, char **argv) try {
   if (argc != 3) {
     std::cerr
         << "usage: generate <table> <out.csv>   with table one of figure2, figure4a, figure4b, "
-           "figure5a, figure5b, figure5c, key_numbers, extremes, degenerate, "
+           "figure5a, figure5b, figure5c, key_numbers, extremes, degenerate, one_impact, "
            "work_precision_states, work_precision_events\n";
     return 2;
   }

@@ -1,0 +1,88 @@
+// The library against orbits of one impact in closed form (reference/one_impact_orbits.csv).
+#include "reference/one_impact.hpp"
+
+#include <gtest/gtest.h>
+
+#include "figures/published.hpp"
+#include "tests/events.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+struct KnownOrbit {
+  vibro_impact_reference::OneImpactCase given;  // with the stop of the table
+  std::vector<double> row;                      // stop, time, velocity before, trace, state after
+  MotionState after;
+};
+
+std::vector<KnownOrbit> known_orbits() {
+  std::vector<KnownOrbit> known;
+  const auto rows = figures::read_rows(REFERENCE_DIR "/one_impact_orbits.csv", 7);
+  for (auto &given : vibro_impact_reference::one_impact_cases()) {
+    std::vector<double> row;
+    for (const std::string &cell : rows.at(known.size()))
+      if (cell != given.name) row.push_back(figures::number_in(given.name, cell));
+    given.scene.stops[given.stop].position = row[0];
+    MotionState after = start_of(given.scene);
+    after.instant.phase = row[1];
+    std::copy_n(row.begin() + 4, given.scene.masses(), after.displacement.begin());
+    std::copy_n(row.rbegin(), given.scene.masses(), after.velocity.rbegin());
+    known.push_back({given, row, after});
+  }
+  return known;
+}
+
+// Rounding is 1e-12 a return, which the largest multiplier amplifies. A fold has the multiplier 1.
+// A nonsmooth mode has it twice, because it belongs to a family in the energy, and rounding moves a
+// double eigenvalue by its root.
+TEST(OneImpact, MultipliersAndFortyPeriodsAreThoseOfTheClosedForm) {
+  for (const auto &[given, row, after] : known_orbits()) {
+    SCOPED_TRACE(given.name);
+    const MotionState start = at_quiet_phase(given.scene, after);
+    const auto map = stroboscopic_map_and_derivative(given.scene, start, given.periods);
+    const auto multipliers = floquet_multipliers(map.derivative, start.held);
+    std::complex<double> trace = 0.0;
+    double from_one = INFINITY;
+    for (const auto &mu : multipliers) {
+      trace += mu;
+      from_one = std::min(from_one, std::abs(mu - 1.0));
+    }
+    EXPECT_NEAR(trace.real(), row[3], 1e-12);
+    if (given.branch == 0) {
+      EXPECT_LT(from_one, given.scene.forced() ? 1e-12 : 1e-6);
+    }
+    const double period = Clock(given.scene.omega).period;
+    const auto events =
+        vibro_impact::testing::events_from(given.scene, after, row[1] + 40.5 * period);
+    ASSERT_EQ(events.size(), 40u / static_cast<unsigned>(given.periods));
+    const double growth = std::max(1.0, std::abs(multipliers.front()));
+    double tolerance = 1e-12, time = row[1];
+    for (const Event &event : events) {
+      time += given.periods * period;
+      tolerance = tolerance * growth + 1e-12;
+      if (tolerance > 1e-6) break;
+      EXPECT_NEAR(event.time, time, tolerance);
+      EXPECT_NEAR(event.velocity_before, row[2], tolerance);
+    }
+  }
+}
+
+// From rest the stop is not reached. Newton's method finds both orbits from 1e-4 beside them, and
+// none when the stop is 1e-4 beyond their fold.
+TEST(OneImpact, TwoOrbitsCoexistWithRestUpToTheirFold) {
+  for (auto &[given, row, after] : known_orbits()) {
+    if (!given.scene.forced()) continue;
+    SCOPED_TRACE(given.name);
+    for (const int impacts : record_of(given.scene).counts.impacts) EXPECT_EQ(impacts, 0);
+    MotionState guess = at_quiet_phase(given.scene, after);
+    (given.branch == 0 ? given.scene.stops[given.stop].position : guess.displacement[0]) *= 1.0001;
+    const PeriodicOrbit orbit = find_periodic_orbit(given.scene, guess, given.periods);
+    ASSERT_EQ(orbit.converged, given.branch != 0);
+    if (orbit.converged) {
+      EXPECT_EQ(orbit.stable(), given.branch == 1);
+    }
+  }
+}
+
+}  // namespace
