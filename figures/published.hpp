@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <complex>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/scenes/extreme_scenes.hpp"
@@ -24,32 +26,36 @@ using Parameters = std::map<std::string, double>;  // at() throws for one that i
 
 // --- One mass before one stop: x'' + c x' + x = A cos(omega t), x <= stop ---------------------
 
-// The periodic orbits of one impact in n forcing periods.
+// The multiplier nearest to `target`: -1 at a period doubling, 1 at a fold.
+inline double multiplier_near(double target, const std::vector<std::complex<double>> &multipliers) {
+  double nearest = multipliers.front().real();
+  for (const auto &multiplier : multipliers)
+    if (std::abs(multiplier - target) < std::abs(nearest - target)) nearest = multiplier.real();
+  return nearest;
+}
+
+// The motion from an impact at `time` with `speed`, far from that impact.
+inline std::pair<Scene, MotionState> after_impact(const Parameters &p) {
+  const Scene scene =
+      one_mass(p.at("c"), p.at("A"), p.at("omega"), p.at("r"), p.at("stop"), p.at("stop"));
+  MotionState after = start_of(scene);
+  after.instant = {0, std::fmod(p.at("time"), Clock(scene.omega).period)};
+  after.velocity = {-scene.restitution * p.at("speed")};
+  return {scene, at_quiet_phase(scene, after)};
+}
+
+// A periodic orbit of one impact in n forcing periods.
 struct OneImpactOrbit {
   Scene scene;
   PeriodicOrbit orbit;
   Event impact;
-
-  // The multiplier nearest to -1. At a period doubling it is -1.
-  double doubling_multiplier() const {
-    double nearest = orbit.multipliers.front().real();
-    for (const auto &multiplier : orbit.multipliers)
-      if (std::abs(multiplier + 1.0) < std::abs(nearest + 1.0)) nearest = multiplier.real();
-    return nearest;
-  }
 };
 
 // Finds the orbit by Newton's method on the stroboscopic map, from an impact near `time` with about
 // `speed`. Throws std::runtime_error if there is no such orbit.
 inline OneImpactOrbit one_impact_orbit(const Parameters &p) {
   const int periods = static_cast<int>(p.at("n"));
-  const Scene scene =
-      one_mass(p.at("c"), p.at("A"), p.at("omega"), p.at("r"), p.at("stop"), p.at("stop"));
-  const double period = Clock(scene.omega).period;
-  MotionState guess = start_of(scene);
-  guess.instant = {0, std::fmod(p.at("time"), period)};
-  guess.velocity = {-scene.restitution * p.at("speed")};
-  guess = at_quiet_phase(scene, guess);
+  const auto [scene, guess] = after_impact(p);
   const PeriodicOrbit orbit = find_periodic_orbit(scene, guess, periods);
   if (!orbit.converged) throw std::runtime_error("no orbit of one impact: " + orbit.why_not);
   EventRecorder recorder;
@@ -135,7 +141,15 @@ inline const std::map<std::string, double (*)(const Parameters &)> &quantities()
       {"impact_speed", [](P p) { return std::abs(one_impact_orbit(p).impact.velocity_before); }},
       {"impact_phase", [](P p) { return one_impact_orbit(p).impact.instant.phase; }},
       {"velocity_after", [](P p) { return one_impact_orbit(p).impact.velocity_after; }},
-      {"doubling_multiplier", [](P p) { return one_impact_orbit(p).doubling_multiplier(); }},
+      {"doubling_multiplier",
+       [](P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); }},
+      {"fold_multiplier",  // the orbit is given, because Newton's method has no one solution there
+       [](P p) {
+         const auto [scene, start] = after_impact(p);
+         const auto map =
+             stroboscopic_map_and_derivative(scene, start, static_cast<int>(p.at("n")));
+         return multiplier_near(1.0, floquet_multipliers(map.derivative, start.held));
+       }},
       {"release_time",
        [](P p) {
          const Scene scene = one_mass(0.0, 1.0, p.at("omega"), 0.5, p.at("stop"), p.at("stop"));

@@ -51,7 +51,7 @@ TEST(Vivid, TimeOfTheImpactAndProductOfTheMultipliersAreThePrintedOnes) {
 // tolerance. At the first impact of a ball nothing depends on it yet.
 TEST(PublishedTable, AnErrorOfAMillionthInTheRestitutionIsSeen) {
   for (const std::string quantity :
-       {"doubling_multiplier", "impact_time", "chatter_limit", "impact_speed"}) {
+       {"doubling_multiplier", "fold_multiplier", "impact_time", "chatter_limit", "impact_speed"}) {
     for (Result result : results(REFERENCE_DIR)) {
       Parameters &p = result.parameters;
       if (result.quantity != quantity || !p.contains("r") || p["impact"] == 1.0) continue;
