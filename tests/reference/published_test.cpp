@@ -31,7 +31,7 @@ TEST(PublishedTable, EveryRowHasItsOwnNameAToleranceAndWhatLimitsIt) {
 
 // Beside the speed and the multiplier in the table. Their times end at 1e-10 (bisection); 1e-9
 // covers what is left of theirs.
-TEST(Vivid, TimeOfTheImpactAndProductOfTheMultipliersAreThePrintedOnes) {
+TEST(Vivid, TimeOfTheImpactIsThePrintedOne) {
   const std::vector<Result> points = results_of("vivid", "doubling_multiplier");
   ASSERT_FALSE(points.empty());
   for (const Result &point : points) {
@@ -41,9 +41,6 @@ TEST(Vivid, TimeOfTheImpactAndProductOfTheMultipliersAreThePrintedOnes) {
         << point.id;
     // The source guarantees its bisection's tolerance, 1e-5.
     EXPECT_NEAR(point.value, -1.0, 1e-5) << point.id;
-    // Liouville: the product is r^2 exp(-0.04 * two periods).
-    const auto product = found.orbit.multipliers.at(0) * found.orbit.multipliers.at(1);
-    EXPECT_NEAR(product.real(), 0.81 * std::exp(-0.08 * period), 1e-10) << point.id;
   }
 }
 
