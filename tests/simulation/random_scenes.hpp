@@ -109,6 +109,18 @@ inline Scene graded_chain(unsigned seed, double heaviest = 1e6) {
   return scene;
 }
 
+// Such a chain under a forcing of any frequency and size, at rest at first or moving.
+inline Scene forced_chain(unsigned seed) {
+  Draw draw{std::mt19937(~seed)};  // independent of the draws for the chain
+  Scene scene = graded_chain(seed);
+  scene.omega = draw.spread(1e-8, 1e4);
+  const double amplitude = draw.spread(1e-9, 1e6);
+  for (int i = 1; i <= scene.masses(); ++i)
+    scene.amplitude.push_back(amplitude * draw.uniform(-1.0, 1.0));
+  if (draw.one_in(2)) scene.displacement = scene.velocity = {};
+  return scene;
+}
+
 // Such a chain with a stop on some of its masses, any r. Masses are 1e-3 to 1e3 only: the
 // displacement of a light mass is known to epsilon sqrt(m_heavy / m_light), which a stiff link at
 // it turns into energy. No forcing: epsilon of a steady response would be more than the motion of a
