@@ -9,7 +9,7 @@ namespace {
 
 using namespace vibro_impact;
 
-// Printed (Section 3.2): the sticking motions exist below this frequency. Above 0.6 mass 1 sticks
+// Printed (Section 3.2): the sticking motions exist below this frequency. From rest, mass 1 sticks
 // again, in motions whose sticking phases come and go from one frequency to the next.
 constexpr double end_of_sticking = 0.5;
 

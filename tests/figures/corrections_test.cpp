@@ -144,7 +144,7 @@ TEST(Generalisations, TheSideOfAStopIsNotTheSignOfItsPosition) {
                       .stops = {{1, Side::lower, place}},
                       .displacement = {place}};
     figures::StickingPhaseRecorder force{.to = 5.0, .every = 0.5};
-    EXPECT_EQ(simulate(scene, 5.0, {}, force).state.held, Held{-1});
+    EXPECT_EQ(simulate(scene, 5.0, force).state.held, Held{-1});
     ASSERT_GT(force.rows.size(), 5u);
     for (const auto &row : force.rows) EXPECT_LT(row.force, 0.0);  // presses downwards
   }

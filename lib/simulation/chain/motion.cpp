@@ -57,11 +57,13 @@ struct Duration {
 };
 
 Duration duration_of(const Motion &motion, const Instant &target, const Clock &clock) {
+  const double phases = target.phase - motion.now.phase, sum = elapsed(motion.now, target, clock),
+               tau = sum - motion.now_rest, rounded = (sum - tau) - motion.now_rest;
+  if (target.cycle == motion.now.cycle) return {tau, (phases - sum) + rounded};
   const double cycles = static_cast<double>(target.cycle) - static_cast<double>(motion.now.cycle),
-               whole = cycles * clock.period, phases = target.phase - motion.now.phase,
-               sum = elapsed(motion.now, target, clock), tau = sum - motion.now_rest,
-               rounded = std::fma(cycles, clock.period, -whole) + cycles * clock.period_rest;
-  return {tau, ((whole - sum) + phases) + rounded + ((sum - tau) - motion.now_rest)};
+               whole = cycles * clock.period,
+               whole_rest = std::fma(cycles, clock.period, -whole) + cycles * clock.period_rest;
+  return {tau, ((whole - sum) + phases) + whole_rest + rounded};
 }
 
 // The state of one coordinate after a time, as a change from `start`. `turn` is e^(i Omega t)

@@ -52,7 +52,7 @@ struct SettledMotion {
 };
 
 // Follows the motion from `start` until it has settled. Throws std::invalid_argument for what
-// `simulate_from` refuses, for a scene without a forcing period and for options out of range, and
+// `simulate` refuses, for a scene without a forcing period and for options out of range, and
 // std::runtime_error when the run is given up.
 SettledMotion settle(const Scene &scene, const MotionState &start,
                      const SettleOptions &options = {});
