@@ -34,13 +34,28 @@ inline double multiplier_near(double target, const std::vector<std::complex<doub
   return nearest;
 }
 
-// The motion from an impact at `time` with `speed`, far from that impact.
+// A ball of weight g on a table that vibrates with the acceleration -A cos(omega t), in coordinates
+// of the table.
+inline Scene ball_on_table(const Parameters &p) {
+  Scene scene{.mass = {1.0},
+              .stiffness = {0.0},
+              .amplitude = {p.at("A")},
+              .omega = p.at("omega"),
+              .restitution = p.at("r"),
+              .stops = {{1, Side::lower, 0.0}}};
+  scene.constant = {-p.at("g")};
+  return scene;
+}
+
+// The motion from an impact at `time` with `speed`, far from that impact: of a ball on a table
+// where a weight g is given, of a mass on a spring elsewhere.
 inline std::pair<Scene, MotionState> after_impact(const Parameters &p) {
-  const Scene scene =
-      one_mass(p.at("c"), p.at("A"), p.at("omega"), p.at("r"), p.at("stop"), p.at("stop"));
+  const Scene scene = p.contains("g") ? ball_on_table(p)
+                                      : one_mass(p.at("c"), p.at("A"), p.at("omega"), p.at("r"),
+                                                 p.at("stop"), p.at("stop"));
   MotionState after = start_of(scene);
   after.instant = {0, std::fmod(p.at("time"), Clock(scene.omega).period)};
-  after.velocity = {-scene.restitution * p.at("speed")};
+  after.velocity = {-sign(scene.stops[0].side) * scene.restitution * p.at("speed")};
   return {scene, at_quiet_phase(scene, after)};
 }
 

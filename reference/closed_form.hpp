@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@ inline Matrix stiffness_matrix(const Chain &chain) {
   const std::size_t n = chain.masses.size();
   Matrix k(n, Vector(n));
   for (std::size_t i = 0; i < n; ++i) {
-    k[i][i] += chain.stiffnesses[i];
+    k[i][i] += chain.stiffnesses[i] + chain.grounds[i];
     if (i == 0) continue;
     k[i - 1][i - 1] += chain.stiffnesses[i];
     k[i - 1][i] -= chain.stiffnesses[i];
@@ -79,17 +80,17 @@ inline Eigensystem jacobi_eigensystem(Matrix a) {
   return result;
 }
 
-/// One mode, q'' + 2 a q' + lambda q = f cos(Omega t) + d, as a function of the time since the flow
-/// began. Free part: e^{-a tau} (u C(tau) + w S(tau)) with C, S = cos, sin(nu tau)/nu below
-/// critical damping, 1, tau at it, and cosh, sinh(nu tau)/nu above it; u and w then are the free
-/// displacement and w = u' + a u at tau = 0.
+/// One mode, q'' + 2 a q' + lambda q = f cos(Omega t) + g sin(Omega t) + d, as a function of the
+/// time since the flow began. Free part: e^{-a tau} (u C(tau) + w S(tau)) with C, S = cos, sin(nu
+/// tau)/nu below critical damping, 1, tau at it, and cosh, sinh(nu tau)/nu above it; u and w then
+/// are the free displacement and w = u' + a u at tau = 0.
 struct Mode {
   enum class Damping { under, critical, over };
   Real lambda;  // omega_n squared
   Real decay;   // a = zeta omega_n
   Real nu;      // sqrt(|lambda - a^2|)
   Damping damping;
-  Real forcing;                 // f
+  Real forcing, sine_forcing;   // f, g
   Real rest;                    // d / lambda
   Real forced_cos, forced_sin;  // particular solution
   Real secular;                 // undamped at resonance: secular tau sin(Omega t) instead
@@ -149,10 +150,11 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
   const std::size_t size = flow.free.size();
   const Matrix k = stiffness_matrix(chain);
 
-  // The resting neighbours act as the constant load -K_FS s_S.
+  // The resting neighbours act as the constant load -K_FS s_S, beside the constant forces.
   Vector load(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t p = flow.free[i];
+    load[i] = chain.constants[p];
     for (std::size_t s = 0; s < n; ++s) {
       if (resting[s]) load[i] -= k[p][s] * x[s];
     }
@@ -182,6 +184,7 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t p = flow.free[i];
       mode.forcing += shapes[i][j] * chain.amplitudes[p];
+      mode.sine_forcing += shapes[i][j] * chain.sines[p];
       constant += shapes[i][j] * load[i];
       q += shapes[i][j] * chain.masses[p] * x[p];
       dq += shapes[i][j] * chain.masses[p] * v[p];
@@ -193,10 +196,11 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
     mode.rest = constant / mode.lambda;
     if (denominator == 0) {
       // (tau sin(Omega t))'' + Omega^2 tau sin(Omega t) = 2 Omega cos(Omega t).
+      if (mode.sine_forcing != 0) throw std::runtime_error("a sine at resonance is not solved");
       mode.secular = mode.forcing / (2 * omega);
     } else {
-      mode.forced_cos = mode.forcing * detuning / denominator;
-      mode.forced_sin = mode.forcing * drag / denominator;
+      mode.forced_cos = (mode.forcing * detuning - mode.sine_forcing * drag) / denominator;
+      mode.forced_sin = (mode.forcing * drag + mode.sine_forcing * detuning) / denominator;
     }
     mode.u = q - mode.rest - mode.forced_cos * cosine - mode.forced_sin * sine;
     mode.w = dq - omega * (mode.forced_sin * cosine - mode.forced_cos * sine) -
@@ -262,9 +266,10 @@ inline Motion motion_at(const Flow &flow, const Real &tau) {
                     omega * (mode.forced_sin * motion.cosine - mode.forced_cos * motion.sine) +
                     mode.secular * (motion.sine + omega * tau * motion.cosine);
     // Higher derivatives from the equation of motion itself.
-    const Real ddq =
-        mode.forcing * motion.cosine - 2 * mode.decay * dq - mode.lambda * (q - mode.rest);
-    const Real dddq = -omega * mode.forcing * motion.sine - 2 * mode.decay * ddq - mode.lambda * dq;
+    const Real ddq = mode.forcing * motion.cosine + mode.sine_forcing * motion.sine -
+                     2 * mode.decay * dq - mode.lambda * (q - mode.rest);
+    const Real dddq = omega * (mode.sine_forcing * motion.cosine - mode.forcing * motion.sine) -
+                      2 * mode.decay * ddq - mode.lambda * dq;
     for (std::size_t i = 0; i < flow.free.size(); ++i) {
       const std::size_t p = flow.free[i];
       motion.x[p] += flow.eigen->vectors[i][j] * q;

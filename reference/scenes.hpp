@@ -21,8 +21,11 @@ struct Chain {
   std::vector<Real> masses;
   std::vector<Real> stiffnesses;
   Real damping_ratio;            // c/k, in units of time
-  std::vector<Real> amplitudes;  // A in f(t) = A cos(frequency t)
+  std::vector<Real> amplitudes;  // A in f(t) = A cos(frequency t) + B sin(frequency t) + P
   Real frequency;                // Omega
+  std::vector<Real> sines;       // B
+  std::vector<Real> constants;   // P
+  std::vector<Real> grounds;     // stiffness of a spring from each mass to the ground
 };
 
 using vibro_impact::Side;
@@ -58,7 +61,10 @@ inline Scene in_digits(const vibro_impact::Scene &given, double until) {
                         .stiffnesses = digits(given.stiffness, n),
                         .damping_ratio = Real(given.beta),
                         .amplitudes = digits(given.amplitude, n),
-                        .frequency = Real(given.omega)},
+                        .frequency = Real(given.omega),
+                        .sines = digits(given.sine, n),
+                        .constants = digits(given.constant, n),
+                        .grounds = digits(given.ground, n)},
               .stops = {},
               .restitution = Real(given.restitution),
               .initial_positions = digits(given.displacement, n),

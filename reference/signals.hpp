@@ -33,9 +33,12 @@ inline Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion
   const Real &beta = chain.damping_ratio;
   const Real &omega = chain.frequency;
   const Real &amplitude = chain.amplitudes[p];
-  Real force = amplitude * motion.cosine - chain.stiffnesses[p] * stop.position;
-  Real rate = -omega * amplitude * motion.sine;
-  Real curvature = -omega * omega * amplitude * motion.cosine;
+  const Real &sine = chain.sines[p];
+  const Real turning = amplitude * motion.cosine + sine * motion.sine;
+  Real force =
+      turning + chain.constants[p] - (chain.stiffnesses[p] + chain.grounds[p]) * stop.position;
+  Real rate = omega * (sine * motion.cosine - amplitude * motion.sine);
+  Real curvature = -omega * omega * turning;
   const auto add_neighbour = [&](std::size_t q, const Real &k) {
     force += k * (motion.x[q] + beta * motion.v[q]);
     rate += k * (motion.v[q] + beta * motion.a[q]);

@@ -13,7 +13,8 @@ inline double largest_eigenvalue_bound(const Scene &scene) {
   double bound = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
     const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    bound = std::max(bound, 2.0 * (scene.stiffness[i] + right) / scene.mass[i]);
+    const double ground = scene.ground.empty() ? 0.0 : scene.ground[i];
+    bound = std::max(bound, (2.0 * (scene.stiffness[i] + right) + ground) / scene.mass[i]);
   }
   return bound;
 }

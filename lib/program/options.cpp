@@ -2,131 +2,12 @@
 
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
-
 #include "files.hpp"
+#include "scene_options.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
-
-// The options of a scene, which `run` and `sweep` share, as they were given. The defaults are the
-// scene of the paper's Figure 2, and stand nowhere else in the program; a test compares them with
-// the scenes of the paper.
-struct SceneOptions {
-  int masses = 2;
-  double beta = 0.1, restitution = 0.7, omega = 0.2797;
-  std::string mass = "1", stiffness = "1", displacement = "0", velocity = "0";
-  std::string amplitude = {};  // empty: 0.5 on mass 1, however many masses there are
-  std::vector<std::string> stops = {"1:lower:-0.3", "2:upper:0.1"};
-};
-
-// An option that takes one value.
-template <class Value>
-CLI::Option *option(CLI::App &app, const char *name, Value &value, const char *type,
-                    const std::string &what) {
-  CLI::Option *added = app.add_option(name, value, what)->type_name(type)->capture_default_str();
-  if constexpr (std::is_same_v<Value, double>) added->check(CLI::Number);
-  return added->check([](const std::string &word) { return word.empty() ? "needs a value" : ""; });
-}
-
-constexpr double default_amplitude = 0.5;  // on mass 1
-
-// Longer chains are taken for a slip of the pen: the modes of a chain take cubic work.
-constexpr int most_masses = 10000;
-
-// The parts of `text` between separators. Parts may be empty.
-std::vector<std::string> split(const std::string &text, char separator) {
-  return CLI::detail::split(text + separator, separator);
-}
-
-// The number that a whole word of `given` stands for; from_chars knows no locale and no leading
-// space.
-double number(const std::string &given, const std::string &word) {
-  double value = 0.0;
-  const char *end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (stop != end || error != std::errc())
-    refuse("{}: '{}' is not a number in double precision", given, word);
-  return value;
-}
-
-int whole_number(const std::string &given, const std::string &word, double most) {
-  const double value = number(given, word);
-  if (!(value >= 1.0 && value <= most && value == std::floor(value)))
-    refuse("{}: '{}' must be a whole number from 1 to {}", given, word, most);
-  return static_cast<int>(value);
-}
-
-// The values of a list separated by commas: one value per mass, or a single one for all.
-std::vector<double> per_mass(const std::string &option, const std::string &text,
-                             std::size_t masses) {
-  const std::string given = option + " " + text;
-  std::vector<double> values;
-  for (const std::string &word : split(text, ',')) values.push_back(number(given, word));
-  if (values.size() == 1) values.assign(masses, values.front());
-  if (values.size() != masses)
-    refuse("{}: {} values given, the chain has {} masses", given, values.size(), masses);
-  return values;
-}
-
-// The stop given as mass:side:position, or with a restitution of its own as a fourth part.
-Stop stop_of(const std::string &text) {
-  const std::string given = "--stop " + text;
-  const auto parts = split(text, ':');
-  if (parts.size() < 3 || parts.size() > 4 || (parts[1] != "lower" && parts[1] != "upper"))
-    refuse(
-        "{}: must read mass:side:position or mass:side:position:restitution, with side lower "
-        "or upper",
-        given);
-  Stop stop{whole_number(given, parts[0], most_masses),
-            parts[1] == "lower" ? Side::lower : Side::upper, number(given, parts[2])};
-  if (parts.size() == 4) stop.restitution = number(given, parts[3]);
-  return stop;
-}
-
-void add_scene_options(CLI::App &app, SceneOptions &words) {
-  option(app, "--masses", words.masses, "N", "Number of masses")->check(CLI::Range(1, most_masses));
-  option(app, "--mass", words.mass, "LIST", "m_i > 0");
-  option(app, "--stiffness", words.stiffness, "LIST",
-         "k_i > 0, link by link; k_1 = 0: a free chain, not tied to the ground");
-  option(app, "--beta", words.beta, "NUMBER",
-         "Factor of the damping C = beta K, the paper's c / k: the dampers of the links\n"
-         "are proportional to their stiffness");
-  option(app, "--restitution", words.restitution, "NUMBER",
-         "Coefficient of restitution r in [0, 1] of the stops that have none of their own");
-  option(
-      app, "--amplitude", words.amplitude, "LIST",
-      fmt::format("A_i of the forcing A cos(Omega t). Default: {} on mass 1", default_amplitude));
-  option(app, "--omega", words.omega, "NUMBER",
-         "Forcing frequency Omega >= 0; the default is inferred, not printed");
-  option(app, "--stop", words.stops, "STOP",
-         "mass:side:position or mass:side:position:restitution, with side lower or\n"
-         "upper, repeatable; none: a chain without stops");
-  option(app, "--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
-  option(app, "--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
-}
-
-Scene scene_of(const SceneOptions &words) {
-  const auto size = static_cast<std::size_t>(words.masses);
-  Scene scene;
-  scene.mass = per_mass("--mass", words.mass, size);
-  scene.stiffness = per_mass("--stiffness", words.stiffness, size);
-  scene.beta = words.beta;
-  scene.restitution = words.restitution;
-  scene.amplitude.assign(size, 0.0);
-  scene.amplitude.front() = default_amplitude;
-  if (!words.amplitude.empty()) scene.amplitude = per_mass("--amplitude", words.amplitude, size);
-  scene.omega = words.omega;
-  scene.displacement = per_mass("--initial-displacement", words.displacement, size);
-  scene.velocity = per_mass("--initial-velocity", words.velocity, size);
-  if (words.stops != std::vector<std::string>{"none"})
-    for (const std::string &stop : words.stops) scene.stops.push_back(stop_of(stop));
-  check(scene);
-  return scene;
-}
 
 // The values of a parameter, given as parameter=from:to:count.
 Axis axis_of(const std::string &text) {
@@ -219,7 +100,8 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
   option(sweep, "--vary", ranges, "RANGE",
          "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
          "restitution, or restitution2 (of a stop), stop1 (its position),\n"
-         "amplitude2, mass1, stiffness1, displacement1, velocity1")
+         "amplitude2, sine1, constant1, ground1, mass1, stiffness1,\n"
+         "displacement1, velocity1")
       ->default_str("")
       ->required();
   option(sweep, "--longest", settle.longest, "N",
@@ -257,7 +139,7 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
   add_scene_options(sweep, scene);
   add_sweep_options(sweep, sweep_request, ranges, no_lyapunov);
   try {
-    app.parse(argc, argv);
+    app.parse(reversed_arguments(argc, argv));
   } catch (const CLI::CallForVersion &version) {
     return fmt::format("{}\n", version.what());
   } catch (const CLI::CallForHelp &) {
@@ -268,6 +150,11 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
     refuse("{}", error.what());
   }
   if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
+  if (scene.print) {
+    const CLI::App &command = run.parsed() ? run : sweep;
+    scene_of(scene);  // refuses one that cannot be run
+    return scene_file(command, scene);
+  }
   if (run.parsed()) {
     check_times(run_request);
     run_request.scene = scene_of(scene);

@@ -9,8 +9,9 @@
 
 namespace vibro_impact {
 
-using detail::amplitude_on;
+using detail::external_force;
 using detail::force_on;
+using detail::forcing_at;
 using detail::free_response;
 using detail::line;
 using detail::link_force;

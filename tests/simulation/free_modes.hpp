@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
@@ -17,9 +18,9 @@ using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
 // Modes of the free masses, normalised to unit modal mass: x = shape q on the free masses.
 struct FreeModes {
-  RealVector lambda;  // w_j^2
-  RealVector force;   // of the forcing, per cos(Omega t)
-  RealVector pull;    // of the held masses, constant
+  RealVector lambda;        // w_j^2
+  RealVector cosine, sine;  // of the forcing
+  RealVector pull;          // of the held masses and the constant forces
   Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> shape, inverse;  // N x modes, modes x N
 };
 
@@ -50,6 +51,8 @@ inline FreeModes free_modes(const Scene &scene, const Held &held) {
         k(a, other > i ? a + 1 : a - 1) =
             -Digits(stiffness) / sqrt(Digits(scene.mass[i]) * Digits(scene.mass[other]));
     };
+    if (!scene.ground.empty()) k(a, a) += Digits(scene.ground[i]) / scene.mass[i];
+    if (!scene.constant.empty()) pull(a) += scene.constant[i];
     if (i == 0)
       k(a, a) += Digits(scene.stiffness[0]) / scene.mass[0];
     else
@@ -58,13 +61,17 @@ inline FreeModes free_modes(const Scene &scene, const Held &held) {
   }
   FreeModes basis;
   basis.lambda.setZero(modes);
-  basis.force.setZero(modes);
+  basis.cosine.setZero(modes);
+  basis.sine.setZero(modes);
   basis.pull.setZero(modes);
   basis.shape.setZero(n, modes);
   basis.inverse.setZero(modes, n);
   if (modes == 0) return basis;
   const Eigen::SelfAdjointEigenSolver<decltype(k)> solver(k);
-  const bool floats = scene.stiffness[0] == 0.0 && free.size() == held.size();
+  const bool tied =
+      scene.stiffness[0] > 0.0 ||
+      std::any_of(scene.ground.begin(), scene.ground.end(), [](double g) { return g > 0.0; });
+  const bool floats = !tied && free.size() == held.size();
   for (Index j = 0; j < modes; ++j) {
     // The rigid-body mode comes first; its frequency is zero exactly.
     basis.lambda(j) = floats && j == 0 ? 0 : static_cast<Real>(solver.eigenvalues()(j));
@@ -75,7 +82,8 @@ inline FreeModes free_modes(const Scene &scene, const Held &held) {
       basis.shape(row, j) = static_cast<Real>(Digits(u / root));
       basis.inverse(j, row) = static_cast<Real>(Digits(u * root));
       basis.pull(j) += basis.shape(row, j) * pull(a);
-      if (!scene.amplitude.empty()) basis.force(j) += basis.shape(row, j) * scene.amplitude[i];
+      if (!scene.amplitude.empty()) basis.cosine(j) += basis.shape(row, j) * scene.amplitude[i];
+      if (!scene.sine.empty()) basis.sine(j) += basis.shape(row, j) * scene.sine[i];
     }
   }
   return basis;

@@ -55,19 +55,22 @@ inline Place free_after(Real kappa, Real lambda, Place from, Real t) {
           -lambda * s.at * from.at + s.speed * from.speed};
 }
 
-// q'' + beta lambda q' + lambda q = force cos(Omega t) + pull, from phase time `phase` on.
+// q'' + beta lambda q' + lambda q = Re(force exp(i Omega t)) + pull, from phase time `phase` on.
 struct ModeMotion {
   Real lambda, kappa, omega;
-  Complex drive;       // force exp(i Omega phase)
+  Complex drive;  // force exp(i Omega phase)
+  Real pull;
   Real rest;           // where the pull alone takes it
   Complex steady = 0;  // response to the forcing; not split off where that is next to a resonance
   Place free;          // what moves about these
 
-  ModeMotion(const Scene &scene, Real lambda_of_mode, Real force, Real pull, Real phase, Place from)
+  ModeMotion(const Scene &scene, Real lambda_of_mode, Complex force, Real constant, Real phase,
+             Place from)
       : lambda(lambda_of_mode),
         kappa(scene.beta * lambda),
         omega(scene.omega),
         drive(std::polar<Real>(1, omega * phase) * force),
+        pull(constant),
         rest(lambda > 0 ? pull / lambda : 0),
         free{from.at - rest, from.speed} {
     const Complex detuning(lambda - omega * omega, kappa * omega);
@@ -81,8 +84,8 @@ struct ModeMotion {
     const Complex rate(0, omega);
     Complex at = 0, speed = 0;  // what the forcing does
     if (lambda == 0) {          // the rigid-body mode of a free chain, which nothing holds back
-      at = free.at + free.speed * t + drive * t * t * ramp(rate * t);
-      speed = free.speed + drive * integral(rate, t);
+      at = free.at + free.speed * t + drive * t * t * ramp(rate * t) + pull * t * t / 2;
+      speed = free.speed + drive * integral(rate, t) + pull * t;
       return {at.real(), speed.real()};
     }
     if (steady != Complex(0)) {

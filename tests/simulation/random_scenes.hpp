@@ -216,7 +216,8 @@ inline double run_length(const Scene &scene, double radians) {
 // The forcing is known to epsilon of the sum of its amplitudes.
 inline double rounding_of_forcing(const Scene &scene) {
   double force = 0.0;
-  for (const double a : scene.amplitude) force += std::abs(a);
+  for (const auto *forces : {&scene.amplitude, &scene.sine, &scene.constant})
+    for (const double a : *forces) force += std::abs(a);
   return std::numeric_limits<double>::epsilon() * force;
 }
 
@@ -231,9 +232,24 @@ inline double rounding_of_steady_response(const Scene &scene) {
   return rounding_of_forcing(scene) * compliance;
 }
 
+// A scene of one of the distributions with a sine, a constant force and springs to the ground, on
+// all or some of its masses.
+template <Scene (*draw_scene)(unsigned)>
+Scene with_all_forces(unsigned seed) {
+  Scene scene = draw_scene(seed);
+  Draw draw{std::mt19937(seed + 1)};
+  for (const double stiffness : scene.stiffness) {
+    scene.sine.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0));
+    scene.constant.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0));
+    scene.ground.push_back(draw.one_in(2) ? 0.0 : stiffness * draw.spread(1e-3, 10.0));
+  }
+  return scene;
+}
+
 // The mirror image, x -> -x; of an event likewise.
 inline Scene mirrored(Scene scene) {
-  for (auto *values : {&scene.amplitude, &scene.displacement, &scene.velocity})
+  for (auto *values :
+       {&scene.amplitude, &scene.sine, &scene.constant, &scene.displacement, &scene.velocity})
     for (double &value : *values) value = -value;
   for (Stop &stop : scene.stops) {
     stop.side = stop.side == Side::upper ? Side::lower : Side::upper;

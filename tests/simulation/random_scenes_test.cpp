@@ -33,6 +33,12 @@ constexpr Distribution extreme{"extreme", extreme_scene, 3000.0, 2000, 1e-11};
 constexpr Distribution graded{"graded", graded_scene, 1000.0, 2000, 1e-12};
 constexpr Distribution degenerate{"degenerate", degenerate_scene, 200.0, 2000, 2e-13};
 
+// The same with all forces.
+constexpr Distribution forced[] = {
+    {"ordinary forced", with_all_forces<random_scene>, 1e9, 20000, 2e-13},
+    {"extreme forced", with_all_forces<extreme_scene>, 3000.0, 2000, 1e-11},
+    {"degenerate forced", with_all_forces<degenerate_scene>, 200.0, 2000, 2e-13}};
+
 // How many of the scenes break a property.
 int try_scenes(const Distribution &distribution, unsigned first, int count) {
   int failed = 0, given_up = 0;
@@ -73,6 +79,11 @@ TEST(GradedScenes, KeepEveryProperty) {
 
 TEST(DegenerateScenes, KeepEveryProperty) {
   EXPECT_EQ(try_scenes(degenerate, 1, scenes), 0);
+}
+
+TEST(ForcedScenes, KeepEveryProperty) {
+  for (const Distribution &distribution : forced)
+    EXPECT_EQ(try_scenes(distribution, 1, scenes / 3), 0);
 }
 
 // Where several masses chatter at once, runs that may take limits stick and release at the times of
@@ -161,5 +172,6 @@ int main(int argc, char **argv) {
   int failed = 0;
   for (const Distribution &distribution : {ordinary, extreme, graded, degenerate})
     failed += try_scenes(distribution, first, count);
+  for (const Distribution &distribution : forced) failed += try_scenes(distribution, first, count);
   return failed == 0 ? 0 : 1;
 }

@@ -121,6 +121,7 @@ class Witness {
       const auto k = static_cast<std::size_t>(i);
       const Real stretch = at.x(i) - (i > 0 ? at.x(i - 1) : 0);
       sum += (scene_.stiffness[k] * stretch * stretch + scene_.mass[k] * at.v(i) * at.v(i)) / 2;
+      if (!scene_.ground.empty()) sum += scene_.ground[k] * at.x(i) * at.x(i) / 2;
     }
     return sum;
   }
@@ -134,11 +135,16 @@ class Witness {
       Real sum = scene_.stiffness[static_cast<std::size_t>(i)] * ((i > 0 ? x(i - 1) : 0) - here);
       if (i + 1 < x.size())
         sum += scene_.stiffness[static_cast<std::size_t>(i + 1)] * (x(i + 1) - here);
+      if (!scene_.ground.empty()) sum -= scene_.ground[static_cast<std::size_t>(i)] * here;
       return sum;
     };
     Real sum = links(at.x, stop.position) + scene_.beta * links(at.v, 0);
-    if (!scene_.amplitude.empty())
-      sum += scene_.amplitude[static_cast<std::size_t>(i)] * std::cos(scene_.omega * phase);
+    const auto add = [&](const std::vector<double> &forces, Real factor) {
+      if (!forces.empty()) sum += forces[static_cast<std::size_t>(i)] * factor;
+    };
+    add(scene_.amplitude, std::cos(scene_.omega * phase));
+    add(scene_.sine, std::sin(scene_.omega * phase));
+    add(scene_.constant, 1);
     return sign(stop.side) * sum;
   }
 
@@ -176,8 +182,8 @@ class Witness {
     Real steady = 0;
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const Real lambda = basis.lambda(j);
-      flight.modes.emplace_back(scene_, lambda, basis.force(j), basis.pull(j), since_.phase,
-                                Place{q(j), v(j)});
+      flight.modes.emplace_back(scene_, lambda, Complex(basis.cosine(j), -basis.sine(j)),
+                                basis.pull(j), since_.phase, Place{q(j), v(j)});
       const ModeMotion &mode = flight.modes.back();
       steady += std::max(lambda, mode.omega * mode.omega) * std::norm(mode.steady) / 2 +
                 lambda * mode.rest * mode.rest / 2;

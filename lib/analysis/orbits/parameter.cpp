@@ -21,6 +21,9 @@ constexpr struct {
   std::string_view word;
   std::vector<double> Scene::*place;
 } lists[] = {{"amplitude", &Scene::amplitude},
+             {"sine", &Scene::sine},
+             {"constant", &Scene::constant},
+             {"ground", &Scene::ground},
              {"mass", &Scene::mass},
              {"stiffness", &Scene::stiffness},
              {"displacement", &Scene::displacement},
@@ -53,7 +56,8 @@ double &value_of(Scene &scene, std::string_view name) {
   }
   require(index > 0 && (before == "stop" || before == "restitution"), "parameter '", name,
           "': must be omega, beta, restitution, or, with the number of a mass, link or stop, "
-          "restitution1, stop1, amplitude1, mass1, stiffness1, displacement1, velocity1");
+          "restitution1, stop1, amplitude1, sine1, constant1, ground1, mass1, stiffness1, "
+          "displacement1, velocity1");
   require_index(scene.stops.size());
   Stop &stop = scene.stops[index - 1];
   if (before == "stop") return stop.position;

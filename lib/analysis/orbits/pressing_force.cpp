@@ -40,8 +40,9 @@ double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionSta
   const std::vector<double> a = acceleration(scene, rest);
   const double links = link_force(scene, p, 0.0, of(rest.velocity));
   const double dampers = scene.beta * link_force(scene, p, 0.0, of(a));
-  const double forcing =
-      -amplitude_on(scene, p) * scene.omega * std::sin(scene.omega * rest.instant.phase);
+  const double angle = scene.omega * rest.instant.phase;
+  const double forcing = external_force(
+      scene, p, {-scene.omega * std::sin(angle), scene.omega * std::cos(angle), 0.0});
   return sign(stop.side) * (links + dampers + forcing);
 }
 
@@ -127,7 +128,8 @@ std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
 std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
   check(scene);
   require_fits(scene, state);
-  const double forcing = std::cos(scene.omega * state.instant.phase);
+  const double angle = scene.omega * state.instant.phase;
+  const auto forcing = forcing_at(std::cos(angle), std::sin(angle));
   std::vector<double> a(scene.mass.size(), 0.0);
   for (std::size_t i = 0; i < a.size(); ++i)
     if (state.held[i] == 0)
@@ -138,8 +140,9 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
 
 double pressing_force(const Scene &scene, const Stop &stop, const MotionState &state) {
   const MotionState rest = resting(scene, stop, state);
+  const double angle = scene.omega * rest.instant.phase;
   return sign(stop.side) * force_on(scene, index_of(stop), of(rest.displacement), of(rest.velocity),
-                                    std::cos(scene.omega * rest.instant.phase));
+                                    forcing_at(std::cos(angle), std::sin(angle)));
 }
 
 std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionState &start,

@@ -1,11 +1,13 @@
 // The scene: a chain of masses, its forcing, its stops and its initial state; and its motion at one
 // instant.
 //
-// M x'' + C x' + K x = A cos(Omega t) with C = beta K (Wagg 2006, Eqs. 1-4): mass i is tied to mass
-// i - 1 by link i (mass 1 to the ground), the last mass is free at its far end. Everything is
-// non-dimensional, as in the paper. Masses are counted from 1.
+// M x'' + C x' + K x = A cos(Omega t) + B sin(Omega t) + P with C = beta K. This is Wagg (2006),
+// Eqs. 1-4, where B = P = 0. Mass i is tied to mass i - 1 by link i (mass 1 to the ground), and to
+// the ground by a spring of its own where `ground` has one; the last mass is free at its far end.
+// Everything is non-dimensional, as in the paper. Masses are counted from 1.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -38,13 +40,16 @@ struct Stop {
 using Held = std::vector<signed char>;
 
 // A scene in one aggregate. Vectors hold one entry per mass; `displacement` and `velocity` may be
-// left empty (rest at zero), as may `amplitude` (unforced).
+// left empty (rest at zero), as may `amplitude`, `sine`, `constant` and `ground` (nothing of it).
 struct Scene {
   std::vector<double> mass = {};          // m_i > 0
   std::vector<double> stiffness = {};     // k_i > 0, link between mass i - 1 and mass i; k_1 = 0: a
                                           // free chain, not tied to the ground
   double beta = 0.0;                      // C = beta K, beta >= 0; the paper's c / k
   std::vector<double> amplitude = {};     // A_i
+  std::vector<double> sine = {};          // B_i
+  std::vector<double> constant = {};      // P_i, as a weight or a preload
+  std::vector<double> ground = {};        // stiffness >= 0 of a spring from mass i to the ground
   double omega = 1.0;                     // Omega >= 0
   double restitution = 1.0;               // r in [0, 1] of the stops that have none of their own
   std::vector<Stop> stops = {};           // at most one lower and one upper stop per mass
@@ -54,11 +59,11 @@ struct Scene {
   int masses() const {
     return static_cast<int>(mass.size());
   }
-  // True when some A_i is not zero: without forcing no forcing terms are carried.
+  // True when some A_i or B_i is not zero: without forcing no forcing terms are carried.
   bool forced() const {
-    for (double a : amplitude)
-      if (a != 0.0) return true;
-    return false;
+    const auto acts = [](double force) { return force != 0.0; };
+    return std::any_of(amplitude.begin(), amplitude.end(), acts) ||
+           std::any_of(sine.begin(), sine.end(), acts);
   }
 };
 

@@ -15,40 +15,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-// Static positions with the held masses at their stops: linear in the compliance between two
-// anchors. Written so that two equal anchors give exactly their common position, which makes a
-// zero hold force (Figure 5(c): s1 = s2) exactly zero.
-void set_static_positions(const Scene &scene, const Held &held, Eigen::VectorXd &x,
-                          Eigen::VectorXd &tension) {
-  const std::size_t n = scene.mass.size();
-  std::vector<double> held_at(n, 0.0);
-  for (const Stop &stop : scene.stops) {
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    if (held[i] == static_cast<signed char>(stop.side)) held_at[i] = stop.position;
-  }
-  x.setZero(static_cast<Index>(n));
-  tension.setZero(static_cast<Index>(n));
-  double left = 0.0;
-  for (std::size_t i = 0; i < n;) {
-    std::size_t anchor = i;
-    while (anchor < n && held[anchor] == 0) ++anchor;
-    const double right = anchor < n ? held_at[anchor] : left;
-    if (i == 0 && scene.stiffness[0] == 0.0) left = right;  // not tied to the ground
-    double total = 0.0, reached = 0.0;
-    for (std::size_t j = i; j <= anchor && j < n; ++j) total += 1.0 / scene.stiffness[j];
-    if (left != right)
-      for (std::size_t j = i; j <= anchor && j < n; ++j)
-        tension(static_cast<Index>(j)) = (right - left) / total / std::sqrt(scene.stiffness[j]);
-    for (std::size_t j = i; j < anchor; ++j) {
-      reached += 1.0 / scene.stiffness[j];
-      x(static_cast<Index>(j)) = left == right ? left : left + (right - left) * (reached / total);
-    }
-    if (anchor < n) x(static_cast<Index>(anchor)) = right;
-    left = right;
-    i = anchor + 1;
-  }
-}
-
 // A mode of which the two decays are well apart: damping ratio beta sqrt(lambda) / 2 (Eq. 7).
 bool strongly_damped(double beta, double lambda) {
   return beta * beta * lambda > 4.0 * strong_damping * strong_damping;
@@ -59,38 +25,67 @@ void resize(ContactMode &mode, std::size_t size, Index masses) {
   all.size = size;
   const auto padded = static_cast<Index>(std::max<std::size_t>(2, size + size % 2));
   for (auto *array :
-       {&all.kappa, &all.lambda, &all.force_re, &all.force_im, &all.force, &all.steady_re,
-        &all.steady_im, &all.steady, &all.frequency, &all.inverse_frequency, &all.rate, &all.drive})
+       {&all.kappa, &all.lambda, &all.force_re, &all.force_im, &all.constant, &all.force,
+        &all.steady_re, &all.steady_im, &all.steady, &all.frequency, &all.inverse_frequency,
+        &all.rate, &all.drive_re, &all.drive_im, &all.pull, &all.rest})
     array->setZero(padded);
   all.decay.assign(static_cast<std::size_t>(padded), false);
   mode.shape.setZero(masses, padded);
 }
 
-// Sets a coordinate of (1), with its steady response to a force on it.
-void set_oscillator(const Scene &scene, double kappa, double lambda, double force, Index j,
-                    ModalCoordinates &all) {
+// The share of a mode in the external forces: Re(turning e^(i Omega t)) + constant.
+struct ModalForce {
+  Complex turning;
+  double constant;
+};
+
+// Psi^T A of Eq. 7, and the same of the other forces. The reference positions leave the springs to
+// the ground out, which adds their forces there.
+ModalForce modal_force(const Scene &scene, const ContactMode &mode, Index k) {
+  ModalForce force{0.0, 0.0};
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double shape = mode.basis.shape(static_cast<Index>(i), k);
+    force.turning += shape * Complex(entry_of(scene.amplitude, i), -entry_of(scene.sine, i));
+    force.constant += shape * (entry_of(scene.constant, i) -
+                               entry_of(scene.ground, i) * mode.equilibrium(static_cast<Index>(i)));
+  }
+  return force;
+}
+
+void set_steady(Complex steady, Index j, ModalCoordinates &all) {
+  all.steady_re(j) = steady.real();
+  all.steady_im(j) = steady.imag();
+}
+
+// Sets a coordinate of (1), with its steady response.
+void set_oscillator(const Scene &scene, double kappa, double lambda, const ModalForce &force,
+                    Index j, ModalCoordinates &all) {
   all.kappa(j) = kappa;
   all.lambda(j) = lambda;
   all.frequency(j) = std::sqrt(lambda);
   all.rate(j) = root_modulus(kappa, lambda);
-  all.force_re(j) = force;
-  if (force == 0.0) return;
-  const double detuning = lambda - scene.omega * scene.omega, loss = kappa * scene.omega;
-  const double squared = detuning * detuning + loss * loss;
-  all.steady_re(j) =
-      squared > 0.0 ? force * (detuning / squared) : std::numeric_limits<double>::infinity();
-  all.steady_im(j) = squared > 0.0 ? -force * (loss / squared) : 0.0;
+  all.force_re(j) = force.turning.real();
+  all.force_im(j) = force.turning.imag();
+  all.constant(j) = force.constant;
+  if (lambda > 0.0) all.rest(j) = force.constant / lambda;
+  if (force.turning == 0.0) return;
+  const Complex detuning(lambda - scene.omega * scene.omega, kappa * scene.omega);
+  set_steady(detuning == 0.0 ? std::numeric_limits<double>::infinity() : force.turning / detuning,
+             j, all);
 }
 
 // Sets a coordinate of (2) likewise.
-void set_decay(const Scene &scene, double kappa, double drive, Index j, ModalCoordinates &all) {
+void set_decay(const Scene &scene, double kappa, const ModalForce &drive, Index j,
+               ModalCoordinates &all) {
   all.kappa(j) = all.rate(j) = kappa;
   all.decay[static_cast<std::size_t>(j)] = all.any_decay = true;
-  all.drive(j) = drive;
-  all.force_im(j) = scene.omega * drive;
-  const Complex steady = drive / Complex(kappa, scene.omega);
-  all.steady_re(j) = steady.real();
-  all.steady_im(j) = steady.imag();
+  all.drive_re(j) = drive.turning.real();
+  all.drive_im(j) = drive.turning.imag();
+  all.pull(j) = drive.constant;
+  all.rest(j) = drive.constant / kappa;
+  all.force_re(j) = -scene.omega * drive.turning.imag();
+  all.force_im(j) = scene.omega * drive.turning.real();
+  set_steady(drive.turning / Complex(kappa, scene.omega), j, all);
 }
 
 // Enters mode `k` of the basis as coordinate `j`, or as two where it is strongly damped. Returns
@@ -98,9 +93,7 @@ void set_decay(const Scene &scene, double kappa, double drive, Index j, ModalCoo
 Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
   ModalCoordinates &all = mode.coordinates;
   const double lambda = mode.basis.lambda(k), kappa = scene.beta * lambda;
-  double force = 0.0;  // Psi^T A of Eq. 7
-  for (std::size_t i = 0; i < scene.mass.size(); ++i)
-    force += mode.basis.shape(static_cast<Index>(i), k) * amplitude_on(scene, i);
+  const ModalForce force = modal_force(scene, mode, k);
   mode.first_coordinate.push_back(j);
   mode.shape.col(j) = mode.basis.shape.col(k);
   if (!strongly_damped(scene.beta, lambda)) {
@@ -109,8 +102,9 @@ Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
     return j + 1;
   }
   const double fast = kappa / 2 + std::sqrt(kappa * kappa / 4 - lambda), slow = lambda / fast;
-  set_decay(scene, slow, force / (fast - slow), j, all);
-  set_decay(scene, fast, -force / (fast - slow), j + 1, all);
+  const ModalForce drive{force.turning / (fast - slow), force.constant / (fast - slow)};
+  set_decay(scene, slow, drive, j, all);
+  set_decay(scene, fast, {-drive.turning, -drive.constant}, j + 1, all);
   mode.shape.col(j + 1) = mode.basis.shape.col(k);
   return j + 2;
 }
@@ -122,12 +116,15 @@ void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contac
     return contact.sigma * link_force(scene, contact.mass, x(contact.mass), x);
   };
   contact.offset =
-      pressed_by([&](std::size_t i) { return mode.equilibrium(static_cast<Index>(i)); });
+      pressed_by([&](std::size_t i) { return mode.equilibrium(static_cast<Index>(i)); }) +
+      contact.sigma * entry_of(scene.constant, contact.mass);
   for (Index j = 0; j < mode.padded(); ++j)
     contact.row(j) =
         pressed_by([&](std::size_t i) { return mode.shape(static_cast<Index>(i), j); });
   contact.damping = scene.beta;
-  contact.forcing = contact.sigma * amplitude_on(scene, contact.mass);
+  contact.forcing = contact.sigma * Complex(entry_of(scene.amplitude, contact.mass),
+                                            -entry_of(scene.sine, contact.mass));
+  contact.forcing_modulus = std::abs(contact.forcing);
 }
 
 // What a unit jump of the gap speed does to the coordinates.
@@ -186,10 +183,13 @@ void add_contacts(const Scene &scene, ContactMode &mode) {
     }
     contact.modulus = contact.row.abs();
     contact.steady = contact.forcing;
-    for (Index j = 0; j < mode.padded(); ++j)
-      if (j != mode.drift && all.steady(j) > 0.0)
+    for (Index j = 0; j < mode.padded(); ++j) {
+      if (j == mode.drift) continue;
+      contact.rest += contact.row(j) * all.rest(j);
+      if (all.steady(j) > 0.0)
         contact.steady +=
             contact.row(j) * Complex(1.0, contact.damping * scene.omega) * all.steady_of(j);
+    }
   }
 }
 
@@ -227,13 +227,14 @@ ContactMode build_contact_mode(const Scene &scene, const Held &held) {
   resize(mode, size, static_cast<Index>(held.size()));
   for (Index k = 0, j = 0; k < mode.basis.lambda.size(); ++k) j = add_mode(scene, k, j, mode);
   const auto is_slow = [&](Index j) {
-    return j == mode.drift || (all.force_re(j) != 0.0 && all.rate(j) < slow_rate * scene.omega &&
+    return j == mode.drift || (all.force_of(j) != 0.0 && all.rate(j) < slow_rate * scene.omega &&
                                !all.decay[static_cast<std::size_t>(j)]);
   };
   for (Index j = 0; j < static_cast<Index>(size); ++j)
     if (is_slow(j)) mode.slow.push_back(j);
   all.inverse_frequency = 1.0 / all.frequency.max(1e-300);
-  all.force = all.force_re.abs() + all.force_im.abs();  // one of them is zero
+  all.force = all.force_re.abs() + all.force_im.abs() + all.constant.abs();
+  all.any_beside_cosine = all.any_decay || !scene.sine.empty() || (all.constant != 0.0).any();
   double slowest = std::numeric_limits<double>::infinity();
   for (Index j = 0; j < static_cast<Index>(size); ++j) {
     all.steady(j) = std::hypot(all.steady_re(j), all.steady_im(j));

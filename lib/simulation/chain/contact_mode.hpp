@@ -17,20 +17,25 @@ namespace vibro_impact::detail {
 // that never move, so that loops take two at a time.
 using PerCoordinate = Eigen::ArrayXd;
 
-// The modal coordinates: y'' + kappa y' + lambda y = Re(force e^(i Omega t)) (1). A strongly damped
-// mode is carried as its two decays, so that the fast one can die out: there lambda = 0, and (1) is
-// the derivative of y' + kappa y = drive cos(Omega t) (2), with force = i Omega drive.
+// The modal coordinates: y'' + kappa y' + lambda y = Re(force e^(i Omega t)) + constant (1). A
+// strongly damped mode is carried as its two decays, so that the fast one can die out: there lambda
+// = 0, and (1), without its constant, is the derivative of y' + kappa y = Re(drive e^(i Omega t)) +
+// pull (2), with force = i Omega drive.
 struct ModalCoordinates {
   std::size_t size = 0;  // without the one filled up
   PerCoordinate kappa, lambda;
-  PerCoordinate force_re, force_im, force;  // of (1), and its modulus
-  PerCoordinate steady_re, steady_im;       // the steady response to it is Re(steady e^(i Omega t))
-  PerCoordinate steady;                     // its modulus; infinite where there is none
+  PerCoordinate force_re, force_im, constant;  // of (1)
+  PerCoordinate force;                         // a bound of the modulus of both
+  PerCoordinate steady_re, steady_im;  // the steady response to it is Re(steady e^(i Omega t))
+  PerCoordinate steady;                // its modulus; infinite where there is none
   PerCoordinate frequency, inverse_frequency;  // sqrt(lambda), and 1e300 for 1 / 0
   PerCoordinate rate;                          // largest modulus of a characteristic root
   std::vector<char> decay;                     // true of a coordinate of (2)
-  PerCoordinate drive;                         // of (2)
+  PerCoordinate drive_re, drive_im, pull;      // of (2)
+  PerCoordinate
+      rest;  // constant / lambda, or pull / kappa: the constant part of the steady response
   bool any_decay = false;
+  bool any_beside_cosine = false;  // some force is not a cosine
 
   std::complex<double> force_of(Eigen::Index j) const {
     return {force_re(j), force_im(j)};
@@ -42,20 +47,24 @@ struct ModalCoordinates {
 
 // A stop that a mass of this contact mode may come to, or is held at, with what stays positive
 // until something happens there: the gap sigma (s - x) of a free mass, or the force that presses a
-// held one. Both are offset + row . y + damping row . y' + forcing cos(Omega t) (3); a gap has
+// held one. Both are offset + row . y + damping row . y' + Re(forcing e^(i Omega t)) (3); a gap has
 // damping = forcing = 0.
 struct Contact {
   std::size_t stop = 0, mass = 0;  // indices from 0
   double sigma = 1.0;              // the sign of its side
   bool held = false;
-  double offset = 0.0, damping = 0.0, forcing = 0.0;
+  double offset = 0.0, damping = 0.0;
+  std::complex<double> forcing = 0.0;
+  double forcing_modulus = 0.0;
   PerCoordinate row;
   PerCoordinate modulus;        // |row|
   PerCoordinate impulse;        // change of y' by a unit jump of the gap speed
   PerCoordinate impulse_value;  // and of y, which only decays have; else empty
   PerCoordinate placement;      // change of y by a unit of gap: a static deflection at the mass
-  std::complex<double> steady;  // (3) in the steady response is its real part times e^(i Omega t)
-  double restitution = 0.0;     // r at rest
+  // (3) in the steady response is offset + rest + Re(steady e^(i Omega t)).
+  std::complex<double> steady = 0.0;
+  double rest = 0.0;
+  double restitution = 0.0;  // r at rest
 };
 
 struct ContactMode {

@@ -40,7 +40,8 @@ void set_coordinates(const ContactMode &mode, ChainMotion &chain, Motion &motion
 void express(const Scene &scene, const MotionState &state, const ContactMode &mode,
              const Clock &clock, ChainMotion &chain, Motion &motion) {
   const auto n = static_cast<Index>(state.displacement.size());
-  chain = {VectorXd(n), VectorXd(n), VectorXd(n), VectorXd(n), VectorXd(n), VectorXd(n)};
+  const Index rows = mode.tension.size();
+  chain = {VectorXd(n), VectorXd(rows), VectorXd(n), VectorXd(rows), VectorXd(n), VectorXd(n)};
   double x_before = 0.0, v_before = 0.0;
   for (Index i = 0; i < n; ++i) {
     const double x = state.displacement[static_cast<std::size_t>(i)],
@@ -50,6 +51,11 @@ void express(const Scene &scene, const MotionState &state, const ContactMode &mo
     chain.tension(i) = root * (x - x_before) - mode.tension(i);
     chain.velocity(i) = v;
     chain.tension_rate(i) = root * (v - v_before);
+    if (rows > n) {
+      const double ground = std::sqrt(scene.ground[static_cast<std::size_t>(i)]);
+      chain.tension(n + i) = ground * x - mode.tension(n + i);
+      chain.tension_rate(n + i) = ground * v;
+    }
     x_before = x;
     v_before = v;
   }
@@ -63,7 +69,7 @@ void change_mode(const ContactMode &mode, ChainMotion &chain, Motion &motion) {
   chain.displacement = before.equilibrium - mode.equilibrium;
   chain.tension = before.tension - mode.tension;
   chain.velocity.setZero(mode.equilibrium.size());
-  chain.tension_rate.setZero(mode.equilibrium.size());
+  chain.tension_rate.setZero(mode.tension.size());
   for (Index k = 0; k < basis.lambda.size(); ++k) {
     const Index j = before.first_coordinate[static_cast<std::size_t>(k)];
     double value = motion.y(j), velocity = motion.dy(j);

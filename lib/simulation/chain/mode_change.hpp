@@ -6,7 +6,7 @@
 namespace vibro_impact::detail {
 
 // The motion of the chain about the static positions of a contact mode: displacements x_i and
-// tensions sqrt(k_i) (x_i - x_(i-1)) of the links, and the rates of both. N each.
+// tensions of the springs as in `ModalBasis`, and the rates of both.
 struct ChainMotion {
   Eigen::VectorXd displacement, tension, velocity, tension_rate;
   Eigen::VectorXd value, speed;  // of the modes

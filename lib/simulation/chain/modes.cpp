@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "forces.hpp"
 #include "tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -25,7 +26,7 @@ MatrixXd eigenvectors_of(const Scene &scene, const std::vector<std::size_t> &fre
   for (Index a = 0; a < modes; ++a) {
     const std::size_t i = free[static_cast<std::size_t>(a)];
     const double k_right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    diagonal(a) = (scene.stiffness[i] + k_right) / scene.mass[i];
+    diagonal(a) = (scene.stiffness[i] + k_right + entry_of(scene.ground, i)) / scene.mass[i];
     if (a + 1 < modes)
       off(a) = free[static_cast<std::size_t>(a) + 1] == i + 1
                    ? -k_right / std::sqrt(scene.mass[i] * scene.mass[i + 1])
@@ -54,7 +55,7 @@ void rotate_to_front(const VectorXd &first, MatrixXd &vectors) {
 MatrixXd tensions_of(const Scene &scene, const std::vector<std::size_t> &free,
                      const MatrixXd &vectors) {
   const auto n = static_cast<Index>(scene.mass.size());
-  MatrixXd tension = MatrixXd::Zero(n, vectors.cols());
+  MatrixXd tension = MatrixXd::Zero(springs(scene), vectors.cols());
   for (Index j = 0; j < vectors.cols(); ++j)
     for (Index a = 0; a < vectors.rows(); ++a) {
       const std::size_t i = free[static_cast<std::size_t>(a)];
@@ -62,6 +63,7 @@ MatrixXd tensions_of(const Scene &scene, const std::vector<std::size_t> &free,
       const double x = vectors(a, j) / std::sqrt(scene.mass[i]);
       tension(row, j) += x;
       if (row + 1 < n) tension(row + 1, j) -= x;
+      if (!scene.ground.empty()) tension(n + row, j) = std::sqrt(scene.ground[i]) * x;
     }
   for (Index i = 0; i < n; ++i)
     tension.row(i) *= std::sqrt(scene.stiffness[static_cast<std::size_t>(i)]);
@@ -102,12 +104,54 @@ void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first, double s
 
 }  // namespace
 
+Eigen::Index springs(const Scene &scene) {
+  return static_cast<Index>(scene.mass.size() * (scene.ground.empty() ? 1 : 2));
+}
+
+bool is_untied(const Scene &scene) {
+  return scene.stiffness[0] == 0.0 &&
+         std::all_of(scene.ground.begin(), scene.ground.end(), [](double k) { return k == 0.0; });
+}
+
+void set_static_positions(const Scene &scene, const Held &held, Eigen::VectorXd &x,
+                          Eigen::VectorXd &tension) {
+  const std::size_t n = scene.mass.size();
+  std::vector<double> held_at(n, 0.0);
+  for (const Stop &stop : scene.stops) {
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    if (held[i] == static_cast<signed char>(stop.side)) held_at[i] = stop.position;
+  }
+  x.setZero(static_cast<Index>(n));
+  tension.setZero(springs(scene));
+  double left = 0.0;
+  for (std::size_t i = 0; i < n;) {
+    std::size_t anchor = i;
+    while (anchor < n && held[anchor] == 0) ++anchor;
+    const double right = anchor < n ? held_at[anchor] : left;
+    if (i == 0 && scene.stiffness[0] == 0.0) left = right;  // not tied to the ground
+    double total = 0.0, reached = 0.0;
+    for (std::size_t j = i; j <= anchor && j < n; ++j) total += 1.0 / scene.stiffness[j];
+    if (left != right)
+      for (std::size_t j = i; j <= anchor && j < n; ++j)
+        tension(static_cast<Index>(j)) = (right - left) / total / std::sqrt(scene.stiffness[j]);
+    for (std::size_t j = i; j < anchor; ++j) {
+      reached += 1.0 / scene.stiffness[j];
+      x(static_cast<Index>(j)) = left == right ? left : left + (right - left) * (reached / total);
+    }
+    if (anchor < n) x(static_cast<Index>(anchor)) = right;
+    left = right;
+    i = anchor + 1;
+  }
+  for (std::size_t j = 0; j < n && !scene.ground.empty(); ++j)
+    tension(static_cast<Index>(n + j)) = std::sqrt(scene.ground[j]) * x(static_cast<Index>(j));
+}
+
 ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free) {
   const auto n = static_cast<Index>(scene.mass.size()), modes = static_cast<Index>(free.size());
   ModalBasis basis{VectorXd(modes), MatrixXd::Zero(n, modes), MatrixXd::Zero(modes, n),
-                   MatrixXd::Zero(n, modes)};
+                   MatrixXd::Zero(springs(scene), modes)};
   if (modes == 0) return basis;
-  const bool floats = scene.stiffness[0] == 0.0 && modes == n;
+  const bool floats = is_untied(scene) && modes == n;
   // A copy, because Eigen adds up in an order that depends on the alignment of the memory.
   const VectorXd mass = Eigen::Map<const VectorXd>(scene.mass.data(), n);
   const bool light = mass.minCoeff() < light_mass * mass.maxCoeff();

@@ -17,10 +17,17 @@ Complex turn_at(double omega, double phase) {
   return {std::cos(omega * phase), std::sin(omega * phase)};
 }
 
-// The steady response of a coordinate, and its slope.
+// The turning part of the steady response of a coordinate, and its slope.
 OscillatorState steady_state(const ModalCoordinates &all, Index j, Complex turn, double omega) {
   const Complex steady = all.steady_of(j) * turn;
   return {steady.real(), -omega * steady.imag()};
+}
+
+// Lets a coordinate follow its steady response.
+void set_steady_state(Motion &motion, Index j, double omega) {
+  const OscillatorState steady = steady_state(motion.mode->coordinates, j, motion.turn, omega);
+  motion.y(j) = motion.mode->coordinates.rest(j) + steady.value;
+  motion.dy(j) = steady.slope;
 }
 
 void tie_decays(Motion &motion) {
@@ -28,27 +35,8 @@ void tie_decays(Motion &motion) {
   if (all.any_decay)
     for (Index j = 0; j < motion.y.size(); ++j)
       if (all.decay[static_cast<std::size_t>(j)])
-        motion.dy(j) = all.drive(j) * motion.turn.real() - all.kappa(j) * motion.y(j);
-}
-
-// What (1) makes of a coordinate within two radians: the Taylor series, whose terms fall from the
-// start, adds up changes that are as accurate as they are small.
-OscillatorState change_by_series(const ModalCoordinates &all, Index j, OscillatorState start,
-                                 Complex turn, double omega, double tau) {
-  const double kappa = all.kappa(j) * tau, lambda = all.lambda(j) * tau * tau;
-  Complex force = all.force_of(j) * turn * (tau * tau);
-  double before = start.value, term = start.slope * tau;
-  OscillatorState change{term, 0.0};
-  for (int n = 0; n < 26; ++n) {
-    const double next =
-        (force.real() - lambda * before - kappa * (n + 1) * term) / ((n + 1.0) * (n + 2.0));
-    before = term;
-    term = next;
-    change.value += term;
-    change.slope += (n + 2) * term;
-    force *= Complex(0.0, omega * tau / (n + 1));
-  }
-  return {change.value, tau > 0.0 ? change.slope / tau : 0.0};
+        motion.dy(j) = all.drive_re(j) * motion.turn.real() - all.drive_im(j) * motion.turn.imag() +
+                       all.pull(j) - all.kappa(j) * motion.y(j);
 }
 
 // The time between two instants, and what rounding leaves off it: a long flight turns by both.
@@ -71,36 +59,42 @@ Duration duration_of(const Motion &motion, const Instant &target, const Clock &c
 OscillatorState change_of(const ContactMode &mode, Index j, OscillatorState start, Complex turn,
                           Complex turn_after, double omega, Duration duration) {
   const ModalCoordinates &all = mode.coordinates;
-  const double tau = duration.tau;
-  const double kappa = all.kappa(j), lambda = all.lambda(j), force = all.force(j);
-  const bool slow_forcing = force == 0.0 || omega * tau <= max_step_radians;
-  if (all.rate(j) * tau <= max_step_radians && slow_forcing && j != mode.drift)
-    return change_by_series(all, j, start, turn, omega, tau);
+  const double tau = duration.tau, kappa = all.kappa(j), lambda = all.lambda(j),
+               constant = all.constant(j);
+  const Complex force = all.force_of(j) * turn, force_after = all.force_of(j) * turn_after;
   if (j == mode.drift) {
-    const OscillatorState forced =
-        forced_drift(all.force_of(j) * turn, all.force_of(j) * turn_after, omega, tau);
-    return {start.slope * tau + forced.value, forced.slope};
+    const OscillatorState forced = forced_drift(force, force_after, omega, tau);
+    return {start.slope * tau + (forced.value + constant * tau * tau / 2),
+            forced.slope + constant * tau};
   }
+  const bool slow = all.rate(j) * tau <= max_step_radians;
+  if (slow && (force == 0.0 || omega * tau <= max_step_radians))
+    return change_by_series(kappa, lambda, start, force, constant, omega, tau);
+  // Over a short time of a soft coordinate its static position would cancel digits.
   const bool decay = all.decay[static_cast<std::size_t>(j)];
-  const double detuning = lambda - omega * omega;
+  const double rest = slow ? 0.0 : all.rest(j);
+  OscillatorState pushed{0.0, 0.0};
+  if (decay)
+    pushed.value = slow ? -all.rest(j) * std::expm1(-kappa * tau) : 0.0;
+  else if (slow && constant != 0.0)
+    pushed = change_by_series(kappa, lambda, {0.0, 0.0}, 0.0, constant, 0.0, tau);
   const auto free_motion = [&](const OscillatorState &from) {
+    if (decay) return OscillatorState{from.value * std::exp(-kappa * tau), from.slope};
     return free_response(kappa, lambda, free_response(kappa, lambda, from, tau), duration.rest);
   };
+  const double detuning = lambda - omega * omega;
+  OscillatorState before{0.0, 0.0}, after = before;  // what the forcing adds at either end
   if (force != 0.0 && !decay &&
       std::hypot(detuning, kappa * omega) < near_resonance * (lambda + omega * omega)) {
-    const OscillatorState forced = forced_from_rest(kappa, lambda, all.force_of(j) * turn,
-                                                    all.force_of(j) * turn_after, omega, tau);
-    const OscillatorState free = free_motion(start);
-    return {free.value + forced.value - start.value, free.slope + forced.slope - start.slope};
+    after = forced_from_rest(kappa, lambda, force, force_after, omega, tau);
+  } else {
+    before = steady_state(all, j, turn, omega);
+    after = steady_state(all, j, turn_after, omega);
   }
-  const OscillatorState before = steady_state(all, j, turn, omega),
-                        after = steady_state(all, j, turn_after, omega);
-  OscillatorState own{start.value - before.value, start.slope - before.slope};
-  if (decay)
-    own.value *= std::exp(-kappa * tau);
-  else
-    own = free_motion(own);
-  return {own.value + after.value - start.value, own.slope + after.slope - start.slope};
+  const OscillatorState own =
+      free_motion({start.value - before.value - rest, start.slope - before.slope});
+  return {own.value + after.value + rest + pushed.value - start.value,
+          own.slope + after.slope + pushed.slope - start.slope};
 }
 
 }  // namespace
@@ -130,14 +124,9 @@ double time_until(const Motion &motion, const Instant &instant, const Clock &clo
 
 void complete_move(Motion &motion, const Clock &clock) {
   const ContactMode &mode = *motion.mode;
-  const ModalCoordinates &all = mode.coordinates;
   tie_decays(motion);
   for (std::size_t k = 0; k < motion.following.size(); ++k) {
-    if (!motion.following[k]) continue;
-    const auto j = static_cast<Index>(k);
-    const OscillatorState steady = steady_state(all, j, motion.turn, clock.omega);
-    motion.y(j) = steady.value;
-    motion.dy(j) = steady.slope;
+    if (motion.following[k]) set_steady_state(motion, static_cast<Index>(k), clock.omega);
   }
   if (mode.slow.empty()) return;
   const Motion::Change &from = motion.change;
@@ -179,14 +168,15 @@ void let_dead_coordinates_follow(Motion &motion, double omega) {
     if (follows || !(all.kappa(j) > 0.0)) continue;
     const OscillatorState steady = steady_state(all, j, motion.turn, omega);
     const double rate = all.rate(j);
-    const double speed = mode.extent(j) * (rate * std::abs(motion.y(j) - steady.value) +
-                                           std::abs(motion.dy(j) - steady.slope));
-    const double rounding = response_rounding * mode.extent(j) * all.steady(j);
+    const double speed =
+        mode.extent(j) * (rate * std::abs(motion.y(j) - all.rest(j) - steady.value) +
+                          std::abs(motion.dy(j) - steady.slope));
+    const double rounding =
+        response_rounding * mode.extent(j) * (all.steady(j) + std::abs(all.rest(j)));
     if (speed * rate <= std::max(negligible * acceleration, rounding * rate * rate) &&
         speed / rate <= std::max(negligible * extent, rounding)) {
       follows = true;
-      motion.y(j) = steady.value;
-      motion.dy(j) = steady.slope;
+      set_steady_state(motion, j, omega);
     }
   }
 }
@@ -235,8 +225,7 @@ double velocity(const Motion &motion, std::size_t mass) {
 double terms_of(const Contact &contact, const Motion &motion) {
   double sum = std::abs(contact.offset) + dot_moduli(contact.modulus, motion.y);
   if (contact.held)
-    sum += contact.damping * dot_moduli(contact.modulus, motion.dy) +
-           std::abs(contact.forcing * motion.turn.real());
+    sum += contact.damping * dot_moduli(contact.modulus, motion.dy) + contact.forcing_modulus;
   return sum;
 }
 
@@ -289,7 +278,7 @@ double pressing_force(const Scene &scene, const Contact &contact, const Motion &
              scene, contact.mass,
              [&](std::size_t j) { return j == contact.mass ? stop : displacement(motion, j); },
              [&](std::size_t j) { return j == contact.mass ? 0.0 : velocity(motion, j); },
-             motion.turn.real());
+             forcing_at(motion.turn.real(), motion.turn.imag()));
 }
 
 }  // namespace vibro_impact::detail

@@ -69,7 +69,9 @@ double velocity(const Motion &motion, std::size_t mass);
 inline double evaluate(const Contact &contact, const Motion &motion) {
   double sum = contact.offset + dot(contact.row, motion.y);
   if (contact.held)
-    sum += contact.damping * dot(contact.row, motion.dy) + contact.forcing * motion.turn.real();
+    sum +=
+        contact.damping * dot(contact.row, motion.dy) +
+        (contact.forcing.real() * motion.turn.real() - contact.forcing.imag() * motion.turn.imag());
   return sum;
 }
 

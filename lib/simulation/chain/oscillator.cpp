@@ -53,4 +53,25 @@ OscillatorState forced_drift(Complex force, Complex force_after, double omega, d
   return {tau * tau * std::real(force * second), tau * std::real(force * (1.0 + z * second))};
 }
 
+OscillatorState change_by_series(double kappa, double lambda, OscillatorState start, Complex force,
+                                 double constant, double omega, double tau) {
+  kappa *= tau;
+  lambda *= tau * tau;
+  force *= tau * tau;
+  constant *= tau * tau;
+  double before = start.value, term = start.slope * tau;
+  OscillatorState change{term, 0.0};
+  for (int n = 0; n < 26; ++n) {
+    const double next = (force.real() + constant - lambda * before - kappa * (n + 1) * term) /
+                        ((n + 1.0) * (n + 2.0));
+    before = term;
+    term = next;
+    change.value += term;
+    change.slope += (n + 2) * term;
+    force *= Complex(0.0, omega * tau / (n + 1));
+    constant = 0.0;
+  }
+  return {change.value, tau > 0.0 ? change.slope / tau : 0.0};
+}
+
 }  // namespace vibro_impact::detail

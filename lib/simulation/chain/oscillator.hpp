@@ -26,4 +26,11 @@ OscillatorState forced_from_rest(double kappa, double lambda, std::complex<doubl
 OscillatorState forced_drift(std::complex<double> force, std::complex<double> force_after,
                              double omega, double tau);
 
+// The change after tau, of at most two radians, of y'' + kappa y' + lambda y = Re(F(t)) + constant,
+// F turning from `force` on: the Taylor series, whose terms fall from the start, adds up changes
+// that are as accurate as they are small.
+OscillatorState change_by_series(double kappa, double lambda, OscillatorState start,
+                                 std::complex<double> force, double constant, double omega,
+                                 double tau);
+
 }  // namespace vibro_impact::detail

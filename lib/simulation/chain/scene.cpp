@@ -77,7 +77,12 @@ void check(const Scene &scene) {
           ": must be non-negative and finite");
   static_cast<void>(Clock(scene.omega));  // refuses an Omega that is negative or not finite
   require_restitution(scene.restitution);
-  if (!scene.amplitude.empty()) require_one_per_mass(scene.amplitude, scene, "amplitude");
+  for (const auto &[values, what] : {std::pair{&scene.amplitude, "amplitude"},
+                                     {&scene.sine, "sine"},
+                                     {&scene.constant, "constant"},
+                                     {&scene.ground, "ground"}})
+    if (!values->empty()) require_one_per_mass(*values, scene, what);
+  for (double k : scene.ground) require(k >= 0.0, "ground = ", k, ": must be non-negative");
   const double rate = detail::rate_bound(scene);
   require(std::isfinite(rate * rate), "rate = ", rate,
           ": the largest rate that k, m, beta and omega allow, and its square, must be finite");
@@ -118,7 +123,8 @@ double largest_eigenvalue_bound(const Scene &scene) {
   double bound = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
     const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    bound = std::max(bound, 2.0 * (scene.stiffness[i] + right) / scene.mass[i]);
+    const double row = 2.0 * (scene.stiffness[i] + right) + entry_of(scene.ground, i);
+    bound = std::max(bound, row / scene.mass[i]);
   }
   return bound;
 }

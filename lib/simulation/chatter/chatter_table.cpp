@@ -26,6 +26,18 @@ NodeWeights node_weights(const ChatterTable &table, std::size_t first) {
   return weights;
 }
 
+// The same without the node `first`: its factor x / (x - x_i) is taken out of the others.
+NodeWeights without_node(const ChatterTable &table, std::size_t first, NodeWeights weights) {
+  double sum = 0.0;
+  weights[first] = 0.0;
+  for (std::size_t i = first + 1; i < table.nodes.size(); ++i) {
+    weights[i] *= 1.0 - table.nodes[i].x / table.nodes[first].x;
+    sum += weights[i];
+  }
+  for (double &weight : weights) weight /= sum;
+  return weights;
+}
+
 // Drops the impacts before the oldest node, which no extrapolation reads.
 void drop_old_impacts(Chatter &chatter) {
   const std::size_t old = chatter.table.nodes.front().impact - chatter.dropped;
@@ -123,7 +135,7 @@ ChatterMoments extrapolate_moments(const Chatter &chatter, const ChatterLimit &l
   for (int n = 0; n <= order; ++n, power *= restitution)
     ratio[static_cast<std::size_t>(n)] = power / (1.0 - power);
   const NodeWeights weights = node_weights(table, limit.oldest),
-                    fewer = node_weights(table, limit.oldest + 1);
+                    fewer = without_node(table, limit.oldest, weights);
   ChatterMoments moments;
   double weight_before = 0.0, change_before = 0.0;
   std::size_t node = limit.oldest;

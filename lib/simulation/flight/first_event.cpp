@@ -58,7 +58,7 @@ bool is_out_of_reach(const Contact &contact, double value, double omega, const F
   double travel = dot(contact.modulus, flight.travel) + margin * std::abs(contact.offset);
   if (contact.held)
     travel += contact.damping * dot(contact.modulus, flight.rate_travel) +
-              std::abs(contact.forcing) * (1.01 * omega * flight.step.length + margin);
+              contact.forcing_modulus * (1.01 * omega * flight.step.length + margin);
   return value > travel;
 }
 
@@ -123,7 +123,7 @@ bool stays_out_of_reach(const Motion &motion, const Contact &contact, double val
   double rate = dot(contact.modulus, speed);
   if (contact.held)
     rate += contact.damping * (contact.modulus * (3.0 * all.rate * speed + all.force)).sum() +
-            std::abs(contact.forcing) * omega;
+            contact.forcing_modulus * omega;
   return value >
          jumps + (1.0 + gap_reread_ratio) * time * rate + margin * terms_of(contact, motion);
 }
@@ -134,7 +134,7 @@ double quiet_time(const Motion &motion, const std::vector<StopState> &stops, dou
   // The amplitude of a coordinate about its steady response.
   const auto amplitude_of = [&](Index j) {
     const Complex steady = all.steady_of(j) * motion.turn;
-    const double y = motion.y(j) - steady.real();
+    const double y = motion.y(j) - all.rest(j) - steady.real();
     if (!(all.frequency(j) > 0.0)) return std::abs(y);
     return std::hypot(y, (motion.dy(j) + omega * steady.imag()) / all.frequency(j));
   };
@@ -142,7 +142,7 @@ double quiet_time(const Motion &motion, const std::vector<StopState> &stops, dou
   for (const Contact &contact : mode.contacts) {
     const StopState &stop = stops[contact.stop];
     if (!contact.held && rests_without_force(stop)) continue;
-    double swing = 0.0, rest = contact.held ? contact.offset : gap_of(stop);
+    double swing = 0.0, rest = contact.rest + (contact.held ? contact.offset : gap_of(stop));
     for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
       if (j == mode.drift) continue;
       if (!contact.held) rest -= contact.row(j) * motion.y(j);
@@ -155,19 +155,23 @@ double quiet_time(const Motion &motion, const std::vector<StopState> &stops, dou
     const double room = rest - swing - 2.0 * gap_reread_ratio * (std::abs(rest) + swing);
     if (!(room > 0.0)) return 0.0;
     if (mode.drift < 0 || contact.held) continue;
-    // The rigid-body mode y'' = f cos(Omega t), by its speed and the modulus of f, or, where the
-    // forcing turns, by its mean speed and the amplitude 2 f / Omega^2.
-    const double row = contact.row(mode.drift), force = all.force_re(mode.drift);
+    // The rigid-body mode, by its speed and the modulus of the forces on it, or, where they only
+    // turn, by its mean speed and the amplitude 2 |f| / Omega^2.
+    const double row = contact.row(mode.drift), turning = std::abs(all.force_of(mode.drift)),
+                 constant =
+                     all.constant(mode.drift) + (omega == 0.0 ? all.force_re(mode.drift) : 0.0);
+    const bool turns = omega > 0.0 && turning > 0.0;
     const double closing = std::max(0.0, -row * motion.dy(mode.drift)),
-                 push = std::abs(row * force);
-    const bool pushed_away = omega == 0.0 && row * force >= 0.0;
+                 push = std::abs(row) * (std::abs(constant) + (turns ? turning : 0.0));
+    const bool pushed_away = !turns && row * constant >= 0.0;
     double time = infinity;
     if (pushed_away ? closing * closing > 2.0 * push * room || (push == 0.0 && closing > 0.0)
                     : push > 0.0 || closing > 0.0)
       time = 2.0 * room /
              (closing + (pushed_away ? closing : std::sqrt(closing * closing + 2.0 * push * room)));
-    if (omega > 0.0 && force != 0.0) {
-      const double drifting = motion.dy(mode.drift) - force / omega * motion.turn.imag(),
+    if (turns && constant == 0.0) {
+      const double drifting = motion.dy(mode.drift) -
+                              std::imag(all.force_of(mode.drift) * motion.turn) / omega,
                    left = room - 2.0 * push / (omega * omega);
       if (left > 0.0)
         time = std::max(time, row * drifting < 0.0 ? left / (-row * drifting) : infinity);

@@ -32,7 +32,7 @@ const Factors factors = [] {
 
 // Two coordinates of (1) in units of the step.
 struct PairOfOscillators {
-  Pair kappa, lambda, force_re, force_im;
+  Pair kappa, lambda, force_re, force_im, constant;
 };
 
 // `following` is empty, or says which coordinates follow their steady response, which obeys
@@ -40,17 +40,20 @@ struct PairOfOscillators {
 PairOfOscillators oscillators(const ModalCoordinates &all, const std::vector<char> &following,
                               double omega, double length, Index j) {
   PairOfOscillators two{pair(all.kappa.data() + j), pair(all.lambda.data() + j),
-                        pair(all.force_re.data() + j), pair(all.force_im.data() + j)};
+                        pair(all.force_re.data() + j), pair(all.force_im.data() + j), Pair{}};
+  if (all.any_beside_cosine) two.constant = pair(all.constant.data() + j);
   for (Index i = 0; i < 2 && !following.empty(); ++i)
     if (following[static_cast<std::size_t>(j + i)]) {
       two.kappa[i] = two.force_re[i] = two.force_im[i] = 0.0;
       two.lambda[i] = omega * omega;
+      two.constant[i] = omega * omega * all.rest(j + i);
     }
   const double square = length * length;
   two.kappa *= length;
   two.lambda *= square;
   two.force_re *= square;
   two.force_im *= square;
+  if (all.any_beside_cosine) two.constant *= square;
   return two;
 }
 
@@ -77,7 +80,7 @@ void expand_forcing(std::complex<double> turn, double angle, bool with_sine, Tay
 }
 
 // Which terms of a force take part in a recurrence.
-enum class Forcing { none, cosine, cosine_and_sine };
+enum class Forcing { none, cosine, any };
 
 // The recurrence y_(n+2) = (F_n - lambda y_n) / ((n+1) (n+2)) - kappa y_(n+1) / (n+2) for two
 // coordinates, from their values and slopes, in units of the step. Two orders at a time; one more
@@ -92,7 +95,7 @@ void expand_pair(const PairOfOscillators &two, Pair value, Pair slope, Index j,
   const auto coefficient = [&](std::size_t n, Pair before, Pair latest) {
     Pair rest = two.lambda * before;
     if (forcing != Forcing::none) rest = two.force_re * table.cosine[n] - rest;
-    if (forcing == Forcing::cosine_and_sine) rest -= two.force_im * table.sine[n];
+    if (forcing == Forcing::any) rest -= two.force_im * table.sine[n];
     rest *= factors.inverse_square[n];
     const Pair damping = two.kappa * latest * factors.inverse[n + 1];
     return forcing == Forcing::none ? -(rest + damping) : rest - damping;
@@ -100,6 +103,7 @@ void expand_pair(const PairOfOscillators &two, Pair value, Pair slope, Index j,
   const auto orders = static_cast<std::size_t>(table.order);
   for (std::size_t n = 0; n < orders; n += 2) {
     value = coefficient(n, value, slope);
+    if (forcing == Forcing::any && n == 0) value += two.constant * factors.inverse_square[0];
     store(value, next += stride);
     slope = coefficient(n + 1, slope, value);
     store(slope, next += stride);
@@ -130,16 +134,16 @@ int OrderTable::order_of(double radians) const {
 void expand(const Motion &motion, const Step &step, double omega, bool forced, TaylorTable &table) {
   const ModalCoordinates &all = motion.mode->coordinates;
   size_table(step.length, step.order, motion.y.size(), table);
-  if (forced) expand_forcing(motion.turn, omega * step.length, all.any_decay, table);
+  if (forced) expand_forcing(motion.turn, omega * step.length, all.any_beside_cosine, table);
   for (Index j = 0; j < table.coordinates; j += 2) {
     const PairOfOscillators two = oscillators(all, motion.following, omega, step.length, j);
     const Pair value = pair(motion.y.data() + j), slope = pair(motion.dy.data() + j) * step.length;
-    if (!forced)
-      expand_pair<Forcing::none>(two, value, slope, j, table);
-    else if (!all.any_decay)
+    if (all.any_beside_cosine)
+      expand_pair<Forcing::any>(two, value, slope, j, table);
+    else if (forced)
       expand_pair<Forcing::cosine>(two, value, slope, j, table);
     else
-      expand_pair<Forcing::cosine_and_sine>(two, value, slope, j, table);
+      expand_pair<Forcing::none>(two, value, slope, j, table);
   }
 }
 
@@ -149,8 +153,9 @@ void expand_impulse(const ContactMode &mode, const Contact &contact, const Step 
   for (Index j = 0; j < table.coordinates; j += 2) {
     const Pair value =
         contact.impulse_value.size() > 0 ? pair(contact.impulse_value.data() + j) : Pair{};
-    expand_pair<Forcing::none>(oscillators(mode.coordinates, {}, 0.0, step.length, j), value,
-                               pair(contact.impulse.data() + j) * step.length, j, table);
+    const PairOfOscillators two = oscillators(mode.coordinates, {}, 0.0, step.length, j);
+    expand_pair<Forcing::none>(two, value, pair(contact.impulse.data() + j) * step.length, j,
+                               table);
   }
 }
 
@@ -175,12 +180,15 @@ void read_along(const TaylorTable &table, const Contact &contact, Polynomial &po
   sum_row(table, contact.row, table.order + 1, p);
   if (contact.held) {
     const double damping = contact.damping / table.length;
-    for (std::size_t n = 0; n <= static_cast<std::size_t>(table.order); n += 2) {
+    const auto orders = static_cast<std::size_t>(table.order);
+    for (std::size_t n = 0; n <= orders; n += 2) {
       const Pair order = Pair{} + static_cast<double>(n) + Pair{1.0, 2.0};
       const Pair sum = pair(p.data() + n) + damping * order * pair(p.data() + n + 1) +
-                       contact.forcing * pair(table.cosine.data() + n);
+                       contact.forcing.real() * pair(table.cosine.data() + n);
       store(sum, p.data() + n);
     }
+    for (std::size_t n = 0; n <= orders && contact.forcing.imag() != 0.0; ++n)
+      p[n] -= contact.forcing.imag() * table.sine[n];
   }
   polynomial.order = table.order;
   std::fill_n(p.begin() + table.order + 1, 4, 0.0);
@@ -202,15 +210,17 @@ void drop_rounding(const Motion &motion, double omega, const TaylorTable &table,
     two.lambda = -two.lambda;
     two.force_re = abs(two.force_re);
     two.force_im = abs(two.force_im);
-    expand_pair<Forcing::cosine_and_sine>(two, abs(pair(table.of_order(0) + j)),
-                                          abs(pair(table.of_order(1) + j)), j, moduli);
+    two.constant = abs(two.constant);
+    expand_pair<Forcing::any>(two, abs(pair(table.of_order(0) + j)),
+                              abs(pair(table.of_order(1) + j)), j, moduli);
   }
   Terms sizes{};
   sum_row(moduli, contact.modulus, table.order + 1, sizes);
   const double damping = contact.damping / table.length;
   for (std::size_t n = 1; n <= static_cast<std::size_t>(table.order); ++n) {
     const double size = sizes[n] + damping * static_cast<double>(n + 1) * sizes[n + 1] +
-                        std::abs(contact.forcing * table.cosine[n]);
+                        std::abs(contact.forcing.real() * table.cosine[n]) +
+                        std::abs(contact.forcing.imag() * table.sine[n]);
     if (std::abs(polynomial.coefficient[n]) < row_rounding * size) polynomial.coefficient[n] = 0.0;
   }
 }

@@ -13,12 +13,15 @@ std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, doub
   const std::size_t n = scene.mass.size();
   Derivatives &state = current_;
   const double angle = scene.omega * phase, c = std::cos(angle), s = std::sin(angle);
-  const std::array<double, 4> cosine{c, -s, -c, s};  // and its derivatives
-  double power = 1.0;                                // (Omega / rate)^order
+  const std::array<double, 5> cosine{c, -s, -c, s, c};  // and its derivatives
+  double power = 1.0;                                   // (Omega / rate)^order
   std::size_t left = 0;
   for (const RestingMass &mass : masses) left += kind_[mass.mass] == Kind::undecided;
   for (int order = 0; left > 0 && order < 2 * static_cast<int>(n) + 4; ++order) {
-    const double forcing = power * cosine[static_cast<std::size_t>(order % 4)];
+    // The sine is minus the derivative of the cosine.
+    const auto phase_order = static_cast<std::size_t>(order % 4);
+    const ForcingFactors forcing{power * cosine[phase_order], -power * cosine[phase_order + 1],
+                                 order == 0 ? 1.0 : 0.0};
     const auto force_of = [&](std::size_t i) {
       return force_on(
           scene, i, [&](std::size_t j) { return state.x[j]; },
@@ -29,7 +32,7 @@ std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, doub
       return force_on(
           scene, i, [&](std::size_t j) { return j == i ? -state.x_error[j] : state.x_error[j]; },
           [&](std::size_t j) { return rate * (j == i ? -state.v_error[j] : state.v_error[j]); },
-          0.0);
+          {});
     };
     const auto set_acceleration = [&](std::size_t i, double force, double error) {
       state.a[i] = force / (scene.mass[i] * rate * rate);

@@ -1,0 +1,84 @@
+// Chains of two and three coupled masses with a sine, a constant force and springs to the ground
+// against the 50-digit generator, which shares neither code nor method with the library.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reference/event_driven.hpp"
+#include "reference/paper_scenes.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+Scene three_masses() {
+  return {.mass = {1.0, 2.0, 0.5},
+          .stiffness = {1.0, 0.7, 1.5},
+          .beta = 0.1,
+          .amplitude = {0.5, 0.0, 0.2},
+          .sine = {0.1, -0.3, 0.0},
+          .constant = {-0.05, 0.1, 0.02},
+          .ground = {0.0, 0.4, 0.2},
+          .omega = 0.6,
+          .restitution = 0.5,
+          .stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.3}, {3, Side::upper, 0.35}}};
+}
+
+Scene two_masses() {
+  Scene scene = paper::figure2();
+  scene.sine = {0.0, 0.2};
+  scene.constant = {-0.1, 0.05};
+  scene.ground = {0.3, 0.0};
+  return scene;
+}
+
+// A strongly damped chain, the modes of which are carried as two decays each.
+Scene creeping() {
+  Scene scene = two_masses();
+  scene.beta = 8.0;
+  scene.stops[0].position = -0.05;
+  scene.stops[1].position = 0.03;
+  return scene;
+}
+
+// Every event that the generator resolves down to 1e-4, and every stick and release. 1e-12: some
+// hundred roundings of a time of 40, passed on by the events before.
+TEST(Forces, OfCoupledMassesAgreeWith50Digits) {
+  constexpr double until = 40.0;
+  for (const Scene &scene : {two_masses(), three_masses(), creeping()}) {
+    const auto truth = vibro_impact_reference::simulate(
+        vibro_impact_reference::in_digits(scene, until), vibro_impact_reference::Resolution{});
+    EventRecorder ours;
+    ASSERT_EQ(simulate(scene, until, RunOptions{.resolve_chatter = 1e-4}, ours).ending,
+              Ending::reached);
+    std::size_t sticks = 0, compared = 0;
+    for (const auto &event : truth.events) {
+      const bool impact = event.kind == vibro_impact_reference::Event::Kind::impact;
+      if (impact && abs(event.velocity_before) < 1e-4) continue;
+      const auto time = static_cast<double>(event.time);
+      const auto same = [&](const Event &other) {
+        return other.mass == static_cast<int>(event.mass) + 1 &&
+               (other.kind == EventKind::impact) == impact && std::abs(other.time - time) < 1e-12;
+      };
+      EXPECT_TRUE(std::any_of(ours.events.begin(), ours.events.end(), same)) << time;
+      sticks += event.kind == vibro_impact_reference::Event::Kind::stick;
+      ++compared;
+    }
+    EXPECT_GE(sticks, 1u);
+    EXPECT_GE(compared, 8u);
+  }
+}
+
+// What a scene leaves out costs nothing: the work is the same to the last operation, and so is the
+// motion.
+TEST(Forces, OfZeroChangeNothing) {
+  Scene zero = paper::figure2();
+  zero.sine = zero.constant = zero.ground = {0.0, 0.0};
+  const Outcome without = simulate(paper::figure2(), 200.0), with = simulate(zero, 200.0);
+  EXPECT_EQ(without.counters.products, with.counters.products);
+  EXPECT_EQ(without.counters.expansions, with.counters.expansions);
+  EXPECT_NEAR(without.state.displacement[0], with.state.displacement[0], 1e-13);
+}
+
+}  // namespace
