@@ -1,5 +1,5 @@
 // A contact mode: which masses are held at which stop, and the modal solution of the masses that
-// are free (Eqs. 6-7 restricted to the free rows).
+// are free (Eqs. 6-7 restricted to the free rows). Numbers such as (1) are those of lib/README.md.
 #pragma once
 
 #include <Eigen/Core>

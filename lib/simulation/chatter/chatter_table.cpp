@@ -111,8 +111,8 @@ std::optional<ChatterLimit> extrapolate_limit(const Chatter &chatter, double tol
   return ChatterLimit{left, table.error, last - table.best};
 }
 
-// A node at t_i predicts of the impacts after it M_n = J_i (T - t_i)^n q / (1 - q), q = r^(n+1).
-// Less those between it and the latest impact, these are the impacts to come:
+// By (13), a node at t_i predicts M_n = J_i (T - t_i)^n q / (1 - q), q = r^(n+1), of the impacts
+// after it. Less those between it and the latest impact, these are the impacts to come:
 //   M_n ~ sum_i w_i (J_i (T - t_i)^n q / (1 - q) - sum_(i < k <= latest) J_k (T - t_k)^n).
 // In one pass over the impacts, `weight_before` is the sum of the weights of the nodes so far.
 ChatterMoments extrapolate_moments(const Chatter &chatter, const ChatterLimit &limit,

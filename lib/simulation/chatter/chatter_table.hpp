@@ -1,7 +1,7 @@
 // The impacts of a chatter and the limit they tend to, in numbers alone. An impact at t, after
 // which a flight x follows to leading order, predicts the time t + x / (1 - r) of the limit. This
-// is a smooth function of x, and tends to that time as x -> 0 with an error of order x^2
-// (lib/README.md, section 8).
+// is a smooth function of x, and tends to that time as x -> 0 with an error of order x^2. The
+// equations are (11) to (13) of lib/README.md.
 #pragma once
 
 #include <array>

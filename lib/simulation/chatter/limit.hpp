@@ -1,6 +1,6 @@
 // The motion at the limit of a complete chatter: the flight from the latest impact as if none
 // followed, plus the responses to the impacts to come, which depend on them through their moments
-// only (lib/README.md, section 8).
+// only ((12) of lib/README.md).
 #pragma once
 
 #include <vector>

@@ -30,10 +30,10 @@ double value_of(const Motion &motion, const Contact &contact, const StopState &s
 // out of reach stays what is well above its rounding, and can be evaluated anew after the step.
 //
 // With E^2 = y'^2 + lambda y^2 and E'^2 = y''^2 + lambda y'^2, which grow by the forcing alone,
-//   |y'| <= |y'| + sqrt(lambda) |y| + |force| time, and
-//   |y'| <= |y'| + (|y''| + Omega |force| time) / sqrt(lambda),
-// of the values now on the right. The second is small for a coordinate that hardly moves, as under
-// a slow forcing.
+//   |y'(t)| <= |y'| + sqrt(lambda) |y| + |force| time, and
+//   |y'(t)| <= |y'| + (|y''| + Omega |force| time) / sqrt(lambda),
+// with the values now on the right: (7) of lib/README.md. The second is small for a coordinate that
+// hardly moves, as under a slow forcing.
 void bound_travel_with_margin(const Motion &motion, double omega, Flight &flight) {
   constexpr double margin = 2.0 * gap_reread_ratio;
   const ModalCoordinates &all = motion.mode->coordinates;

@@ -34,8 +34,8 @@ struct Root {
 };
 
 // First root in (0, limit] of the polynomial with its leading coefficients that are exactly zero
-// divided out, with a guarantee and without sampling (lib/README.md, section 5); nothing when there
-// is none. The first coefficient that is not zero should be positive; when it is negative the root
+// divided out, with a guarantee and without sampling ((8) of lib/README.md); nothing when there is
+// none. The first coefficient that is not zero should be positive; when it is negative the root
 // returned is 0, with the slope there.
 std::optional<Root> first_root(const Polynomial &p, double limit, Counters &counters);
 

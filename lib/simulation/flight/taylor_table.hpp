@@ -1,5 +1,5 @@
 // The Taylor table of a step: the coefficients of all modal coordinates about its start. Gaps and
-// hold forces are read from it, and it moves the motion (lib/README.md, section 3).
+// hold forces are read from it, and it moves the motion ((4) to (6) of lib/README.md).
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct TaylorTable {
   }
 };
 
-// The table of the motion over a step, by the recurrence that (1) gives.
+// The table of the motion over a step, by the recurrence (4).
 void expand(const Motion &motion, const Step &step, double omega, bool forced, TaylorTable &table);
 
 // The table of what an impulse at a contact alone sets in motion.
@@ -55,7 +55,7 @@ void expand_impulse(const ContactMode &mode, const Contact &contact, const Step 
 // sum_j row_j y_j[n] of the orders n = 0, ..., last.
 void sum_row(const TaylorTable &table, const PerCoordinate &row, int last, Terms &sums);
 
-// (3) of a contact along the step.
+// (3) of a contact along the step, by (5).
 void read_along(const TaylorTable &table, const Contact &contact, Polynomial &polynomial);
 
 // Sets to zero the coefficients of (3) that lie below the rounding of the modal coordinates. A mass
@@ -64,8 +64,9 @@ void read_along(const TaylorTable &table, const Contact &contact, Polynomial &po
 void drop_rounding(const Motion &motion, double omega, const TaylorTable &table,
                    const Contact &contact, TaylorTable &moduli, Polynomial &polynomial);
 
-// Moves the coordinates to u of the step: changes are added up, because the coordinates themselves
-// would be rounded alike in each of many steps of one length. The clock is left to the caller.
+// Moves the coordinates to u of the step by (6): changes are added up, because the coordinates
+// themselves would be rounded alike in each of many steps of one length. The clock is left to the
+// caller.
 void move_coordinates(const TaylorTable &table, double u, Motion &motion);
 
 }  // namespace vibro_impact::detail

@@ -1,4 +1,5 @@
-// An impact in the modal coordinates: Eqs. 8-11 as Psi^-1 R Psi (Eq. 16).
+// An impact in the modal coordinates: Eqs. 8-11 as Psi^-1 R Psi (Eq. 16), which is (10) of
+// lib/README.md.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // Which masses are held after an instant: all masses at rest on a stop are decided together, order
-// by order, each by the first derivative of its force that is not zero (lib/README.md, section 7).
+// by order, each by the first derivative of its force that is not zero (lib/README.md, "Held
+// masses").
 #pragma once
 
 #include <vector>
