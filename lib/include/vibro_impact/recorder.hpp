@@ -78,6 +78,12 @@ concept checks_scenes = requires(R &recorder, const Scene &scene) {
   recorder.check(scene);
 };
 
+// True if R has a member with one of these names and another form, which a run would never call.
+template <class R>
+concept has_misfit = (!takes_events<R> && has_event<R>) ||
+                     (!takes_samples<R> && (has_next_time<R> || has_sample<R>)) ||
+                     (!is_asked<R> && has_done<R>) || (!checks_scenes<R> && has_check<R>);
+
 // The members of a recorder as a run calls them. A function is empty if the recorder has no such
 // member. The recorder must outlive its functions.
 struct RecorderRef {
@@ -90,17 +96,9 @@ struct RecorderRef {
 
 }  // namespace detail
 
-// The concept refuses a class with a member that has one of these names and another form, because
-// a run would never call it.
 template <class R>
-concept Recorder =
-    std::is_class_v<R> && !std::is_final_v<R> &&
-    (detail::takes_events<R> || detail::takes_samples<R> || detail::is_asked<R>)&&(
-        detail::takes_events<R> ||
-        !detail::has_event<R>)&&(detail::takes_samples<R> ||
-                                 (!detail::has_sample<R> && !detail::has_next_time<R>)) &&
-    (detail::is_asked<R> || !detail::has_done<R>)&&(detail::checks_scenes<R> ||
-                                                    !detail::has_check<R>);
+concept Recorder = std::is_class_v<R> && !std::is_final_v<R> && !detail::has_misfit<R> &&
+                   (detail::takes_events<R> || detail::takes_samples<R> || detail::is_asked<R>);
 
 namespace detail {
 
