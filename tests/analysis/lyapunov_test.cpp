@@ -141,7 +141,7 @@ TEST(Lyapunov, TheSumOfAllExponentsFollowsFromDampingAndImpacts) {
       sum -= scene.beta * lambda * Clock(scene.omega).period;
     bool sticks = false;
     for (const Event &event : recorder.events) {
-      sum += 2.0 * std::log(law_of(scene, scene.stops[event.stop]).restitution);
+      sum += 2.0 * std::log(law_of(scene, stop_of(scene, event)).restitution);
       sticks = sticks || event.kind != EventKind::impact;
     }
     const int size = 2 * scene.masses();

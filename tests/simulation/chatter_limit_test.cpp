@@ -198,9 +198,8 @@ TEST(ChatterLimit, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
     detail::Chatter chatter;
     detail::begin(chatter, {0}, r);
     detail::add_impact(chatter, 1e-9, {jump});
-    detail::PerCoordinate pushes, speed;
-    EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, scene.omega, 1e-9, pushes, speed),
-              stays)
+    detail::LimitState limit;
+    EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, scene.omega, 1e-9, limit), stays)
         << share;
   }
 }

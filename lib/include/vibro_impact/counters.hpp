@@ -1,4 +1,4 @@
-// Counts of work: repeatable on any machine, unlike run time.
+// Counts of the work of a run. Unlike run time, they are repeatable.
 #pragma once
 
 namespace vibro_impact {
@@ -6,7 +6,7 @@ namespace vibro_impact {
 struct Counters {
   long long expansions = 0;          // Taylor expansions of the flow
   long long coefficients = 0;        // Taylor orders, summed over the expansions
-  long long products = 0;            // of a weight and a coefficient, for gaps and hold forces
+  long long products = 0;            // of weights and coefficients, for gaps and hold forces
   long long stops_clear = 0;         // gaps and hold forces out of reach of zero over a step
   long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
   long long roots_searched = 0;      // polynomials iterated on
@@ -15,11 +15,11 @@ struct Counters {
   long long sticks = 0;              // masses that came to stick
   long long releases = 0;            // masses released
   long long chatter_nodes = 0;       // impacts entered into a chatter table
-  long long chatter_limits = 0;      // complete chatter carried to its limit
+  long long chatter_limits = 0;      // complete chatters that ended at their limit
   long long chatter_incomplete = 0;  // five or more falling impacts at a stop that ended in flight
   long long modes_built = 0;         // contact modes decomposed
-  long long modal_evaluations = 0;   // evaluations of the motion at a time that somebody asked for
-  long long forced_coordinates = 0;  // modal coordinates that carry a force
+  long long modal_evaluations = 0;   // states at samples, and at ends in closed form
+  long long forced_coordinates = 0;  // coordinates with a force, in the mode built last
 };
 
 }  // namespace vibro_impact

@@ -1,9 +1,11 @@
-// The impact law (Eqs. 8-11): the one place that says with which speed a mass leaves its stop.
+// The impact law (Eqs. 8-11). This file alone says with which speed a mass leaves its stop. All
+// speeds are non-dimensional.
 //
-// The rest of the library asks for nothing but the functions below, so that a law r(v) is a
-// change of this file alone, as long as it needs no numbers per stop but r. What is taken for
-// granted: a mass leaves no faster than it came, and after(v) / v is smooth down to v = 0 (that
-// makes the impacts of a chatter a smooth sequence). Tests with Newton's numbers then fail.
+// The rest of the library calls only the functions below. So another law r(v) is a change of this
+// file alone, unless it needs more numbers per stop than r. The law must have two properties. A
+// mass leaves no faster than it came. The ratio after(v) / v is smooth down to v = 0, so that the
+// impacts of a chatter form a smooth sequence. Tests that contain numbers of Newton's law fail with
+// another law.
 #pragma once
 
 namespace vibro_impact {
@@ -15,15 +17,15 @@ struct ImpactLaw {
   constexpr double after(double speed) const {
     return restitution * speed;
   }
-  // Its derivative by the closing speed.
+  // The derivative of `after` by the closing speed.
   constexpr double slope(double) const {
     return restitution;
   }
-  // And by r.
+  // The derivative of `after` by r.
   constexpr double after_by_restitution(double speed) const {
     return speed;
   }
-  // after(v) / v as v -> 0: the ratio of the late impacts of a chatter.
+  // The limit of after(v) / v as v -> 0, which is the speed ratio of the late impacts of a chatter.
   constexpr double at_rest() const {
     return restitution;
   }

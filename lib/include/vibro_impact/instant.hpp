@@ -1,7 +1,9 @@
-// Time as a whole number of forcing periods and a phase time within the period.
+// Time as a whole number of forcing periods and a phase, which is the time within the period. Times
+// are non-dimensional.
 //
-// cos(Omega t) then never sees a large argument: after 1e6 periods the phase is as exact as in the
-// first. The period is carried to twice double precision, so that counting it off does not drift.
+// The argument of cos(Omega t) is never large: after 1e6 periods the phase is as exact as in the
+// first. The period is carried to twice double precision, so that subtracting periods adds no
+// drift.
 #pragma once
 
 #include <cmath>
@@ -11,14 +13,15 @@ namespace vibro_impact {
 
 namespace detail {
 
-// Throw std::invalid_argument: Omega >= 0 with a finite period, and times of at most so many
-// periods as a double counts.
+// Both throw std::invalid_argument with one line. Omega must be >= 0 with a finite period. A time
+// must have at most `most_periods` periods.
 [[noreturn]] void refuse_omega(double omega);
 [[noreturn]] void refuse_time(double time);
 
 }  // namespace detail
 
-// The forcing period T = 2 pi / Omega as an unevaluated sum; infinite when Omega = 0.
+// The forcing period T = 2 pi / Omega, as the unevaluated sum period + period_rest. It is infinite
+// when Omega = 0. The constructor throws std::invalid_argument for a bad Omega.
 struct Clock {
   double omega = 0.0;
   double period = std::numeric_limits<double>::infinity();
@@ -42,15 +45,17 @@ struct Instant {
   double phase = 0.0;
 };
 
-// Up to here a double counts whole periods exactly.
+// The largest number of whole periods that a double counts exactly.
 constexpr double most_periods = 0x1p53;
 
+// The time of an instant, counted from t = 0.
 inline double time_of(const Instant &instant, const Clock &clock) {
   if (instant.cycle == 0) return instant.phase;
   const auto cycles = static_cast<double>(instant.cycle);
   return std::fma(cycles, clock.period, std::fma(cycles, clock.period_rest, instant.phase));
 }
 
+// The instant a time tau >= 0 after another. Throws std::invalid_argument beyond `most_periods`.
 inline Instant later(Instant instant, double tau, const Clock &clock) {
   instant.phase += tau;
   while (!(instant.phase < clock.period)) {  // again where the quotient was rounded down
@@ -64,6 +69,7 @@ inline Instant later(Instant instant, double tau, const Clock &clock) {
   return instant;
 }
 
+// The instant at a time >= 0. Throws as `later` does.
 inline Instant instant_at(double time, const Clock &clock) {
   return later(Instant{}, time, clock);
 }
@@ -72,7 +78,7 @@ inline bool operator<(const Instant &a, const Instant &b) {
   return a.cycle != b.cycle ? a.cycle < b.cycle : a.phase < b.phase;
 }
 
-// b - a, exact in the cycle count up to `most_periods`.
+// The time from a to b. The difference of the cycle counts is exact up to `most_periods`.
 inline double elapsed(const Instant &a, const Instant &b, const Clock &clock) {
   if (a.cycle == b.cycle) return b.phase - a.phase;
   const double cycles = static_cast<double>(b.cycle) - static_cast<double>(a.cycle);

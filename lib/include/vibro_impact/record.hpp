@@ -1,7 +1,8 @@
-// What a run reports, composed by the caller from small recorders.
+// The events and moments that a run reports, and small recorders that collect them.
 //
-// A recorder (the concept `Recorder` in recorder.hpp) has one or more members of a fixed form. A
-// run calls only what its recorders have; nothing is computed or stored that none asked for.
+// The concept `Recorder` in recorder.hpp says which members a recorder has. A run calls only these
+// members, and computes and stores nothing that no recorder asks for. All quantities are
+// non-dimensional.
 #pragma once
 
 #include <cstddef>
@@ -15,21 +16,21 @@
 
 namespace vibro_impact {
 
-// The stuck masses of a contact mode as `-`, `1`, `2`, `1+2`.
+// The held masses of a contact mode as text: `-` for none, or `1`, `2`, `1+2`.
 std::string contact_mode_name(const Held &held);
 
-// One event of one mass; simultaneous ones are consecutive events with the same instant.
+// One event of one mass. Simultaneous events are reported one after another with the same instant.
 struct Event {
   EventKind kind = EventKind::impact;
-  int stop = 1;  // from 1, as the masses: see stop_of
-  int mass = 1;
+  int stop = 1;  // from 1, in the order of Scene::stops
+  int mass = 1;  // from 1
   Side side = Side::upper;
   Instant instant;
   double time = 0.0;
-  double velocity_before = 0.0, velocity_after = 0.0;  // of an impact
+  double velocity_before = 0.0, velocity_after = 0.0;  // of an impact, towards +x; else 0
   int falling = 0;         // impacts at this stop before this one, each slower than the one before
-  bool by_a_jump = false;  // a release by a neighbour's impact, or a start: at no root of the force
-  Held held;               // contact mode after the event
+  bool by_a_jump = false;  // a release where the force jumped, or at a start, not at a root
+  Held held;               // the contact mode after the event
 };
 
 // The stop of an event of this scene.
@@ -37,9 +38,10 @@ inline const Stop &stop_of(const Scene &scene, const Event &event) {
   return scene.stops[static_cast<std::size_t>(event.stop - 1)];
 }
 
-// The motion at one time, while a run reports it to a recorder: what is asked for is computed then,
-// one displacement or velocity in a sum over all modes. It cannot be kept or copied; keep the
-// numbers. `mass` counts from 1; std::invalid_argument for a mass the chain does not have.
+// The motion at one time, while a run reports it to a recorder. A displacement or velocity is
+// computed when it is asked for, as a sum over all modes. A moment cannot be kept or copied; a
+// recorder keeps the numbers. Masses count from 1. The functions throw std::invalid_argument for a
+// mass that the chain does not have.
 class Moment {
  public:
   Instant instant;
@@ -54,12 +56,12 @@ class Moment {
   virtual int masses() const = 0;
   virtual double displacement(int mass) const = 0;
   virtual double velocity(int mass) const = 0;
-  // Force of the neighbours and the forcing on a held mass (Eqs. 12-13, F_p; towards +x); NaN for a
-  // mass that is free.
+  // The force of the neighbours and the forcing on a held mass, F_p of Eqs. 12-13, positive towards
+  // +x. It is NaN for a free mass.
   virtual double hold_force(int mass) const = 0;
 };
 
-// Every event from time `from` on.
+// Records every event from time `from` on.
 struct EventRecorder {
   double from = 0.0;
   std::vector<Event> events = {};
@@ -68,7 +70,7 @@ struct EventRecorder {
   void check(const Scene &scene) const;
 };
 
-// Impact velocities (just before the impact) of one mass, from time `from` on: no trajectory.
+// Records the velocities of one mass just before its impacts, from time `from` on.
 struct ImpactSpeedRecorder {
   int mass = 1;
   double from = 0.0;
@@ -78,11 +80,12 @@ struct ImpactSpeedRecorder {
   void check(const Scene &scene) const;
 };
 
-// The time of sample `taken` (from 0) at from, from + every, ... up to `to`, the end to within
-// rounding; infinite when there is none.
+// The time of sample number `taken`, counted from 0, of the times from, from + every, ... up to
+// `to`. The last may be beyond `to` by rounding and is then `to`. Returns infinity after the last.
 double sample_time(double from, double to, double every, std::size_t taken);
 
-// Displacements of all masses at from, from + every, ... up to `to`; row-major, one row per time.
+// Records the displacements of all masses at from, from + every, ... up to `to`. `displacements`
+// has N numbers for each time, one time after another.
 struct SampleRecorder {
   double from = 0.0, to = 0.0, every = 0.0;
   std::vector<double> times = {}, displacements = {};

@@ -1,13 +1,21 @@
-// What a recorder is: any value with one or more of these members.
-//   void event(const Event &, const Moment &)   called at every event
-//   double next_time(), void sample(const Moment &)
-//       A run calls `sample` at the time that `next_time` asks for. Each time must be later than
-//       the one before; infinity asks for no more samples.
-//   bool done()   asked after each of these calls: true ends the run there. A recorder that has
-//   this
-//       member alone is asked after every flight.
-//   void check(const Scene &)   called before the run; throws std::invalid_argument
-// An exception that a member throws ends the run and reaches the caller; the state of the
+// A recorder is any value of a class with some of these members, and at least one of the first
+// three.
+//
+// void event(const Event &, const Moment &)
+// A run calls this member at every event.
+//
+// double next_time(), void sample(const Moment &)
+// A run calls `sample` at the time that `next_time` returns. Each time must be later than the one
+// before. Infinity asks for no more samples.
+//
+// bool done()
+// A run calls this member after each call of `event` or `sample` of the recorder, and ends there if
+// it returns true. For a recorder that has neither, a run calls it after every step.
+//
+// void check(const Scene &)
+// A run calls this member before it begins. It throws std::invalid_argument to refuse the scene.
+//
+// An exception that a member throws ends the run and reaches the caller. The state of the
 // simulation is then unspecified.
 #pragma once
 
@@ -24,7 +32,8 @@ class Moment;
 
 namespace detail {
 
-// Whether R has a member of this name, whatever its form: the name is ambiguous beside another one.
+// The concepts has_... are true if R has a member of this name in any form: the name is then
+// ambiguous in a class that also inherits it from RecorderNames.
 struct RecorderNames {
   int event, next_time, sample, done, check;
 };
@@ -69,7 +78,14 @@ concept checks_scenes = requires(R &recorder, const Scene &scene) {
   recorder.check(scene);
 };
 
-// A recorder as a run calls it: empty where it has no such member. Refers to the recorder.
+// True if R has a member with one of these names and another form, which a run would never call.
+template <class R>
+concept has_misfit = (!takes_events<R> && has_event<R>) ||
+                     (!takes_samples<R> && (has_next_time<R> || has_sample<R>)) ||
+                     (!is_asked<R> && has_done<R>) || (!checks_scenes<R> && has_check<R>);
+
+// The members of a recorder as a run calls them. A function is empty if the recorder has no such
+// member. The recorder must outlive its functions.
 struct RecorderRef {
   std::function<void(const Event &, const Moment &)> event = {};
   std::function<double()> next_time = {};
@@ -80,17 +96,9 @@ struct RecorderRef {
 
 }  // namespace detail
 
-// A member with the name of one of a recorder's that does not fit does not compile: it would never
-// be called.
 template <class R>
-concept Recorder =
-    std::is_class_v<R> && !std::is_final_v<R> &&
-    (detail::takes_events<R> || detail::takes_samples<R> || detail::is_asked<R>)&&(
-        detail::takes_events<R> ||
-        !detail::has_event<R>)&&(detail::takes_samples<R> ||
-                                 (!detail::has_sample<R> && !detail::has_next_time<R>)) &&
-    (detail::is_asked<R> || !detail::has_done<R>)&&(detail::checks_scenes<R> ||
-                                                    !detail::has_check<R>);
+concept Recorder = std::is_class_v<R> && !std::is_final_v<R> && !detail::has_misfit<R> &&
+                   (detail::takes_events<R> || detail::takes_samples<R> || detail::is_asked<R>);
 
 namespace detail {
 
@@ -113,8 +121,8 @@ RecorderRef recorder_ref(R &recorder) {
 
 }  // namespace detail
 
-// Recorders chosen while the program runs: takes part in a run in place of them. They must outlive
-// the run.
+// A group of recorders that is put together while the program runs. `Simulation::advance` takes a
+// group in place of recorders. The recorders must outlive the run.
 class RecorderGroup {
  public:
   template <Recorder R>

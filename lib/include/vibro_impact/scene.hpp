@@ -1,5 +1,5 @@
-// The scene: a chain of masses, its forcing, its stops and its initial state; and its motion at one
-// instant.
+// A scene is a chain of masses with its forcing, its stops and its initial state. A motion state is
+// its motion at one instant.
 //
 // M x'' + C x' + K x = A cos(Omega t) + B sin(Omega t) + P with C = beta K. This is Wagg (2006),
 // Eqs. 1-4, where B = P = 0. Mass i is tied to mass i - 1 by link i (mass 1 to the ground), and to
@@ -25,7 +25,7 @@ constexpr double sign(Side side) {
   return side == Side::upper ? 1.0 : -1.0;
 }
 
-// "upper" or "lower".
+// Returns "upper" or "lower".
 const char *name(Side side);
 
 // A rigid stop: mass `mass` (from 1) satisfies x <= position (upper) or x >= position (lower).
@@ -33,7 +33,7 @@ struct Stop {
   int mass = 1;
   Side side = Side::upper;
   double position = 0.0;
-  std::optional<double> restitution = {};  // r in [0, 1]; nothing: the scene's
+  std::optional<double> restitution = {};  // r in [0, 1]; if empty, that of the scene
 };
 
 // The contact mode, per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop.
@@ -82,10 +82,12 @@ struct MotionState {
   Held held;                                   // N
 };
 
-// Throws like the other, unless a run of this scene can start from this motion.
+// Throws std::invalid_argument with one line unless a run of this scene can start from this motion:
+// no mass is beyond a stop, and held masses are at rest at their stops. The scene itself is not
+// checked.
 void check(const Scene &scene, const MotionState &start);
 
-// The initial state of a scene that `check` accepts, at t = 0 with no mass held yet.
+// The initial state of a scene at t = 0, with no mass held yet. Throws as `check` does.
 MotionState start_of(const Scene &scene);
 
 }  // namespace vibro_impact

@@ -1,6 +1,7 @@
-// A run: from a scene and a start to an outcome, telling recorders what happens on the way.
+// A run goes from a scene and a start to an outcome, and reports the events and samples on the way
+// to recorders. Times, velocities and forces are non-dimensional.
 //
-// Threads may run simulations at the same time, each its own: they share nothing that changes.
+// Threads may run different simulations at the same time, because runs share nothing that changes.
 #pragma once
 
 #include <array>
@@ -16,33 +17,34 @@
 namespace vibro_impact {
 
 struct RunOptions {
-  // Chatter is carried to its limit only from impacts slower than this: every faster one is
-  // resolved and recorded. 0 resolves chatter until what is left of it lies below rounding.
+  // Chatter is carried to its limit only from impacts slower than this speed. Every faster impact
+  // is resolved and reported. With 0, chatter is resolved until the rest of it lies below rounding.
   double resolve_chatter = std::numeric_limits<double>::infinity();
   // Largest estimated error of the time of a chatter limit, times the rate of the fastest mode, at
-  // which the limit is accepted, in (0, 1).
+  // which the limit is accepted. It lies in (0, 1).
   double chatter_tolerance = 1e-13;
-  // Largest remainder of the expansion of a flight, relative to its second-order term, in (0, 1);
-  // the order follows from it. The default lies below rounding.
+  // Largest remainder of the Taylor series of a step, relative to its second-order term, in (0, 1).
+  // The order of the series follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
-  // More impacts than this in one forcing period, or in a thousand periods of the fastest mode
-  // where these are shorter, end the run: it is given up. Without a forcing that turns, the window
-  // is one period of that mode.
+  // A run is given up after more impacts than this in one forcing period, or in a thousand periods
+  // of the fastest mode if these are shorter. Without a forcing, or with Omega = 0, they are
+  // counted in one period of that mode. Impacts that continue a chatter do not count if r > 0.999
+  // and 0.03 / (1 - r) is below this number.
   long long max_impacts_per_period = 1'000'000;
 };
 
-// Why a run ended: it reached its time, a recorder was done, or it was given up.
+// Why a run ended: it reached its time, a recorder stopped it, or it was given up.
 enum class Ending { reached, stopped, given_up };
 
 struct Outcome {
   MotionState state;  // at the end: N displacements and velocities, and the contact mode
-  double time = 0.0;
+  double time = 0.0;  // at the end, counted from t = 0
   Ending ending = Ending::reached;
-  std::string reason = {};  // one line: why the run was given up
+  std::string reason = {};  // one line that says why the run was given up
   Counters counters;
 };
 
-// Returns the outcome. Throws std::runtime_error with the reason when the run was given up.
+// Returns the outcome, or throws std::runtime_error with the reason if the run was given up.
 Outcome require_complete(Outcome outcome);
 
 namespace detail {
@@ -53,11 +55,11 @@ Outcome simulate(const Scene &scene, const MotionState *start, double until,
 
 }  // namespace detail
 
-// A run as a value. A copy goes on as the original would, bit for bit, also inside a chatter; it
-// shares nothing with the original that a thread could change.
+// A run as a value. A copy goes on as the original would, bit for bit, also inside a chatter. It
+// shares nothing with the original that changes, so another thread may advance it.
 class Simulation {
  public:
-  // From the scene's own initial state at t = 0, or from another motion of it. Throws
+  // Starts from the scene's own initial state at t = 0, or from another motion of it. Throws
   // std::invalid_argument, with one line that names the value and the rule, for a scene that
   // `check` rejects, a start that does not fit it, and options out of range.
   explicit Simulation(const Scene &scene, const RunOptions &options = {});
@@ -70,10 +72,11 @@ class Simulation {
   // Goes on with other options. Throws std::invalid_argument for options out of range.
   void set_options(const RunOptions &options);
 
-  // Runs on to time `until` (non-dimensional, counted from t = 0) and tells the recorders what they
-  // ask for. The events do not depend on the times at which calls end. The counters of the outcome
-  // are those of this call. Throws std::invalid_argument, with one line, for a time that is not
-  // finite or lies before where the simulation stands, and where a recorder rejects the scene.
+  // Runs on to time `until`, counted from t = 0, and calls the recorders on the way. The events do
+  // not depend on the times at which calls end. The counters of the outcome are those of this call.
+  // Throws std::invalid_argument, with one line, for a time that is not finite or lies before the
+  // state of the simulation, for a sample before it, and if a recorder refuses the scene. Passes on
+  // what a recorder throws.
   template <Recorder... Recorders>
   [[nodiscard]] Outcome advance(double until, Recorders &...recorders) {
     const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
@@ -90,8 +93,8 @@ class Simulation {
   Outcome advance_with(double until, std::span<const detail::RecorderRef> recorders);
 };
 
-// One call of `advance` of a new simulation: from the scene's own initial state at t = 0, or from
-// another motion of it. Throws what its constructor and `advance` throw.
+// `simulate` makes a simulation and calls `advance` once. It starts from the scene's own initial
+// state at t = 0, or from another motion of it. It throws what the constructor and `advance` throw.
 template <Recorder... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
                                const RunOptions &options, Recorders &...recorders) {

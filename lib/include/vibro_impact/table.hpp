@@ -1,4 +1,5 @@
-// Tables as plain CSV: one header line, 17 significant digits, no half-written file.
+// Tables as CSV text with one header line and 17 significant digits. A file appears under its name
+// only when its table is complete.
 #pragma once
 
 #include <concepts>
@@ -7,14 +8,14 @@
 
 namespace vibro_impact {
 
-// A table under construction; `text` is the CSV so far.
+// A table to which rows are added. `text` is the CSV text so far.
 struct Table {
   std::string text;
 
   explicit Table(const std::string &header) : text(header + "\n") {
   }
 
-  // Appends one row; floating-point cells get 17 significant digits.
+  // Appends one row. Floating-point cells get 17 significant digits.
   template <class... Cells>
   void row(const Cells &...cells) {
     (cell(cells), ...);
@@ -25,14 +26,15 @@ struct Table {
   void cell(std::integral auto value) {
     cell(std::string_view(std::to_string(value)));
   }
-  // Every cell ends with a comma; that of the last one in a row becomes the end of the line.
+  // Every cell ends with a comma. `end_row` replaces the last comma of a row by the end of the
+  // line.
   void end_row() {
     if (!text.empty()) text.back() = '\n';
   }
 };
 
-// Writes the table to `path`, a file or a new name: as PATH.part first, renamed when complete.
-// Throws std::runtime_error naming the path when that fails.
+// Writes the table to PATH.part and renames this file to `path`, replacing a file of that name.
+// Throws std::runtime_error, with the path, if that fails.
 void write(const Table &table, const std::string &path);
 
 }  // namespace vibro_impact

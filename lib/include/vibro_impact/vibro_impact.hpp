@@ -1,4 +1,4 @@
-// The simulation, whole. The analysis of many runs stands beside it: analysis/analysis.hpp.
+// All headers of the simulation. analysis/analysis.hpp has those of the analysis of many runs.
 #pragma once
 
 #include "counters.hpp"

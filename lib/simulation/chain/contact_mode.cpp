@@ -127,7 +127,7 @@ void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contac
   contact.forcing_modulus = std::abs(contact.forcing);
 }
 
-// What a unit jump of the gap speed does to the coordinates.
+// Sets the jumps of the coordinates for a unit jump of the gap speed.
 void set_impulse(const ContactMode &mode, Contact &contact) {
   contact.impulse.setZero(mode.padded());
   contact.impulse_value.setZero(mode.padded());
@@ -137,8 +137,8 @@ void set_impulse(const ContactMode &mode, Contact &contact) {
   if (!mode.coordinates.any_decay) contact.impulse_value.resize(0);
 }
 
-// A static deflection by a force at the mass, which hardly moves the stiff coordinates; the
-// rigid-body mode where there is one. It closes the gap by one.
+// Sets the static deflection by a force at the mass that widens the gap by one. Stiff coordinates
+// hardly take part in it. With a rigid-body mode it is a displacement of the whole chain.
 void set_placement(const ContactMode &mode, Contact &contact) {
   const auto &basis = mode.basis;
   const auto mass = static_cast<Index>(contact.mass);

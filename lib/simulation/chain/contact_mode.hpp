@@ -1,5 +1,5 @@
 // A contact mode: which masses are held at which stop, and the modal solution of the masses that
-// are free (Eqs. 6-7 restricted to the free rows).
+// are free (Eqs. 6-7 restricted to the free rows). Numbers such as (1) are those of lib/README.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@
 
 namespace vibro_impact::detail {
 
-// One number for each modal coordinate. An odd number of coordinates, or none, is filled up by some
-// that never move, so that loops take two at a time.
+// One number for each modal coordinate. The number of coordinates is padded to an even number, at
+// least two, by coordinates that never move: loops take two at a time.
 using PerCoordinate = Eigen::ArrayXd;
 
 // The modal coordinates: y'' + kappa y' + lambda y = Re(force e^(i Omega t)) + constant (1). A
@@ -22,7 +22,7 @@ using PerCoordinate = Eigen::ArrayXd;
 // = 0, and (1), without its constant, is the derivative of y' + kappa y = Re(drive e^(i Omega t)) +
 // pull (2), with force = i Omega drive.
 struct ModalCoordinates {
-  std::size_t size = 0;  // without the one filled up
+  std::size_t size = 0;  // without padding
   PerCoordinate kappa, lambda;
   PerCoordinate force_re, force_im, constant;  // of (1)
   PerCoordinate force;                         // a bound of the modulus of both
@@ -74,14 +74,14 @@ struct ContactMode {
   std::vector<Eigen::Index> first_coordinate;
   ModalCoordinates coordinates;
   double fastest = 0.0;             // the largest rate of a coordinate and of the forcing
-  double forcing_rate = 0.0;        // Omega, where there is forcing
-  bool falls = false;               // nothing but a fall: `fastest` is 1, which means nothing
-  bool stiff = false;               // some coordinates are much faster than others
+  double forcing_rate = 0.0;        // Omega of a forced scene, else 0
+  bool falls = false;               // every rate is 0, as in a free fall; `fastest` is then 1
+  bool stiff = false;               // the rates differ by more than `stiff_ratio`
   Eigen::Index drift = -1;          // the rigid-body mode y'' = f cos(Omega t), if there is one
   std::vector<Eigen::Index> slow;   // the rigid-body mode and those far slower than their forcing
   Eigen::VectorXd equilibrium;      // N: static positions without forcing
-  Eigen::VectorXd tension;          // N: sqrt(k_i) (x_i - x_(i-1)) of the links at these
-  Eigen::VectorXd lowest, highest;  // N: the stops of each mass; infinite where there is none
+  Eigen::VectorXd tension;          // N: sqrt(k_i) (x_i - x_(i-1)) at the static positions
+  Eigen::VectorXd lowest, highest;  // N: the stops of each mass, or -infinity and infinity
   // x = equilibrium + shape y, N x coordinates, with zero rows for held masses.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> shape;
   PerCoordinate extent;  // largest modulus in each column of `shape`
@@ -92,15 +92,16 @@ struct ContactMode {
   }
 };
 
-// Sets the coordinates of mode k to this value and velocity of the mode. Of a strongly damped one,
-// y = y_slow + y_fast and y' = -slow y_slow - fast y_fast.
+// Sets the coordinate of mode k to this value and velocity. A strongly damped mode has the value
+// y_slow + y_fast and, without its forcing, the velocity -slow y_slow - fast y_fast.
 void set_mode(const ContactMode &mode, Eigen::Index k, double value, double velocity,
               PerCoordinate &y, PerCoordinate &dy);
 
 ContactMode build_contact_mode(const Scene &scene, const Held &held);
 
-// The contact modes of one run, each built when the run first enters it, and the ones entered least
-// recently dropped when there are too many. Copies of a run share the modes, which never change.
+// The contact modes of one run. A mode is built when the run enters it. The run keeps the latest
+// `most_contact_modes` and drops the mode entered least recently. Copies of a run share the modes,
+// which never change.
 class ContactModes {
  public:
   // `built` is set to whether the mode had to be built. The mode lives at least until

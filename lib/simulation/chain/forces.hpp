@@ -58,8 +58,8 @@ double largest_eigenvalue_bound(const Scene &scene);
 // Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
 double root_modulus(double kappa, double lambda);
 
-// A bound of the rate of every contact mode and of the forcing, in units of which derivatives of
-// forces are carried; 1 where nothing has a rate.
+// A bound of the rates of all contact modes and of the forcing, or 1 if all are zero. It is the
+// unit in which derivatives of forces are carried.
 double rate_bound(const Scene &scene);
 
 }  // namespace vibro_impact::detail

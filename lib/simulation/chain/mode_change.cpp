@@ -9,11 +9,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// The values of the modes from displacements x and tensions t: phi_k^T M x = phi_k^T K x /
-// lambda_k. The first is off by the rounding of sqrt(x^T M x), the second by that of |t| /
-// sqrt(lambda_k). So the tensions are taken for the modes above the Rayleigh quotient t^T t / x^T M
-// x of the motion: a slow motion does not set a stiff mode in motion by its rounding. `values` has
-// the result.
+// Sets the modal values phi_k^T M x = phi_k^T K x / lambda_k, (9) of lib/README.md, from
+// displacements x and tensions t. The left side has an error of epsilon sqrt(x^T M x), and the
+// right side, computed from the tensions, an error of epsilon |t| / sqrt(lambda_k). The right side
+// is therefore used for the modes with lambda_k above the Rayleigh quotient t^T t / x^T M x of the
+// motion. Rounding of a slow motion then does not set a stiff mode in motion.
 void set_values(const ModalBasis &basis, const VectorXd &x, const VectorXd &t, VectorXd &values) {
   const Index modes = basis.lambda.size();
   for (Index k = 0; k < modes; ++k) values(k) = basis.inverse.row(k).dot(x);

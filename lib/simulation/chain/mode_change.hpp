@@ -1,4 +1,4 @@
-// The coordinates of a motion in a contact mode that it starts in, or changes to.
+// The modal coordinates of a motion in the contact mode in which it starts, or which it enters.
 #pragma once
 
 #include "motion.hpp"
@@ -9,14 +9,15 @@ namespace vibro_impact::detail {
 // tensions of the springs as in `ModalBasis`, and the rates of both.
 struct ChainMotion {
   Eigen::VectorXd displacement, tension, velocity, tension_rate;
-  Eigen::VectorXd value, speed;  // of the modes
+  Eigen::VectorXd value, speed;  // modal displacements and velocities
 };
 
-// Expresses a motion in the coordinates of `mode`. `chain` is scratch.
+// Sets the modal coordinates of `motion` in `mode` from displacements and velocities. `chain` is
+// scratch.
 void express(const Scene &scene, const MotionState &state, const ContactMode &mode,
              const Clock &clock, ChainMotion &chain, Motion &motion);
 
-// Expresses the motion in the coordinates of another mode. `chain` is scratch.
+// Converts the modal coordinates of `motion` to those of another mode. `chain` is scratch.
 void change_mode(const ContactMode &mode, ChainMotion &chain, Motion &motion);
 
 }  // namespace vibro_impact::detail

@@ -18,8 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The orthonormal eigenvectors u = sqrt(m) x of M^-1/2 K M^-1/2 on the rows of the free masses. The
-// matrix is tridiagonal; links to held masses only stiffen it, and part it into blocks.
+// The orthonormal eigenvectors u = M^1/2 x of M^-1/2 K M^-1/2 on the rows of the free masses. The
+// matrix is tridiagonal. A held mass parts it into blocks, and its links stay on the diagonal.
 MatrixXd eigenvectors_of(const Scene &scene, const std::vector<std::size_t> &free) {
   const auto modes = static_cast<Index>(free.size());
   VectorXd diagonal(modes), off(modes - 1);
@@ -37,8 +37,8 @@ MatrixXd eigenvectors_of(const Scene &scene, const std::vector<std::size_t> &fre
   return solver.eigenvectors();
 }
 
-// Rotates orthonormal vectors among themselves until `first` is the first of them: each rotation
-// takes the share of `first` out of one of the others. Then no other has a share in it left.
+// Rotates orthonormal vectors among themselves until `first` is the first of them. Each rotation
+// makes one of the other vectors orthogonal to `first`.
 void rotate_to_front(const VectorXd &first, MatrixXd &vectors) {
   Eigen::RowVectorXd share = first.transpose() * vectors;
   for (Index j = 1; j < vectors.cols(); ++j) {
@@ -50,8 +50,8 @@ void rotate_to_front(const VectorXd &first, MatrixXd &vectors) {
   vectors.col(0) = first;
 }
 
-// The tension of every link in every mode, sqrt(k_i) (x_i - x_(i-1)): link i is row i, and the
-// scalar product of two columns is u_p^T M^-1/2 K M^-1/2 u_q.
+// The tensions sqrt(k_i) (x_i - x_(i-1)) of the links (rows) in the modes (columns). The scalar
+// product of the columns p and q is u_p^T M^-1/2 K M^-1/2 u_q.
 MatrixXd tensions_of(const Scene &scene, const std::vector<std::size_t> &free,
                      const MatrixXd &vectors) {
   const auto n = static_cast<Index>(scene.mass.size());
@@ -71,13 +71,13 @@ MatrixXd tensions_of(const Scene &scene, const std::vector<std::size_t> &free,
 }
 
 // One-sided Jacobi rotations (Demmel and Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204): pairs
-// of columns of the tensions are rotated until all are orthogonal to rounding of their own lengths,
-// and the vectors with them. The eigenvalues are then lambda_j = |tension_j|^2, and each mode is as
-// accurate as its own tensions.
+// of columns of the tensions, and the vectors with them, are rotated until all columns are
+// orthogonal to rounding of their own lengths. The eigenvalues are then lambda_j = |tension_j|^2,
+// and each mode is accurate relative to its own tensions.
 //
-// The solver leaves products u_p^T A u_q of epsilon times the largest eigenvalue. For two modes
-// that are both soft beside it this is large in |tension_p| |tension_q|: the solver mixes them. So
-// only the pairs with a product of rates below `soft_pair` of the largest eigenvalue are looked at.
+// The eigenvalue solver leaves products u_p^T A u_q of epsilon lambda_max. These are large relative
+// to |tension_p| |tension_q| when both modes are soft. Only pairs with |tension_p| |tension_q| <=
+// soft lambda_max are rotated.
 void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first, double soft) {
   VectorXd length = tension.colwise().norm().transpose();
   const double largest = length.maxCoeff(),
@@ -156,7 +156,7 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
   const VectorXd mass = Eigen::Map<const VectorXd>(scene.mass.data(), n);
   const bool light = mass.minCoeff() < light_mass * mass.maxCoeff();
   MatrixXd vectors = light ? MatrixXd::Identity(modes, modes) : eigenvectors_of(scene, free);
-  if (floats)  // the rigid-body mode x = 1 without tension
+  if (floats)  // the rigid-body mode x = (1, ..., 1), in which no link has a tension
     rotate_to_front(mass.cwiseSqrt().normalized(), vectors);
   MatrixXd tension = tensions_of(scene, free, vectors);
   if (floats) tension.col(0).setZero();
@@ -180,7 +180,8 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
     }
   }
   if (!floats) return basis;
-  // The rigid-body mode without the rounding of roots, and no share of it in any other.
+  // The rigid-body mode is set without the rounding of roots, and the others are made orthogonal to
+  // it.
   basis.shape.col(0).setConstant(1.0 / std::sqrt(mass.sum()));
   basis.inverse.row(0) = mass.transpose() / std::sqrt(mass.sum());
   for (Index j = 1; j < modes; ++j) {

@@ -39,7 +39,7 @@ void tie_decays(Motion &motion) {
                        all.pull(j) - all.kappa(j) * motion.y(j);
 }
 
-// The time between two instants, and what rounding leaves off it: a long flight turns by both.
+// The time tau + rest between two instants, where `rest` is the rounding of tau.
 struct Duration {
   double tau, rest;
 };
@@ -54,8 +54,8 @@ Duration duration_of(const Motion &motion, const Instant &target, const Clock &c
   return {tau, ((whole - sum) + phases) + whole_rest + rounded};
 }
 
-// The state of one coordinate after a time, as a change from `start`. `turn` is e^(i Omega t)
-// there.
+// The difference of the state of one coordinate after a time from `start`. `turn` is e^(i Omega t)
+// at the start.
 OscillatorState change_of(const ContactMode &mode, Index j, OscillatorState start, Complex turn,
                           Complex turn_after, double omega, Duration duration) {
   const ModalCoordinates &all = mode.coordinates;
@@ -107,7 +107,7 @@ void set_clock(Motion &motion, const Clock &clock, const Instant &instant) {
 void pass_time(Motion &motion, const Clock &clock, double tau) {
   const double step = tau + motion.now_rest, phase = motion.now.phase, sum = phase + step;
   const double added = sum - phase;
-  motion.now_rest = (phase - (sum - added)) + (step - added);  // what the sum has rounded
+  motion.now_rest = (phase - (sum - added)) + (step - added);  // rounding of the sum
   Instant now = later(motion.now, step, clock);
   if (now.cycle != motion.now.cycle && now.phase + motion.now_rest >= 0.0) {
     // The phase of a new period is finer than that of the sum.
@@ -191,7 +191,7 @@ double rate_in_motion(const Motion &motion) {
     if (moves && !motion.following[static_cast<std::size_t>(j)])
       fastest = std::max(fastest, all.rate(j));
   }
-  return fastest > 0.0 ? fastest : mode.fastest;  // nothing moves: any rate will do
+  return fastest > 0.0 ? fastest : mode.fastest;  // without motion the step length is arbitrary
 }
 
 void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change) {
@@ -246,11 +246,10 @@ void set_state(const Motion &motion, const std::vector<StopState> &stops, const 
   }
   for (const Contact &contact : mode.contacts) {
     if (contact.held || is_resolved(contact, motion)) continue;
-    const auto *flight = std::get_if<InFlight>(&stops[contact.stop].contact);
-    const InFlight small = flight != nullptr ? *flight : InFlight{};
+    const InFlight flight = flight_of(stops[contact.stop]);
     state.displacement[contact.mass] =
-        scene.stops[contact.stop].position - contact.sigma * small.gap;
-    state.velocity[contact.mass] = -contact.sigma * small.speed;
+        scene.stops[contact.stop].position - contact.sigma * flight.gap;
+    state.velocity[contact.mass] = -contact.sigma * flight.speed;
   }
 }
 

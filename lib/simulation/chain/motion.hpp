@@ -1,4 +1,4 @@
-// Where a run stands between events, in the modal coordinates of its contact mode.
+// The motion of a run at one instant, in the modal coordinates of its contact mode.
 #pragma once
 
 #include <complex>
@@ -13,18 +13,19 @@
 namespace vibro_impact::detail {
 
 struct Motion {
-  // The motion stands at `now` plus `now_rest`, which lies below the rounding of the phase: steps
-  // add up without rounding, also where the phase cannot resolve them.
+  // The time of the motion is now + now_rest, where |now_rest| lies below the rounding of the
+  // phase. The sum of many steps then has no rounding, even of steps that the phase cannot resolve.
   Instant now;
   double now_rest = 0.0;
   std::complex<double> turn;  // e^(i Omega t)
   const ContactMode *mode = nullptr;
   PerCoordinate y, dy;
-  // True of a coordinate whose own motion has died out: it follows its steady response. Of a
-  // contact mode that is stiff; else empty.
+  // True of a coordinate whose deviation from its steady response has died out: y and y' are set to
+  // the steady response. One for each coordinate of a stiff contact mode, else empty.
   std::vector<char> following;
-  // The slow coordinates are not summed up from step to step, because hardly anything pulls back
-  // what a sum rounds. They are evaluated from the latest change of the motion at one instant.
+  // A slow coordinate is evaluated from its state after the latest impact or mode change. A sum
+  // over steps would keep the rounding of each step, because hardly any force pulls the coordinate
+  // back.
   struct Change {
     Instant instant;
     double rest = 0.0;
@@ -42,30 +43,30 @@ void pass_time(Motion &motion, const Clock &clock, double tau);
 // Time from the motion to an instant.
 double time_until(const Motion &motion, const Instant &instant, const Clock &clock);
 
-// Ties what depends on the rest after a move: the slopes of decays, coordinates that follow their
-// steady response, and the rigid-body mode.
+// Sets the dependent coordinates after a move: y' of decays by (2), coordinates that follow their
+// steady response, and slow coordinates.
 void complete_move(Motion &motion, const Clock &clock);
 
-// Ties the slopes of decays after a change at one instant, wakes all coordinates, and takes the
-// rigid-body mode from there on.
+// Completes an impact or a mode change: sets y' of decays by (2), ends the following of all
+// coordinates, and stores the states of the slow coordinates in motion.change.
 void complete_change(Motion &motion);
 
-// Lets damped coordinates follow their steady response once their deviation from it has died out:
-// it takes part neither in the acceleration nor in the displacement beyond the rounding of the
-// rest, or of the response. A stiff scene then moves at the pace of what is still in motion.
+// Lets damped coordinates follow their steady response once the deviation d = y - steady has died
+// out: in displacement and acceleration, d lies below the rounding of the whole motion or of the
+// steady response. The steps of a stiff scene are then as long as the other coordinates allow.
 void let_dead_coordinates_follow(Motion &motion, double omega);
 
-// The largest rate of what is in motion.
+// The largest rate of a coordinate that moves on its own, and of the forcing.
 double rate_in_motion(const Motion &motion);
 
-// Moves to `target`, in closed form. `change` is set to what that adds to each y.
+// Moves to `target` in closed form. `change` is set to the difference of each y.
 void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change);
 
-// Of a mass, counted from 0. Rounding puts no mass beyond its stops.
+// Displacement and velocity of a mass, counted from 0. The displacement is clamped to the stops.
 double displacement(const Motion &motion, std::size_t mass);
 double velocity(const Motion &motion, std::size_t mass);
 
-// (3) of a contact now, a gap or a hold force.
+// (3) of a contact: its gap or hold force.
 inline double evaluate(const Contact &contact, const Motion &motion) {
   double sum = contact.offset + dot(contact.row, motion.y);
   if (contact.held)
@@ -75,26 +76,28 @@ inline double evaluate(const Contact &contact, const Motion &motion) {
   return sum;
 }
 
-// The sum of the moduli of what that adds up: the scale of its rounding.
+// The sum of the moduli of the terms of (3), which is the scale of its rounding.
 double terms_of(const Contact &contact, const Motion &motion);
 // The speed of a gap.
 inline double gap_speed(const Contact &contact, const Motion &motion) {
   return dot(contact.row, motion.dy);
 }
 
-// True when few bits of (3) are lost to cancellation. Smaller gaps are carried from event to event.
+// True when (3) exceeds `gap_reread_ratio` times the sum of the moduli of its terms. Smaller gaps
+// lose more bits to cancellation and are carried from event to event.
 bool is_resolved(const Contact &contact, const Motion &motion);
 
-// Sets the motion of all masses. A free mass in a small gap is placed by the carried one.
+// Sets the displacements and velocities of all masses. A small gap is that of the stop, which is
+// carried, and not that of the coordinates.
 void set_state(const Motion &motion, const std::vector<StopState> &stops, const Scene &scene,
                MotionState &state);
 
-// Sets how far these displacements, and velocities in units of `rate`, may be off by rounding: that
-// of the largest of them, in which all coordinates have had a share.
+// Sets bounds of the rounding of x_i and x_i' / rate. The rounding is that of the largest term of
+// any mass, because every mode change mixes all coordinates.
 void set_rounding(const Motion &motion, const Scene &scene, double rate,
                   std::vector<double> &error);
 
-// The force that would press a mass into its stop if it were at rest there.
+// The force, towards the stop of a contact, that acts on its mass if the mass is at rest there.
 double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion);
 
 }  // namespace vibro_impact::detail

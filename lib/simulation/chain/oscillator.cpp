@@ -14,8 +14,9 @@ OscillatorState free_response(double kappa, double lambda, OscillatorState start
     return {decay * (start.value * (c + alpha * s) + start.slope * s),
             decay * (start.slope * (c - alpha * s) - lambda * start.value * s)};
   }
-  // Roots -slow and -(slow + 2 delta); slow = alpha - delta is formed without cancellation. The
-  // functions used are analytic in the discriminant, so critical damping is not a special case.
+  // The roots are -slow and -(slow + 2 delta), and slow = alpha - delta is formed without
+  // cancellation. The functions are analytic in the discriminant: critical damping is no special
+  // case.
   const double delta = std::sqrt(discriminant);
   if (alpha + delta == 0) return {start.value + start.slope * tau, start.slope};
   const double slow = lambda / (alpha + delta), decay = std::exp(-slow * tau);

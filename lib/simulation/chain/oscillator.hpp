@@ -1,28 +1,29 @@
-// One oscillator in closed form: y'' + kappa y' + lambda y = 0, and forced where the response
-// cannot be split off. The formulas hold for under-, critically and over-damped modes and pass
-// smoothly from one to the other; the paper prints the under-damped case only.
+// One oscillator in closed form: y'' + kappa y' + lambda y = 0, and forced at or near resonance.
+// The formulas of the free motion hold for under-, critically and over-damped modes and pass
+// smoothly from one to the other. The paper prints the under-damped case only.
 #pragma once
 
 #include <complex>
 
 namespace vibro_impact::detail {
 
-// One oscillator's value and time derivative.
+// y and y' of an oscillator.
 struct OscillatorState {
   double value, slope;
 };
 
-// Solution after tau of y'' + kappa y' + lambda y = 0 from (value, slope); kappa, lambda >= 0.
+// The solution after tau of y'' + kappa y' + lambda y = 0 from `start`; kappa, lambda >= 0.
 OscillatorState free_response(double kappa, double lambda, OscillatorState start, double tau);
 
-// Response from rest after tau of y'' + kappa y' + lambda y = Re(F(t)), F turning at the rate omega
-// from `force` to `force_after`, for an under-damped mode at or near resonance: difference
-// quotients instead of a steady response that grows without bound there. However long tau is, the
-// phase of the forcing is not rounded with it.
+// The response from rest after tau of y'' + kappa y' + lambda y = Re(F e^(i omega t)), with F =
+// `force` and F e^(i omega tau) = `force_after`, of an under-damped mode at or near resonance. The
+// formulas are difference quotients, because the steady response grows without bound there. The
+// caller passes both forces, so that their phases do not have the rounding of omega tau.
 OscillatorState forced_from_rest(double kappa, double lambda, std::complex<double> force,
                                  std::complex<double> force_after, double omega, double tau);
 
-// The same for lambda = kappa = 0, the rigid-body mode of a free chain; omega = 0 is a fall.
+// The response from rest for lambda = kappa = 0, the rigid-body mode of a free chain. With omega =
+// 0 it is a fall.
 OscillatorState forced_drift(std::complex<double> force, std::complex<double> force_after,
                              double omega, double tau);
 

@@ -1,5 +1,5 @@
-// Two modal coordinates side by side, as the machine computes them. Sums over all coordinates are a
-// few of them long, which is too short for the general expressions of Eigen.
+// Two modal coordinates in one vector register. Sums over the coordinates have few terms, for which
+// the general expressions of Eigen are slow.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline double sum(Pair two) {
   return two[0] + two[1];
 }
 
-// sum_j a_j b_j, of an even number of coordinates.
+// sum_j a_j b_j over an even number of coordinates.
 inline double dot(const double *a, const PerCoordinate &b) {
   Pair total{};
   for (Eigen::Index j = 0; j < b.size(); j += 2) total += pair(a + j) * pair(b.data() + j);
@@ -45,7 +45,7 @@ inline double dot(const PerCoordinate &a, const PerCoordinate &b) {
   return dot(a.data(), b);
 }
 
-// sum_j a_j + b_j.
+// sum_j (a_j + b_j).
 inline double total(const PerCoordinate &a, const PerCoordinate &b) {
   Pair total{};
   for (Eigen::Index j = 0; j < b.size(); j += 2) total += pair(a.data() + j) + pair(b.data() + j);

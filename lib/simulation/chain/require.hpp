@@ -1,4 +1,5 @@
-// Messages of one line, and the refusal of bad input: with the value and the rule.
+// Messages of one line, and the refusal of bad input with a message that names the value and the
+// rule.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ inline void append(std::string &text, std::string_view piece) {
   text += piece;
 }
 
-// The shortest digits that give the number back.
+// Appends the shortest digits that determine the number.
 template <class Number>
 requires std::integral<Number> || std::floating_point<Number>
 void append(std::string &text, Number number) {
@@ -24,7 +25,7 @@ void append(std::string &text, Number number) {
   text.append(digits.data(), std::to_chars(digits.begin(), digits.end(), number).ptr);
 }
 
-// The pieces, texts and numbers, one after another.
+// Joins texts and numbers to one text.
 template <class... Pieces>
 std::string line(const Pieces &...pieces) {
   std::string text;
@@ -32,14 +33,14 @@ std::string line(const Pieces &...pieces) {
   return text;
 }
 
-// Throws std::invalid_argument. The message is made only where the rule is broken: scenes are
+// Throws std::invalid_argument unless `holds`. The message is made only then, because scenes are
 // checked before every run.
 template <class... Pieces>
 void require(bool holds, const Pieces &...pieces) {
   if (!holds) throw std::invalid_argument(line(pieces...));
 }
 
-// Throws unless the instant lies in a period of the forcing and masses are held where stops are.
+// Throws unless 0 <= phase < T, and every held mass has the stop at which it is held.
 void check_place(const Scene &scene, const Instant &instant, const Held &held);
 
 inline void require_mass(int mass, int masses) {

@@ -11,8 +11,8 @@ namespace {
 using Packet = Eigen::Array<double, 4, 1>;
 using NodeWeights = std::array<double, max_chatter_nodes>;
 
-// The weights of the nodes from `first` on, by which their predictions are extrapolated: those of
-// Lagrange at x = 0, divided by x and by their sum.
+// The weights w_i of the nodes from `first` on, by which their predictions are extrapolated:
+// Lagrange's weights at x = 0, divided by x_i and by the sum of these quotients.
 NodeWeights node_weights(const ChatterTable &table, std::size_t first) {
   NodeWeights weights{};
   double sum = 0.0;
@@ -41,7 +41,7 @@ NodeWeights without_node(const ChatterTable &table, std::size_t first, NodeWeigh
 // Drops the impacts before the oldest node, which no extrapolation reads.
 void drop_old_impacts(Chatter &chatter) {
   const std::size_t old = chatter.table.nodes.front().impact - chatter.dropped;
-  // In portions, so that the work for each impact stays bounded.
+  // Impacts are dropped in portions, so that the mean work for an impact is bounded.
   if (old < 64 || 2 * old < chatter.times.size()) return;
   const auto count = static_cast<std::ptrdiff_t>(old);
   chatter.times.erase(chatter.times.begin(), chatter.times.begin() + count);
@@ -66,11 +66,11 @@ void extend(ChatterTable &table, const ChatterTable::Node &node) {
     const double share = node.x / (table.nodes[last - column].x - node.x);
     entry.predicted += (entry.predicted - without_newest.predicted) * share;
     entry.one += (entry.one - without_newest.one) * share;
-    // Not much below that of one node less: they may agree by chance.
     const double limit = entry.limit(), error = std::abs(limit - limit_before);
-    const double believed = std::max(error, min_error_decay * error_before);
-    if (believed <= table.error) {
-      table.error = believed;
+    // Two limits may agree by chance: the estimate is not much below that with one node less.
+    const double estimate = std::max(error, min_error_decay * error_before);
+    if (estimate <= table.error) {
+      table.error = estimate;
       table.best = column;
     }
     error_before = error;
@@ -88,7 +88,7 @@ void end(Chatter &chatter) {
   chatter.times.clear();
   chatter.jumps.clear();
   chatter.dropped = 0;
-  chatter.flight = chatter.since = 0.0;
+  chatter.flight_time = chatter.since = 0.0;
   chatter.table.nodes.clear();
 }
 
@@ -100,15 +100,15 @@ void begin(Chatter &chatter, const std::vector<std::size_t> &contacts, double re
   chatter.stride = static_cast<std::size_t>(std::ceil(std::max(1.0, stride)));
 }
 
-bool add_impact(Chatter &chatter, double flight, const std::vector<double> &jumps) {
+bool add_impact(Chatter &chatter, double flight_time, const std::vector<double> &jumps) {
   const double time = chatter.under_way() ? chatter.times.back() + chatter.since : 0.0;
   const std::size_t impact = chatter.dropped + chatter.times.size();
   chatter.times.push_back(time);
   chatter.jumps.insert(chatter.jumps.end(), jumps.begin(), jumps.end());
-  chatter.flight = flight;
+  chatter.flight_time = flight_time;
   chatter.since = 0.0;
   if (impact % chatter.stride != 0) return false;
-  extend(chatter.table, {flight, time + flight / (1.0 - chatter.restitution), impact});
+  extend(chatter.table, {flight_time, time + flight_time / (1.0 - chatter.restitution), impact});
   drop_old_impacts(chatter);
   return true;
 }
@@ -118,15 +118,16 @@ std::optional<ChatterLimit> extrapolate_limit(const Chatter &chatter, double tol
   if (table.nodes.size() < fewest_chatter_nodes || !(table.error <= tolerance)) return std::nullopt;
   const std::size_t last = table.nodes.size() - 1;
   const double now = chatter.times.back(), predicted = table.nodes[last].predicted - now;
-  const double left = table.row[table.best].limit() - now;
-  if (!(std::abs(left - predicted) < prediction_share * predicted)) return std::nullopt;
-  return ChatterLimit{left, table.error, last - table.best};
+  const double time_left = table.row[table.best].limit() - now;
+  if (!(std::abs(time_left - predicted) < prediction_share * predicted)) return std::nullopt;
+  return ChatterLimit{time_left, table.error, last - table.best};
 }
 
-// A node at t_i predicts of the impacts after it M_n = J_i (T - t_i)^n q / (1 - q), q = r^(n+1).
-// Less those between it and the latest impact, these are the impacts to come:
+// By (13) of lib/README.md a node at t_i predicts the moments J_i (T - t_i)^n q / (1 - q), q =
+// r^(n+1), of all impacts after it. The impacts between it and the latest are subtracted:
 //   M_n ~ sum_i w_i (J_i (T - t_i)^n q / (1 - q) - sum_(i < k <= latest) J_k (T - t_k)^n).
-// In one pass over the impacts, `weight_before` is the sum of the weights of the nodes so far.
+// The sums are formed in one pass over the impacts k, where `weight_before` is the sum of w_i over
+// the nodes i < k.
 ChatterMoments extrapolate_moments(const Chatter &chatter, const ChatterLimit &limit,
                                    std::size_t hit, double restitution, int order) {
   const ChatterTable &table = chatter.table;
@@ -137,25 +138,25 @@ ChatterMoments extrapolate_moments(const Chatter &chatter, const ChatterLimit &l
   const NodeWeights weights = node_weights(table, limit.oldest),
                     fewer = without_node(table, limit.oldest, weights);
   ChatterMoments moments;
-  double weight_before = 0.0, change_before = 0.0;
+  double weight_before = 0.0, difference_before = 0.0;
   std::size_t node = limit.oldest;
   for (std::size_t k = table.nodes[node].impact - chatter.dropped; k < chatter.times.size(); ++k) {
-    double weight = 0.0, change = 0.0;
+    double weight = 0.0, difference = 0.0;
     if (node < table.nodes.size() && table.nodes[node].impact == chatter.dropped + k) {
       weight = weights[node];
-      change = weight - fewer[node++];
+      difference = weight - fewer[node++];
     }
     const double x = (chatter.times.back() - chatter.times[k]) / limit.time_left + 1.0;
     const double quartic = x * x * x * x;
-    Packet moment =
-        chatter.jumps[k * chatter.contacts.size() + hit] * Packet(1.0, x, x * x, x * x * x);
+    Packet moment = chatter.jump(k, hit) * Packet(1.0, x, x * x, x * x * x);
     for (int n = 0; n <= order; n += 4, moment *= quartic) {
       const Packet ratios = Eigen::Map<const Packet>(ratio.data() + n);
       Eigen::Map<Packet>(moments.moment.data() + n) += moment * (weight * ratios - weight_before);
-      Eigen::Map<Packet>(moments.change.data() + n) += moment * (change * ratios - change_before);
+      Eigen::Map<Packet>(moments.difference.data() + n) +=
+          moment * (difference * ratios - difference_before);
     }
     weight_before += weight;
-    change_before += change;
+    difference_before += difference;
   }
   return moments;
 }

@@ -15,26 +15,16 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// True while the force on a mass at rest is known beyond its modal coordinates.
-const LeadingDerivative *decided_force(const StopState &stop) {
-  const auto *rest = std::get_if<AtRest>(&stop.contact);
-  return rest != nullptr && rest->decided ? &*rest->decided : nullptr;
-}
-
-// (3) of a contact now: the carried gap of a free mass.
-double value_of(const Motion &motion, const Contact &contact, const StopState &stop) {
-  return contact.held ? evaluate(contact, motion) : gap_of(stop);
-}
-
-// Bounds, over the step, of the change of each y and y', with a share of their sizes as a margin:
-// out of reach stays what is well above its rounding, and can be evaluated anew after the step.
+// Sets bounds of |y(t + tau) - y(t)| and |y'(t + tau) - y'(t)| over the step, 0 <= tau <= h. A
+// share of |y| and |y'| is added as a margin: a contact out of reach then stays well above its
+// rounding, and its gap can be evaluated from the coordinates after the step.
 //
-// With E^2 = y'^2 + lambda y^2 and E'^2 = y''^2 + lambda y'^2, which grow by the forcing alone,
-//   |y'| <= |y'| + sqrt(lambda) |y| + |force| time, and
-//   |y'| <= |y'| + (|y''| + Omega |force| time) / sqrt(lambda),
-// of the values now on the right. The second is small for a coordinate that hardly moves, as under
-// a slow forcing.
-void bound_travel_with_margin(const Motion &motion, double omega, Flight &flight) {
+// E^2 = y'^2 + lambda y^2 and E'^2 = y''^2 + lambda y'^2 grow by the forcing alone. With y, y' and
+// y'' at the start of the step this gives (7) of lib/README.md:
+//   |y'(t + tau)| <= |y'| + sqrt(lambda) |y| + |force| h,
+//   |y'(t + tau)| <= |y'| + (|y''| + Omega |force| h) / sqrt(lambda).
+// The second bound is small for a coordinate that hardly moves, as under a slow forcing.
+void bound_travel(const Motion &motion, double omega, Flight &flight) {
   constexpr double margin = 2.0 * gap_reread_ratio;
   const ModalCoordinates &all = motion.mode->coordinates;
   const double length = flight.step.length, time = (1.0 + gap_reread_ratio) * length;
@@ -44,15 +34,17 @@ void bound_travel_with_margin(const Motion &motion, double omega, Flight &flight
     const Pair y = abs(pair(motion.y.data() + j)), dy = abs(pair(motion.dy.data() + j)),
                force = pair(all.force.data() + j);
     const Pair frequency = pair(all.frequency.data() + j);
-    const Pair bend = abs(pair(flight.table.of_order(2) + j)) * (2.0 / (length * length)) +
-                      omega * length * force;
-    const Pair speed =
-        dy + smaller(frequency * y + length * force, bend * pair(all.inverse_frequency.data() + j));
+    const Pair acceleration = abs(pair(flight.table.of_order(2) + j)) * (2.0 / (length * length)) +
+                              omega * length * force;
+    const Pair speed = dy + smaller(frequency * y + length * force,
+                                    acceleration * pair(all.inverse_frequency.data() + j));
     store(time * speed + margin * y, flight.travel.data() + j);
-    store(time * (bend + frequency * dy) + margin * dy, flight.rate_travel.data() + j);
+    store(time * (acceleration + frequency * dy) + margin * dy, flight.rate_travel.data() + j);
   }
 }
 
+// True when (3) of a contact, now `value`, stays positive over the step by the margin. The cosine
+// of the forcing changes by at most Omega h, to which 1 percent is added.
 bool is_out_of_reach(const Contact &contact, double value, double omega, const Flight &flight) {
   constexpr double margin = 2.0 * gap_reread_ratio;
   double travel = dot(contact.modulus, flight.travel) + margin * std::abs(contact.offset);
@@ -62,7 +54,8 @@ bool is_out_of_reach(const Contact &contact, double value, double omega, const F
   return value > travel;
 }
 
-// Puts what is known exactly in place of what rounding has left in the polynomial of a contact.
+// Replaces the leading coefficients of the polynomial of a contact by those known more accurately:
+// the carried gap and gap speed, or the zeros and the leading derivative of a decided force.
 void insert_exact_coefficients(const Contact &contact, const StopState &stop, double rate_bound,
                                double length, Polynomial &p) {
   if (const LeadingDerivative *leading = decided_force(stop)) {
@@ -81,8 +74,8 @@ void insert_exact_coefficients(const Contact &contact, const StopState &stop, do
   }
 }
 
-// The gap after a step: evaluated anew from the coordinates where it is well above their rounding,
-// or where the carried gap has drifted from them; else the carried gap.
+// Sets the gap after a step. It is evaluated from the coordinates when it is well above their
+// rounding, or when the carried gap has drifted from them. Otherwise the carried gap is kept.
 template <class Carry>
 void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, StopState &stop) {
   const double terms = terms_of(contact, motion), evaluated = evaluate(contact, motion);
@@ -90,7 +83,7 @@ void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, S
   bool evaluate_anew = evaluated > gap_reread_ratio * terms;
   if (!evaluate_anew) {
     carried = carry();
-    // Where gap and speed still are exactly zero, nothing shows that the mass has left its stop.
+    // A released mass whose gap and gap speed are still exactly zero has not left its stop.
     if (decided_force(stop) != nullptr && carried.gap == 0.0 && carried.speed == 0.0) return;
     evaluate_anew = evaluated > gap_reread_ratio * gap_reread_ratio * terms &&
                     std::abs(carried.gap - evaluated) > carried_gap_drift * terms;
@@ -105,28 +98,6 @@ void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, S
 }
 
 }  // namespace
-
-double gap_of(const StopState &stop) {
-  const auto *flight = std::get_if<InFlight>(&stop.contact);
-  return flight != nullptr ? flight->gap : 0.0;
-}
-
-void bound_travel(const Motion &motion, double time, PerCoordinate &speed) {
-  const ModalCoordinates &all = motion.mode->coordinates;
-  speed = motion.dy.abs() + all.frequency * motion.y.abs() + time * all.force;
-}
-
-bool stays_out_of_reach(const Motion &motion, const Contact &contact, double value,
-                        const PerCoordinate &speed, double omega, double time, double margin,
-                        double jumps) {
-  const ModalCoordinates &all = motion.mode->coordinates;
-  double rate = dot(contact.modulus, speed);
-  if (contact.held)
-    rate += contact.damping * (contact.modulus * (3.0 * all.rate * speed + all.force)).sum() +
-            contact.forcing_modulus * omega;
-  return value >
-         jumps + (1.0 + gap_reread_ratio) * time * rate + margin * terms_of(contact, motion);
-}
 
 double quiet_time(const Motion &motion, const std::vector<StopState> &stops, double omega) {
   const ContactMode &mode = *motion.mode;
@@ -186,9 +157,10 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
   const ContactMode &mode = *motion.mode;
   const Step &step = flight.step;
   expand(motion, step, clock.omega, forced, flight.table);
-  bound_travel_with_margin(motion, clock.omega, flight);
-  // Events so near to one at u are at the same instant: within the rounding of the motion, and of a
-  // flight that is much shorter than the time scale of the motion.
+  bound_travel(motion, clock.omega, flight);
+  // Two events are simultaneous when they are closer than the rounding of the time of the motion.
+  // After a flight much shorter than the time scale of the motion, the rounding is that of the
+  // flight.
   const double rounding = same_instant / (step.rate * step.length);
   const auto simultaneous = [rounding](double u) {
     return std::min(rounding, same_instant * short_flight_ratio * u);
@@ -202,13 +174,13 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     const StopState &stop = stops[contact.stop];
     Approach &approach = flight.approaches[k];
     approach.root.reset();
-    approach.out_of_reach = is_postponed(stop);  // until the end of the step, which is an event
+    approach.out_of_reach = is_postponed(stop);  // the end of the step is the event
     if (approach.out_of_reach) {
       flight.any_near = flight.event = true;
       continue;
     }
     const LeadingDerivative *leading = decided_force(stop);
-    const double value = value_of(motion, contact, stop);
+    const double value = contact.held ? evaluate(contact, motion) : gap_of(stop);
     approach.out_of_reach =
         leading == nullptr && is_out_of_reach(contact, value, clock.omega, flight);
     if (approach.out_of_reach) {
@@ -219,10 +191,9 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     Polynomial &p = approach.polynomial;
     read_along(flight.table, contact, p);
     counters.products += (step.order + 1) * mode.padded();
-    const auto *in_flight = std::get_if<InFlight>(&stop.contact);
-    // More than one zero, as at a root of a force: motion has yet to come along the chain.
-    if ((in_flight != nullptr && in_flight->below_rounding) ||
-        (leading != nullptr && leading->zeros > 1))
+    // With more than one zero derivative the motion that moves this mass has yet to pass along the
+    // chain, and the coefficients computed so far are rounding.
+    if (flight_of(stop).below_rounding || (leading != nullptr && leading->zeros > 1))
       drop_rounding(motion, clock.omega, flight.table, contact, flight.moduli, p);
     insert_exact_coefficients(contact, stop, rate_bound, step.length, p);
     approach.root = first_root(p, std::min(1.0, flight.u + simultaneous(flight.u)), counters);
@@ -230,7 +201,7 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     flight.event = true;
     flight.u = std::min(flight.u, approach.root->u);
   }
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // at the same instant, or later
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // drops the roots after the first event
     std::optional<Root> &root = flight.approaches[k].root;
     if (root && root->u > flight.u + simultaneous(flight.u)) root.reset();
   }
@@ -252,7 +223,7 @@ void move_along(const Flight &flight, double u, const Clock &clock, Motion &moti
     StopState &stop = stops[contact.stop];
     if (is_postponed(stop)) continue;
     if (contact.held) {
-      if (u > 0.0) stop.contact = AtRest{};  // what was decided holds at one instant
+      if (u > 0.0) stop.contact = AtRest{};  // a decided force is valid at its instant only
     } else if (u == flight.u && approach.root) {
       stop.contact = InFlight{0.0, approach.root->slope / length};
     } else if (u > 0.0 && approach.out_of_reach) {

@@ -8,35 +8,36 @@
 
 namespace vibro_impact::detail {
 
-// No step goes beyond this order: over the longest one (`max_step_radians`) 23 lies below rounding.
+// The largest order of a step. Over the longest step (`max_step_radians`) the remainder of order 23
+// lies below rounding.
 constexpr int max_order = 27;
 
-// A number for every order, read in packets of four, also beyond the last.
+// One number for each order. Loops read packets of four, also beyond the last order.
 using Terms = std::array<double, max_order + 8>;
 
-// sum of coefficient_n u^n, n = 0, ..., order. Four zeros follow the last coefficient.
+// p(u) = sum of coefficient_n u^n, n = 0, ..., order. Four zeros follow the last coefficient.
 struct Polynomial {
   Terms coefficient{};
   int order = 0;
 };
 
-// Taylor coefficients of a polynomial about one point: p, p', p''/2, p'''/6, p''''/24.
+// The Taylor coefficients p, p', p''/2, p'''/6, p''''/24 of a polynomial about one point.
 struct Jet {
   double value, slope, second, third, fourth;
 };
 
-// The polynomial with its `first` leading coefficients divided out, about u >= 0.
-Jet jet_at(const Polynomial &p, int first, double u);
+// The jet about u >= 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.
+Jet jet_at(const Polynomial &p, int zeros, double u);
 
 struct Root {
   double u = 0.0;
-  double slope = 0.0;  // there
+  double slope = 0.0;  // p' at the root
 };
 
-// First root in (0, limit] of the polynomial with its leading coefficients that are exactly zero
-// divided out, with a guarantee and without sampling (lib/README.md, section 5); nothing when there
-// is none. The first coefficient that is not zero should be positive; when it is negative the root
-// returned is 0, with the slope there.
-std::optional<Root> first_root(const Polynomial &p, double limit, Counters &counters);
+// The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
+// coefficients that are exactly zero. The search is guaranteed to miss no root and takes no
+// samples: (8) of lib/README.md. If the first non-zero coefficient is negative, the root is 0 with
+// the slope there.
+std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &counters);
 
 }  // namespace vibro_impact::detail

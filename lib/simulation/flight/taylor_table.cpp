@@ -82,7 +82,7 @@ void expand_forcing(std::complex<double> turn, double angle, bool with_sine, Tay
 // Which terms of a force take part in a recurrence.
 enum class Forcing { none, cosine, any };
 
-// The recurrence y_(n+2) = (F_n - lambda y_n) / ((n+1) (n+2)) - kappa y_(n+1) / (n+2) for two
+// The recurrence (4), y_(n+2) = (F_n - lambda y_n) / ((n+1) (n+2)) - kappa y_(n+1) / (n+2), for two
 // coordinates, from their values and slopes, in units of the step. Two orders at a time; one more
 // than needed does no harm.
 template <Forcing forcing>

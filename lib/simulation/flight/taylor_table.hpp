@@ -1,5 +1,5 @@
 // The Taylor table of a step: the coefficients of all modal coordinates about its start. Gaps and
-// hold forces are read from it, and it moves the motion (lib/README.md, section 3).
+// hold forces are read from it, and it moves the motion ((4) to (6) of lib/README.md).
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace vibro_impact::detail {
 
-// One step of a flight, in u = tau / length from 0 to 1: the polynomials of gaps and hold forces
-// have this order.
+// One step of a flight, in u = tau / length from 0 to 1. The polynomials of gaps and hold forces
+// have the order of the step.
 struct Step {
   double length = 0.0;
-  double rate = 0.0;  // the largest of what is in motion
+  double rate = 0.0;  // largest rate in motion
   int order = 0;
 };
 
-// The order by the radians rate * length of a step: the smallest of the form 4 k + 3 of which the
-// remainder, its first term 2 x^(p-1) / (p+1)! for order p and x radians, is at most `tolerance` of
-// the second-order term. That keeps small gaps accurate.
+// The order of a step of x = rate * length radians: the smallest p = 4 k + 3 with the remainder
+// 2 x^(p-1) / (p+1)! <= tolerance. The remainder is its first term, relative to the second-order
+// term: small gaps stay accurate.
 class OrderTable {
  public:
   explicit OrderTable(double tolerance);
@@ -45,27 +45,28 @@ struct TaylorTable {
   }
 };
 
-// The table of the motion over a step, by the recurrence that (1) gives.
+// The table of the motion over a step, by the recurrence (4).
 void expand(const Motion &motion, const Step &step, double omega, bool forced, TaylorTable &table);
 
-// The table of what an impulse at a contact alone sets in motion.
+// The table of the response to a unit jump of the gap speed at a contact.
 void expand_impulse(const ContactMode &mode, const Contact &contact, const Step &step,
                     TaylorTable &table);
 
 // sum_j row_j y_j[n] of the orders n = 0, ..., last.
 void sum_row(const TaylorTable &table, const PerCoordinate &row, int last, Terms &sums);
 
-// (3) of a contact along the step.
+// (3) of a contact along the step, by (5).
 void read_along(const TaylorTable &table, const Contact &contact, Polynomial &polynomial);
 
-// Sets to zero the coefficients of (3) that lie below the rounding of the modal coordinates. A mass
-// that moves less than that, because motion has yet to come along the chain, would be thrown back
-// by them. `moduli` is scratch.
+// Sets the coefficients of (3) below the rounding of the modal coordinates to zero. The true motion
+// of a mass is smaller than this rounding while motion has yet to pass along the chain to the mass.
+// `moduli` is scratch.
 void drop_rounding(const Motion &motion, double omega, const TaylorTable &table,
                    const Contact &contact, TaylorTable &moduli, Polynomial &polynomial);
 
-// Moves the coordinates to u of the step: changes are added up, because the coordinates themselves
-// would be rounded alike in each of many steps of one length. The clock is left to the caller.
+// Moves the coordinates to u of the step by (6): changes are added up, because the coordinates
+// themselves would be rounded alike in each of many steps of one length. The clock is left to the
+// caller.
 void move_coordinates(const TaylorTable &table, double u, Motion &motion);
 
 }  // namespace vibro_impact::detail

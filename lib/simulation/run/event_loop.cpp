@@ -1,4 +1,4 @@
-// The event loop: choose a step, find the first event in it, move there, handle it.
+// The event loop chooses a step, finds the first event in it, moves there and handles the event.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,49 +15,55 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The rate in which a chatter is measured: that of the fastest coordinate, or of the time left to
-// the limit, to leading order, where nothing but a fall has a rate.
-double chatter_rate(const Chatter &chatter, const ContactMode &mode) {
-  return mode.falls ? (1.0 - chatter.restitution) / chatter.flight : mode.fastest;
+// A step of this length, which is counted as work.
+Step make_step(Run &run, double length, double rate) {
+  const Step step{length, rate, run.problem.orders.order_of(rate * length)};
+  ++run.counters.expansions;
+  run.counters.coefficients += step.order + 1;
+  return step;
 }
 
-// The step to the limit of the chatter under way, if it can be taken there: one that is known well
-// enough, without another contact on the way, and with masses that stay pressed.
+// Finds the limit of the chatter under way and the state there, in scratch.limit, with the step to
+// it. Returns false when the limit is not accurate enough, when another contact may come to zero
+// before it, or when a mass hit is not pressed against its stop there. The errors of the time of
+// the limit (in units of 1 / rate) and of the state add up to at most the tolerance.
 bool find_limit(Run &run, Step &step) {
   const Chatter &chatter = run.chatter;
   const RunOptions &options = run.problem.options;
   const ContactMode &mode = *run.motion.mode;
   Scratch &scratch = run.scratch;
-  // The next impact may come in a little faster than the latest went out.
+  // The closing speed of the next impact may be a little above the latest rebound speed.
   for (const std::size_t k : chatter.contacts)
     if (!(next_speed_factor * speed_of(run.stops[mode.contacts[k].stop]) < options.resolve_chatter))
       return false;
-  const double rate = chatter_rate(chatter, mode);
-  // The speed has the rounding of the 1 / (1 - r) impacts that make it fall by a third.
+  // The unit of time is that of the fastest coordinate. A free fall has no rate, and its unit is
+  // the time left to the limit, to leading order.
+  const double rate = mode.falls ? (1.0 - chatter.restitution) / chatter.flight_time : mode.fastest;
+  // The impact speed falls to a third over 1 / (1 - r) impacts and has the rounding of these.
   const double tolerance =
       options.chatter_tolerance + 4.0 * impact_rounding / std::sqrt(1.0 - chatter.restitution);
   const auto limit = extrapolate_limit(chatter, tolerance / rate);
   if (!limit || !(limit->time_left * rate <= max_step_radians)) return false;
   if (!others_stay_out_of_reach(chatter, run.motion, run.problem.clock.omega, limit->time_left,
-                                scratch.change, scratch.speed))
+                                scratch.limit))
     return false;
-  step = {limit->time_left, rate, run.problem.orders.order_of(rate * limit->time_left)};
-  ++run.counters.expansions;
-  run.counters.coefficients += step.order + 1;
+  step = make_step(run, limit->time_left, rate);
   set_limit_state(chatter, *limit, step, run.problem.clock, run.problem.forced, run.motion,
                   run.stops, scratch.limit);
   if (limit->error * rate + scratch.limit.error > tolerance) return false;
-  for (const std::size_t k : chatter.contacts)  // released there: a border orbit or beyond
+  for (const std::size_t k : chatter.contacts)  // not pressed: a border orbit or beyond
     if (!(pressing_force(run.scene(), mode.contacts[k], scratch.limit.motion) > 0.0)) return false;
   return true;
 }
 
-// Advances a copy of the run through the impacts before the limit: for samples there, or an end.
+// Advances a copy of the run through the impacts before the limit, for samples and an end there. A
+// run that ends there takes over the end state of the copy, and stays itself at the latest node:
+// the next call finds the same limit again.
 void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   Run inside = run;
   inside.progress.inside_chatter = true;
   advance(inside, std::min(run.progress.end, limit), recorders);
-  run.modes = std::move(inside.modes);
+  run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.modal_evaluations = inside.counters.modal_evaluations;
   run.counters.modes_built = inside.counters.modes_built;
   if (run.progress.end < limit || inside.progress.ending != Ending::reached) {
@@ -66,7 +72,8 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   }
 }
 
-// Carries a chatter that has come to a node of its table to its limit.
+// Moves the run to the limit of a chatter whose latest impact is a node of its table, if the limit
+// is found.
 void take_limit(Run &run, Recorders recorders) {
   Step step;
   if (run.progress.over || run.progress.inside_chatter || !run.chatter.stands_at_node() ||
@@ -87,88 +94,81 @@ void take_limit(Run &run, Recorders recorders) {
   hold_or_release(run, recorders);
 }
 
-void give_up_beyond_range(Run &run) {
-  const Motion &motion = run.motion;
-  if (!std::isfinite(total(motion.y, motion.dy)))
-    stop_run(run, Ending::given_up,
-             line("the motion leaves the range of double precision before t = ",
-                  time_of(motion.now, run.problem.clock), ", given up"));
+void give_up_beyond_range(Run &run, const Instant &instant) {
+  stop_run(run, Ending::given_up,
+           line("the motion leaves the range of double precision before t = ",
+                time_of(instant, run.problem.clock), ", given up"));
 }
 
 Step plan_step(Run &run) {
   const double rate = rate_in_motion(run.motion), longest = max_step_radians / rate;
-  // Flights may be short without bound (r = 1e-300), steps not: slope * length must not underflow.
-  double length =
-      std::min(longest, std::max(expected_flight_margin * run.hint.flight, negligible * longest));
+  // A flight may be shorter than any bound (r = 1e-300). A step may not: the product of a slope and
+  // its length must not underflow.
+  double length = std::min(
+      longest, std::max(expected_flight_margin * run.hint.flight_time, negligible * longest));
   const double phase = run.motion.now.phase;
-  if (run.hint.postponed)  // to the next instant of the clock
+  if (run.hint.postponed)  // the decision is made at the next instant of the clock
     length = 2.0 * (std::nextafter(phase, infinity) - phase);
-  const Step step{length, rate, run.problem.orders.order_of(rate * length)};
-  ++run.counters.expansions;
-  run.counters.coefficients += step.order + 1;
-  return step;
+  return make_step(run, length, rate);
 }
 
-// Serves the samples up to `tau` after the motion: along the step at hand, or in closed form on a
-// flight on which no event can be.
+// Sets scratch.sampled to the motion at `instant`, `tau` after the motion of the run: along the
+// step in scratch.flight, or in closed form on a flight without events.
+void set_sampled(Run &run, const Instant &instant, double tau, bool in_closed_form) {
+  Scratch &scratch = run.scratch;
+  const Clock &clock = run.problem.clock;
+  scratch.sampled = run.motion;
+  scratch.sampled_stops = run.stops;
+  if (in_closed_form)
+    fly_along(instant, clock, scratch.sampled, scratch.sampled_stops, scratch.change);
+  else
+    move_along(scratch.flight, tau / scratch.flight.step.length, clock, scratch.sampled,
+               scratch.sampled_stops);
+}
+
+// Makes the sampled motion at `instant` the state at the end of the call.
+void set_last(Run &run, const Instant &instant) {
+  set_state(run.scratch.sampled, run.scratch.sampled_stops, run.scene(), run.progress.last);
+  run.progress.last.instant = instant;
+}
+
+// Reports the samples up to `tau` after the motion.
 void sample(Run &run, double tau, bool in_closed_form, Recorders recorders) {
   const Clock &clock = run.problem.clock;
-  Scratch &scratch = run.scratch;
   for (double next = next_sample(recorders); next < infinity; next = next_sample(recorders)) {
     const Instant instant = instant_at(next, clock);
-    const double since = time_until(run.motion, instant, clock), after = std::max(0.0, since);
-    if (after > tau) return;
+    const double since = time_until(run.motion, instant, clock);
+    if (std::max(0.0, since) > tau) return;
     require(since >= -16.0 * std::numeric_limits<double>::epsilon() * next, "next_time = ", next,
             ": lies before the motion, which is at t = ", time_of(run.motion.now, clock));
-    scratch.sampled = run.motion;
-    scratch.sampled_stops = run.stops;
-    if (in_closed_form)
-      fly_along(instant, clock, scratch.sampled, scratch.sampled_stops, scratch.change);
-    else
-      move_along(scratch.flight, after / scratch.flight.step.length, clock, scratch.sampled,
-                 scratch.sampled_stops);
+    set_sampled(run, instant, std::max(0.0, since), in_closed_form);
     ++run.counters.modal_evaluations;
-    if (!report_sample(scratch.sampled, next, clock, recorders)) continue;
-    set_state(scratch.sampled, scratch.sampled_stops, run.scene(), run.progress.last);
-    run.progress.last.instant = instant;
+    if (!report_sample(run.scratch.sampled, next, clock, recorders)) continue;
+    set_last(run, instant);
     return stop_run(run, Ending::stopped);
   }
 }
 
-// Ends the run at its end, `tau` after the motion, which stays where it is.
+// Ends the call at its end, `tau` after the motion of the run, which does not move.
 void end_at_time(Run &run, double tau, bool in_closed_form, Recorders recorders) {
   sample(run, tau, in_closed_form, recorders);
   if (run.progress.over) return;
-  Scratch &scratch = run.scratch;
-  scratch.sampled = run.motion;
-  scratch.sampled_stops = run.stops;
-  if (in_closed_form) {
-    fly_along(run.progress.end, run.problem.clock, scratch.sampled, scratch.sampled_stops,
-              scratch.change);
-    ++run.counters.modal_evaluations;
-  } else {
-    move_along(scratch.flight, tau / scratch.flight.step.length, run.problem.clock, scratch.sampled,
-               scratch.sampled_stops);
-  }
-  set_state(scratch.sampled, scratch.sampled_stops, run.scene(), run.progress.last);
-  run.progress.last.instant = run.progress.end;
-  stop_run(run, Ending::reached);
+  set_sampled(run, run.progress.end, tau, in_closed_form);
+  if (in_closed_form) ++run.counters.modal_evaluations;
+  set_last(run, run.progress.end);
   for (const double x : run.progress.last.displacement)
-    if (!std::isfinite(x)) {
-      run.progress.ending = Ending::given_up;
-      run.progress.reason = line("the motion leaves the range of double precision before t = ",
-                                 time_of(run.progress.end, run.problem.clock), ", given up");
-    }
+    if (!std::isfinite(x)) give_up_beyond_range(run, run.progress.end);
+  stop_run(run, Ending::reached);
 }
 
-// Flies on in closed form where no event can be for a long time; true when it did.
+// Flies on in closed form if no event can follow for many steps. Returns true if it did.
 bool fly_quietly(Run &run, double remaining, Recorders recorders) {
   const Clock &clock = run.problem.clock;
   if (!run.hint.quiet) return false;
   const double quiet = quiet_time(run.motion, run.stops, clock.omega);
   const double length = 0.5 * quiet;
   if (!(length * rate_in_motion(run.motion) > quiet_steps * max_step_radians)) return false;
-  // Whether it flies so must not depend on where the run ends.
+  // The end of the call must not decide whether the run flies in closed form.
   if (length > remaining) {
     end_at_time(run, remaining, true, recorders);
     return true;
@@ -186,7 +186,7 @@ bool fly_quietly(Run &run, double remaining, Recorders recorders) {
 void run_step(Run &run, Recorders recorders) {
   const Clock &clock = run.problem.clock;
   const double remaining = std::max(0.0, time_until(run.motion, run.progress.end, clock));
-  give_up_beyond_range(run);
+  if (!std::isfinite(total(run.motion.y, run.motion.dy))) give_up_beyond_range(run, run.motion.now);
   if (run.progress.over || fly_quietly(run, remaining, recorders)) return;
   Flight &flight = run.scratch.flight;
   flight.step = plan_step(run);
@@ -209,13 +209,13 @@ void run_step(Run &run, Recorders recorders) {
 void advance(Run &run, const Instant &end, Recorders recorders) {
   run.progress = {.end = end, .inside_chatter = run.progress.inside_chatter};
   if (run.start) handle_start(run, recorders);
-  take_limit(run, recorders);  // also of a chatter that stood at a node when the run ended
+  take_limit(run, recorders);  // a chatter may stand at a node since the call before
   while (!run.progress.over) {
     run_step(run, recorders);
     if (!run.progress.over && !recorders.empty() && is_done(recorders))
       stop_run(run, Ending::stopped);
   }
-  // A run that ends at an event ends where it stands.
+  // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty())
     set_state(run.motion, run.stops, run.scene(), run.progress.last);
 }

@@ -12,6 +12,8 @@ namespace vibro_impact::detail {
 
 namespace {
 
+// Reports an event and ends the call when a recorder is done. Events inside a chatter, before the
+// limit that the run takes, are not reported.
 void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
                   bool by_a_jump, Recorders recorders) {
   if (run.progress.inside_chatter) return;
@@ -19,7 +21,8 @@ void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
     stop_run(run, Ending::stopped);
 }
 
-// At the start of a run its state is known exactly; later the modal coordinates are what is known.
+// Enters the contact mode state.held. At the start of a run `state` is exact and gives the modal
+// coordinates; later the coordinates of the mode before give them.
 void enter_mode(Run &run, const MotionState &state, bool at_start) {
   bool built = false;
   const ContactMode &mode = run.modes.enter(run.scene(), state.held, built);
@@ -35,15 +38,18 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
   for (const Contact &contact : mode.contacts)
     if (const auto *flight = std::get_if<InFlight>(&run.stops[contact.stop].contact);
         flight != nullptr && !contact.held && !is_resolved(contact, run.motion))
-      place(contact, *flight, run.motion);
+      place(contact, *flight, run.motion);  // a small gap is more accurate as carried
 }
 
-// True when the impacts at hand go on with a chatter of so many impacts that the budget could not
-// pay for them. At a restitution nearer to 1 nobody would wait for its end.
-bool goes_on_with_slow_chatter(const Run &run) {
+// True when the impacts at this instant continue a chatter of so many impacts that the budget would
+// end the run before the limit. A budget pays for ten times as many impacts as it has between two
+// nodes of the chatter table at most: at the default of 1e6, up to r = 0.9999999.
+bool continues_slow_chatter(const Run &run) {
   const Chatter &chatter = run.chatter;
+  const long long budget = run.problem.options.max_impacts_per_period;
   return chatter.stride >= slow_chatter_stride && chatter.under_way() &&
-         1.0 - chatter.restitution >= slowest_chatter && run.scratch.hits == chatter.contacts;
+         chatter.stride / longest_stride <= static_cast<std::size_t>(budget) &&
+         run.scratch.hits == chatter.contacts;
 }
 
 // Counts an impact at this closing speed, and gives the run up when there are too many.
@@ -53,10 +59,10 @@ void count_impact(Run &run, StopState &stop, double speed) {
   if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
   stop.falling = falls ? stop.falling + 1 : 0;
   stop.last_speed = speed;
-  if (run.progress.inside_chatter || goes_on_with_slow_chatter(run)) return;
+  if (run.progress.inside_chatter || continues_slow_chatter(run)) return;
   ImpactBudget &budget = run.budget;
-  if (!(elapsed(budget.since, run.motion.now, run.problem.clock) <= budget.window)) {
-    budget.since = run.motion.now;
+  if (!(elapsed(budget.start, run.motion.now, run.problem.clock) <= budget.window)) {
+    budget.start = run.motion.now;
     budget.impacts = 0;
   }
   const long long most = run.problem.options.max_impacts_per_period;
@@ -66,13 +72,14 @@ void count_impact(Run &run, StopState &stop, double speed) {
                   time_of(run.motion.now, run.problem.clock)));
 }
 
-// Applies the impacts at the contacts hit. A chatter of which what is left lies below rounding is
-// over: its mass is at rest, whatever else happens within that rounding.
+// Applies the impacts at the contacts hit, then reports them. Simultaneous impacts act on different
+// masses, so that their order matters to rounding only. A mass comes to rest at once when the time
+// left to the limit of its chatter, or its rebound speed, lies below rounding.
 void apply_impacts(Run &run, Recorders recorders) {
   Motion &motion = run.motion;
   const ContactMode &mode = *motion.mode;
   const std::vector<std::size_t> &hits = run.scratch.hits;
-  run.scratch.flights.clear();
+  run.scratch.flight_times.clear();
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
     StopState &stop = run.stops[contact.stop];
@@ -91,16 +98,17 @@ void apply_impacts(Run &run, Recorders recorders) {
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
     const double speed = speed_of(run.stops[contact.stop]);
-    run.scratch.flights.push_back(next_flight(run.scene(), contact, speed, motion));
+    run.scratch.flight_times.push_back(next_flight(run.scene(), contact, speed, motion));
     if (!(speed > 0.0)) continue;
-    const double left = run.scratch.flights.back() / (1.0 - contact.restitution);
-    if (!(left * mode.fastest < same_instant) && !is_negligible(contact, speed, motion)) continue;
+    const double time_left = run.scratch.flight_times.back() / (1.0 - contact.restitution);
+    if (!(time_left * mode.fastest < same_instant) && !is_negligible(contact, speed, motion))
+      continue;
     leave_stop(contact, 0.0, motion, run.stops);
     ++run.counters.chatter_limits;
   }
 }
 
-// True when the dampers pass the jump of a speed on to this mass.
+// True when a neighbour has an impact and the damper between them passes on the jump of its speed.
 bool is_pushed(const Run &run, std::size_t mass) {
   if (!(run.scene().beta > 0.0)) return false;
   return std::any_of(run.scratch.hits.begin(), run.scratch.hits.end(), [&](std::size_t hit) {
@@ -110,9 +118,10 @@ bool is_pushed(const Run &run, std::size_t mass) {
   });
 }
 
-// Gathers the masses at rest on a stop whose force is in question: those not held, those whose
-// force has come to zero, those decided at this very instant before, and those beside an impact
-// that are not pressed clearly. Before the first flight of a run every held mass is in question.
+// Gathers the masses at rest at a stop whose force is in question. A mass that is not held is in
+// question. A held mass is in question when its force is zero at this instant, when its force was
+// decided at this instant before, when its decision was postponed, or when the force has jumped to
+// a value that is small or negative. At the start of a run every held mass is in question.
 void gather_resting(Run &run, bool at_start) {
   const std::vector<std::size_t> &roots = run.scratch.roots;
   std::vector<RestingMass> &masses = run.scratch.rest.masses;
@@ -120,21 +129,21 @@ void gather_resting(Run &run, bool at_start) {
   for (std::size_t k = 0; k < run.motion.mode->contacts.size(); ++k) {
     const Contact &contact = run.motion.mode->contacts[k];
     const StopState &stop = run.stops[contact.stop];
-    const auto *rest = std::get_if<AtRest>(&stop.contact);
+    const LeadingDerivative *leading = decided_force(stop);
     if (!contact.held && !(gap_of(stop) == 0.0 && speed_of(stop) == 0.0)) continue;
-    const bool root = std::find(roots.begin(), roots.end(), k) != roots.end(),
-               pushed = is_pushed(run, contact.mass), decided = rest != nullptr && rest->decided;
-    if (contact.held && !root && !at_start && !decided && !is_postponed(stop) &&
-        !(pushed && !is_resolved(contact, run.motion)))
-      continue;
-    // The force is zero now, or at this very instant before, unless it has jumped since.
-    const bool zero =
-        root || (decided && (rest->decided->zeros > 0 || rest->decided->value == 0.0));
+    const bool root = std::find(roots.begin(), roots.end(), k) != roots.end();
+    const bool pushed = is_pushed(run, contact.mass);
+    const bool in_question = !contact.held || at_start || root || leading != nullptr ||
+                             is_postponed(stop) || (pushed && !is_resolved(contact, run.motion));
+    if (!in_question) continue;
+    // The force is exactly zero at a root, or as decided at this instant before, unless it jumps.
+    const bool zero = root || (leading != nullptr && (leading->zeros > 0 || leading->value == 0.0));
     masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
 }
 
-// Sets what a decision says of the stops.
+// Sets the state of the stop of a mass after its decision, and of the opposite stop if the mass is
+// released.
 void set_stops(Run &run, const RestingMass &mass) {
   const std::vector<Stop> &stops = run.scene().stops;
   StopState &stop = run.stops[mass.stop];
@@ -143,40 +152,41 @@ void set_stops(Run &run, const RestingMass &mass) {
   stop.changed = run.motion.now;
   stop.falling = 0;
   stop.last_speed = 0.0;
-  for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)  // a stop across is there again
+  for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
     if (k != mass.stop && stops[k].mass == stops[mass.stop].mass)
       run.stops[k] = {InFlight{std::abs(stops[k].position - stops[mass.stop].position), 0.0}};
 }
 
-// Predicts the flight after the impacts of this instant, and adds them to the chatter that they go
-// on with or begin. The chatter ends where they are no impacts, where a mass was left at rest, or
-// where the contact mode has changed from `before`.
-void follow_chatter(Run &run, const ContactMode &before) {
+// Adds the impacts of this instant to the chatter that they continue or begin, and sets the step
+// hint to the longest flight expected after them. The chatter ends at an instant without impacts,
+// with a mass left at rest, or with another contact mode than `previous_mode`.
+void follow_chatter(Run &run, const ContactMode &previous_mode) {
   const std::vector<std::size_t> &hits = run.scratch.hits;
   const ContactMode &mode = *run.motion.mode;
   std::vector<double> &jumps = run.scratch.jumps;
   jumps.clear();
-  double flight = 0.0;
-  bool leaving = !hits.empty() && &mode == &before;
+  double flight_time = 0.0;
+  bool leaving = !hits.empty() && &mode == &previous_mode;
   for (std::size_t i = 0; i < hits.size() && leaving; ++i) {
     const Contact &contact = mode.contacts[hits[i]];
     const StopState &stop = run.stops[contact.stop];
     const double speed = speed_of(stop);
     leaving = speed > 0.0;
     jumps.push_back(stop.last_speed + speed);
-    flight = std::max(flight, run.scratch.flights[i]);
+    flight_time = std::max(flight_time, run.scratch.flight_times[i]);
   }
   if (!leaving) return end(run.chatter);
-  run.hint.flight = flight;
+  run.hint.flight_time = flight_time;
   Chatter &chatter = run.chatter;
-  if (!(chatter.under_way() && flight < chatter.flight && hits == chatter.contacts)) {
+  if (!(chatter.under_way() && flight_time < chatter.flight_time && hits == chatter.contacts)) {
     end(chatter);
     const double r = mode.contacts[hits[0]].restitution;
-    // No chatter where r = 0 (one impact stops the mass) and where r = 1 (it never ends).
-    if (!(r > 0.0 && r < 1.0 && (mode.falls || flight * mode.fastest < 1.0))) return;
+    // With r = 0 one impact stops the mass, and with r = 1 the impacts have no limit. A chatter
+    // begins once a flight takes less than a radian of the fastest rate.
+    if (!(r > 0.0 && r < 1.0 && (mode.falls || flight_time * mode.fastest < 1.0))) return;
     begin(chatter, hits, r);
   }
-  if (add_impact(chatter, flight, jumps)) ++run.counters.chatter_nodes;
+  if (add_impact(chatter, flight_time, jumps)) ++run.counters.chatter_nodes;
 }
 
 }  // namespace
@@ -203,6 +213,7 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start) {
   rest.decide(run.scene(), state, rate);
   for (RestingMass &mass : rest.masses) {
     const std::optional<Instant> &changed = run.stops[mass.stop].changed;
+    // A mass does not stick and leave, or leave and stick, at one instant of the clock.
     if (mass.held != mass.was_held && changed && !(*changed < run.motion.now)) {
       run.stops[mass.stop].contact = AtRest{.postponed = true};
       run.hint = {.quiet = false, .postponed = true};
@@ -239,7 +250,7 @@ void handle_start(Run &run, Recorders recorders) {
   Scratch &scratch = run.scratch;
   MotionState &state = scratch.state;
   state = *std::exchange(run.start, std::nullopt);
-  run.motion.now = run.budget.since = state.instant;
+  run.motion.now = run.budget.start = state.instant;
   enter_mode(run, state, true);
   const std::vector<Stop> &stops = run.scene().stops;
   run.stops.resize(stops.size());

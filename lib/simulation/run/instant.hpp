@@ -1,23 +1,24 @@
-// What happens at one instant: impacts, which masses are held after it, and the chatter that the
-// impacts belong to.
+// The events at one instant: the impacts, the decision which masses stick or are released, and the
+// chatter to which the impacts belong.
 #pragma once
 
 #include "run.hpp"
 
 namespace vibro_impact::detail {
 
-// Ends the call of `advance`, unless it has ended before.
+// Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
-// Handles the events at the end of the flight, to which the run has been moved.
+// Handles the events at the end of a step. The run has been moved there.
 void handle_instant(Run &run, Recorders recorders);
 
-// Handles the events of the start: masses that move into their stop have their impact at this
-// instant, and belong to it with those at rest on one. Nothing is known of the stops but the gaps.
+// Handles the events at the start of a run. Masses at their stop that move into it have an impact,
+// and all masses at rest at a stop stick or are released.
 void handle_start(Run &run, Recorders recorders);
 
-// Decides who is held after the instant, for all masses in question at once, and enters the contact
-// mode that follows. At the start of a run its motion is known exactly, and stands there already.
+// Decides which masses stick after this instant, for all masses in question together, and enters
+// the contact mode that follows. The caller has set scratch.hits and scratch.roots to the contacts
+// of this instant. At the start of a run it has set scratch.state to the exact initial state.
 void hold_or_release(Run &run, Recorders recorders, bool at_start = false);
 
 }  // namespace vibro_impact::detail

@@ -11,8 +11,8 @@ namespace {
 
 class MomentOfMotion final : public Moment {
  public:
-  MomentOfMotion(const Motion &motion, const Instant &of, const Clock &clock)
-      : Moment(of, time_of(of, clock)), motion_(motion) {
+  MomentOfMotion(const Motion &motion, const Instant &instant_of_motion, const Clock &clock)
+      : Moment(instant_of_motion, time_of(instant_of_motion, clock)), motion_(motion) {
   }
   int masses() const override {
     return static_cast<int>(motion_.mode->held.size());
@@ -48,11 +48,11 @@ bool is_done(const RecorderRef &recorder) {
 bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
             bool by_a_jump, Recorders recorders, Event &event) {
   if (recorders.empty()) return false;
-  const Stop &of = run.scene().stops[stop];
+  const Stop &stop_of_event = run.scene().stops[stop];
   event.kind = kind;
   event.stop = static_cast<int>(stop) + 1;
-  event.mass = of.mass;
-  event.side = of.side;
+  event.mass = stop_of_event.mass;
+  event.side = stop_of_event.side;
   event.instant = run.motion.now;
   event.velocity_before = velocities.before;
   event.velocity_after = velocities.after;

@@ -1,4 +1,4 @@
-// The reports of a run to its recorders. Nothing here changes the run.
+// The reports of a run to its recorders. The functions of this header do not change the run.
 #pragma once
 
 #include "run.hpp"
@@ -10,7 +10,7 @@ struct ImpactVelocities {
   double before = 0.0, after = 0.0;
 };
 
-// Reports an event at a stop. Returns true when a recorder is done.
+// Reports an event at a stop; `event` is scratch. Returns true when a recorder is done.
 bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
             bool by_a_jump, Recorders recorders, Event &event);
 

@@ -1,4 +1,5 @@
-// A run: everything that it carries from event to event. The event loop alone changes it.
+// A run: everything that it carries from event to event. Only event_loop.cpp and instant.cpp change
+// it.
 #pragma once
 
 #include <limits>
@@ -17,64 +18,71 @@ namespace vibro_impact::detail {
 
 using Recorders = std::span<const RecorderRef>;
 
-// What a run is of.
+// The scene and the options of a run, with the constants that follow from them.
 struct Problem {
   std::shared_ptr<const Scene> scene;
   RunOptions options;
   Clock clock;
-  double rate_bound;
+  double rate_bound;  // of the scene: see rate_bound in forces.hpp
   bool forced;
   OrderTable orders;
 
-  Problem(std::shared_ptr<const Scene> of, const RunOptions &with);
+  Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run);
 };
 
-// What the flight before says of the next step.
+// The consequences of the latest step and its events for the choice of the next step. A step resets
+// the hint in `run_step`; then `hold_or_release` sets `postponed`, and `follow_chatter` sets
+// `flight_time`. A chatter limit resets the hint too.
 struct StepHint {
-  double flight = std::numeric_limits<double>::infinity();  // expected: of a mass that was just hit
-  // Whether a long flight without events may be ahead: no contact was within reach in the latest
-  // step, or the rigid-body mode drifted through a step without an event.
+  // Expected time to the next impact of a mass that was just hit.
+  double flight_time = std::numeric_limits<double>::infinity();
+  // A long flight without events may follow: no contact was within reach in the latest step, or the
+  // rigid-body mode drifted through a step without an event.
   bool quiet = true;
-  bool postponed = false;  // a decision waits for the next instant of the clock
+  // A decision about a stop is postponed: the next step ends one rounding of the clock later.
+  bool postponed = false;
 };
 
-// Impacts in one window of time, of which a run may have so many before it is given up.
+// The impacts since the start of a window of time. A run is given up when these are more than
+// `max_impacts_per_period`.
 struct ImpactBudget {
-  double window;
-  Instant since = {};
+  double window;  // its length
+  Instant start = {};
   long long impacts = 0;
 };
 
-// Storage that is reused from event to event. It carries nothing from one to the next.
+// Storage that is reused from event to event. No value passes from one event to the next.
 struct Scratch {
   Flight flight;
   LimitState limit;
   RestDecision rest;
-  PerCoordinate change, speed;
+  PerCoordinate change;
   ChainMotion chain;
-  Motion sampled;
-  std::vector<StopState> sampled_stops;
-  std::vector<std::size_t> hits, roots;  // contacts of the event at hand
-  std::vector<double> flights, jumps;    // after the impacts at hand: expected, and of gap speeds
+  Motion sampled;                        // the motion at a sample or at the end of a call,
+  std::vector<StopState> sampled_stops;  // with the stops
+  // Contacts of the mode with an impact, or with a root of the hold force, at this instant.
+  std::vector<std::size_t> hits, roots;
+  // For each hit the expected time of the flight after it, and the jump of the gap speed.
+  std::vector<double> flight_times, jumps;
   MotionState state;
   Event event;
 };
 
-// How a call of `advance` stands.
+// The progress of one call of `advance`.
 struct Progress {
   Instant end;
   bool over = false;
   Ending ending = Ending::reached;
   std::string reason = {};
-  // Inside a chatter that is carried to its limit, impacts are resolved for samples and ends alone:
-  // nothing is reported but samples, and no limit is taken.
+  // True of the copy of a run that resolves the impacts of a chatter before its limit, because a
+  // sample or the end lies there. The copy reports samples only and takes no limit.
   bool inside_chatter = false;
-  MotionState last = {};  // the state at the end
+  MotionState last = {};  // the state at the end; empty before
 };
 
 struct Run {
   Problem problem;
-  std::optional<MotionState> start;  // of a run that has not begun
+  std::optional<MotionState> start;  // the initial state, until the run begins
   ContactModes modes = {};
   Motion motion = {};
   std::vector<StopState> stops = {};  // one for each stop of the scene
@@ -90,9 +98,9 @@ struct Run {
   }
 };
 
-// Runs on to `end`, or until a recorder is done or the run is given up. The run then stands at the
-// last step before, from which the motion goes on to the state at the end: the steps do not depend
-// on where a call ends.
+// Runs on to `end`, or until a recorder is done or the run is given up, and sets progress.last to
+// the state there. The motion of the run stays at the start of the step that contains the end:
+// hence the steps do not depend on where a call ends.
 void advance(Run &run, const Instant &end, Recorders recorders);
 
 }  // namespace vibro_impact::detail

@@ -26,7 +26,7 @@ void check_options(const RunOptions &options) {
           "max_impacts_per_period = ", options.max_impacts_per_period, ": must be positive");
 }
 
-// A run that stands at its start.
+// A run before its first step.
 Run start_run(std::shared_ptr<const Scene> scene, const MotionState *start,
               const RunOptions &options) {
   MotionState state = start_of(*scene);  // checks the scene
@@ -36,7 +36,7 @@ Run start_run(std::shared_ptr<const Scene> scene, const MotionState *start,
   }
   check_options(options);
   Problem problem(std::move(scene), options);
-  // A slow forcing says nothing of how many impacts there may be.
+  // The number of impacts in a period of a slow forcing has no bound of use.
   const double rate = problem.rate_bound;
   const double window = problem.forced && problem.clock.omega > 0.0
                             ? std::min(problem.clock.period, budget_window / rate)
@@ -48,18 +48,18 @@ Run start_run(std::shared_ptr<const Scene> scene, const MotionState *start,
 
 Outcome advance_to(Run &run, double until, Recorders recorders) {
   const Clock &clock = run.problem.clock;
-  // After a call the run stands at the last step before the end that it reported.
-  const Instant reported = run.start ? run.start->instant : run.progress.last.instant;
-  const double begin = time_of(reported, clock);
+  // The motion of the run may stand before the end of the call before: see `advance`.
+  const Instant begin = run.start ? run.start->instant : run.progress.last.instant;
+  const double begin_time = time_of(begin, clock);
   require(std::isfinite(until), "until = ", until, ": must be finite");
   const Instant end = instant_at(until, clock);
-  require(until >= begin || !(end < reported), "until = ", until, ": lies before the start at ",
-          begin);
+  require(until >= begin_time || !(end < begin), "until = ", until, ": lies before the start at ",
+          begin_time);
   for (const RecorderRef &recorder : recorders) {
     if (recorder.check) recorder.check(run.scene());
     if (!recorder.sample) continue;
     const double first = recorder.next_time();
-    require(first >= begin, "sample at t = ", first, ": the run begins at ", begin);
+    require(first >= begin_time, "sample at t = ", first, ": the run begins at ", begin_time);
   }
   run.counters = {};
   advance(run, end, recorders);
@@ -70,9 +70,9 @@ Outcome advance_to(Run &run, double until, Recorders recorders) {
 
 }  // namespace
 
-Problem::Problem(std::shared_ptr<const Scene> of, const RunOptions &with)
-    : scene(std::move(of)),
-      options(with),
+Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run)
+    : scene(std::move(scene_of_run)),
+      options(options_of_run),
       clock(scene->omega),
       rate_bound(detail::rate_bound(*scene)),
       forced(scene->forced()),
@@ -81,7 +81,7 @@ Problem::Problem(std::shared_ptr<const Scene> of, const RunOptions &with)
 
 Outcome simulate(const Scene &scene, const MotionState *start, double until,
                  const RunOptions &options, Recorders recorders) {
-  // The run does not outlive the call, and refers to the caller's scene.
+  // The run does not outlive this call, so that it may refer to the caller's scene.
   const std::shared_ptr<const Scene> borrowed(std::shared_ptr<void>(), &scene);
   Run run = start_run(borrowed, start, options);
   return advance_to(run, until, recorders);

@@ -24,11 +24,6 @@ void leave_stop(const Contact &contact, double speed, Motion &motion,
       if (auto *flight = std::get_if<InFlight>(&stops[other.stop].contact)) flight->speed = -speed;
 }
 
-double speed_of(const StopState &stop) {
-  const auto *flight = std::get_if<InFlight>(&stop.contact);
-  return flight != nullptr ? flight->speed : 0.0;
-}
-
 bool is_negligible(const Contact &contact, double speed, const Motion &motion) {
   return speed < negligible * dot_moduli(contact.modulus, motion.dy);
 }

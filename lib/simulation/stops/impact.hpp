@@ -1,4 +1,5 @@
-// An impact in the modal coordinates: Eqs. 8-11 as Psi^-1 R Psi (Eq. 16).
+// An impact in the modal coordinates: Eqs. 8-11 as Psi^-1 R Psi (Eq. 16), which is (10) of
+// lib/README.md.
 #pragma once
 
 #include <vector>
@@ -7,22 +8,21 @@
 
 namespace vibro_impact::detail {
 
-// Brings the coordinates into agreement with a gap and a gap speed that are known better.
+// Changes the coordinates so that (3) gives the gap and the gap speed of `flight`, which are known
+// more accurately than from the coordinates.
 void place(const Contact &contact, const InFlight &flight, Motion &motion);
 
-// Leaves the mass at its stop with this gap speed, which is kept to full relative accuracy beside
-// the coordinates. A stop across sees the same jump.
+// Sets the gap of the contact to exactly 0 and its gap speed to `speed`, in the coordinates and in
+// the state of the stop. The gap speed of the opposite stop of this mass is then -speed.
 void leave_stop(const Contact &contact, double speed, Motion &motion,
                 std::vector<StopState> &stops);
 
-// The gap speed of a mass in flight; 0 at rest.
-double speed_of(const StopState &stop);
-
-// True when a speed at this contact is lost in the rounding of those the chain moves at.
+// True when a speed at this contact lies below the rounding of the speeds of the chain.
 bool is_negligible(const Contact &contact, double speed, const Motion &motion);
 
-// Time to the next impact at a stop that the mass has just left with this speed, to leading order,
-// where a constant force presses it; infinite where none does.
+// The time 2 m v / F to the next impact, to leading order, of a mass that has just left its stop
+// with this speed v. F is the force that presses the mass towards the stop; without one the time is
+// infinite.
 double next_flight(const Scene &scene, const Contact &contact, double speed, const Motion &motion);
 
 }  // namespace vibro_impact::detail

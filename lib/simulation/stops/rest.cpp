@@ -27,7 +27,7 @@ std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, doub
           scene, i, [&](std::size_t j) { return state.x[j]; },
           [&](std::size_t j) { return rate * state.v[j]; }, forcing);
     };
-    // The same of error bounds: -E_i in place of x_i adds up what the difference takes off.
+    // The error bound of the force: with -E_i in place of x_i all error bounds are added.
     const auto error_of = [&](std::size_t i) {
       return force_on(
           scene, i, [&](std::size_t j) { return j == i ? -state.x_error[j] : state.x_error[j]; },
@@ -76,14 +76,14 @@ void RestDecision::decide(const Scene &scene, const MotionState &motion, double 
     kind_[mass.mass] = Kind::undecided;
     start_.x[mass.mass] = scene.stops[mass.stop].position;
   }
-  for (std::size_t i = 0; i < n; ++i)  // at rest means exactly where its stop is
+  for (std::size_t i = 0; i < n; ++i)  // a mass at rest is exactly at its stop
     if (kind_[i] != Kind::moving) start_.v[i] = start_.x_error[i] = 0.0;
   start_.a.assign(n, 0.0);
   start_.a_error.assign(n, 0.0);
   start_.v_error = start_.x_error;
   current_ = start_;
   if (decide_by_order(scene, motion.instant.phase, rate) == 0) return;
-  // What the error bounds leave undecided is decided by the rounded forces themselves.
+  // Forces within their error bounds in all orders are decided by their rounded values.
   start_.x_error.assign(n, 0.0);
   start_.v_error.assign(n, 0.0);
   current_ = start_;
