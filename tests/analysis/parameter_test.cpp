@@ -15,13 +15,14 @@ using namespace vibro_impact;
 const std::string names[] = {
     "omega",      "beta",          "restitution",   "restitution1", "restitution2", "stop1",
     "stop2",      "mass1",         "mass2",         "stiffness1",   "stiffness2",   "amplitude1",
-    "amplitude2", "displacement1", "displacement2", "velocity1",    "velocity2"};
+    "amplitude2", "sine1",         "sine2",         "constant1",    "constant2",    "ground1",
+    "ground2",    "displacement1", "displacement2", "velocity1",    "velocity2"};
 
 // Every number of a scene, in a fixed order.
 std::vector<double> numbers_of(const Scene &scene) {
   std::vector<double> all{scene.omega, scene.beta, scene.restitution};
-  for (const auto *list :
-       {&scene.mass, &scene.stiffness, &scene.amplitude, &scene.displacement, &scene.velocity})
+  for (const auto *list : {&scene.mass, &scene.stiffness, &scene.amplitude, &scene.sine,
+                           &scene.constant, &scene.ground, &scene.displacement, &scene.velocity})
     for (std::size_t i = 0; i < 2; ++i) all.push_back(list->empty() ? 0.0 : (*list)[i]);
   for (const Stop &stop : scene.stops) {
     all.push_back(stop.position);

@@ -1,4 +1,5 @@
 // The scene runner, tested through the program itself: its options and its tables.
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,22 @@ TEST_F(Runner, TheExamplesOfTheHelpWork) {
             (std::vector<std::string>{"atlas.csv", "events.csv", "run.png", "samples.csv"}));
   EXPECT_EQ(run("sweep --help").out.find("{"), std::string::npos) << "no word of CLI11's own";
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
+}
+
+// A scene that --print-scene has written runs as its options did; those given beside it replace its
+// own.
+TEST_F(Runner, ReadsTheSceneThatItHasWritten) {
+  const std::string options =
+      "--masses 2 --sine 0,0.1 --constant=-0.1 --ground 0.2 "
+      "--stop 1:lower:-0.3 --stop 2:upper:0.2:0.5 ";
+  const Result scene = run("run --print-scene " + options);
+  EXPECT_EQ(scene.status, 0);
+  std::ofstream(folder / "scene.toml") << scene.out;
+  const std::string tables = " --until 30 --events -";
+  EXPECT_EQ(run("run --scene scene.toml" + tables).out, run("run " + options + tables).out);
+  EXPECT_EQ(run("run --scene scene.toml --omega 0.3" + tables).out,
+            run("run --omega 0.3 " + options + tables).out);
+  EXPECT_EQ(run("run --scene=no-such-file").status, 2);
 }
 
 }  // namespace

@@ -46,6 +46,17 @@ TEST(Refusals, OfScenes) {
       spoilt_scene([](Scene &s) { s.stops[1].restitution = -0.1; }, "restitution = -0.1: must lie"),
       spoilt_scene([](Scene &s) { s.amplitude = {1.0}; }, "amplitude: 1 values given"),
       spoilt_scene([](Scene &s) { s.amplitude[1] = nan; }, "amplitude = nan: must be finite"),
+      spoilt_scene([](Scene &s) { s.sine = {1.0}; }, "sine: 1 values given, the chain has 2"),
+      spoilt_scene(
+          [](Scene &s) {
+            s.constant = {0.0, infinity};
+          },
+          "constant = inf: must be finite"),
+      spoilt_scene(
+          [](Scene &s) {
+            s.ground = {0.0, -1.0};
+          },
+          "ground = -1: must be non-negative"),
       spoilt_scene([](Scene &s) { s.displacement.assign(2, 0.2); }, "beyond its upper stop at 0.1"),
       spoilt_scene([](Scene &s) { s.velocity.assign(2, infinity); }, "velocity = inf: must be"),
       spoilt_scene([](Scene &s) { s.stops[0].mass = 0; }, "stop on mass 0: the chain has masses 1"),
