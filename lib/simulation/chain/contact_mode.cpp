@@ -109,18 +109,25 @@ Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
   return j + 2;
 }
 
-// The weights of (3) of a mass held at its stop: the forces that the static positions, and the
-// shape of each coordinate, exert on it (Eqs. 12-13 times sigma).
+// The weights of (3) of a mass held at its stop: the forces that the static positions, and each
+// mode, exert on it (Eqs. 12-13 times sigma). They follow from the tensions of the springs; a
+// difference of positions times a stiff link would round them.
 void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contact) {
-  const auto pressed_by = [&](const auto &x) {
-    return contact.sigma * link_force(scene, contact.mass, x(contact.mass), x);
+  const std::size_t p = contact.mass, n = scene.mass.size();
+  const auto row = static_cast<Index>(p);
+  const auto pressed_by = [&](const auto &tension) {
+    double force = -std::sqrt(scene.stiffness[p]) * tension(row);
+    if (p + 1 < n) force += std::sqrt(scene.stiffness[p + 1]) * tension(row + 1);
+    if (!scene.ground.empty())
+      force -= std::sqrt(scene.ground[p]) * tension(static_cast<Index>(n) + row);
+    return contact.sigma * force;
   };
-  contact.offset =
-      pressed_by([&](std::size_t i) { return mode.equilibrium(static_cast<Index>(i)); }) +
-      contact.sigma * entry_of(scene.constant, contact.mass);
-  for (Index j = 0; j < mode.padded(); ++j)
-    contact.row(j) =
-        pressed_by([&](std::size_t i) { return mode.shape(static_cast<Index>(i), j); });
+  contact.offset = pressed_by(mode.tension) + contact.sigma * entry_of(scene.constant, p);
+  for (Index k = 0; k < mode.basis.lambda.size(); ++k) {
+    const Index j = mode.first_coordinate[static_cast<std::size_t>(k)];
+    contact.row(j) = pressed_by(mode.basis.tension.col(k));
+    if (mode.coordinates.decay[static_cast<std::size_t>(j)]) contact.row(j + 1) = contact.row(j);
+  }
   contact.damping = scene.beta;
   contact.forcing = contact.sigma * Complex(entry_of(scene.amplitude, contact.mass),
                                             -entry_of(scene.sine, contact.mass));

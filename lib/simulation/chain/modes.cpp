@@ -78,7 +78,7 @@ MatrixXd tensions_of(const Scene &scene, const std::vector<std::size_t> &free,
 // The eigenvalue solver leaves products u_p^T A u_q of epsilon lambda_max. These are large relative
 // to |tension_p| |tension_q| when both modes are soft. Only pairs with |tension_p| |tension_q| <=
 // soft lambda_max are rotated.
-void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first, double soft) {
+void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first) {
   VectorXd length = tension.colwise().norm().transpose();
   const double largest = length.maxCoeff(),
                tolerance = std::sqrt(static_cast<double>(tension.rows())) *
@@ -88,7 +88,7 @@ void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first, double s
     rotated = false;
     for (Index p = first; p < tension.cols(); ++p)
       for (Index q = p + 1; q < tension.cols(); ++q) {
-        if (length(p) / largest * (length(q) / largest) > soft) continue;
+        if (length(p) / largest * (length(q) / largest) > soft_pair) continue;
         const double product = tension.col(p).dot(tension.col(q));
         if (std::abs(product) <= tolerance * length(p) * length(q)) continue;
         Eigen::JacobiRotation<double> rotation;
@@ -154,13 +154,12 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
   const bool floats = is_untied(scene) && modes == n;
   // A copy, because Eigen adds up in an order that depends on the alignment of the memory.
   const VectorXd mass = Eigen::Map<const VectorXd>(scene.mass.data(), n);
-  const bool light = mass.minCoeff() < light_mass * mass.maxCoeff();
-  MatrixXd vectors = light ? MatrixXd::Identity(modes, modes) : eigenvectors_of(scene, free);
+  MatrixXd vectors = eigenvectors_of(scene, free);
   if (floats)  // the rigid-body mode x = (1, ..., 1), in which no link has a tension
     rotate_to_front(mass.cwiseSqrt().normalized(), vectors);
   MatrixXd tension = tensions_of(scene, free, vectors);
   if (floats) tension.col(0).setZero();
-  make_orthogonal(tension, vectors, floats ? 1 : 0, light ? 2.0 : soft_pair);
+  make_orthogonal(tension, vectors, floats ? 1 : 0);
 
   const VectorXd lambda = tension.colwise().squaredNorm().transpose();
   std::vector<Index> order(free.size());

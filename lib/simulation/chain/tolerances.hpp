@@ -9,8 +9,6 @@ namespace vibro_impact::detail {
 
 // Two modes p, q are rotated when sqrt(lambda_p lambda_q) <= soft_pair lambda_max.
 constexpr double soft_pair = 1.0 / 16.0;
-// Least ratio m_min / m_max with which the eigenvalue solver is used.
-constexpr double light_mass = 1e-4;
 constexpr int most_jacobi_sweeps = 30;
 // A mode is near resonance when |lambda - Omega^2 + i kappa Omega| is below this times lambda +
 // Omega^2.
