@@ -70,8 +70,8 @@ TEST(Forces, OfCoupledMassesAgreeWith50Digits) {
   }
 }
 
-// What a scene leaves out costs nothing: the work is the same to the last operation, and so is the
-// motion.
+// Forces that a scene leaves out cost nothing: the work is the same to the last operation, and so
+// is the motion.
 TEST(Forces, OfZeroChangeNothing) {
   Scene zero = paper::figure2();
   zero.sine = zero.constant = zero.ground = {0.0, 0.0};
