@@ -72,7 +72,8 @@ class Sections {
     sections_.resize(2 * most_periods_of_orbit + 1);
     for (std::size_t i = 0; i < scene.mass.size(); ++i) {
       const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
-                   squared = (scene.stiffness[i] + right) / scene.mass[i];
+                   ground = entry_of(scene.ground, i),
+                   squared = (scene.stiffness[i] + right + ground) / scene.mass[i];
       frequency_.push_back(squared > 0.0 ? std::sqrt(squared) : 1.0);  // a ball on no spring
     }
     enter(start);
