@@ -12,7 +12,7 @@ using namespace vibro_impact;
 // Frames are this far apart in time while a mass chatters, and three times as far otherwise.
 constexpr double step = 0.15;
 
-// What a mass does, by its last event before `time`.
+// The action of a mass, by its last event before `time`.
 const char *action_of(int mass, double time, const std::vector<Event> &events) {
   const Event *last = nullptr;
   for (const Event &event : events)

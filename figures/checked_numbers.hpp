@@ -1,4 +1,4 @@
-// Key numbers and published results beside what the library computes, and their tables in Markdown.
+// Key numbers and published results with the values of the library, and their tables in Markdown.
 #pragma once
 
 #include <fmt/format.h>
@@ -156,8 +156,9 @@ inline std::string count_of_results(const std::vector<CheckedResult> &results) {
     });
   };
   return fmt::format(
-      "{} printed results of other authors, {} values of their formulas and {} limits derived for "
-      "their scenes",
+      "{} printed results of other authors, {} values of their formulas and {} numbers derived "
+      "from "
+      "formulas",
       count("printed"), count("formula"), count("derived"));
 }
 

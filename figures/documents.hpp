@@ -1,7 +1,7 @@
 // The parts of a document that are computed. In the text <!--check NAME-->...<!--end--> encloses
-// what belongs to NAME: a table, a sentence with counts, the class of a key number, or its value.
-// Outside, every number of five or more significant digits must be a key number, rounded to the
-// digits shown.
+// the text that belongs to NAME: a table, a sentence with counts, the class of a key number, or its
+// value. Outside, every number of five or more significant digits must be a key number, rounded to
+// the digits shown.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 
 namespace vibro_impact::figures {
 
-// What `make check` found, for the documents.
+// The results of `make check`, for the documents.
 struct Findings {
   std::vector<CheckedNumber> numbers;
   std::vector<CheckedResult> results;

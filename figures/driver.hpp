@@ -1,4 +1,4 @@
-// What the figure drivers share: the command line and the error exit.
+// The command line and the error exit of all figure drivers.
 #pragma once
 
 #include <filesystem>

@@ -37,7 +37,7 @@ inline bool fills_abscissa(const Range &data, const paper::AxisBox &box) {
   return fills(data, {box.from, box.to}, box.tick_across);
 }
 
-// What a frequency makes of a figure. `lowest` is the lowest displacement in the panel drawn.
+// A figure at one trial frequency. `lowest` is the lowest displacement in the panel drawn.
 struct Trial {
   double omega = 0.0, lowest = 0.0;
   bool boxes = false;  // the displacements fill the printed axes

@@ -169,8 +169,8 @@ inline double changing_frequency(const paper::StickingChange &change) {
   return changing_frequency(sticks, change.near, change.far);
 }
 
-// Where mass 2 of Figure 5(b) grazes its stop. The stop is put back into the settled motion without
-// it, because the motion from rest may hit the stop below this frequency.
+// The frequency at which mass 2 of Figure 5(b) grazes its stop. The stop is put back into the
+// settled motion without it, because the motion from rest may hit the stop below this frequency.
 inline double grazing_frequency() {
   const auto impacts_of_mass_2 = [](double omega) {
     Scene scene = paper::figure5b_without_second_stop(omega);

@@ -1,5 +1,5 @@
-// What the panels of the paper show: displacements across a window, and the hold force on mass 1
-// (the paper's F2, Eq. 20) over one settled forcing period.
+// The contents of the panels of the paper: displacements across a window, and the hold force on
+// mass 1 (the paper's F2, Eq. 20) over one settled forcing period.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The table of key numbers, what the paper says of each, and the verdict on a computed number.
 //
 // A printed decimal number is known to half a unit of its last digit. An extreme of a plot is known
-// to lie between the two ticks where the printed axis ends. A count leaves no room. The statement
+// to lie between the two ticks where the printed axis ends. A count must be equal. The statement
 // that something happens holds for every count from one on.
 //
 // The text reads the edges of two windows off Figure 3 ("0.3 <~ Omega <~ 0.35"). The ticks of that

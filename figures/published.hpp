@@ -1,5 +1,5 @@
 // Published results: numbers that others printed, each as the library computes it. A row of
-// reference/published.csv names its quantity, which is one of the functions here, and the
+// reference/published.csv names its quantity, which is one of the functions below, and the
 // parameters that this function is given. reference/README.md has the sources.
 #pragma once
 
@@ -22,7 +22,7 @@
 namespace vibro_impact::published {
 
 using extremes::one_mass;
-using Parameters = std::map<std::string, double>;  // at() throws for one that is not there
+using Parameters = std::map<std::string, double>;  // at() throws for a missing one
 
 // --- One mass before one stop: x'' + c x' + x = A cos(omega t), x <= stop ---------------------
 
@@ -158,7 +158,7 @@ inline const std::map<std::string, double (*)(const Parameters &)> &quantities()
       {"velocity_after", [](P p) { return one_impact_orbit(p).impact.velocity_after; }},
       {"doubling_multiplier",
        [](P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); }},
-      {"fold_multiplier",  // the orbit is given, because Newton's method has no one solution there
+      {"fold_multiplier",  // the orbit is given: two orbits meet, so Newton's method fails
        [](P p) {
          const auto [scene, start] = after_impact(p);
          const auto map =

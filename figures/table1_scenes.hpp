@@ -51,7 +51,8 @@ inline std::vector<PairScene> table1_scenes() {
   grazing_sticking.displacement = {grazing_sticking.stops[0].position, 0.17};
   grazing_sticking.velocity = {0.0, -0.003};
   grazing_sticking.stops[1] = grazed_stop(2, upper, 0.44910277073137423);
-  // The stop of mass 1 stands at its first maximum, that of mass 2 where mass 2 is then.
+  // The stop of mass 1 stands at its first maximum, that of mass 2 at the place of mass 2 at that
+  // instant.
   const Scene grazing_impact = two_masses(grazed_stop(1, upper, 0.43515458820109099),
                                           {2, upper, 0.31069573671990272}, 0.7, 0.5);
 

@@ -150,7 +150,7 @@ inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const 
   const std::size_t size = flow.free.size();
   const Matrix k = stiffness_matrix(chain);
 
-  // The resting neighbours act as the constant load -K_FS s_S, beside the constant forces.
+  // The resting neighbours act as the constant load -K_FS s_S, in addition to the constant forces.
   Vector load(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t p = flow.free[i];
@@ -226,7 +226,7 @@ inline Real fastest_rate_at(const Flow &flow, const Real &tau) {
   return fastest;
 }
 
-/// The distance at which a flow is sampled there: part of a cycle of that rate.
+/// The distance at which a flow is sampled: part of a cycle of that rate.
 inline Real sampling_step(const Flow &flow, const Real &tau) {
   return 2 * acos(Real(-1)) / fastest_rate_at(flow, tau) / 128;
 }

@@ -22,7 +22,7 @@ struct Differences {
   double velocity = 0.0;    // largest error of an impact velocity
 };
 
-// What counts as the same event.
+// The condition for two events to be the same.
 struct Matching {
   // A difference in time by a thousandth of this means that two different events are compared.
   double period = 0.0;

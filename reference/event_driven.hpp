@@ -191,7 +191,7 @@ inline void apply_events(const Scene &scene, State &state, const std::vector<std
       in_question.push_back(i);
     } else if (abs(state.v[p]) < resolution.speed_floor / 10000) {
       // Bouncing about an equilibrium that lies on the stop: neither a stick nor a flight can be
-      // told from rounding.
+      // distinguished from rounding.
       throw std::runtime_error("mass " + std::to_string(p + 1) +
                                ": bounces under a vanishing hold force have become " +
                                "slower than the working precision resolves");

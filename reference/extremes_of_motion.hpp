@@ -1,4 +1,4 @@
-// Where a motion, and a hold force, come closest to something.
+// The points at which a motion or a hold force comes closest to a given value.
 #pragma once
 
 #include "event_driven.hpp"

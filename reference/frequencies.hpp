@@ -62,7 +62,7 @@ inline State extrapolated(const Settled &one, const Settled &other, const Real &
 
 /// The frequency between the ends of the bracket at which the count changes. The settled motion is
 /// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
-/// known to have the same count as `near`, so that what has not settled of a trial is small beside
+/// known to have the same count as `near`, so that the unsettled part of a trial is small beside
 /// the bracket. Throws std::logic_error if the counts at the ends agree.
 inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
   const Resolution resolution = resolution_down_to(chatter_floor);

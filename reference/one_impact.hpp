@@ -21,7 +21,7 @@ struct OneImpactCase {
 
 /// Figure 3 at Omega = 2.4, and chains of two equal, three unequal and five equal masses before one
 /// stop. Chains without forcing, damping and loss have nonsmooth modes (Gendelman and Manevitch
-/// 2008; Thorin, Delezoide and Legrand 2017), here the one with the period of Omega.
+/// 2008; Thorin, Delezoide and Legrand 2017). The table has the mode with the period of Omega.
 inline std::vector<OneImpactCase> one_impact_cases() {
   const auto chain = [](int masses, double beta, double amplitude, double omega, double r,
                         double stop) {

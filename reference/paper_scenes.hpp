@@ -78,7 +78,7 @@ inline Scene figure5c_reduced() {
   return scene;
 }
 
-// What a panel shows: a window of the abscissa and a range of the ordinate, each with the distance
+// The axes of a panel: a window of the abscissa and a range of the ordinate, each with the distance
 // between its printed ticks. All printed (axes).
 struct AxisBox {
   double from, to;         // Time, or Omega in Figure 3

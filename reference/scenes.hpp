@@ -1,5 +1,5 @@
-// What is simulated, in many digits: a chain of masses and its stops. The numbers of every scene
-// stand in reference/scenes, in double.
+// The scene that is simulated, in many digits: a chain of masses and its stops. The numbers of
+// every scene stand in reference/scenes, in double.
 #pragma once
 
 #include "reference/paper_scenes.hpp"
@@ -33,7 +33,7 @@ using vibro_impact::Side;
 /// A rigid stop. An upper stop keeps its mass at x <= position, a lower one at x >= position. The
 /// side is explicit: the sign of the position does not tell it, and a stop may sit at zero.
 struct Stop {
-  std::size_t mass;  // counted from 0 here; from 1 in everything that is written out
+  std::size_t mass;  // counted from 0; tables count from 1
   Side side;
   Real position;
 };
@@ -49,7 +49,7 @@ struct Scene {
 };
 
 /// A scene of reference/scenes, which are in double, as the library computes: every number is taken
-/// over exactly, so that 0.1 is the double nearest to 0.1 here, too.
+/// over exactly, so that 0.1 is the double nearest to 0.1, too.
 inline Scene in_digits(const vibro_impact::Scene &given, double until) {
   const auto digits = [](const std::vector<double> &values, std::size_t size) {
     std::vector<Real> result(size);  // at rest at zero where none are given

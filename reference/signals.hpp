@@ -1,5 +1,5 @@
-// What is watched along a motion: the gap of a free mass before each stop, the hold force of a mass
-// that rests on one.
+// The signals whose zeros are events: the gap of a free mass before each stop, and the hold force
+// of a mass that rests on a stop.
 #pragma once
 
 #include "closed_form.hpp"
@@ -57,8 +57,8 @@ inline Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion
 enum class Start {
   apart,     // the mass is away from its stop
   touching,  // it has just hit: the gap is zero
-  pulled,    // it rests there and is pulled away, at the start or by a jump of the force: gap and
-             // speed are zero
+  pulled,    // it rests on the stop and is pulled away, at the start or by a jump of the force: gap
+             // and speed are zero
   let_go,  // the hold force has just fallen through zero: gap, speed and acceleration are zero, the
            // gap opens
 };
@@ -69,12 +69,12 @@ struct State {
   Vector x, v;
   std::vector<std::optional<std::size_t>> stuck_on;  // per mass: the stop (index) it rests on
   std::vector<Start> stop_start;                     // per stop
-  // What at_rest.hpp has decided: the masses in question, which keep to it for so long.
+  // The masses that at_rest.hpp has decided, which keep this state for the time `decided_for`.
   std::vector<std::size_t> decided = {};  // stops
   Real decided_for = 0;
 };
 
-/// No mass rests on a stop, or has just been there.
+/// No mass rests on a stop or has just left one.
 inline State free_state(const Scene &scene, const Real &time, const Vector &x, const Vector &v) {
   return {time, x, v, std::vector<std::optional<std::size_t>>(x.size()),
           std::vector<Start>(scene.stops.size(), Start::apart)};

@@ -3,9 +3,9 @@
 #   reference/scenes <- the generator, figures, tests     public headers of the simulation alone
 #   lib/simulation   <- lib/analysis, through for_analysis.hpp alone
 #   lib/analysis     <- lib/program   <- figures (its progress line)
-# Inside the simulation a room includes only those before it: chain, flight, stops, chatter, run.
+# Inside the simulation a folder includes only folders before it: chain, flight, stops, chatter, run.
 cmake_minimum_required(VERSION 3.21)
-set(rooms chain flight stops chatter run)
+set(folders chain flight stops chatter run)
 
 # refuse(where pattern): no file of `where` includes what `pattern` describes.
 function(refuse where pattern)
@@ -24,7 +24,7 @@ endfunction()
 set(inside "(\\.\\./|lib/|figures/|reference/|tests/|program/)")
 refuse(lib/simulation "(${inside}|analysis/|simulation/analysis|vibro_impact/analysis/)")
 refuse(lib/analysis "(${inside}|simulation/[a-z]+/)")
-# Orbits know nothing of what settles, nor of sweeps.
+# Orbits include neither settled motions nor sweeps.
 set(sweeping "(vibro_impact/analysis/)?(sweep|settle|orbit_record|lyapunov)")
 refuse(lib/analysis/orbits "${sweeping}\\.hpp")
 refuse(lib/analysis/orbits "analysis/sweep/")
@@ -43,11 +43,11 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-set(later ${rooms})
-foreach(room IN LISTS rooms)
-  list(REMOVE_ITEM later ${room})
+set(later ${folders})
+foreach(folder IN LISTS folders)
+  list(REMOVE_ITEM later ${folder})
   list(JOIN later "|" behind)
   if(behind)
-    refuse(lib/simulation/${room} "(simulation/)?(${behind})/")
+    refuse(lib/simulation/${folder} "(simulation/)?(${behind})/")
   endif()
 endforeach()

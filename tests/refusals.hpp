@@ -1,4 +1,4 @@
-// What a call that must be refused says.
+// The message of a call that must be refused.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ struct BadCall {
   const char *says;  // part of the message: the value and the rule
 };
 
-// What std::invalid_argument says that the call throws, or that it was accepted; any other error
-// goes on to the test, which fails.
+// The message of the std::invalid_argument that the call throws, or that it was accepted; any other
+// error goes on to the test, which fails.
 inline std::string refusal(const std::function<void()> &call) {
   try {
     call();

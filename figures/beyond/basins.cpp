@@ -13,7 +13,7 @@ namespace {
 
 using namespace vibro_impact;
 
-constexpr int longest = 1000;  // forcing periods: beside the grazing motions settle slowly
+constexpr int longest = 1000;  // forcing periods: near the grazing, motions settle slowly
 constexpr std::size_t count = 100;
 
 // Displacements of each mass from its stop to 1.4 away from it.

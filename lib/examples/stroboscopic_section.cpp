@@ -1,6 +1,6 @@
 // A recorder of one's own that is asked for samples: the state of mass 1 at one phase of the
-// forcing, period by period. From the frequency of chaos in Figure 3 the points fill a curve; of a
-// periodic motion there would be one for each of its periods.
+// forcing, period by period. At a frequency of chaos in Figure 3 the points fill a curve. A motion
+// of period n would give n points.
 #include <algorithm>
 #include <cstdio>
 #include <vector>
@@ -19,7 +19,7 @@ struct StroboscopicSection {
   int first = 0;
   std::vector<Point> points = {};
 
-  // The next time at which this recorder wants to be told of the motion.
+  // The next time at which this recorder asks for a sample.
   double next_time() const {
     return (first + static_cast<double>(points.size()) + phase) * period;
   }

@@ -28,19 +28,19 @@ template <class... Values>
 void check_files(const std::vector<std::pair<std::string, std::string>> &files);
 
 // Writes the table to the file, or for `-` to standard output. Throws std::runtime_error with one
-// line when that fails; then no file is left.
+// line, and leaves no file, when that fails.
 void write_table(const Table &table, const std::string &path);
 
-// The rows of a sweep so far, in plain text: a line that says which sweep and which program they
-// are of, the header of the table, then rows. What a sweep that was killed has left of a row has no
-// end of its line: it is cut off, and its point computed again. A lock on the file, which ends with
-// the process, keeps a second sweep away.
+// The rows of an unfinished sweep, in plain text. The first line names the sweep and the program,
+// the second is the header of the table, and rows follow. A sweep that was killed may leave a row
+// without its end of line. This row is cut off, and its point is computed again. A lock on the
+// file, which ends with the process, keeps a second sweep away.
 class PartialTable {
  public:
-  // Begins the file at `path`, or goes on with the one that is there. `definition` (one line) says
-  // of which sweep it is; `header` is that of the table, with the end of its line. Refuses a file
-  // that cannot be opened, that another process has, that is there although `resume` is false, and
-  // that is of another definition or header.
+  // Begins the file at `path`, or extends an existing one. `definition` (one line) names the sweep.
+  // `header` is the header of the table, with its end of line. Refuses a file that cannot be
+  // opened, that another process has locked, that exists although `resume` is false, or that has
+  // another definition or header.
   PartialTable(const std::string &path, const std::string &definition, const std::string &header,
                bool resume);
 

@@ -27,7 +27,7 @@ struct SweepRequest {
   std::string definition;
 };
 
-// What the command line asks for: a run, a sweep, or the text of --help or --version.
+// The request of a command line: a run, a sweep, or the text of --help or --version.
 using Request = std::variant<RunRequest, SweepRequest, std::string>;
 
 // Reads the command line, and no file. The help offers processes of MPI if `with_mpi`. Throws

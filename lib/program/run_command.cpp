@@ -52,7 +52,7 @@ std::string quoted(const std::string &word) {
   return fmt::format("'{}'", std::regex_replace(word, std::regex("'"), "'\\''"));
 }
 
-// Runs gnuplot without the settings of the user; true when it does what it is told.
+// Runs gnuplot without the settings of the user; true when it succeeds.
 bool gnuplot(const std::string &arguments) {
   return std::system(fmt::format("gnuplot -d {} 2>/dev/null", arguments).c_str()) == 0;
 }
@@ -61,8 +61,8 @@ bool is_file(const std::string &path) {
   return !path.empty() && path != "-";
 }
 
-// Refuses a picture of a run that writes no table of samples to draw from, and one that gnuplot is
-// not there for or cannot draw.
+// Refuses a picture if the run writes no table of samples to draw it from, if gnuplot is not
+// installed, or if gnuplot cannot write this format.
 void check_plot(const RunRequest &request) {
   const std::string terminal = terminal_of(request.plot);
   if (!is_file(request.samples))

@@ -84,7 +84,7 @@ void add_scene_options(CLI::App &app, SceneOptions &words) {
   option(
       app, "--amplitude", words.amplitude, "LIST",
       fmt::format("A_i of the forcing A cos(Omega t). Default: {} on mass 1", default_amplitude));
-  option(app, "--sine", words.sine, "LIST", "B_i of a forcing B sin(Omega t) beside it");
+  option(app, "--sine", words.sine, "LIST", "B_i of a further forcing B sin(Omega t)");
   option(app, "--constant", words.constant, "LIST", "Constant force P_i, as a weight or a preload");
   option(app, "--ground", words.ground, "LIST",
          "Stiffness >= 0 of a spring from mass i to the ground");

@@ -1,4 +1,4 @@
-// Scenes with an instant at which several hold forces are zero together, so that no force then
+// Scenes with an instant at which several hold forces are zero together, so that no force
 // tells who is held: chains of equal masses and links at rest on stops at zero.
 //
 // Included by the tests and the 50-digit generator, as the extreme cases are.

@@ -1,5 +1,5 @@
-// What an extreme case is: a row of the stability figure, its scene and what that is compared with;
-// and scenes, with one number or other left open, that several programs share.
+// An extreme case is a row of the stability figure: a scene and the truth that it is compared with.
+// Several programs share the scenes below, some of which have a free parameter.
 //
 // Included by the drivers, the tests and the 50-digit generator (which takes nothing but these
 // numbers from the project), so that a scene is written down once.
@@ -31,7 +31,7 @@ namespace vibro_impact::extremes {
 
 using figures::TrueEvent;
 
-// What a case is compared with.
+// The truth that a case is compared with.
 enum class Truth {
   digits,   // the events of the 50-digit generator, reference/extreme_events.csv
   exact,    // a closed formula, `events`
@@ -78,7 +78,7 @@ inline Scene one_mass(double beta, double amplitude, double omega, double restit
   return scene;
 }
 
-// A chain of ten masses, stops on three of them: nothing here or in the library counts on two.
+// A chain of ten masses, with stops on three of them: no code may assume two.
 // Equal masses and springs as the paper has them, forced at the beginning; stops at the beginning,
 // in the middle and at the end. More damping than the paper's: the slowest mode, of natural
 // frequency 0.149, would take thousands of forcing periods to settle at beta = 0.1.

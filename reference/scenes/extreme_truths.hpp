@@ -107,7 +107,7 @@ inline PeriodicImpact periodic_impact(double amplitude, double omega_of_forcing,
   const Extended kappa = (1.0L + r) / (1.0L - r) * omega * cotangent;
   const Extended middle = std::atan2(kappa, 1.0L);
   const Extended width = std::acos(s / (f * std::sqrt(1.0L + kappa * kappa)));
-  // Of the two phases the one with the greater impact speed belongs to the stable motion here.
+  // The phase with the greater impact speed belongs to the stable motion.
   PeriodicImpact best;
   for (const Extended theta : {middle + width, middle - width}) {
     const Extended v = -2.0L * omega * f * std::sin(theta) / (1.0L - r);

@@ -24,7 +24,7 @@ int count(const std::vector<PairedEvents> &pairs, EventPair kind) {
 }
 
 // Each scene shows its pair. It shows no pair of another row of Table I, except the
-// sticking-impacts of a chatter beside a sticking mass. The pairs are of codimension one to three:
+// sticking-impacts of a chatter next to a sticking mass. The pairs are of codimension one to three:
 // a stop moved by 1e-4 undoes those with a condition.
 TEST(TableI, EachSceneShowsItsPairAndNoOther) {
   EXPECT_EQ(table1_scenes().size(), all_event_pairs.size());

@@ -64,12 +64,12 @@ TEST(LeastGap, IsTheLeastOfSeveralMinima) {
   const double decay = 0.09, frequency = std::sqrt(9.0 - decay * decay);
   EXPECT_NEAR(least->at.instant.phase, std::atan(frequency / decay) / frequency, 1e-14);
   const Scene impacting = paper::stops_of_different_sign(0.6);
-  const auto beside = least_gap(impacting, state_after_periods(impacting, 60), impacting.stops[1]);
-  EXPECT_GT(beside ? beside->value : 1.0, 1e-3);
+  const auto other = least_gap(impacting, state_after_periods(impacting, 60), impacting.stops[1]);
+  EXPECT_GT(other ? other->value : 1.0, 1e-3);
 }
 
 // In Figure 4(a) mass 2 chatters while mass 1 sticks. The least force is no greater than any sample
-// of it, and as small as the samples beside it: a step of 1e-4 makes 1e-8 of the curvature, here 1.
+// of it, and as small as the nearest samples: a step of 1e-4 makes 1e-8 of the curvature, here 1.
 TEST(LeastPressingForce, IsTheLeastOfManySamples) {
   const Scene scene = paper::figure4a();
   const MotionState start = at_quiet_phase(scene, state_after_periods(scene, 60));

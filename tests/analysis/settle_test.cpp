@@ -59,8 +59,8 @@ TEST(Settle, MostOfFigure3SettlesSoon) {
   EXPECT_LE(periods_run[periods_run.size() / 2], 30);
 }
 
-// The events of whole periods far out, counted going forward: what is told of a chatter is put
-// aside until a stick, or a faster impact, shows which kind it was.
+// The events of whole periods far out, counted going forward. The impacts of a chatter are
+// put aside until a stick, or a faster impact, shows which kind it was.
 EventCounts counted_far_out(const Scene &scene, int periods, int after) {
   const Clock clock(scene.omega);
   EventRecorder recorder{(after - 1) * clock.period};
@@ -96,7 +96,7 @@ EventCounts counted_far_out(const Scene &scene, int periods, int after) {
 }
 
 // Fifty points of the (Omega, r) atlas after 2,000 periods. Whether a motion repeats is decided
-// there by its states alone.
+// by its states alone.
 TEST(Settle, FiftyPointsOfTheAtlasAreThoseOfTwoThousandPeriods) {
   std::mt19937 random(20060401);
   std::uniform_real_distribution<double> omega(0.2, 0.8), restitution(0.0, 0.98);

@@ -71,7 +71,7 @@ TEST(Sweep, ThrowsTheErrorOfItsFirstPoint) {
     }
 }
 
-// Cells by the names of their columns, so that another column changes nothing here.
+// Cells by the names of their columns, so that another column changes nothing.
 TEST(Sweep, RecordsAreRowsOfATable) {
   Grid grid = grid_of_figure3();
   grid.axes = {{"omega", 0.28, 0.69, 2}};

@@ -1,4 +1,4 @@
-// The corrections to the paper's print. Each has the printed form beside the right one, and the
+// The corrections to the paper's print. Each has the printed form next to the right one, and the
 // library's motion tells them apart.
 #include <gtest/gtest.h>
 

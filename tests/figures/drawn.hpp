@@ -1,5 +1,5 @@
-// What a driver and its gnuplot script draw: the points of every curve, and the colours and texts
-// of every panel. The script is run twice, for the points as text (exact to six digits) and
+// The drawing of a driver and its gnuplot script: the points of every curve, and the colours and
+// texts of every panel. The script is run twice, for the points as text (exact to six digits) and
 // for a picture in SVG, which has colours and texts as text.
 #pragma once
 
@@ -92,7 +92,7 @@ inline void add_picture(std::vector<Panel> &panels, const std::string &path) {
   }
 }
 
-// What the script of a figure draws from the tables in a folder.
+// The drawing that the script of a figure makes from the tables in a folder.
 inline std::vector<Panel> drawn_from(const std::string &folder, const std::string &figure) {
   for (const char *kind : {"table", "svg"})
     run("cd " SOURCE_DIR " && gnuplot -e \"data='" + folder + "'; kind='" + kind + "'\" figures/" +

@@ -167,7 +167,7 @@ TEST(Measure, FailsForAnEventThatIsMissingOrSpurious) {
             }),
             "");
   EXPECT_NE(failure_of([](Result &r) { r.end.velocity[1] = NAN; }), "");
-  EXPECT_EQ(failure_of([](Result &r) { r.failure = "lost"; }), "lost");
+  EXPECT_EQ(failure_of([](Result &r) { r.failure = "stalled"; }), "stalled");
   Result result = exact(problem);
   result.events.erase(result.events.begin());  // an impact, for which the next one is taken
   EXPECT_GT(errors_of(result, problem).time, 0.1);

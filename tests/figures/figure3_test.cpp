@@ -18,7 +18,7 @@ using namespace vibro_impact::testing;
 using figures::TrueEvent;
 using paper::AxisBox;
 
-// What is drawn over Figure 3 in a panel, against the 50 digits of the points with this name.
+// The points drawn over Figure 3 in a panel, against the 50 digits of the points with this name.
 void expect_bifurcations(const Curve &curve, const std::string &symbol, const AxisBox &box) {
   std::vector<double> known;
   for (const figures::KeyNumber &number :

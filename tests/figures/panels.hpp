@@ -1,4 +1,4 @@
-// What the tests of the figures share: the true events, and the comparison of a drawn panel with
+// Shared by the tests of the figures: the true events, and the comparison of a drawn panel with
 // its axes and its table.
 #pragma once
 

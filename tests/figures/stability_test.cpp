@@ -64,7 +64,7 @@ TEST_P(Group, AgreesWithTheTruthWithinRounding) {
         << ", sensitivity " << measured.sensitivity.velocity << ", penetration "
         << measured.penetration << ", finite " << measured.finite;
     expect_bounded_work(extreme, measured.counters);
-    // One impact in each period, of which the last ones are compared: none lost, none added.
+    // One impact in each period, of which the last ones are compared. None is missing or spurious.
     if (extreme.name == "1e+06 periods") {
       EXPECT_EQ(measured.counters.impacts, 1'000'000);
     }

@@ -1,4 +1,4 @@
-// The files of a run: whole, or not there.
+// The files of a run are whole or absent.
 #include <string>
 #include <vector>
 

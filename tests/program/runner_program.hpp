@@ -17,7 +17,7 @@ namespace vibro_impact::testing {
 
 namespace fs = std::filesystem;
 
-// What a run of the program left behind.
+// The output of a run of the program.
 struct Result {
   int status;
   std::string out, err;
@@ -48,7 +48,7 @@ inline bool is_one_message(const std::string &text) {
   return text.rfind("vibro-impact: ", 0) == 0 && text.find('\n') == text.size() - 1;
 }
 
-// What starts so many processes of a program, where there is MPI.
+// The command that starts so many processes of a program, with MPI.
 inline std::string mpirun(int processes) {
   return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIRUN
          " --oversubscribe -n " +

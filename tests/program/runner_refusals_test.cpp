@@ -1,4 +1,4 @@
-// What the program refuses: one line that names the value and the rule, exit status 2, and no file.
+// Refusals of the program: one line that names the value and the rule, exit status 2, and no file.
 // There is one case of each rule; the rules of scenes and grids are tested with the library. The
 // words of CLI11 itself differ from version to version and are not compared.
 #include <string>
@@ -44,7 +44,7 @@ const std::vector<BadCase> bad_cases = {
     // Times.
     {run_files + "--from 800", "--from 800: must lie between 0 and --until 750"},
     {run_files + "--every 1e-14", "--every 1e-14: too short"},
-    // What the library refuses: the scene, the run and the grid as a whole.
+    // Refusals of the library: the scene, the run and the grid as a whole.
     {run_files + "--stiffness 1,0", "stiffness of link 2 = 0"},
     {"run --until inf --events e.csv", "until = inf: must be finite"},
     {run_files + "--every 0", "every = 0: must be positive"},

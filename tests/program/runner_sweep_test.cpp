@@ -110,7 +110,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   const std::size_t head = partial.find('\n') + 1;
   EXPECT_TRUE(whole.starts_with(partial.substr(head, partial.rfind('\n') + 1 - head)));
 
-  // Not over what was computed by mistake, not as another sweep, and not by another program: one
+  // A sweep does not replace a table by mistake, nor extend that of another sweep or program: one
   // byte more is another file.
   const struct {
     std::string options, program, message;

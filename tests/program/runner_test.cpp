@@ -103,8 +103,8 @@ TEST_F(Runner, TheExamplesOfTheHelpWork) {
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
 }
 
-// A scene that --print-scene has written runs as its options did; those given beside it replace its
-// own.
+// A scene that --print-scene has written runs as its options did; those given in addition replace
+// its own.
 TEST_F(Runner, ReadsTheSceneThatItHasWritten) {
   const std::string options =
       "--masses 2 --sine 0,0.1 --constant=-0.1 --ground 0.2 "

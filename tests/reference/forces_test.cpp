@@ -71,8 +71,8 @@ TEST(Forces, OfCoupledMassesAgreeWith50Digits) {
   }
 }
 
-// The derivative of the stroboscopic map against central differences of 1e-6, which know six digits
-// of it, and its saltation at impacts and releases knows all forces.
+// All forces enter the derivative of the stroboscopic map, also at impacts and releases. Central
+// differences of 1e-6 have six digits of this derivative.
 TEST(Forces, EnterTheDerivativeOfTheMap) {
   for (const Scene &scene : {two_masses(), three_masses()}) {
     const MotionState start = at_quiet_phase(scene, state_after_periods(scene, 40));
@@ -98,8 +98,8 @@ TEST(Forces, EnterTheDerivativeOfTheMap) {
   }
 }
 
-// What a scene leaves out costs nothing: the work is the same to the last operation, and so is the
-// motion.
+// Forces that a scene leaves out cost nothing: the work is the same to the last operation, and so
+// is the motion.
 TEST(Forces, OfZeroChangeNothing) {
   Scene zero = paper::figure2();
   zero.sine = zero.constant = zero.ground = {0.0, 0.0};

@@ -68,7 +68,7 @@ TEST(OneImpact, MultipliersAndFortyPeriodsAreThoseOfTheClosedForm) {
   }
 }
 
-// From rest the stop is not reached. Newton's method finds both orbits from 1e-4 beside them, and
+// From rest the stop is not reached. Newton's method finds both orbits from 1e-4 away, and
 // none when the stop is 1e-4 beyond their fold.
 TEST(OneImpact, TwoOrbitsCoexistWithRestUpToTheirFold) {
   for (auto &[given, row, after] : known_orbits()) {
@@ -83,7 +83,7 @@ TEST(OneImpact, TwoOrbitsCoexistWithRestUpToTheirFold) {
   }
 }
 
-// The printed speed is good to 5e-6. The amplitude is stationary there, and so good to 1e-10. A
+// The printed speed is good to 5e-6. The amplitude is stationary at a fold, and so good to 1e-10. A
 // fold at the stop d for an amplitude A is one at the stop 1 for A / d.
 TEST(OneImpact, FoldsOfVividAreThoseOfTheClosedForm) {
   for (const auto &printed : published::results(REFERENCE_DIR)) {

@@ -1,4 +1,4 @@
-// What others printed, beyond the one number of each row that `make check` judges.
+// Published results beyond the one number of each row that `make check` compares.
 #include "figures/published.hpp"
 
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ void *__wrap_malloc(std::size_t size) {
 }
 }
 
-// Not inlined, so that the compiler does not see that the one calls malloc and the other free.
+// Without inlining, the compiler does not see that one calls malloc and the other free.
 [[gnu::noinline]] void *operator new(std::size_t size) {
   if (void *memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
@@ -70,8 +70,9 @@ TEST(Allocations, NoneFromTheFirstEventToTheLast) {
   resonant.omega = std::sqrt(0.5 * (3.0 - std::sqrt(5.0)));
   for (const Scene &scene : {paper::figure2(), paper::figure4a(), paper::figure5a(), resonant,
                              damped, extremes::long_chain()}) {
-    // Every contact mode has been entered, and every store has its size. Two masses have four lanes
-    // unless they are strongly damped; others have as many as the contact mode needs.
+    // Every contact mode has been entered, and every store has its size. Two masses have two modal
+    // coordinates in every contact mode, with padding, unless they are strongly damped. Other
+    // chains have as many as the contact mode needs.
     Allocations counted{.from = 200.0, .all = scene.masses() == 2 && scene.beta < 1.0};
     require_complete(simulate(scene, 1000.0, counted));
     EXPECT_GT(counted.events, 100);

@@ -181,8 +181,9 @@ TEST(ChatterLimit, IsNotTakenBeyondABorderOrbit) {
   }
 }
 
-// A mass held beside a chatter feels the jumps of its neighbour through the damper between them. A
-// limit is only taken where all jumps to come, r / (1 - r) of the latest, cannot release it.
+// A mass held next to a chattering mass feels the jumps of its neighbour through the damper between
+// them. A limit is only taken where all jumps to come, r / (1 - r) of the latest, cannot release
+// it.
 TEST(ChatterLimit, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
   constexpr double r = 0.7, jump = 1e-3, jumps_left = jump * r / (1.0 - r);
   Scene scene = paper::figure2();

@@ -15,7 +15,7 @@ using namespace vibro_impact;
 // The longest expansion of a flight, two radians of its fastest rate, is of order 23.
 constexpr long long most_coefficients = 24;
 
-// What was asked of the stops: those found clear of their mass, and the polynomials of the others.
+// The work on the stops: those found out of reach, and the polynomials of the others.
 long long looked_at(const Counters &counters) {
   return counters.roots_dismissed + counters.roots_searched;
 }
@@ -59,8 +59,8 @@ TEST(Economy, AContactModeIsBuiltWhenItIsFirstEntered) {
 }
 
 // A mass pressed onto its stop: an impact takes one expansion of its flight, as long as it
-// lasts, and one root. Beside those there are the one that leads to the first flight, the one after
-// the limit, and those that looked across to a limit, the last of which was taken.
+// lasts, and one root. Further expansions are the one of the first flight, the one after the limit,
+// and those that tried a limit, the last of which was taken.
 TEST(Economy, AnImpactCostsOneExpansion) {
   for (const double r : {0.001, 0.3, 0.7, 0.9, 0.95}) {
     const Counters counters =
@@ -73,15 +73,15 @@ TEST(Economy, AnImpactCostsOneExpansion) {
   }
 }
 
-// What is expanded is the gaps and forces that are looked at, one coefficient by one product per
-// lane and speed of a lane: in proportion to the stops, and to N, not to its square.
+// An expansion takes, for each gap or force in reach, one product per coefficient and modal
+// coordinate or its speed. The work is proportional to the stops and to N, not to the square of N.
 TEST(Economy, AnExpansionCostsInProportionToTheStops) {
   const auto products_per_stop = [](int masses, std::size_t stops) {
     Scene scene = long_chain(masses, 0.7);
     scene.stops.resize(stops);
     const Counters counters = simulate(scene, 40.0).counters;
     EXPECT_GE(looked_at(counters), 40);
-    // And the two lanes of the forcing; less where masses stick.
+    // The forcing adds two coordinates. Sticking masses reduce the number.
     const long long per_coefficient = 2 * masses + 2;
     EXPECT_LE(counters.products, looked_at(counters) * most_coefficients * per_coefficient);
     return static_cast<double>(counters.products) /
@@ -123,7 +123,7 @@ TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
   EXPECT_EQ(simulate(scene, 60.0).counters.forced_coordinates, 0);
 }
 
-// Where nothing can happen, without stops or clear of them for ever, there is no expansion, one
+// If nothing can happen, without stops or out of their reach for ever, there is no expansion, one
 // closed-form evaluation per sample and one for the state at the end. With stops nothing is
 // evaluated that nobody asked for.
 TEST(Economy, ASampleIsOneEvaluation) {
@@ -143,8 +143,8 @@ TEST(Economy, ASampleIsOneEvaluation) {
   EXPECT_EQ(simulate(paper::figure2(), 300.0, events).counters.modal_evaluations, 0);
 }
 
-// What a run may expand before it is clear that nothing will happen: as many as its motion needs to
-// come to that, and none of them for the time that is left.
+// The expansions of a run before it is clear that nothing will happen: as many as its motion needs
+// to come to that, and none of them for the time that is left.
 void expect_the_same_work(const Scene &scene, double soon, double late, long long expansions) {
   const Counters early = simulate(scene, soon).counters, all = simulate(scene, late).counters;
   EXPECT_EQ(all.expansions, early.expansions);

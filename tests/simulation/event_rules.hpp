@@ -1,4 +1,4 @@
-// What one event of a run allows the next one to be.
+// The rules for the next event of a run.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,19 +12,18 @@
 
 namespace vibro_impact::testing {
 
-// What one event allows the next one to be: time never falls; only a free mass has impacts and
-// sticks, so that every stick is followed by its release before the next impact of that mass; only
-// a held mass is released, from the side it is held at; neither its hold nor its freedom lasts no
-// time; the contact mode told is the one that follows from all events before, where several masses
-// stick or are released at one instant from all of those; the impact law of the stop, which is one
-// of the mass and side told.
+// Time never falls. Only a free mass has impacts and sticks, so that the release of a mass follows
+// its stick before its next impact. Only a held mass is released, from the side at which it is
+// held. A mass is neither held nor free for no time. The recorded contact mode follows from all
+// events up to an instant, at which several masses may stick or be released. An impact obeys the
+// law of the stop, which has the mass and the side of the event.
 struct EventRules {
   const Scene &scene;
   Held held = Held(scene.mass.size(), 0);
   std::vector<std::optional<Instant>> changed = std::vector<std::optional<Instant>>(held.size());
   double last = 0.0;
-  Held told = held;      // with the latest event,
-  Instant told_at = {};  // at this instant
+  Held recorded = held;      // with the latest event,
+  Instant recorded_at = {};  // at this instant
   std::vector<Event> events = {};
   std::string broken = {};
 
@@ -36,7 +35,8 @@ struct EventRules {
           fmt::format("{}: {} of mass {} at {}", fault, name(event.kind), event.mass, event.time);
     last = event.time;
     for (const Stop &stop : scene.stops)
-      if (told[static_cast<std::size_t>(stop.mass - 1)] == static_cast<signed char>(stop.side) &&
+      if (recorded[static_cast<std::size_t>(stop.mass - 1)] ==
+              static_cast<signed char>(stop.side) &&
           moment.displacement(stop.mass) != stop.position)
         broken = "held off its stop";
   }
@@ -45,7 +45,7 @@ struct EventRules {
   // The first rule that the event breaks; takes over the contact mode.
   const char *fault_of(const Event &event) {
     if (!(event.time >= last)) return "time falls";
-    if (told_at < event.instant && told != held) return "contact mode of the event before";
+    if (recorded_at < event.instant && recorded != held) return "contact mode of the event before";
     if (event.stop < 1 || static_cast<std::size_t>(event.stop) > scene.stops.size()) return "stop";
     const Stop &stop = stop_of(scene, event);
     if (stop.mass != event.mass || stop.side != event.side) return "stop of another mass or side";
@@ -66,9 +66,9 @@ struct EventRules {
       held[i] = sticks ? side : static_cast<signed char>(0);
       changed[i] = event.instant;
     }
-    told = event.held;
-    told_at = event.instant;
-    return told[i] == held[i] ? nullptr : "contact mode";
+    recorded = event.held;
+    recorded_at = event.instant;
+    return recorded[i] == held[i] ? nullptr : "contact mode";
   }
 };
 

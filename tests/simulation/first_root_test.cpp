@@ -63,14 +63,14 @@ std::optional<Root> first(const Polynomial &p, double limit = 1.0) {
 }
 
 struct Allowed {
-  double roundings;             // of the terms there, in the value at the root
+  double roundings;             // of the terms, in the value at the root
   long long steps;              // of the search
   long double smallest, ratio;  // of the grid
 };
 
-// What is told is a root, to rounding, or to where the products of its terms underflow; no value
-// before it is negative, on a grid in extended precision. Where none is told none is negative up to
-// 1. Returns whether there is a root.
+// A reported root is a root up to rounding, or up to the underflow of the products of its terms. No
+// value before it is negative, on a grid in extended precision. Without a reported root, no value
+// up to 1 is negative. Returns whether a root was reported.
 bool expect_neither_missed_nor_passed(const Polynomial &p, const Allowed &allowed) {
   Counters counters;
   const auto root = first_root(p, 1.0, counters);
@@ -86,7 +86,7 @@ bool expect_neither_missed_nor_passed(const Polynomial &p, const Allowed &allowe
   return root.has_value();
 }
 
-// Roots on both sides of the interval and in it, and pairs beside it. The steps are no measure: no
+// Roots on both sides of the interval and in it, and pairs outside it. The steps are no measure: no
 // flight has coefficients so far above its values.
 TEST(FirstRoot, OfProductsOfFactors) {
   std::mt19937 generator(2006);
@@ -109,7 +109,8 @@ TEST(FirstRoot, OfProductsOfFactors) {
   EXPECT_GT(found, 1000);
 }
 
-// What is known exactly, a gap and its speed, of any size; the others between rounding and one.
+// A gap and its speed are known exactly and have any size. The other terms are between rounding and
+// one.
 // Some in units that bring them next to the largest double.
 TEST(FirstRoot, OfCoefficientsOfAnySize) {
   std::mt19937 random(1);
@@ -145,7 +146,7 @@ TEST(FirstRoot, DecidesGrazingOfADipDownTo1e15) {
   }
   const auto touch = first(rounded({0.25L, -1.0L, 1.0L}));
   ASSERT_TRUE(touch);
-  // Within sqrt(eps) of the tangency the polynomial cannot be told from zero.
+  // Within sqrt(eps) of the tangency the polynomial is zero up to rounding.
   EXPECT_NEAR(touch->u, 0.5, 2e-8);
 }
 

@@ -11,7 +11,7 @@ namespace vibro_impact::testing {
 
 using Complex = std::complex<Real>;
 
-// Where a mode is and how fast.
+// The displacement and velocity of a mode.
 struct Place {
   Real at = 0, speed = 0;
 };

@@ -1,5 +1,5 @@
-// Every natural mode is right relative to its own frequency, however soft or light it is beside
-// others: chains of 3 to 12 masses with links of 1e-9 to 1e9 and masses of 1e-6 to 1e6.
+// Every natural mode is right relative to its own frequency, however soft or light it is relative
+// to others: chains of 3 to 12 masses with links of 1e-9 to 1e9 and masses of 1e-6 to 1e6.
 #include <gtest/gtest.h>
 
 #include <algorithm>

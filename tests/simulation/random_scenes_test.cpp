@@ -86,7 +86,7 @@ TEST(ForcedScenes, KeepEveryProperty) {
     EXPECT_EQ(try_scenes(distribution, 1, scenes / 3), 0);
 }
 
-// Where several masses chatter at once, runs that may take limits stick and release at the times of
+// If several masses chatter at once, runs that may take limits stick and release at the times of
 // runs that resolve every impact. One chatter may be over within a flight of another: rounding of
 // the smallest gaps then makes 1e-9 of the time left, here below 1e-11.
 TEST(ChatteringScenes, HoldTheirMassesWhenAllImpactsDo) {

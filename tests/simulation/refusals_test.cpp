@@ -20,7 +20,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr long long most = std::numeric_limits<long long>::max();
 
-// Of the scene of Figure 2 (mass 1 above -0.3, mass 2 below 0.1), spoilt.
+// Starts from the scene of Figure 2 (mass 1 above -0.3, mass 2 below 0.1) and spoils it.
 BadCall spoilt_scene(void (*spoil)(Scene &), const char *says) {
   return {[spoil] {
             Scene scene = paper::figure2();
@@ -130,7 +130,7 @@ TEST(Refusals, OfTimesAndOptions) {
       {[] { later({}, infinity, Clock(0.0)); }, "time inf: more forcing periods than"},
   });
   EXPECT_EQ(simulate(scene, 1.0, {.max_impacts_per_period = most}).ending, Ending::reached);
-  // Not forced, it has the period of its own mode.
+  // Without forcing, the scene has the period of its own mode.
   const Scene fast{
       .mass = {1.0}, .stiffness = {1e4}, .stops = {{1, Side::upper, 0.5}}, .displacement = {-1.0}};
   EXPECT_EQ(simulate(fast, 10.0, {.max_impacts_per_period = 2}).ending, Ending::reached);

@@ -70,7 +70,7 @@ struct FirstSample {
 };
 
 // Wherever that is, also inside a chatter that is carried to its limit: the outcome is the state
-// at the sample, to the rounding of a gap that is carried beside the displacement.
+// at the sample, to the rounding of a gap that is carried in addition to the displacement.
 TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
   for (int k = 0; k < 800; ++k) {
     FirstSample sample{700.0 + 0.0617 * (k / 2)};

@@ -15,7 +15,7 @@
 
 namespace vibro_impact::testing {
 
-// What a witness finds wrong of the run with all its impacts, or nothing.
+// The first property of the run with all its impacts that a witness finds broken, or nothing.
 //
 // The state after every flight agrees in the energy norm, within a share of the motion and the
 // rounding of the phase over long flights. A free chain may be far from where it started, and one
@@ -25,11 +25,12 @@ inline std::string seen_by_a_witness(const Scene &scene, double until, double sh
                                      Witness &witness) {
   const Outcome outcome =
       simulate(scene, until, {.resolve_chatter = 0.0, .max_impacts_per_period = 1000}, witness);
-  // Of a run given up all holds up to its last event.
+  // If a run is given up, all properties hold up to its last event.
   if (outcome.ending == Ending::reached) witness.close(outcome.state);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double scale = std::max(1.0, witness.farthest()), rate = frequency_bound(scene);
-  // The rounding of a gap too narrow to be read again adds up over its impacts, at random.
+  // The rounding of a gap that is too small to be evaluated again adds up over its impacts, at
+  // random.
   const double impacts = std::sqrt(static_cast<double>(outcome.counters.impacts));
   const double displaced = 1e-12 * scale + (64.0 + impacts) * rounding_of_steady_response(scene),
                pulled = 2e-11 * scale * rate + 4.0 * rounding_of_forcing(scene),
@@ -55,8 +56,8 @@ inline Witness witness_of(const Scene &scene, double until) {
   return Witness(scene, std::max(0.1, until * frequency_bound(scene) / 1500.0));
 }
 
-// So many impacts in one period are possible only where almost no energy is lost in them, where a
-// mass rattles in a small clearance or between neighbours that rattle too, or where a forcing
+// This many impacts in one period are possible only if impacts lose almost no energy, if a
+// mass rattles in a small clearance or between neighbours that rattle too, or if a forcing
 // period is long against the motion: a chatter of some 60 impacts in each half period of the
 // fastest mode.
 inline bool may_be_given_up(const Scene &scene, long long most_impacts) {
@@ -82,13 +83,13 @@ inline std::string difference(const std::vector<Event> &events, const Outcome &o
   return "";
 }
 
-// What trying one scene showed.
+// The verdict on one scene.
 struct Verdict {
   std::string broken = {};  // empty when every property holds
   bool gave_up = false;     // the run ended at the limit of impacts
 };
 
-// What the scene of a verdict was run with, and what came.
+// A run: its scene, its options, its events and its outcome.
 struct Run {
   const Scene &scene;
   double until;
@@ -145,11 +146,12 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   const Run run{scene, until, options, rules.events, outcome};
   verdict.gave_up = outcome.ending == Ending::given_up;
   verdict.broken = rules.broken;
-  const auto then = [&verdict](const auto &property) {
+  const auto require_that = [&verdict](const auto &property) {
     if (verdict.broken.empty()) verdict.broken = property();
   };
-  then([&] { return verdict.gave_up && !may_be_given_up(scene, most_impacts) ? "gave up" : ""; });
-  then([&] {
+  require_that(
+      [&] { return verdict.gave_up && !may_be_given_up(scene, most_impacts) ? "gave up" : ""; });
+  require_that([&] {
     for (const double x : outcome.state.displacement)
       if (!std::isfinite(x)) return "not finite";
     return "";
@@ -159,11 +161,11 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   if (!run.events.empty() && draw.one_in(2))
     split = run.events[draw.generator() % run.events.size()].time;
   SampleRecorder samples{0.0, until, until / 701.3};
-  then([&] { return broken_by_samples(run, samples); });
-  then([&] { return broken_by_a_split(run, split, samples); });
-  then([&] { return broken_by_a_mirror(run); });
+  require_that([&] { return broken_by_samples(run, samples); });
+  require_that([&] { return broken_by_a_split(run, split, samples); });
+  require_that([&] { return broken_by_a_mirror(run); });
   Witness witness = witness_of(scene, until);
-  then([&] { return seen_by_a_witness(scene, until, share, witness); });
+  require_that([&] { return seen_by_a_witness(scene, until, share, witness); });
   return verdict;
 }
 

@@ -1,4 +1,4 @@
-// Motions that are slow or small beside what could move: digits that a steady response, a long
+// Motions that are slow or small relative to what could move: digits that a steady response, a long
 // clock, the rounding of steps or of stiff coordinates would take. Each has its motion in closed
 // form.
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // A chain of three masses that is its own mirror image moves as its half: masses 1 and 3 together,
-// and mass 2 as half a mass. Two hold forces come to zero at one instant, and the force on mass 2
-// is zero until they let go: what decides it is the order in which motion reaches it.
+// and mass 2 as half a mass. Two hold forces come to zero at one instant. The force on mass 2 is
+// zero until masses 1 and 3 are released. The derivatives of this force then decide mass 2.
 #include <gtest/gtest.h>
 
 #include <cmath>

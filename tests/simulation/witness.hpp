@@ -14,10 +14,10 @@
 
 namespace vibro_impact::testing {
 
-// A recorder. From event to event it moves on from the state the run had, and holds the next event,
-// and the state there, against what it sees. Every flight being right and every impact obeying its
-// law, so is the energy of the run. `scene` must outlive it. For runs that resolve all impacts: of
-// those that a chatter limit leaves out it knows nothing.
+// A recorder. From each event it computes the flight from the state of the run, and compares the
+// next event and its state with those of the run. If every flight is right and every impact obeys
+// its law, so does the energy of the run. `scene` must outlive it. The run must resolve all
+// impacts, because the witness does not see those that a chatter limit leaves out.
 class Witness {
  public:
   // The worst that was seen; infinite where a number was none.
@@ -33,8 +33,8 @@ class Witness {
   Witness(const Scene &of, const MotionState &start, Real radians = 0.05L)
       : scene_(of), radians_(radians), since_(start.instant), held_(start.held) {
     held_.resize(of.mass.size(), 0);
-    flown_ = told_ = motion_of(start);
-    greatest_ = energy(told_);
+    flown_ = state_of_run_ = motion_of(start);
+    greatest_ = energy(state_of_run_);
   }
 
   void event(const Event &event, const Moment &moment) {
@@ -51,15 +51,15 @@ class Witness {
       note(not_zero, std::abs(press(stop, flown_, event.instant.phase)));
     }
     for (Eigen::Index k = 0; k < flown_.x.size(); ++k) {
-      told_.x(k) = moment.displacement(static_cast<int>(k) + 1);
-      told_.v(k) = moment.velocity(static_cast<int>(k) + 1);
+      state_of_run_.x(k) = moment.displacement(static_cast<int>(k) + 1);
+      state_of_run_.v(k) = moment.velocity(static_cast<int>(k) + 1);
     }
     held_ = event.held;
   }
   // Looks on to the end of the run.
   void close(const MotionState &end) {
     fly_to(end.instant);
-    told_ = motion_of(end);
+    state_of_run_ = motion_of(end);
     compare();
   }
 
@@ -79,7 +79,7 @@ class Witness {
     for (const double k : scene_.stiffness) stiffness += k;
     return static_cast<double>(std::sqrt(stiffness / 2) * farthest_);
   }
-  // Where the latest flight has led every mass.
+  // The displacements at the end of the latest flight.
   std::vector<double> displacement() const {
     const Eigen::VectorXd rounded = flown_.x.cast<double>();
     return {rounded.begin(), rounded.end()};
@@ -100,8 +100,8 @@ class Witness {
   std::map<Held, FreeModes> modes_;
   Instant since_;
   Held held_;
-  Motion flown_;  // where the latest flight has led, with the events told of since
-  Motion told_;   // the state of the run there
+  Motion flown_;         // the end of the latest flight, with the events recorded since
+  Motion state_of_run_;  // the state of the run at the latest event
   Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
 
   static void note(Real &worst, Real value) {
@@ -131,11 +131,12 @@ class Witness {
   // The force on a mass at rest that presses it into its stop.
   Real press(const Stop &stop, const Motion &at, Real phase) const {
     const Eigen::Index i = stop.mass - 1;
-    const auto links = [&](const RealVector &x, Real here) {
-      Real sum = scene_.stiffness[static_cast<std::size_t>(i)] * ((i > 0 ? x(i - 1) : 0) - here);
+    const auto links = [&](const RealVector &x, Real position) {
+      Real sum =
+          scene_.stiffness[static_cast<std::size_t>(i)] * ((i > 0 ? x(i - 1) : 0) - position);
       if (i + 1 < x.size())
-        sum += scene_.stiffness[static_cast<std::size_t>(i + 1)] * (x(i + 1) - here);
-      if (!scene_.ground.empty()) sum -= scene_.ground[static_cast<std::size_t>(i)] * here;
+        sum += scene_.stiffness[static_cast<std::size_t>(i + 1)] * (x(i + 1) - position);
+      if (!scene_.ground.empty()) sum -= scene_.ground[static_cast<std::size_t>(i)] * position;
       return sum;
     };
     Real sum = links(at.x, stop.position) + scene_.beta * links(at.v, 0);
@@ -149,10 +150,10 @@ class Witness {
   }
 
   void compare() {
-    note(apart_, energy({told_.x - flown_.x, told_.v - flown_.v}));
+    note(apart_, energy({state_of_run_.x - flown_.x, state_of_run_.v - flown_.v}));
   }
 
-  // The flight from the state told of on.
+  // The flight from the latest recorded state.
   struct Flight {
     const FreeModes &basis;
     const Motion from;
@@ -167,18 +168,18 @@ class Witness {
         at(j) = place.at;
         speed(j) = place.speed;
       }
-      Motion there{basis.shape * at, basis.shape * speed};
-      for (Eigen::Index i = 0; i < there.x.size(); ++i)
-        if (held[static_cast<std::size_t>(i)] != 0) there.x(i) = from.x(i);
-      return there;
+      Motion motion{basis.shape * at, basis.shape * speed};
+      for (Eigen::Index i = 0; i < motion.x.size(); ++i)
+        if (held[static_cast<std::size_t>(i)] != 0) motion.x(i) = from.x(i);
+      return motion;
     }
   };
   Flight take_off() {
     auto known = modes_.find(held_);
     if (known == modes_.end()) known = modes_.emplace(held_, free_modes(scene_, held_)).first;
     const FreeModes &basis = known->second;
-    Flight flight{basis, told_, held_};
-    const RealVector q = basis.inverse * told_.x, v = basis.inverse * told_.v;
+    Flight flight{basis, state_of_run_, held_};
+    const RealVector q = basis.inverse * state_of_run_.x, v = basis.inverse * state_of_run_.v;
     Real steady = 0;
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const Real lambda = basis.lambda(j);

@@ -47,8 +47,8 @@ struct Problem {
 // std::runtime_error naming the file that cannot be read or the scene that is not known.
 std::vector<Problem> problems(const std::filesystem::path &reference);
 
-// What a run of a method gives. `failure` is empty when the run reached the end; otherwise it says
-// in one line where and why it did not.
+// The result of a run of a method. `failure` is empty if the run reached its end. Otherwise it says
+// in one line where and why the run stopped.
 struct Result {
   std::vector<MassEvent> events = {};
   TwoMassState end = {};
@@ -57,14 +57,14 @@ struct Result {
   std::string failure = {};
 };
 
-// Of the impacts after the start or a release, those before the first slower one are compared.
-// Every method has to resolve them, whatever it does with the end of a chatter: the flights between
-// them last longer than 0.05.
+// The impacts from the start or a release to the first slower impact are compared. Every method has
+// to resolve these, however it ends a chatter, because the flights between them last longer than
+// 0.05.
 constexpr double slowest_impact_compared = 1e-2;
 
 // Largest error in the time of a stick, a release or such an impact, and in the displacements and
-// velocities at the end. Both are NaN where `failure` says what is missing, what should not be
-// there or why the method gave up.
+// velocities at the end. Both are NaN if `failure` names a missing event, a
+// spurious event or the reason why the method gave up.
 struct Errors {
   double time, state;
   std::string failure = {};

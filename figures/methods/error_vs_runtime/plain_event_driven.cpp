@@ -3,8 +3,8 @@
 // speed threshold. The threshold is swept; the sampling is fine enough not to matter.
 //
 // The natural modes are the library's, found once per contact mode. The closed form gives a gap as
-// s - x, where nothing smaller than the rounding of x can be seen. With a threshold near 1e-8 or
-// below, a chatter is lost in that rounding.
+// s - x, which has the rounding of x. With a threshold near 1e-8 or below, the flights of a chatter
+// are smaller than this rounding.
 #include <complex>
 #include <map>
 #include <stdexcept>

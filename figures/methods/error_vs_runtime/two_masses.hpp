@@ -84,7 +84,7 @@ inline double stick_below(double tolerance) {
 void apply_event(const TwoMasses &chain, GapState &state, std::size_t i, double slowest,
                  Result &result);
 
-// A method that resolves a chatter impact by impact and ends here is lost in it.
+// A method that resolves a chatter impact by impact fails after so many impacts.
 constexpr long long impacts_at_most = 20'000;
 std::string lost_in_impacts(double time, int mass, double speed);
 

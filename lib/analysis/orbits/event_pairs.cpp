@@ -28,7 +28,7 @@ struct StopContact {
 };
 
 // The phases under way as the record begins: those of the masses released at the first instant, and
-// of the masses held after it. One of the latter may have come to stick there (contacts_of).
+// of the masses held after it. One of the latter may have stuck at that instant (contacts_of).
 std::vector<StopContact> phases_under_way(const std::vector<PressedEvent> &events) {
   std::vector<StopContact> phases;
   if (events.empty()) return phases;

@@ -16,7 +16,7 @@ constexpr struct {
 } scalars[] = {
     {"omega", &Scene::omega}, {"beta", &Scene::beta}, {"restitution", &Scene::restitution}};
 
-// Those of which each mass has one.
+// Parameters of which each mass has one.
 constexpr struct {
   std::string_view word;
   std::vector<double> Scene::*place;

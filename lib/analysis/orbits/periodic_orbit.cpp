@@ -33,7 +33,7 @@ double largest_component(const Eigen::VectorXd &vector) {
   return vector.size() == 0 ? 0.0 : vector.cwiseAbs().maxCoeff();
 }
 
-// One iterate z of Newton's method: the map there, P(z) - z, and the step to the next iterate.
+// One iterate z of Newton's method: the map at z, P(z) - z, and the step to the next iterate.
 struct Iterate {
   StroboscopicImage image;
   Eigen::VectorXd residual, step;

@@ -23,7 +23,7 @@ auto of(const std::vector<double> &values) {
   return [&values](std::size_t j) { return values[j]; };
 }
 
-// The state with the mass of this stop at rest there.
+// The state with the mass of this stop at rest on the stop.
 MotionState resting(const Scene &scene, const Stop &stop, MotionState state) {
   require_stop(scene, stop);
   require_fits(scene, state);

@@ -1,23 +1,30 @@
-// Every tolerance of the analysis but for those that its callers choose. Why each is what it is:
-// the table in lib/README.md.
+// Every tolerance of the analysis but those that its callers choose, each with its reason.
 #pragma once
 
 #include <cstddef>
 
 namespace vibro_impact {
 
-constexpr std::size_t most_tangent_nodes = 10;  // of the extrapolation of tangents
+// Nodes of the extrapolation of tangents. 16 and 24 nodes give the same.
+constexpr std::size_t most_tangent_nodes = 10;
 
-constexpr double newton_tolerance = 1e-13;  // of the fixed point of a map, relative to the state
+// Error of a fixed point relative to the state: the rounding of the map.
+constexpr double newton_tolerance = 1e-13;
 
+// Minima that are closer to each other than the nodes of a search may be missed. `most_nodes`
+// bounds the work.
 constexpr double fewest_nodes = 64.0;    // in a forcing period, where a minimum is looked for
 constexpr double node_distance = 0.125;  // time between them, in units of 1 / rate_bound(scene)
 constexpr double most_nodes = 1e8;       // in a forcing period
 
+// An impact that begins 1e-15 deep in its stop is 1e-7 early. Slow impacts at an equilibrium do not
+// graze.
 constexpr double simultaneous = 1e-6;  // time between events of a pair
 constexpr double slow_contact = 1e-6;  // speed of a contact that may be grazing
 constexpr double pulled_off = 1e-9;    // force on it
 
+// `settle_tolerance` and `repeats` are above the errors of rounding and of chatter limits. Between
+// `same_section` and `not_decided`, a motion may turn around its orbit. The periods bound the work.
 constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
 constexpr int most_periods_of_orbit = 8;         // forcing periods
 constexpr double settle_tolerance = 1e-10;       // what is still to come, non-dimensional
@@ -25,6 +32,8 @@ constexpr double repeats = 1e-12;                // distance of two sections, in
 constexpr double same_section = 10.0;            // distance, in tolerances of what is still to come
 constexpr double not_decided = 1e4;              // likewise
 
+// A perturbation does not overflow within `rescaled_after`. The next three were measured in
+// lyapunov_test, and the last two bound the work.
 constexpr int rescaled_after = 8;        // forcing periods
 constexpr int block_length = 40;         // forcing periods
 constexpr std::size_t least_blocks = 4;  // of a mean growth

@@ -143,7 +143,7 @@ class Sections {
   }
 
   // Moves a sample along the motion to its section. A sample is taken at a time, and the rounding
-  // of a long time puts it beside the section.
+  // of a long time puts it off the section.
   void bring_to_section(MotionState &at) const {
     const double tau = elapsed(at.instant, section_at(taken_), clock_);
     if (tau == 0.0) return;
@@ -172,8 +172,8 @@ class Sections {
     return amplitude(latest(back).state, latest(further_back).state);
   }
 
-  // Compares the latest section with that p periods before. Distances below `floor` cannot be told
-  // from zero.
+  // Compares the latest section with that p periods before. Distances below `floor` count
+  // as zero.
   void compare(int p, double floor) {
     Contraction &contraction = contractions_[index(p - 1)];
     const double now = distance(0, p), before = 2 * p < taken_ ? distance(p, 2 * p) : infinity;

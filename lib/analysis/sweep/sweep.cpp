@@ -79,9 +79,9 @@ std::vector<double> Grid::values(std::size_t point) const {
 
 Scene Grid::scene_at(std::size_t point) const {
   Scene at = scene;
-  const std::vector<double> there = values(point);
+  const std::vector<double> of_axes = values(point);
   for (std::size_t k = 0; k < axes.size(); ++k)
-    at = with(std::move(at), axes[k].parameter, there[k]);
+    at = with(std::move(at), axes[k].parameter, of_axes[k]);
   return at;
 }
 
@@ -96,8 +96,8 @@ void check(const Grid &grid) {
     for (std::size_t j = 0; j < k; ++j)
       require(!(grid.axes[j].parameter == axis.parameter), what, ": given twice");
   }
-  // What a scene must fulfil are bounds that are linear in its scalars: if they hold in the corners
-  // of the grid, they hold everywhere.
+  // The conditions on a scene are bounds that are linear in its scalars. If they hold in the
+  // corners of the grid, they hold everywhere.
   require(grid.axes.size() < 20, grid.axes.size(), " axes: at most 19");
   for (std::size_t corner = 0; corner < std::size_t{1} << grid.axes.size(); ++corner) {
     Scene scene = grid.scene;

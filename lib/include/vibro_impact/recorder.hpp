@@ -9,8 +9,8 @@
 // before. Infinity asks for no more samples.
 //
 // bool done()
-// A run calls this member after each call of `event` or `sample` of the recorder, and ends there if
-// it returns true. For a recorder that has neither, a run calls it after every step.
+// A run calls this member after each call of `event` or `sample` of the recorder, and ends at
+// that time if it returns true. For a recorder that has neither, a run calls it after every step.
 //
 // void check(const Scene &)
 // A run calls this member before it begins. It throws std::invalid_argument to refuse the scene.

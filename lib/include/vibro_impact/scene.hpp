@@ -17,7 +17,7 @@
 namespace vibro_impact {
 
 // The side of a mass on which a stop stands. The paper reads it from the sign of s_p (Eq. 3); it is
-// carried explicitly here so that s_p = 0 and a stop across the origin work.
+// carried explicitly so that s_p = 0 and a stop across the origin work.
 enum class Side : signed char { lower = -1, upper = +1 };
 
 // +1 for an upper stop, -1 for a lower one.

@@ -27,8 +27,8 @@ Eigen::Index springs(const Scene &scene);
 bool is_untied(const Scene &scene);
 
 // `free`: the indices of the free masses, ascending, from 0. Every mode is accurate relative to its
-// own frequency, however soft it is beside others; where the whole chain is free and not tied to
-// the ground, the rigid-body mode is exact.
+// own frequency, however much softer it is than others. Where the whole chain is free and not tied
+// to the ground, the rigid-body mode is exact.
 ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free);
 
 // Static positions x of all masses, with the held ones at their stops, of the links alone, and the

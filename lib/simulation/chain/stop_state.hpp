@@ -1,4 +1,4 @@
-// The state of a stop, which a run carries beside the modal coordinates.
+// The state of a stop, which a run carries in addition to the modal coordinates.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 namespace vibro_impact::detail {
 
 // A mass in flight before its stop. Gap g = sigma (s - x) and gap speed g' are carried, because a
-// small gap evaluated from the modal coordinates is lost to cancellation. After an impact the gap
-// is exactly 0.
+// small gap evaluated from the modal coordinates loses its digits to cancellation. After an impact
+// the gap is exactly 0.
 struct InFlight {
   double gap = 0.0, speed = 0.0;
   bool below_rounding = false;  // the gap lies below the rounding of the modal coordinates

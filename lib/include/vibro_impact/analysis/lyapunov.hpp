@@ -22,7 +22,7 @@ struct Growth {
 // It counts as certain when the mean over at least 4 blocks of 40 forcing periods is larger than 4
 // times its standard error (the deviation of the blocks over the root of their number). The motion
 // is followed until the sign is certain, or for `longest` forcing periods. A motion whose transient
-// is chaotic for much longer cannot be told from chaos.
+// is chaotic for much longer counts as chaos.
 //
 // `start` should lie away from events (`at_quiet_phase`). Throws std::invalid_argument for a start
 // that does not fit the scene, for a scene without a forcing period and for longest < 1, and

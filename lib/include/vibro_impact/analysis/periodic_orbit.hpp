@@ -53,12 +53,12 @@ StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const Moti
                                                   int periods, const RunOptions &options = {});
 
 // The motion from `start` brought to the phase, within the next forcing period, that is farthest
-// from every event of that period. The period there has the number 0.
+// from every event of that period. The returned instant counts its forcing period as number 0.
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options = {});
 
-// The state `periods` forcing periods after the scene's own initial state. The period there has the
-// number 0.
+// The state `periods` forcing periods after the scene's own initial state. The
+// returned instant counts its forcing period as number 0.
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options = {});
 
 struct PeriodicOrbit {

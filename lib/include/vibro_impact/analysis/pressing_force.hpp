@@ -26,7 +26,7 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &state);
 // rest at the stop; the other masses move as in `state`.
 double pressing_force(const Scene &scene, const Stop &stop, const MotionState &state);
 
-// A minimum and the state there; the forcing period of the start has the number 0.
+// A minimum and the state at it. The forcing period of the start has the number 0.
 struct LeastValue {
   double value = 0.0;
   MotionState at;

@@ -16,7 +16,7 @@
 // it needed to find the limit. Where states q periods apart, q a divisor of p, are within ten
 // tolerances, the period is q. Where they are within 10,000 tolerances it is not decided yet: a
 // motion that turns around its orbit comes near to itself after some number of periods long before
-// it is there.
+// it has settled.
 #pragma once
 
 #include <vector>

@@ -16,7 +16,7 @@
 
 namespace vibro_impact {
 
-// The threads that a sweep uses unless it is told: those of OpenMP, or 1 without OpenMP.
+// The number of threads that a sweep uses by default: that of OpenMP, or 1 without OpenMP.
 int available_threads();
 
 // Calls `compute` for the points from 0 to `points`, without `points`, on several threads at once.
@@ -61,7 +61,7 @@ struct Grid {
 // `check` rejects or that has no forcing period anywhere on the grid.
 void check(const Grid &grid);
 
-// What `observable` makes of the scene of every point, in the order of the points. The result may
+// The values of `observable` for the scenes of all points, in the order of the points. A value may
 // be a row of numbers or anything else:
 //   sweep(grid, [](const Scene &scene) { return std::vector{energy_of(scene), ...}; })
 template <class Observable>
