@@ -147,32 +147,6 @@ TEST(SlowChatter, IsNotGivenUp) {
   EXPECT_GT(outcome.counters.impacts, 4000);
 }
 
-// Mass 1 is pressed against mass 2, which is held at its stop, through a link of 1e9. It stands
-// still while mass 3 sticks and is released. The rounding of its displacement, 1e-17, would be 1e-8
-// of the force.
-TEST(StiffLink, KeepsItsForceOverAChangeOfTheContactMode) {
-  const Scene scene{.mass = {1.0, 1.0, 1.0},
-                    .stiffness = {1.0, 1e9, 1.0},
-                    .beta = 1e-3,
-                    .amplitude = {0.0, 0.0, 0.5},
-                    .constant = {2.0, 0.0, 0.0},
-                    .omega = 0.3,
-                    .restitution = 0.0,
-                    .stops = {{2, Side::upper, 0.1}, {3, Side::upper, 0.3}},
-                    .displacement = {0.1, 0.1, 0.0}};
-  struct {
-    std::vector<double> forces;
-    void event(const Event &event, const Moment &moment) {
-      if (event.mass == 3 && event.kind == EventKind::release)
-        forces.push_back(moment.hold_force(2));
-    }
-  } releases;
-  require_complete(simulate(scene, 100.0, releases));
-  const double x1 = (1e9 * 0.1 + 2.0) / (1e9 + 1.0);
-  ASSERT_GE(releases.forces.size(), 3u);
-  for (const double force : releases.forces) EXPECT_NEAR(force, 2.0 - x1 + (0.3 - 0.1), 1e-12);
-}
-
 // A free mass that drifts to its stop, and away from it: steps as long as the motion is slow.
 TEST(Drift, TakesFewSteps) {
   for (const double speed : {1e-2, 1e-6, 1e-12}) {
