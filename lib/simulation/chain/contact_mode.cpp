@@ -110,19 +110,13 @@ Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
 }
 
 // The weights of (3) of a mass held at its stop: the forces that the static positions, and each
-// mode, exert on it (Eqs. 12-13 times sigma). They follow from the tensions of the springs; a
-// difference of positions times a stiff link would round them.
+// mode, exert on it (Eqs. 12-13 times sigma).
 void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contact) {
-  const std::size_t p = contact.mass, n = scene.mass.size();
-  const auto row = static_cast<Index>(p);
   const auto pressed_by = [&](const auto &tension) {
-    double force = -std::sqrt(scene.stiffness[p]) * tension(row);
-    if (p + 1 < n) force += std::sqrt(scene.stiffness[p + 1]) * tension(row + 1);
-    if (!scene.ground.empty())
-      force -= std::sqrt(scene.ground[p]) * tension(static_cast<Index>(n) + row);
-    return contact.sigma * force;
+    return contact.sigma * force_of_tensions(scene, contact.mass, tension);
   };
-  contact.offset = pressed_by(mode.tension) + contact.sigma * entry_of(scene.constant, p);
+  contact.offset =
+      pressed_by(mode.tension) + contact.sigma * entry_of(scene.constant, contact.mass);
   for (Index k = 0; k < mode.basis.lambda.size(); ++k) {
     const Index j = mode.first_coordinate[static_cast<std::size_t>(k)];
     contact.row(j) = pressed_by(mode.basis.tension.col(k));

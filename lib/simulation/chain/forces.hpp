@@ -2,6 +2,7 @@
 // hold forces of Eqs. 12-13, are written out.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "vibro_impact/scene.hpp"
@@ -22,6 +23,19 @@ double link_force(const Scene &scene, std::size_t i, double own, const Coordinat
   double force = scene.stiffness[i] * ((i > 0 ? x(i - 1) : 0.0) - own);
   if (i + 1 < scene.mass.size()) force += scene.stiffness[i + 1] * (x(i + 1) - own);
   if (!scene.ground.empty()) force -= scene.ground[i] * own;
+  return force;
+}
+
+// The same row from the tensions of the springs (`ModalBasis` in modes.hpp): a difference of
+// positions times a stiff link would round it.
+template <class Tensions>
+double force_of_tensions(const Scene &scene, std::size_t i, const Tensions &tension) {
+  const std::size_t n = scene.mass.size();
+  const auto row = static_cast<decltype(tension.size())>(i);
+  double force = -std::sqrt(scene.stiffness[i]) * tension(row);
+  if (i + 1 < n) force += std::sqrt(scene.stiffness[i + 1]) * tension(row + 1);
+  if (!scene.ground.empty())
+    force -= std::sqrt(scene.ground[i]) * tension(tension.size() / 2 + row);
   return force;
 }
 
