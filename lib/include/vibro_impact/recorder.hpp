@@ -32,33 +32,13 @@ class Moment;
 
 namespace detail {
 
-// The concepts has_... are true if R has a member of this name in any form: the name is then
-// ambiguous in a class that also inherits it from RecorderNames.
+// A name is ambiguous in a class that inherits it from R and from RecorderNames: then R has a
+// member of this name in some form.
 struct RecorderNames {
   int event, next_time, sample, done, check;
 };
 template <class R>
 struct WithRecorderNames : R, RecorderNames {};
-template <class R>
-concept has_event = !requires {
-  &WithRecorderNames<R>::event;
-};
-template <class R>
-concept has_next_time = !requires {
-  &WithRecorderNames<R>::next_time;
-};
-template <class R>
-concept has_sample = !requires {
-  &WithRecorderNames<R>::sample;
-};
-template <class R>
-concept has_done = !requires {
-  &WithRecorderNames<R>::done;
-};
-template <class R>
-concept has_check = !requires {
-  &WithRecorderNames<R>::check;
-};
 
 template <class R>
 concept takes_events = requires(R &recorder, const Event &event, const Moment &moment) {
@@ -78,11 +58,24 @@ concept checks_scenes = requires(R &recorder, const Scene &scene) {
   recorder.check(scene);
 };
 
-// True if R has a member with one of these names and another form, which a run would never call.
+// True unless R has a member with one of these names and another form, which a run would never
+// call.
 template <class R>
-concept has_misfit = (!takes_events<R> && has_event<R>) ||
-                     (!takes_samples<R> && (has_next_time<R> || has_sample<R>)) ||
-                     (!is_asked<R> && has_done<R>) || (!checks_scenes<R> && has_check<R>);
+concept has_no_misfit = requires {
+  requires takes_events<R> || requires {
+    &WithRecorderNames<R>::event;
+  };
+  requires takes_samples<R> || requires {
+    &WithRecorderNames<R>::next_time;
+    &WithRecorderNames<R>::sample;
+  };
+  requires is_asked<R> || requires {
+    &WithRecorderNames<R>::done;
+  };
+  requires checks_scenes<R> || requires {
+    &WithRecorderNames<R>::check;
+  };
+};
 
 // The members of a recorder as a run calls them. A function is empty if the recorder has no such
 // member. The recorder must outlive its functions.
@@ -97,7 +90,7 @@ struct RecorderRef {
 }  // namespace detail
 
 template <class R>
-concept Recorder = std::is_class_v<R> && !std::is_final_v<R> && !detail::has_misfit<R> &&
+concept Recorder = std::is_class_v<R> && !std::is_final_v<R> && detail::has_no_misfit<R> &&
                    (detail::takes_events<R> || detail::takes_samples<R> || detail::is_asked<R>);
 
 namespace detail {
