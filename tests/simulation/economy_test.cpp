@@ -20,7 +20,7 @@ long long looked_at(const Counters &counters) {
   return counters.roots_dismissed + counters.roots_searched;
 }
 long long tested(const Counters &counters) {
-  return counters.stops_clear + looked_at(counters);
+  return counters.out_of_reach + looked_at(counters);
 }
 
 // Every contact mode a run was in: the free one and those its events led to.

@@ -69,8 +69,8 @@ TEST(Flow, TheCentreOfMassOfAFreeChainIsExactForever) {
   }
 }
 
-// A mode next to resonance, hardly damped, swings up to twice its steady response before it settles
-// to that: what stands farther than the steady response alone is not clear for ever.
+// A mode next to resonance, hardly damped, swings up to twice its steady response before it
+// settles. A stop beyond the steady response can therefore be hit.
 TEST(Flow, AStopBeyondTheSteadyResponseOfAModeNearResonanceIsHit) {
   Scene scene;
   scene.mass = scene.stiffness = {1.0};
@@ -83,7 +83,7 @@ TEST(Flow, AStopBeyondTheSteadyResponseOfAModeNearResonanceIsHit) {
   scene.stops = {{1, Side::upper, 2.2 * steady}};
   const Counters far = simulate(scene, 1e5).counters;
   EXPECT_EQ(far.impacts, 0);
-  EXPECT_LT(far.expansions, 100);  // that is clear for ever
+  EXPECT_LT(far.expansions, 100);  // out of reach for ever
 }
 
 // 0.3 is not 3 times 0.1 in double precision: the end of a range is in it to within rounding.

@@ -7,7 +7,7 @@ struct Counters {
   long long expansions = 0;          // Taylor expansions of the flow
   long long coefficients = 0;        // Taylor orders, summed over the expansions
   long long products = 0;            // of weights and coefficients, for gaps and hold forces
-  long long stops_clear = 0;         // gaps and hold forces out of reach of zero over a step
+  long long out_of_reach = 0;        // gaps and hold forces out of reach of zero over a step
   long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
   long long roots_searched = 0;      // polynomials iterated on
   long long root_iterations = 0;     // guaranteed steps taken by those iterations

@@ -97,6 +97,36 @@ void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, S
   stop.contact = carried;
 }
 
+// The least time in which a mass that closes its gap at `speed`, under an acceleration towards the
+// stop of at most `push`, or away from it of `push` if `pushed_away`, closes `room`. Infinite if it
+// turns back before.
+double closing_time(double speed, double push, bool pushed_away, double room) {
+  if (!(speed > 0.0) && (pushed_away || push == 0.0)) return infinity;
+  if (!pushed_away) return 2.0 * room / (speed + std::sqrt(speed * speed + 2.0 * push * room));
+  const bool turns_back = push > 0.0 && !(speed * speed > 2.0 * push * room);
+  return turns_back ? infinity : room / speed;
+}
+
+// A time in which the rigid-body mode cannot close `room` of a gap. Its speed and the modulus of
+// its forces bound it. Where the forces only turn, its mean speed and the amplitude 2 |f| / Omega^2
+// may give a longer time.
+double drift_time(const Motion &motion, const Contact &contact, double room, double omega) {
+  const ModalCoordinates &all = motion.mode->coordinates;
+  const Index j = motion.mode->drift;
+  const double row = contact.row(j), slope = motion.dy(j);
+  const bool turns = omega > 0.0 && all.force_of(j) != 0.0;
+  const double turning = turns ? std::abs(all.force_of(j)) : 0.0;
+  const double constant = all.constant(j) + (turns ? 0.0 : all.force_re(j));
+  const double push = std::abs(row) * (std::abs(constant) + turning);
+  const double time =
+      closing_time(std::max(0.0, -row * slope), push, !turns && row * constant >= 0.0, room);
+  if (!turns || constant != 0.0) return time;
+  const double left = room - 2.0 * push / (omega * omega);
+  if (!(left > 0.0)) return time;
+  const double mean_slope = slope - std::imag(all.force_of(j) * motion.turn) / omega;
+  return row * mean_slope < 0.0 ? std::max(time, left / (-row * mean_slope)) : infinity;
+}
+
 }  // namespace
 
 double quiet_time(const Motion &motion, const std::vector<StopState> &stops, double omega) {
@@ -126,28 +156,7 @@ double quiet_time(const Motion &motion, const std::vector<StopState> &stops, dou
     const double room = rest - swing - 2.0 * gap_reread_ratio * (std::abs(rest) + swing);
     if (!(room > 0.0)) return 0.0;
     if (mode.drift < 0 || contact.held) continue;
-    // The rigid-body mode, by its speed and the modulus of the forces on it, or, where they only
-    // turn, by its mean speed and the amplitude 2 |f| / Omega^2.
-    const double row = contact.row(mode.drift), turning = std::abs(all.force_of(mode.drift)),
-                 constant =
-                     all.constant(mode.drift) + (omega == 0.0 ? all.force_re(mode.drift) : 0.0);
-    const bool turns = omega > 0.0 && turning > 0.0;
-    const double closing = std::max(0.0, -row * motion.dy(mode.drift)),
-                 push = std::abs(row) * (std::abs(constant) + (turns ? turning : 0.0));
-    const bool pushed_away = !turns && row * constant >= 0.0;
-    double time = infinity;
-    if (pushed_away ? closing * closing > 2.0 * push * room || (push == 0.0 && closing > 0.0)
-                    : push > 0.0 || closing > 0.0)
-      time = 2.0 * room /
-             (closing + (pushed_away ? closing : std::sqrt(closing * closing + 2.0 * push * room)));
-    if (turns && constant == 0.0) {
-      const double drifting = motion.dy(mode.drift) -
-                              std::imag(all.force_of(mode.drift) * motion.turn) / omega,
-                   left = room - 2.0 * push / (omega * omega);
-      if (left > 0.0)
-        time = std::max(time, row * drifting < 0.0 ? left / (-row * drifting) : infinity);
-    }
-    quiet = std::min(quiet, time);
+    quiet = std::min(quiet, drift_time(motion, contact, room, omega));
   }
   return quiet;
 }
@@ -184,7 +193,7 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     approach.out_of_reach =
         leading == nullptr && is_out_of_reach(contact, value, clock.omega, flight);
     if (approach.out_of_reach) {
-      ++counters.stops_clear;
+      ++counters.out_of_reach;
       continue;
     }
     flight.any_near = true;

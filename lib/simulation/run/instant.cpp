@@ -42,8 +42,8 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
 }
 
 // True when the impacts at this instant continue a chatter of so many impacts that the budget would
-// end the run before the limit. A budget pays for ten times as many impacts as it has between two
-// nodes of the chatter table at most: at the default of 1e6, up to r = 0.9999999.
+// end the run before the limit. They do not count while two nodes of the chatter table are at most
+// ten budgets of impacts apart. With the default budget of 1e6 this holds up to r = 0.9999999.
 bool continues_slow_chatter(const Run &run) {
   const Chatter &chatter = run.chatter;
   const long long budget = run.problem.options.max_impacts_per_period;
