@@ -96,9 +96,12 @@ void add_scene_options(CLI::App &app, SceneOptions &words) {
   option(app, "--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
   option(app, "--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
   app.option_defaults()->group("Options");
+  // The rows of a sweep depend on the options in the file, not on its name.
   option(app, "--scene", words.file, "FILE",
-         "Options of the scene, a line name = value each; those given here replace them");
-  app.add_flag("--print-scene", words.print, "Write the options of the scene as such a file");
+         "Options of the scene, a line name = value each; those given here replace them")
+      ->configurable(false);
+  app.add_flag("--print-scene", words.print, "Write the options of the scene as such a file")
+      ->configurable(false);
 }
 
 Scene scene_of(const SceneOptions &words) {

@@ -129,11 +129,14 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   }
   fs::remove(folder.string() + "-other");
 
-  // Cut within its head, within a row, and not at all.
+  // Cut within its head, within a row, and not at all. The name of a scene file does not count, and
+  // an empty one has no options.
+  const std::string scene = folder.string() + "-scene";
+  std::ofstream{scene};
   for (const std::size_t size : {head / 2, partial.size() - 5, partial.size()}) {
     std::ofstream(path) << partial.substr(0, size);
     const std::size_t kept = rows_in(partial.substr(0, size));
-    const Result rest = run(sweep + "--resume", "true", with_mpi ? mpirun(2) : "");
+    const Result rest = run(sweep + "--resume --scene " + scene, "true", with_mpi ? mpirun(2) : "");
     ASSERT_EQ(rest.status, 0) << rest.err;
     EXPECT_NE(rest.err.find("905 points, " + std::to_string(905 - kept) + " computed now"),
               std::string::npos)
@@ -141,6 +144,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
     EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole)) << size;
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
   }
+  fs::remove(scene);
 }
 
 TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {
