@@ -38,8 +38,9 @@ struct Document {
   bool only_key_numbers;
 };
 
-const Document documents[] = {{"README.md", {"few", "counts"}, true},
+const Document documents[] = {{"README.md", {"few", "counts", "speed"}, true},
                               {"figures/README.md", {"counts", "class"}, true},
+                              {"figures/methods/README.md", {"methods"}, false},
                               {"reference/README.md", {"published"}, false}};
 
 std::string content_of(const std::string &path) {
@@ -102,13 +103,15 @@ int conclude(const Findings &findings, const std::vector<std::string> &faults) {
 
 int main(int argc, char **argv) {
   std::string reference = REFERENCE_DIR, compared, written;
+  const std::string measured = SOURCE_DIR "/figures/methods/error_vs_runtime_measured.csv";
   return command(argc, argv,
                  "Computes every key number and every published result and compares them",
                  {{"--reference", "Folder of the tables of references", &reference},
                   {"--documents", "Folder of the project, whose documents are compared", &compared},
                   {"--write", "Folder of the project, whose documents are written", &written}},
                  [&] {
-                   const Findings findings{checked_numbers(reference), checked_results(reference)};
+                   const Findings findings{checked_numbers(reference), checked_results(reference),
+                                           comparison::read_measured(measured)};
                    fmt::print("{}{}\n**Published by others**\n\n{}\n{}", explanation,
                               tables_by_verdict(findings.numbers), explanation_of_published,
                               table_of_results(findings.results));
