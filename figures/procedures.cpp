@@ -46,10 +46,15 @@ void add_windows(Table &table, const std::string &procedure, const Incomplete &i
   table.end_row();
 }
 
-// Whether mass 1 comes to stick in the `counted` periods after `settling` periods.
-bool sticks(const figures::FollowedMotion &motion, const Scene &scene, int settling) {
-  const double from = settling * Clock(scene.omega).period;
-  return std::any_of(motion.events.begin(), motion.events.end(), [from](const Event &event) {
+// Follows a motion for `settling` and then `counted` forcing periods, to which it moves the start.
+// Returns whether mass 1 comes to stick in the latter.
+bool sticks(const Scene &scene, MotionState &start, const Procedure &procedure, int settling,
+            int counted) {
+  const double period = Clock(scene.omega).period, from = settling * period;
+  const auto [events, end] = figures::follow(scene, start, from + counted * period, procedure);
+  start = end;
+  start.instant = {};
+  return std::any_of(events.begin(), events.end(), [from](const Event &event) {
     return event.kind == EventKind::stick && event.mass == 1 && event.time > from;
   });
 }
@@ -58,25 +63,18 @@ bool sticks(const figures::FollowedMotion &motion, const Scene &scene, int settl
 Incomplete from_rest(const Procedure &procedure, int settling, int counted) {
   return sweep(omegas, [&](std::size_t i) {
     const Scene scene = paper::figure3(omega_of(i));
-    const double until = (settling + counted) * Clock(scene.omega).period;
-    const auto motion = figures::follow(scene, start_of(scene), until, procedure);
-    return static_cast<char>(!sticks(motion, scene, settling));
+    MotionState start = start_of(scene);
+    return static_cast<char>(!sticks(scene, start, procedure, settling, counted));
   });
 }
 
 // The exact motions, each from the state at the end of the one at the frequency before.
 Incomplete by_continuation(bool upwards) {
-  constexpr int settling = 60, counted = 20;
   Incomplete incomplete(omegas);
   MotionState start = start_of(paper::figure3(first_omega));
   for (std::size_t n = 0; n < omegas; ++n) {
     const std::size_t i = upwards ? n : omegas - 1 - n;
-    const Scene scene = paper::figure3(omega_of(i));
-    const double until = (settling + counted) * Clock(scene.omega).period;
-    const auto motion = figures::follow(scene, start, until, {});
-    incomplete[i] = !sticks(motion, scene, settling);
-    start = motion.state;
-    start.instant = {};
+    incomplete[i] = !sticks(paper::figure3(omega_of(i)), start, {}, 60, 20);
   }
   return incomplete;
 }
@@ -96,12 +94,10 @@ std::vector<MotionState> random_starts(const Scene &scene, std::size_t count, st
 
 // The exact motions, each from a random start of its own.
 Incomplete from_random_starts() {
-  constexpr int settling = 60, counted = 20;
-  return sweep(omegas, [&](std::size_t i) {
+  return sweep(omegas, [](std::size_t i) {
     const Scene scene = paper::figure3(omega_of(i));
-    const double until = (settling + counted) * Clock(scene.omega).period;
-    const MotionState start = random_starts(scene, 1, i).front();
-    return static_cast<char>(!sticks(figures::follow(scene, start, until, {}), scene, settling));
+    MotionState start = random_starts(scene, 1, i).front();
+    return static_cast<char>(!sticks(scene, start, {}, 60, 20));
   });
 }
 

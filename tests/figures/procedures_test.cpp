@@ -196,6 +196,17 @@ TEST(Procedures, ACutOffByTheFlightHoldsThePressedMassAtOnce) {
   EXPECT_GE(sticks, 36);  // both masses, once a period once the motion has begun
 }
 
+// Just past a graze the force pulls mass 1 off its stop. No cut-off holds it there.
+TEST(Procedures, ACutOffHoldsNoMassThatIsPulledOff) {
+  const Scene scene =
+      paper::two_masses({1, Side::upper, 0.4351535}, {2, Side::upper, 10.0}, 0.7, 0.5);
+  const auto exact = events_of(scene, 0.0, 8.0),
+             cut_off = follow(scene, start_of(scene), 8.0, {.slowest_impact = 0.01}).events;
+  ASSERT_FALSE(exact.empty());
+  EXPECT_LT(exact[0].velocity_before, 0.01);
+  EXPECT_EQ(cut_off.size(), exact.size());
+}
+
 // With Eq. 24 as printed, mass 1 moves about -s2/2 while mass 2 sticks. The difference of the two
 // motions from one state obeys d'' + 0.2 d' + 2 d = -2 s2 from d = d' = 0.
 TEST(Procedures, ThePrintedEquation24IsFollowed) {
