@@ -25,7 +25,7 @@ struct Procedure {
   bool printed_equation24 = false;
 };
 
-// Records events, and ends a run where the procedure has to act.
+// Records events, and ends a run where the procedure has to act. `follow` uses it.
 struct ProcedureRecorder {
   Procedure procedure;
   std::array<double, 2> last_impact;  // of each mass, its time
@@ -60,8 +60,9 @@ struct FollowedMotion {
 inline FollowedMotion follow(Scene scene, MotionState state, double until,
                              const Procedure &procedure) {
   constexpr double long_ago = -std::numeric_limits<double>::infinity();
-  // A flight after an impact at this speed is shorter than all shortest flights above 0.005, as the
-  // accelerations at the stops are of the order of 0.1.
+  // Impacts faster than this are resolved, so that a cut-off acts before the limit of a chatter is
+  // computed. The forces at the stops are of the order of 0.1, and the flight behind an impact at
+  // this speed lasts some 2e-4, less than any cut-off that is tried.
   constexpr double slower_than_all = 1e-5;
   const bool cuts_off = procedure.shortest_flight > 0.0 || procedure.slowest_impact > 0.0;
   const RunOptions options{.resolve_chatter =
@@ -88,7 +89,8 @@ inline FollowedMotion follow(Scene scene, MotionState state, double until,
       stick.held = state.held;
       recorder.events.push_back(stick);
     }
-    // After a release the force on mass 2 is zero but for rounding, which must not hold it again.
+    // At a release the force on mass 2 is zero but for rounding, which must not hold it again. The
+    // gap is far below all that is counted.
     if (recorder.mass_2_has_changed && state.held[1] == 0)
       state.displacement[1] -= sign(scene.stops[1].side) * 1e-12;
     run.reset();
