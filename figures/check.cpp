@@ -21,8 +21,7 @@ using namespace vibro_impact::figures;
 constexpr const char *explanation =
     "agrees: within half a unit of the last printed digit, between the two ticks where an axis "
     "ends, or true as stated\n"
-    "close: within 0.005 of a value that the paper reads off Figure 3, a tenth of the distance of "
-    "its ticks\n"
+    "close: to two decimals a value that the paper reads off Figure 3\n"
     "depends on an inferred value: the paper's text lacks a parameter of the figure\n"
     "error: of the computed number against its reference; above the allowed error it fails\n";
 
