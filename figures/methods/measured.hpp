@@ -75,6 +75,11 @@ inline std::string sentence_of_speed(const std::vector<Measured> &runs) {
   return text;
 }
 
+// A positive number with three digits or as an integer.
+inline std::string three_digits(double value) {
+  return value < 100.0 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 // The table of the page of the methods. Of ten periods of Figure 2 it has the most accurate run of
 // every method. Of one flight and one sticking phase it has the fastest runs of the library and of
 // runge_kutta_dopri5 with errors below 1e-7.
@@ -101,8 +106,8 @@ inline figures::Rows rows_of_methods(const std::vector<Measured> &runs) {
   for (const auto &[motion, run] : lines) {
     if (run.method == library) reference = run.microseconds;
     rows.push_back({motion, run.method, fmt::format("{:.0e}", run.setting),
-                    fmt::format("{:.1e}", run.error), fmt::format("{:.3g}", run.microseconds),
-                    fmt::format("{:.3g}", run.microseconds / reference)});
+                    fmt::format("{:.1e}", run.error), three_digits(run.microseconds),
+                    three_digits(run.microseconds / reference)});
   }
   return rows;
 }

@@ -59,9 +59,9 @@ TEST(Newton, SaysWhyItDidNotConverge) {
   const Scene scene = paper::figure2();
   starts(why_not(scene, section_after(scene, 2), 0), "residual = ");
   MotionState held = section_after(scene, 30);
-  held.held = {-1, 0};  // that mass is let go, and does not stick at this phase
+  held.held = {-1, 0};  // at this phase mass 2 sticks, and mass 1 does not
   starts(why_not(scene, held),
-         "iterate 0: returns with other masses held (-) than it starts with (1)");
+         "iterate 0: returns with other masses held (2) than it starts with (1)");
   // A free mass without damping and forcing, at rest: every state is an orbit's, or none.
   Scene free{.mass = {1.0}, .stiffness = {0.0}, .omega = 1.0, .displacement = {0.0}};
   MotionState moving = start_of(free);
