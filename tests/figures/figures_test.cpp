@@ -1,4 +1,4 @@
-// The drivers of Figures 1, 2, 4 and 5 and their scripts: the tables against the 50-digit events
+// The drivers of Figures 2, 4 and 5 and their scripts: the tables against the 50-digit events
 // and what the paper says, and every panel drawn against its table, the printed axes and the
 // colours.
 #include <gtest/gtest.h>
@@ -18,10 +18,6 @@ using namespace vibro_impact;
 using namespace vibro_impact::testing;
 using figures::TrueEvent;
 using paper::AxisBox;
-
-bool holds(const std::string &contact_mode, int mass) {
-  return contact_mode.find(std::to_string(mass)) != std::string::npos;
-}
 
 // The samples of both masses in a window are the motion with the true events: at an impact a mass
 // is where its stop is, to within how far it moves between samples, and while it sticks, exactly.
@@ -157,44 +153,6 @@ TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
   EXPECT_LT(columns["x1"].at(sample + 1), 0.3);
   EXPECT_LT(columns["x2"].at(sample), 0.3);
   EXPECT_GT(columns["x2"].at(sample), 0.3 - 1e-8);
-}
-
-// Figure 1 in motion: what each mass is said to do is what the true events say. The last impacts of
-// a chatter, slower than 1e-4, are not resolved, so that only sticking is compared to the frame.
-TEST(Figure1, EveryFrameSaysWhatTheMassesDo) {
-  const std::string folder = folder_of("figure1");
-  run(std::string(PROGRAM_DIR "/chain --output ") + folder);
-  const Scene scene = paper::figure2();
-  const std::vector<TrueEvent> events = true_events("figure2");
-  std::set<std::string> actions[2];
-  double last = paper::figure2a_box.from;
-  for (const auto &cells : figures::read_rows(folder + "/chain_motion.csv", 5)) {
-    const double time = std::stod(cells[0]);
-    const auto next = std::find_if(events.begin(), events.end(),
-                                   [time](const TrueEvent &event) { return event.time > time; });
-    ASSERT_NE(next, events.begin());
-    EXPECT_LT(time - last, 0.5) << "no event is skipped";
-    last = time;
-    for (const std::size_t i : {0u, 1u}) {
-      const std::string &action = cells[3 + i];
-      actions[i].insert(action);
-      const int mass = static_cast<int>(i) + 1;
-      EXPECT_EQ(action == "sticks", holds(std::prev(next)->contact_mode, mass)) << time;
-      if (action == "sticks") {
-        EXPECT_EQ(std::stod(cells[1 + i]), scene.stops[i].position) << time;
-      }
-    }
-  }
-  EXPECT_NEAR(last, paper::figure2a_box.from + 2 * Clock(scene.omega).period, 0.5);
-  for (const auto &of_mass : actions)
-    EXPECT_EQ(of_mass, (std::set<std::string>{"", "impact", "chatters", "sticks", "released"}));
-
-  run("cd " SOURCE_DIR " && gnuplot -e \"data='" + folder +
-      "'; kind='gif'\" figures/chain.gp 2>/dev/null");
-  std::ifstream gif = figures::opened(folder + "/motion.gif");
-  const std::string bytes{std::istreambuf_iterator<char>(gif), {}};
-  EXPECT_EQ(bytes.substr(0, 6), "GIF89a");
-  EXPECT_LT(bytes.size(), 1000000u);
 }
 
 // The sticking phases of mass 1 in the last forcing period of the 50-digit run, as times within

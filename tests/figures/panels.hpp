@@ -25,6 +25,10 @@ inline std::vector<figures::TrueEvent> true_events(const std::string &scene) {
   return figures::read_event_table(REFERENCE_DIR "/" + scene + "_events.csv");
 }
 
+inline bool holds(const std::string &contact_mode, int mass) {
+  return contact_mode.find(std::to_string(mass)) != std::string::npos;
+}
+
 // The labels of the ticks are those of the printed axes, from end to end, and the panel has its
 // letter. What is drawn from curve `first` on fills the ordinate, as data do in the paper's plots.
 inline void expect_axes(const Panel &panel, char letter, const paper::AxisBox &box,
