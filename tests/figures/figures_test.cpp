@@ -108,7 +108,7 @@ void expect_displacements(const Panel &panel, const std::string &table, const st
   for (const Stop &stop : paper::scene_named(truth).scene.stops)
     if (stop.position > box.lowest) stops.insert(stop.position);
   ASSERT_EQ(panel.curves.size(), stops.size() + sticking.size() + masses.size() + further);
-  expect_axes(panel, table.back(), box, stops.size());
+  expect_axes(panel, table.back(), box, stops.size(), stops_hit(truth, box, masses));
   std::size_t next = 0;
   for (const double stop : stops) expect_level(panel.curves[next++], stop);
   for (const int mass : sticking)
