@@ -42,8 +42,9 @@ void draw(const std::filesystem::path &output) {
   write(chain, output / "chain.csv");
   write(figures::parameters({scene}), output / "chain_scenes.csv");
 
-  const double period = Clock(scene.omega).period, from = paper::figure2a_box.from;
-  SampleRecorder samples{.from = from, .to = from + 2 * period, .every = step};
+  const double period = Clock(scene.omega).period, to = paper::figure2a_box.to;
+  const double from = to - 2 * period;
+  SampleRecorder samples{.from = from, .to = to, .every = step};
   EventRecorder recorder{from - period};
   require_complete(simulate(scene, samples.to, figures::all_visible_chatter, samples, recorder));
   Table motion("t,x1,x2,action1,action2");

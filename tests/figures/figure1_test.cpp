@@ -24,7 +24,7 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const Scene scene = paper::figure2();
   const std::vector<TrueEvent> events = true_events("figure2");
   std::set<std::string> actions[2];
-  double last = paper::figure2a_box.from;
+  double last = paper::figure2a_box.to - 2 * Clock(scene.omega).period;
   for (const auto &cells : figures::read_rows(folder + "/chain_motion.csv", 5)) {
     const double time = std::stod(cells[0]);
     const auto next = std::find_if(events.begin(), events.end(),
@@ -42,7 +42,7 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
       }
     }
   }
-  EXPECT_NEAR(last, paper::figure2a_box.from + 2 * Clock(scene.omega).period, 0.65);
+  EXPECT_NEAR(last, paper::figure2a_box.to, 0.65);
   for (const auto &of_mass : actions)
     EXPECT_EQ(of_mass, (std::set<std::string>{"-", "impact", "chatters", "sticks", "released"}));
 }
@@ -54,7 +54,8 @@ void draw_motion(const std::string &folder, const std::string &kind) {
 
 // All that a frame says beside what the masses do: the scene, the time, the names of masses and
 // stops, the key, and the labels of the ticks.
-std::multiset<std::string> words_of_every_frame(const Scene &scene, const std::string &time) {
+std::multiset<std::string> words_of_every_frame(const Scene &scene, const figures::Range &window,
+                                                const std::string &time) {
   std::multiset<std::string> words{
       fmt::format("Figure 2 in motion:  Ω = {:g} (inferred),  r = {:g},  force {:g} cos Ωt on "
                   "mass 1",
@@ -71,9 +72,8 @@ std::multiset<std::string> words_of_every_frame(const Scene &scene, const std::s
     words.insert(fmt::format("s{} = {:g}", stop.mass, stop.position));
   }
   for (const char *tick : {"-0.4", "-0.2", "0", "0.2", "0.4"}) words.insert(tick);
-  const double from = paper::figure2a_box.from;
-  for (int k = 0; 5.0 * k <= 2.0 * Clock(scene.omega).period; ++k)
-    words.insert(fmt::format("{:g}", from + 5.0 * k));
+  for (double tick = 5.0 * std::ceil(window.lowest / 5.0); tick <= window.highest; tick += 5.0)
+    words.insert(fmt::format("{:g}", tick));
   return words;
 }
 
@@ -85,9 +85,10 @@ TEST(Figure1, EveryFrameShowsTheWordsOfItsTableAndNoOthers) {
   const Scene scene = paper::figure2();
   const auto rows = figures::read_rows(folder + "/chain_motion.csv", 5);
   ASSERT_GT(rows.size(), 100u);
+  const figures::Range window{std::stod(rows.front()[0]), std::stod(rows.back()[0])};
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto texts = texts_of(folder + fmt::format("/motion{:04}.svg", k + 1));
-    std::multiset<std::string> words, expected = words_of_every_frame(scene, rows[k][0]);
+    std::multiset<std::string> words, expected = words_of_every_frame(scene, window, rows[k][0]);
     for (const PlacedText &text : texts) words.insert(text.text);
     for (const std::size_t i : {3u, 4u})
       if (rows[k][i] != "-") expected.insert(rows[k][i]);

@@ -47,7 +47,7 @@ void expect_motion(Columns &columns, const std::string &truth, const AxisBox &bo
       EXPECT_EQ(x[i], stop) << "mass " << mass << " at " << t[i];
     }
   }
-  EXPECT_GT(compared, 100);
+  EXPECT_GT(compared, 10);
 }
 
 // A line across the panel at this height, in the colour of stops and zero lines.
