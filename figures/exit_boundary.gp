@@ -52,7 +52,7 @@ plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \
 unset label 5
 
 eval panel('b')
-eval heading('mass 1 sticks for the last time: the plane of mass 2,  '.known('Ω', omega, 'Ω'))
+eval heading('mass 1 sticks for the last time: the plane of mass 2,  '.known('Ω', omega, 'Ω').',  {/:Italic t} in the period')
 set xlabel '{/:Italic x}_2'; set ylabel '{/:Italic ẋ}_2'
 set xrange [-0.44:-0.08]; set xtics 0.04
 set yrange [-0.15:0.2]; set ytics 0.05
