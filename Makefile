@@ -1,6 +1,7 @@
 # make figures        install what is missing, build, and draw the paper into build/figures: Figure 1, still
 #                     (chain) and moving (motion.gif), Figures 2 to 5, Table I, exit boundaries, the inferred
-#                     frequencies, error against run time; then check every key number
+#                     frequencies, what other procedures give, error against run time; then check every key
+#                     number
 # make test           install what is missing, build, and run every test
 #
 # make figure2 ...    draw one picture

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "checked_numbers.hpp"
+#include "methods/measured.hpp"
 
 namespace vibro_impact::figures {
 
@@ -21,14 +22,17 @@ namespace vibro_impact::figures {
 struct Findings {
   std::vector<CheckedNumber> numbers;
   std::vector<CheckedResult> results;
+  std::vector<comparison::Measured> measured = {};
 };
 
-// The text that belongs to a name: counts, published, "few" with symbols, "class" with a symbol, or
-// a symbol with a format, as in "figure5b_nearest_gap .1e". Throws std::runtime_error for any
-// other.
+// The text that belongs to a name: counts, published, speed, methods, "few" with symbols, "class"
+// with a symbol, or a symbol with a format, as in "figure5b_nearest_gap .1e". Throws
+// std::runtime_error for any other.
 inline std::string text_of(const Findings &findings, const std::string &name) {
   if (name == "counts") return count_of_verdicts(findings.numbers);
   if (name == "published") return count_of_results(findings.results);
+  if (name == "speed") return comparison::sentence_of_speed(findings.measured);
+  if (name == "methods") return "\n" + table_of(comparison::rows_of_methods(findings.measured));
   const auto blank = name.find(' ');
   if (blank == std::string::npos)
     throw std::runtime_error("<!--check " + name + "-->: nothing of that name is computed");

@@ -13,12 +13,25 @@ using namespace vibro_impact;
 // again, in motions whose sticking phases come and go from one frequency to the next.
 constexpr double end_of_sticking = 0.5;
 
+// Whether the motion on one side of a change, followed to the other side, keeps its sticking
+// phases.
+bool goes_on(double omega, double other, int mass, int phases) {
+  const MotionState settled =
+      state_after_periods(paper::figure3(omega), paper::figure4_settling_periods);
+  return figures::followed_sticking_phases(other, mass, settled) == phases;
+}
+
 // The number of sticking phases of a mass changes at a multi-sliding bifurcation, where the hold
 // force touches zero inside a phase, and at a border orbit, where a complete chatter becomes
-// incomplete. `omega` lies on the side with fewer phases: there a phase is about to split.
-const char *kind_of(double omega, int mass) {
+// incomplete. It also changes where the motion from rest jumps from one stable motion to another.
+// On the side of a multi-sliding bifurcation with fewer phases a phase is about to split.
+const char *kind_of(const CountJump &change, int mass) {
+  if (goes_on(change.below, change.above, mass, change.count_below) ||
+      goes_on(change.above, change.below, mass, change.count_above))
+    return "jump";
   constexpr double touching = 1e-6;  // the force grows by 7 per unit of the frequency
-  const Scene scene = paper::figure3(omega);
+  const bool fewer_below = change.count_below < change.count_above;
+  const Scene scene = paper::figure3(fewer_below ? change.below : change.above);
   const MotionState settled =
       stroboscopic_map(scene, start_of(scene), paper::figure4_settling_periods);
   const auto least =
@@ -32,20 +45,24 @@ double phases_per_period(const OrbitRecord &record, int mass) {
 }
 
 // Wherever the number of sticking phases changes from one frequency of the diagram to the next, the
-// place is found by bisection to a width that no plot can show.
+// places are found by bisection to a width that no plot can show. The first change is followed by a
+// search for another one, until the number beyond it is that of the next frequency.
 Table bifurcations(const Grid &grid, const std::vector<OrbitRecord> &records) {
   Table table("mass,kind,omega");
   for (const int mass : {1, 2}) {
     const auto phases = [mass](double omega) {
-      return figures::settled_sticking_phases(omega, mass);
+      return figures::settled_sticking_phases(paper::figure3(omega), mass);
     };
     for (std::size_t i = 1; i < records.size(); ++i) {
-      const double below = grid.values(i - 1).front(), above = grid.values(i).front();
+      double below = grid.values(i - 1).front();
+      const double above = grid.values(i).front();
       if (above > end_of_sticking) break;
       if (phases_per_period(records[i - 1], mass) == phases_per_period(records[i], mass)) continue;
-      const auto jump = bisect(phases, below, above, 1e-9);
-      const double fewer = jump.count_below < jump.count_above ? jump.below : jump.above;
-      table.row(mass, kind_of(fewer, mass), jump.below);
+      while (phases(below) != phases(above)) {
+        const CountJump change = bisect(phases, below, above, 1e-9);
+        table.row(mass, kind_of(change, mass), change.below);
+        below = change.above;
+      }
     }
   }
   return table;

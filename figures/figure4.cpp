@@ -55,7 +55,9 @@ Table force_between_phases(const Scene &scene) {
 void draw(const std::filesystem::path &output) {
   const Scene before = paper::figure4a(), after = paper::figure4b();
   // At the bifurcation the one sticking phase of mass 1 in a forcing period splits in two.
-  const auto phases = [](double omega) { return figures::settled_sticking_phases(omega, 1); };
+  const auto phases = [](double omega) {
+    return figures::settled_sticking_phases(paper::figure3(omega), 1);
+  };
   const Scene at = paper::stops_of_different_sign(bisect(phases, before.omega, after.omega).below);
   write(figures::parameters({before, after, at}), output / "figure4_scenes.csv");
   write(figures::hold_force(before), output / "figure4a.csv");

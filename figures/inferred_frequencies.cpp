@@ -1,8 +1,9 @@
 // The frequencies that the paper's text does not give. Every value of four decimals is tried for
-// Figures 2, 5(a) and 5(b). The values that fit are printed and marked in the table.
+// Figures 2, 5(a) and 5(b). One table says where each condition holds, the other which values fit.
 #include "inferred_frequencies.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "driver.hpp"
 
@@ -15,21 +16,34 @@ using namespace vibro_impact::figures;
 // the end of the sticking region (printed, Section 3.2).
 constexpr double lowest = 0.1, highest = 0.5;
 
-void draw(const std::filesystem::path &output) {
-  Table table("figure,omega,lowest,boxes,text,drawn");
-  const auto add = [&](const char *figure, const Scene &drawn, Trial (*attempt)(double)) {
-    fmt::print("Figure {}:", figure);
-    for (const Trial &trial : scan(lowest, highest, attempt)) {
-      table.row(figure, trial.omega, trial.lowest, int{trial.boxes}, int{trial.text},
-                int{trial.omega == drawn.omega});
-      if (trial.boxes && trial.text) fmt::print(" {}", trial.omega);
+// Where a condition holds: from one frequency tried to another, and all between.
+void add_strips(Table &table, const InferredFigure &figure, const std::vector<Trial> &trials) {
+  for (std::size_t condition = 0; condition < figure.conditions.size(); ++condition)
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      if (!trials[i].met[condition]) continue;
+      const double from = trials[i].omega;
+      while (i + 1 < trials.size() && trials[i + 1].met[condition]) ++i;
+      table.row(figure.name, figure.conditions[condition], condition + 1, from,
+                trials[i].omega);
     }
-    fmt::print(" fit; {} is drawn\n", drawn.omega);
-  };
-  add("2", paper::figure2(), try_figure2);
-  add("5(a)", paper::figure5a(), try_figure5a);
-  add("5(b)", paper::figure5b(), try_figure5b);
-  write(table, output / "inferred_frequencies.csv");
+}
+
+void draw(const std::filesystem::path &output) {
+  Table strips("figure,condition,number,from,to"), fits("figure,omega,decimals,printed,drawn");
+  for (const InferredFigure &figure : inferred_figures()) {
+    const std::vector<Trial> trials = scan(lowest, highest, figure.attempt);
+    add_strips(strips, figure, trials);
+    std::vector<double> fitting;
+    for (const Trial &trial : trials)
+      if (trial.fits()) fitting.push_back(trial.omega);
+    for (const double omega : fitting)
+      fits.row(figure.name, omega, decimals(omega), int{is_printed(omega)},
+               int{omega == figure.drawn.omega});
+    fmt::print("Figure {}: {} fit; the rule chooses {}; {} is drawn\n", figure.name,
+               fmt::join(fitting, ", "), choice_among(fitting), figure.drawn.omega);
+  }
+  write(strips, output / "inferred_frequencies.csv");
+  write(fits, output / "inferred_frequencies_fits.csv");
 }
 
 }  // namespace

@@ -1,32 +1,51 @@
-# The frequencies that the paper's text does not give: every value of four digits against the printed
-# axes and the text. Of the printed axis ends the picture shows the one below the lowest displacement.
+# The frequencies that the paper's text does not give: for each figure one strip for every condition,
+# drawn where the condition holds, and the frequencies that fit, because they meet all of them.
 load 'figures/style.gp'
 
-table = data.'/inferred_frequencies.csv'
+strips = data.'/inferred_frequencies.csv'
+fits = data.'/inferred_frequencies_fits.csv'
 array figure[3] = ['2', '5(a)', '5(b)']
-array lowest[3] = ['{/:Italic x}₂ in (b)', 'displacement', 'displacement']
-array axis_from[3] = [-0.06, -0.05, -0.4]
-array tick[3] = [0.02, 0.05, 0.1]
-# A frequency is drawn once in each of these classes that it is in.
-array class[4] = ['tried', 'fits every printed axis end', 'and does what the text says', 'drawn in the figure']
-array mark[4] = [7, 7, 6, 7]
-array size[4] = [0.5, 1.0, 2, 1.6]
-array line[4] = [4, 5, 1, 2]
-fits(k) = k == 1 || (k == 2 ? column('boxes') == 1 : k == 3 ? column('boxes') * column('text') == 1 : column('drawn') == 1)
-in_class(n, k, value) = strcol('figure') eq figure[n] && fits(k) ? value : NaN
+array conditions[3] = [4, 3, 2]
+half = 0.24           # of the height of a strip
+least = 0.00025       # half the least width at which a strip can be seen
+of(n) = strcol('figure') eq figure[n]
+# The name of a condition, at its first strip.
+named = 0
+name_once(number) = number == named ? '' : (named = number, strcol('condition'))
 
-eval page('inferred_frequencies', 3, 1)
-set xlabel 'Ω'
-set xrange [0.1:0.4]; set xtics 0.05
-set key at graph 0.99, graph 0.98 samplen 1 spacing 1.1
-set tmargin 2
+eval page('inferred_frequencies', 2, 1)
+set xrange [0.1:0.5]; set xtics 0.05
+unset ytics
+set style fill solid noborder
+unset key
+top = 0.985; bottom = 0.075; rows = 4 + 3 + 2 + 3 * 2.5  # strips, and for each figure its fits and heading
+unit = (top - bottom) / rows
+upper = top
 do for [n = 1:3] {
-  eval panel('abc'[n:n])
-  eval heading('Figure '.figure[n].'.  Band: where the printed axis needs the lowest '.lowest[n])
-  set ylabel 'lowest '.lowest[n]
-  set yrange [-0.65:0.35]; set ytics 0.2
-  set object 1 rectangle from graph 0, first axis_from[n] to graph 1, first axis_from[n] + tick[n] fc rgb '#e9f0ec' fs solid noborder behind
-  plot for [k = 1:4] table using (in_class(n, k, column('omega'))):'lowest' \
-      with points pt mark[k] ps size[k] lt line[k] title (n == 2 ? class[k] : ''), \
-    '' using (in_class(n, 3, column('omega'))):(0.1):(sprintf('{/*0.8 %.4f}', column('omega'))) with labels rotate by 90 left
+  set lmargin at screen 0.03; set rmargin at screen 0.7
+  lower = upper - (conditions[n] + 2.5) * unit
+  set tmargin at screen upper - 0.55 * unit; set bmargin at screen lower + 0.15 * unit
+  if (n == 3) { set xlabel 'Ω'; set format x '%g' } else { unset xlabel; set format x '' }
+  set yrange [conditions[n] + 2.1:0.4]
+  unset label
+  set label 4 'Figure '.figure[n] at graph 0, graph 1 offset 0, 0.6
+  set label 5 'all of them: it fits' at graph 1, first conditions[n] + 1.7 offset 0.8, 0 font ',18'
+  unset arrow
+  do for [known in '0.2 0.256 0.2561'] {
+    set arrow from first known + 0, graph 0 to first known + 0, graph 1 nohead lt 3 lw 1.2 front
+  }
+  if (n == 1) {
+    set label 6 '0.2' at 0.2, graph 1 offset 0.5, 0.6 right font ',18'
+    set label 7 '0.256, 0.2561 (Figure 4)' at 0.256, graph 1 offset -3.5, 0.6 left font ',18'
+  }
+  named = 0
+  plot strips using (of(n) ? 0.5 * (column('from') + column('to')) : NaN):'number': \
+      (column('from') - least):(column('to') + least):(column('number') - half):(column('number') + half) \
+      with boxxyerror lc rgb '#8fb3a0', \
+    strips using (of(n) ? 0.5 : NaN):'number':(name_once(column('number'))) with labels left offset 0.8, 0 font ',18', \
+    fits using (of(n) && column('drawn') == 0 ? column('omega') : NaN):(conditions[n] + 1.7) with points pt 7 ps 1.3 lt 4, \
+    '' using (of(n) && column('drawn') == 1 ? column('omega') : NaN):(conditions[n] + 1.7) with points pt 7 ps 1.9 lt 2, \
+    '' using (of(n) ? column('omega') : NaN):(conditions[n] + 1.45):(sprintf('%g', column('omega'))) \
+      with labels rotate by 90 left font ',15'
+  upper = lower
 }

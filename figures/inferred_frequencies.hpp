@@ -1,16 +1,21 @@
-// The forcing frequencies of Figures 2, 5(a) and 5(b), which the paper's text does not give. A
-// value of four decimals fits a figure if the motion fills the printed axes and does what the text
-// says. Where several values fit, the one drawn is our choice among them, and nothing computed
-// prefers it.
+// The forcing frequencies of Figures 2, 5(a) and 5(b), which the paper's text does not give.
+//
+// The rule of choice. A value of at most four decimals fits if the motion from rest fills the
+// printed axes and does what the text says in the window shown. Among the values that fit, one that
+// the paper prints of another figure comes first, then the one with the fewest decimals. The rule
+// makes a value the most likely one. It does not make it known.
 //
 // The paper's plots are autoscaled: an axis ends at the first tick beyond the data. So each end of
 // a printed axis says between which two ticks the extreme of the data lies. We assume that data
 // which reach a stop exceed it a little, by the tolerance of the paper's simulation: an axis ends
-// at 0.12 above a stop at 0.1, ticks 0.02 apart.
+// at 0.12 above a stop at 0.1, ticks 0.02 apart. A mass reaches its stop in every impact.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "figures/panel.hpp"
@@ -37,11 +42,14 @@ inline bool fills_abscissa(const Range &data, const paper::AxisBox &box) {
   return fills(data, {box.from, box.to}, box.tick_across);
 }
 
-// A figure at one trial frequency. `lowest` is the lowest displacement in the panel drawn.
+// A figure at one trial frequency: which of its conditions the motion meets, in their order.
 struct Trial {
-  double omega = 0.0, lowest = 0.0;
-  bool boxes = false;  // the displacements fill the printed axes
-  bool text = false;   // the motion does what the text says, in the window shown
+  double omega = 0.0;
+  std::vector<bool> met = {};
+
+  bool fits() const {
+    return std::all_of(met.begin(), met.end(), [](bool condition) { return condition; });
+  }
 };
 
 // A window has 2000 samples: an extreme is missed by (50 / 2000)^2 x'' / 8 at most, a thousandth of
@@ -50,35 +58,90 @@ inline SampleRecorder scan_samples(const paper::AxisBox &box) {
   return samples_across(box, (box.to - box.from) / 2000.0);
 }
 
+// The displacements of a mass that a window shows: its samples, and its stop if it hits it there.
+inline Range shown(const Scene &scene, int mass, const SampleRecorder &samples,
+                   const std::vector<Event> &events) {
+  Range range = range_of(samples, mass);
+  for (const Event &event : events)
+    if (event.mass == mass && event.kind == EventKind::impact && event.time >= samples.from &&
+        event.time <= samples.to)
+      range.include(scene.stops[static_cast<std::size_t>(mass - 1)].position);
+  return range;
+}
+
+// The displacements of both masses.
+inline Range shown(const Scene &scene, const SampleRecorder &samples,
+                   const std::vector<Event> &events) {
+  Range both = shown(scene, 1, samples, events);
+  const Range second = shown(scene, 2, samples, events);
+  both.include(second.lowest);
+  both.include(second.highest);
+  return both;
+}
+
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
-// A chatter that ends in sticking: its first impact and the stick, or `never`.
-inline Range chatter_in(const std::vector<Event> &events, int mass, const paper::AxisBox &box) {
-  double first_impact = never;  // since the mass was released
+// A chatter that ends in sticking. All times are `never` if there is none.
+struct Chatter {
+  double first_impact = never;      // since the mass was released
+  double last_bounce_ends = never;  // of the flights higher than `height`
+  double stick = never;
+};
+
+// The first chatter of a mass that ends in sticking after `from`, with its flights higher than
+// `height`. A flight of duration T that begins at speed v rises by v T / 4, because the
+// acceleration is nearly constant over a late flight of a chatter.
+inline Chatter chatter_after(const std::vector<Event> &events, int mass, double from,
+                             double height = 0.0) {
+  Chatter chatter;
+  const Event *impact = nullptr;  // the one before
   for (const Event &event : events) {
-    if (event.mass != mass || event.time > box.to) continue;
-    if (event.kind == EventKind::release) first_impact = never;
-    if (event.kind == EventKind::impact && std::isnan(first_impact)) first_impact = event.time;
-    if (event.kind == EventKind::stick && event.time >= box.from) return {first_impact, event.time};
+    if (event.mass != mass) continue;
+    if (event.kind == EventKind::release) {
+      chatter = {};
+      impact = nullptr;
+      continue;
+    }
+    if (event.kind == EventKind::stick && event.time >= from) {
+      chatter.stick = event.time;
+      return chatter;
+    }
+    if (event.kind != EventKind::impact) continue;
+    if (std::isnan(chatter.first_impact)) chatter.first_impact = event.time;
+    if (impact && std::abs(impact->velocity_after) * (event.time - impact->time) / 4 > height) {
+      chatter.last_bounce_ends = event.time;
+    }
+    impact = &event;
   }
-  return {never, never};
+  return {};
+}
+
+// What a plot cannot show: less than a thousandth of its ordinate.
+inline double invisible(const paper::AxisBox &box) {
+  return (box.highest - box.lowest) / 1000.0;
 }
 
 // Figure 2. The text: each mass has one complete chatter and sticking period in every forcing
-// period, and (b) is a close-up of the chatter of mass 2. We assume that the window of (b) ends at
-// the first ticks beyond that chatter.
+// period, and (b) is a close-up of the chatter of mass 2. So the window of (b) has to show the
+// chatter from its first impact to the end of its last visible bounce. We assume that the author
+// set its right end to the first tick beyond that bounce.
 inline Trial try_figure2(double omega) {
+  const Scene scene = paper::stops_of_different_sign(omega);
   const paper::AxisBox &a = paper::figure2a_box, &b = paper::figure2b_box;
   SampleRecorder samples = scan_samples(a), close_up = scan_samples(b);
-  EventRecorder events{a.to - 10.0 * Clock(omega).period};
-  require_complete(simulate(paper::stops_of_different_sign(omega), a.to, all_visible_chatter,
-                            samples, close_up, events));
+  const double ten_periods_before = a.to - 10.0 * Clock(omega).period;
+  EventRecorder events{std::min(ten_periods_before, b.from - Clock(omega).period)};
+  require_complete(simulate(scene, a.to, all_visible_chatter, samples, close_up, events));
   int sticks[] = {0, 0};
   for (const Event &event : events.events)
-    if (event.kind == EventKind::stick) ++sticks[event.mass - 1];
-  const Range close = range_of(close_up, 2);
-  return {omega, close.lowest, fills_ordinate(range_of(samples), a) && fills_ordinate(close, b),
-          sticks[0] == 10 && sticks[1] == 10 && fills_abscissa(chatter_in(events.events, 2, b), b)};
+    if (event.kind == EventKind::stick && event.time >= ten_periods_before)
+      ++sticks[event.mass - 1];
+  const Chatter chatter = chatter_after(events.events, 2, b.from, invisible(b));
+  return {omega,
+          {fills_ordinate(shown(scene, samples, events.events), a),
+           fills_ordinate(shown(scene, 2, close_up, events.events), b),
+           sticks[0] == 10 && sticks[1] == 10,
+           chatter.first_impact >= b.from && chatter.last_bounce_ends <= b.to}};
 }
 
 // Figure 5(a). The text: mass 1 has a complete chatter and sticking sequence, mass 2 has two
@@ -91,29 +154,32 @@ inline Trial try_figure5a(double omega) {
   SampleRecorder samples = scan_samples(box);
   EventRecorder events{box.from - period};
   require_complete(simulate(scene, box.to + period, all_visible_chatter, samples, events));
-  const Range chatter = chatter_in(events.events, 1, box), data = range_of(samples);
+  const Chatter chatter = chatter_after(events.events, 1, box.from);
   int impacts = 0;  // of mass 2 while mass 1 sticks
   double last = never;
   for (const Event &event : events.events) {
-    if (!(event.time > chatter.highest)) continue;
-    if (event.mass == 1) break;
+    if (!(event.time > chatter.stick)) continue;
+    if (event.mass == 1) break;  // its release
+    if (event.kind != EventKind::impact) continue;
     ++impacts;
     last = event.time;
   }
-  return {omega, data.lowest, fills_ordinate(data, box),
-          chatter.lowest >= box.from && impacts == 2 && last <= box.to};
+  return {omega,
+          {fills_ordinate(shown(scene, samples, events.events), box),
+           chatter.first_impact >= box.from && chatter.stick <= box.to,
+           impacts == 2 && last <= box.to}};
 }
 
 // Figure 5(b). The text: at t of about 920 mass 2 grazes its stop while mass 1 is stuck. Grazing is
-// to come within what a plot can show, a thousandth of the box; about 920 is nearer to 920 than to
-// 919 or 921. A mass that sticks stands exactly where its stop is.
+// to come so close that a plot does not show the gap. About 920 is nearer to 920 than to 919 or
+// 921. A mass that sticks stands exactly where its stop is.
 inline Trial try_figure5b(double omega) {
   Scene scene = paper::figure5b();
   scene.omega = omega;
   const paper::AxisBox &box = paper::figure5b_box;
   SampleRecorder samples = scan_samples(box);
-  require_complete(simulate(scene, box.to, all_visible_chatter, samples));
-  const Range data = range_of(samples);
+  EventRecorder events{box.from};
+  require_complete(simulate(scene, box.to, all_visible_chatter, samples, events));
   double time = never, gap = std::numeric_limits<double>::infinity();  // mass 2 nearest its stop
   for (std::size_t i = 0; i < samples.times.size(); ++i) {
     const double x1 = samples.displacements[2 * i], x2 = samples.displacements[2 * i + 1];
@@ -121,8 +187,63 @@ inline Trial try_figure5b(double omega) {
     time = samples.times[i];
     gap = scene.stops[1].position - x2;
   }
-  return {omega, data.lowest, fills_ordinate(data, box),
-          gap <= (box.highest - box.lowest) / 1000.0 && std::abs(time - 920.0) <= 0.5};
+  return {omega,
+          {fills_ordinate(shown(scene, samples, events.events), box),
+           gap <= invisible(box) && std::abs(time - 920.0) <= 0.5}};
+}
+
+// A figure whose frequency is inferred, the names of its conditions, and the scene drawn.
+struct InferredFigure {
+  const char *name;
+  Trial (*attempt)(double omega);
+  std::vector<const char *> conditions;
+  Scene drawn;
+};
+
+inline std::vector<InferredFigure> inferred_figures() {
+  return {{"2",
+           try_figure2,
+           {"displacements fill the axes of (a)", "x₂ fills the axes of (b)",
+            "each mass sticks once a period", "(b) shows the visible bounces of mass 2"},
+           paper::figure2()},
+          {"5(a)",
+           try_figure5a,
+           {"displacements fill the axes", "mass 1 chatters and sticks in the window",
+            "mass 2 hits twice while mass 1 sticks"},
+           paper::figure5a()},
+          {"5(b)",
+           try_figure5b,
+           {"displacements fill the axes", "mass 2 grazes at 920 as mass 1 sticks"},
+           paper::figure5b()}};
+}
+
+// The number of decimals of a multiple of 1e-4.
+inline int decimals(double omega) {
+  long digits = std::lround(omega * 1e4);
+  int count = 4;
+  for (; count > 0 && digits % 10 == 0; digits /= 10) --count;
+  return count;
+}
+
+// Whether the paper prints this frequency, of Figure 4 or of Figure 5(c).
+inline bool is_printed(double omega) {
+  return omega == paper::figure4a().omega || omega == paper::figure4b().omega ||
+         omega == paper::figure5c().omega;
+}
+
+// The rule of choice among the frequencies that fit. Throws std::runtime_error if none does, or if
+// the rule leaves several.
+inline double choice_among(const std::vector<double> &fitting) {
+  const auto rank = [](double omega) { return is_printed(omega) ? 0 : 1 + decimals(omega); };
+  int best = std::numeric_limits<int>::max();
+  for (const double omega : fitting) best = std::min(best, rank(omega));
+  std::vector<double> left;
+  for (const double omega : fitting)
+    if (rank(omega) == best) left.push_back(omega);
+  if (left.size() != 1)
+    throw std::runtime_error("the rule of choice leaves " + std::to_string(left.size()) +
+                             " frequencies of " + std::to_string(fitting.size()) + " that fit");
+  return left.front();
 }
 
 // Tries every multiple of 1e-4 from `from` to `to`, in order.

@@ -118,11 +118,16 @@ inline double hold_force_peak_of_figure4a() {
 
 // --- Figure 5 --------------------------------------------------------------------------------
 
-// Impacts of mass 2 from the stick of mass 1 on, to the end of the window of Figure 5(a).
-inline double impacts_while_stuck_in_figure5a() {
-  const paper::AxisBox box = paper::figure5a_box;
-  const double from = first_time(paper::figure5a(), EventKind::stick, 1, box);
-  return count(events_of(paper::figure5a(), box.to, from), EventKind::impact, 2);
+// Impacts of mass 2 in the sticking phase of mass 1 in the window of Figure 5(a).
+inline std::vector<Event> impacts_while_stuck_in_figure5a() {
+  std::vector<Event> events = events_of(paper::figure5a(), paper::figure5a_box.to);
+  const double stick = first_time(events, EventKind::stick, 1, paper::figure5a_box.from),
+               release = first_time(events, EventKind::release, 1, stick);
+  std::erase_if(events, [&](const Event &event) {
+    return event.kind != EventKind::impact || event.mass != 2 || event.time < stick ||
+           event.time > release;
+  });
+  return events;
 }
 
 inline MotionState figure5b_at(double time) {
@@ -165,7 +170,20 @@ double changing_frequency(const Count &count, double one, double other) {
 }
 
 inline double changing_frequency(const paper::StickingChange &change) {
-  const auto sticks = [&](double omega) { return settled_sticking_phases(omega, change.mass); };
+  const auto sticks = [&](double omega) {
+    return settled_sticking_phases(paper::figure3(omega), change.mass);
+  };
+  return changing_frequency(sticks, change.near, change.far);
+}
+
+// The motion that settles below the jump, followed upwards to the frequency at which it ends.
+inline double end_of_the_motion_below_the_jump() {
+  const paper::StickingChange change = paper::border_beyond_the_jump();
+  const MotionState settled =
+      state_after_periods(paper::figure3(change.near), paper::figure4_settling_periods);
+  const auto sticks = [&](double omega) {
+    return followed_sticking_phases(omega, change.mass, settled);
+  };
   return changing_frequency(sticks, change.near, change.far);
 }
 
@@ -204,13 +222,18 @@ inline const std::map<std::string, double (*)()> &key_number_functions() {
       {"figure2_x1_max", [] { return range_in(figure2(), 1, figure2a_box).highest; }},
       {"figure2b_x2_min", [] { return range_in(figure2(), 2, figure2b_box).lowest; }},
       {"figure2b_chatter_start", [] { return first_time(figure2(), impact, 2, figure2b_box); }},
-      {"figure2b_chatter_end", [] { return first_time(figure2(), stick, 2, figure2b_box); }},
+      {"figure2b_chatter_end",
+       [] { return first_time(events_of(figure2(), 750.0), stick, 2, figure2b_box.from); }},
       {"figure3_sticks_of_mass_1_at_0_65", [] { return sticks_of_mass_1(paper::figure3(0.65)); }},
       {"figure4a_sticks_of_mass_1", [] { return sticks_of_mass_1(figure4a()); }},
       {"figure4b_sticks_of_mass_1", [] { return sticks_of_mass_1(figure4b()); }},
       {"figure4a_hold_force_peak", hold_force_peak_of_figure4a},
       {"figure5a_stick_time", [] { return first_time(figure5a(), stick, 1, figure5a_box); }},
-      {"figure5a_impacts_while_stuck", impacts_while_stuck_in_figure5a},
+      {"figure5a_release_time", [] { return first_time(figure5a(), release, 1, figure5a_box); }},
+      {"figure5a_first_impact_while_stuck",
+       [] { return impacts_while_stuck_in_figure5a().at(0).time; }},
+      {"figure5a_impacts_while_stuck",
+       [] { return static_cast<double>(impacts_while_stuck_in_figure5a().size()); }},
       {"figure5b_nearest_time", nearest_time_of_figure5b},
       {"figure5b_nearest_gap", nearest_gap_of_figure5b},
       {"figure5b_x2_min", [] { return range_in(figure5b(), 2, figure5b_box).lowest; }},
@@ -219,6 +242,7 @@ inline const std::map<std::string, double (*)()> &key_number_functions() {
       {"figure5c_impacts_before_release", impacts_before_the_release_of_figure5c},
       {"figure5c_bounce_interval", bounce_interval_of_figure5c},
       {"figure5c_dual_sticks", [] { return dual_sticks(figure5c_reduced(), figure5c_box.to); }},
+      {border_beyond_the_jump().symbol, end_of_the_motion_below_the_jump},
       {"grazing_mass_2_figure5b", grazing_frequency}};
   return functions;
 }

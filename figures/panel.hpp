@@ -123,11 +123,19 @@ inline Table hold_force(const Scene &scene) {
   return table;
 }
 
-// The sticking phases of a mass in four forcing periods of the settled motion from rest, in the
-// scene of Figures 2 to 4. Motions of period 1, 2 and 4 give the same count in every window.
-inline int settled_sticking_phases(double omega, int mass) {
-  return sticking_phases(paper::stops_of_different_sign(omega), mass,
-                         paper::figure4_settling_periods, 4);
+// The sticking phases of a mass in four forcing periods of the motion that a scene settles to.
+// Motions of period 1, 2 and 4 give the same count in every window.
+inline int settled_sticking_phases(const Scene &scene, int mass) {
+  return sticking_phases(scene, mass, paper::figure4_settling_periods, 4);
+}
+
+// The same at the stops of Figures 2 to 4, of the motion followed to this frequency from the motion
+// that settles at another one.
+inline int followed_sticking_phases(double omega, int mass, const MotionState &settled) {
+  Scene scene = paper::figure3(omega);
+  scene.displacement = settled.displacement;
+  scene.velocity = settled.velocity;
+  return settled_sticking_phases(scene, mass);
 }
 
 }  // namespace vibro_impact::figures

@@ -4,10 +4,8 @@
 // to lie between the two ticks where the printed axis ends. A count must be equal. The statement
 // that something happens holds for every count from one on.
 //
-// The text reads the edges of two windows off Figure 3 ("0.3 <~ Omega <~ 0.35"). The ticks of that
-// figure stand 0.05 apart. By eye a value between two ticks is read to about a tenth of their
-// distance, 0.005. This is also half a unit of the second decimal, the last one that these readings
-// have. A computed edge within 0.005 of a reading is close to it.
+// The text reads the edges of two windows off Figure 3 ("0.3 <~ Omega <~ 0.35"). The readings have
+// two decimals. A computed edge is close to a reading if it is that number to two decimals.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,8 +18,6 @@
 #include "reference/table_reader.hpp"
 
 namespace vibro_impact::figures {
-
-constexpr double reading_error = 0.05 / 10.0;  // of a frequency read off Figure 3
 
 enum class Verdict { agrees, close, differs, depends_on_an_inferred_value, not_in_the_paper };
 constexpr Verdict all_verdicts[] = {Verdict::agrees, Verdict::close, Verdict::differs,

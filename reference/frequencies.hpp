@@ -25,6 +25,10 @@ struct Bracket {
 /// the settled one, and counted over. The slowest motion to settle is that at border_mass_2_3.
 constexpr int settling_from_rest = 300, settling_from_near = 10, counted = 4;
 
+/// Both motions at the jump are reached within 60 periods from rest, to the same frequency in
+/// double precision as after 800.
+constexpr int settling_of_a_jump = 100;
+
 /// A chatter followed down to a speed v tells whether it is complete where the frequency is farther
 /// from the change than some 500 v (measured at border_mass_2_4).
 inline const Real chatter_floor = Real("1e-22");
@@ -60,6 +64,13 @@ inline State extrapolated(const Settled &one, const Settled &other, const Real &
   return state;
 }
 
+/// Throws std::logic_error if the counts at the ends of the bracket agree.
+inline void require_change(const Bracket &bracket, std::size_t near, std::size_t far) {
+  if (near == far)
+    throw std::logic_error("the counts at " + bracket.near.str(10) + " and " + bracket.far.str(10) +
+                           " agree");
+}
+
 /// The frequency between the ends of the bracket at which the count changes. The settled motion is
 /// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
 /// known to have the same count as `near`, so that the unsettled part of a trial is small beside
@@ -81,9 +92,7 @@ inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count)
   Settled before = settled_at(2 * bracket.near - bracket.far), last = settled_at(bracket.near),
           beyond = settled_at(bracket.far);
   const std::size_t count_near = count_at(bracket.near, last.state);
-  if (count_at(bracket.far, beyond.state) == count_near)
-    throw std::logic_error("the counts at " + bracket.near.str(8) + " and " + bracket.far.str(8) +
-                           " agree");
+  require_change(bracket, count_near, count_at(bracket.far, beyond.state));
   while (abs(bracket.far - bracket.near) > bracket_width) {
     const Real middle = (bracket.near + bracket.far) / 2;
     Settled trial{middle, extrapolated(before, last, middle)};
@@ -98,6 +107,26 @@ inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count)
   return bracket.far;
 }
 
+/// The frequency between the ends of the bracket at which the count of the motion from rest jumps.
+/// Every trial starts at rest and settles for `settling` periods.
+inline Real jumping_frequency(Scene scene, Bracket bracket, int settling, const Count &count) {
+  const Resolution resolution = resolution_down_to(chatter_floor);
+  const auto count_at = [&](const Real &frequency) {
+    scene.chain.frequency = frequency;
+    Run run;
+    State state = initial_state(scene, resolution, run);
+    carried_on(scene, state, settling, resolution);
+    return count(carried_on(scene, state, counted, resolution));
+  };
+  const std::size_t count_near = count_at(bracket.near);
+  require_change(bracket, count_near, count_at(bracket.far));
+  while (abs(bracket.far - bracket.near) > bracket_width) {
+    const Real middle = (bracket.near + bracket.far) / 2;
+    (count_at(middle) == count_near ? bracket.near : bracket.far) = middle;
+  }
+  return bracket.far;
+}
+
 /// Of a change in the number of sticking phases of a mass.
 inline Real changing_frequency(const vibro_impact::paper::StickingChange &change) {
   const auto sticks = [mass = static_cast<std::size_t>(change.mass - 1)](const Run &run) {
@@ -106,7 +135,10 @@ inline Real changing_frequency(const vibro_impact::paper::StickingChange &change
           return event.kind == Event::Kind::stick && event.mass == mass;
         }));
   };
-  return changing_frequency(scene_named("figure2"), {Real(change.near), Real(change.far)}, sticks);
+  const Scene scene = in_digits(vibro_impact::paper::figure3(change.near), 0.0);
+  const Bracket bracket{Real(change.near), Real(change.far)};
+  return change.jump ? jumping_frequency(scene, bracket, settling_of_a_jump, sticks)
+                     : changing_frequency(scene, bracket, sticks);
 }
 
 /// Of Figure 5(b): where the greatest displacement of mass 2, its stop taken away, reaches that

@@ -88,7 +88,7 @@ inline void add_figure2(Numbers &numbers) {
   add(numbers, "figure2b_x2_min", extremes(run, from, to).lowest[mass_2]);
   add(numbers, "figure2b_chatter_start", first(run, Kind::impact, mass_2, from, to).time);
   add(numbers, "figure2b_chatter_end",
-      completion(scene, first(run, Kind::stick, mass_2, from, to)));
+      completion(scene, first(run, Kind::stick, mass_2, from, scene.end_time)));
   add_count(numbers, "figure2_sticks", count(run, Kind::stick));
   add_count(numbers, "figure2_releases", count(run, Kind::release));
 }
@@ -111,6 +111,8 @@ inline void add_figures_3_and_4(Numbers &numbers) {
           least_pressing(figure4a, run4a, mass_1, figure4a.end_time - two_periods));
   for (const auto &change : vibro_impact::paper::sticking_changes())
     numbers[change.symbol] = changing_frequency(change).str(18);
+  const auto beyond = vibro_impact::paper::border_beyond_the_jump();
+  numbers[beyond.symbol] = changing_frequency(beyond).str(18);
 }
 
 inline void add_figure5(Numbers &numbers) {
@@ -119,8 +121,12 @@ inline void add_figure5(Numbers &numbers) {
   const Run run_a = run_of(a), run_b = run_of(b), run_c = run_of(c);
   const Real stick = completion(a, first(run_a, Kind::stick, mass_1, Real(950), Real(964)));
   add(numbers, "figure5a_stick_time", stick);
+  const Real end_of_stick = first(run_a, Kind::release, mass_1, stick, Real(964)).time;
+  add(numbers, "figure5a_release_time", end_of_stick);
+  add(numbers, "figure5a_first_impact_while_stuck",
+      first(run_a, Kind::impact, mass_2, stick, end_of_stick).time);
   add_count(numbers, "figure5a_impacts_while_stuck",
-            count(run_a, Kind::impact, mass_2, stick, Real(964)));
+            count(run_a, Kind::impact, mass_2, stick, end_of_stick));
   const Extremes while_stuck = extremes(run_b, Real(916), Real(930), mass_1);
   add(numbers, "figure5b_nearest_time", while_stuck.highest_at[mass_2]);
   add(numbers, "figure5b_nearest_gap", b.stops[mass_2].position - while_stuck.highest[mass_2]);

@@ -33,9 +33,10 @@ inline Scene stops_of_different_sign(double omega) {
   return two_masses({1, Side::lower, -0.3}, {2, Side::upper, 0.1}, 0.7, omega);
 }
 
-// Figure 2. Inferred (inferred_frequencies.hpp): Omega = 0.2797, our choice among six that fit.
+// Figure 2. Inferred (inferred_frequencies.hpp): Omega = 0.2, the only value that fits and has one
+// decimal.
 inline Scene figure2() {
-  return stops_of_different_sign(0.2797);
+  return stops_of_different_sign(0.2);
 }
 
 // Figure 3. Printed: Omega from 0.25 to 0.7 (Section 3.2 and the axis).
@@ -52,9 +53,9 @@ inline Scene figure4b() {
 }
 
 // Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Inferred (inferred_frequencies.hpp):
-// Omega = 0.1769, our choice among four that fit.
+// Omega = 0.2561, the only value that fits and is printed elsewhere (caption of Figure 4).
 inline Scene figure5a() {
-  return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.1769);
+  return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.2561);
 }
 
 // Figure 5(b). Printed: s2 "moved to" 0.45, so that s1 stays at 0.3, and r = 0.001 (Section 3.3).

@@ -17,8 +17,8 @@ struct Stretch {
   double from, until;
 };
 
-/// Two whole motions of ten forcing periods from rest, and three pieces of the fourth period of
-/// Figure 2: a flight with the impact that ends it, a chatter sequence of mass 2 with the stick
+/// Two whole motions of ten forcing periods from rest, and three pieces of Figure 2 after three of
+/// its periods: a flight with the impact that ends it, a chatter sequence of mass 2 with the stick
 /// that ends it, and the sticking phase after it with its release.
 inline std::vector<Stretch> stretches() {
   const auto ten_periods = [](const char *scene) {
@@ -27,9 +27,9 @@ inline std::vector<Stretch> stretches() {
   };
   return {{"figure2", "figure2", 0.0, ten_periods("figure2")},
           {"figure4", "figure4a", 0.0, ten_periods("figure4a")},
-          {"flight", "figure2", 64.25, 65.75},
-          {"chatter", "figure2", 67.5, 70.5},
-          {"sticking", "figure2", 70.5, 72.0}};
+          {"flight", "figure2", 117.5, 119.5},
+          {"chatter", "figure2", 121.0, 125.5},
+          {"sticking", "figure2", 125.5, 133.0}};
 }
 
 struct StretchRun {

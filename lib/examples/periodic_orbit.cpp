@@ -8,7 +8,7 @@
 
 int main() {
   using namespace vibro_impact;
-  const Scene scene = paper_scene(0.2797);
+  const Scene scene = paper_scene(0.2);
 
   const MotionState guess = at_quiet_phase(scene, state_after_periods(scene, 5));
   const PeriodicOrbit orbit = find_periodic_orbit(scene, guess);

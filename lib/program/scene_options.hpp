@@ -15,7 +15,7 @@ namespace vibro_impact::runner {
 // the scenes of the paper.
 struct SceneOptions {
   int masses = 2;
-  double beta = 0.1, restitution = 0.7, omega = 0.2797;
+  double beta = 0.1, restitution = 0.7, omega = 0.2;
   std::string mass = "1", stiffness = "1", displacement = "0", velocity = "0";
   std::string amplitude = {};  // empty: 0.5 on mass 1, however many masses there are
   std::string sine = "0", constant = "0", ground = "0", file = {};

@@ -31,7 +31,7 @@ TEST(Documents, ANumberOfFiveDigitsThatIsNoKeyNumberIsFound) {
   EXPECT_EQ(unknown("from 715.5616 to 715.5617, 715.56156 and -715.561564511"), Words{"715.5617"});
   EXPECT_EQ(unknown("a gap of 7.5382e-05, not 7.5381e-05"), Words{"7.5381e-05"});
   EXPECT_EQ(unknown("0.29655-0.33098"), (Words{"0.29655", "0.33098"}));
-  EXPECT_EQ(unknown("four digits: 0.2797, 12.33, 0.0025; doi 10.1007/s11071-006-0757-7"), Words{});
+  EXPECT_EQ(unknown("four digits: 0.2561, 12.33, 0.0025; doi 10.1007/s11071-006-0757-7"), Words{});
   EXPECT_EQ(unknown("```\n0.123456\n```\n0.123457\n"), Words{"0.123457"});
 }
 

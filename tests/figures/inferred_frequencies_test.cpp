@@ -26,39 +26,89 @@ TEST(AxisRule, AnAxisEndsAtTheFirstTickBeyondTheData) {
   EXPECT_FALSE(fills({}, axis, 0.1)) << "no data";
 }
 
-// The frequencies between the given ones that boxes and text leave.
-std::vector<double> left_between(double from, double to, Trial (*attempt)(double omega)) {
+// A mass that hits its stop between two samples reaches it, although no sample is there.
+TEST(AxisRule, AnImpactReachesTheStop) {
+  const Scene scene = paper::figure2();
+  SampleRecorder samples{.from = 716.0, .to = 716.02, .every = 0.015};
+  EventRecorder events{samples.from};
+  require_complete(simulate(scene, samples.to, samples, events));
+  ASSERT_EQ(std::count_if(events.events.begin(), events.events.end(),
+                          [](const Event &event) { return event.mass == 2; }),
+            1);
+  EXPECT_LT(range_of(samples, 2).highest, 0.1 - 1e-4);
+  EXPECT_EQ(shown(scene, 2, samples, events.events).highest, 0.1);
+  EXPECT_LT(shown(scene, 2, samples, {}).highest, 0.1 - 1e-4);
+}
+
+// The frequencies of four decimals between the given ones that fit.
+std::vector<double> fitting(double from, double to, Trial (*attempt)(double omega)) {
   std::vector<double> left;
   for (const Trial &trial : scan(from, to, attempt))
-    if (trial.boxes && trial.text) left.push_back(trial.omega);
+    if (trial.fits()) left.push_back(trial.omega);
   return left;
 }
 
-// The table of figures/README.md. Ranges around what is left, in place of all 4,000 values.
-TEST(InferredFrequencies, BoxesAndTextLeaveThoseOfTheTable) {
-  EXPECT_EQ(left_between(0.2083, 0.2093, try_figure2), std::vector{0.2088});
-  EXPECT_EQ(left_between(0.2349, 0.2359, try_figure2), std::vector{0.2354});
-  EXPECT_EQ(left_between(0.2526, 0.2536, try_figure2), std::vector{0.2531});
-  EXPECT_EQ(left_between(0.2791, 0.2805, try_figure2), std::vector{paper::figure2().omega});
-  EXPECT_EQ(left_between(0.3495, 0.3503, try_figure2), std::vector{0.3499});
-  EXPECT_EQ(left_between(0.3582, 0.3590, try_figure2), std::vector{0.3586});
-  EXPECT_EQ(left_between(0.1700, 0.1704, try_figure5a), std::vector{0.1702});
-  EXPECT_EQ(left_between(0.1765, 0.1780, try_figure5a), std::vector{paper::figure5a().omega});
-  EXPECT_EQ(left_between(0.1900, 0.1904, try_figure5a), std::vector{0.1902});
-  EXPECT_EQ(left_between(0.2559, 0.2563, try_figure5a), std::vector{0.2561});
-  EXPECT_EQ(left_between(0.2985, 0.3005, try_figure5b), std::vector{paper::figure5b().omega});
+// The frequencies that figures/README.md lists, searched for around each of them in place of all
+// 4,001 values (`make inferred_frequencies`).
+struct Listed {
+  InferredFigure figure;
+  std::vector<double> frequencies;
+};
+
+std::vector<Listed> listed() {
+  const std::vector<InferredFigure> figures = inferred_figures();
+  return {
+      {figures[0], {0.1825, 0.1912, 0.2, 0.2088, 0.2354, 0.2531, 0.2797, 0.3499, 0.3586}},
+      {figures[1], {0.1702, 0.1769, 0.1902, 0.2561}},
+      {figures[2], {0.2995}},
+  };
 }
 
-TEST(InferredFrequencies, ValuesBesideThemBreakTheBoxesOrTheText) {
-  EXPECT_FALSE(try_figure2(0.28).boxes) << "x2 stays above 0.013 in (b)";
-  EXPECT_FALSE(try_figure2(0.28).text) << "the chatter began before the window, at 714.80";
-  EXPECT_FALSE(try_figure2(0.2901).text) << "the chatter began before the window";
-  EXPECT_FALSE(try_figure2(0.2709).boxes) << "lowest displacement below -0.5";
-  EXPECT_TRUE(try_figure5a(0.1973).boxes);
-  EXPECT_FALSE(try_figure5a(0.1973).text) << "mass 2 does not hit twice while mass 1 sticks";
-  EXPECT_FALSE(try_figure5b(0.2996).boxes) << "lowest displacement -0.248";
-  EXPECT_TRUE(try_figure5b(0.2996).text);
-  EXPECT_FALSE(try_figure5b(0.2998).text) << "at 918.94, not at about 920";
+TEST(InferredFrequencies, AxesAndTextLeaveThoseOfTheList) {
+  for (const Listed &of : listed())
+    for (const double omega : of.frequencies)
+      EXPECT_EQ(fitting(omega - 4e-4, omega + 4e-4, of.figure.attempt), std::vector{omega})
+          << of.figure.name;
+}
+
+TEST(InferredFrequencies, TheRuleOfChoiceLeavesTheOneThatIsDrawn) {
+  for (const Listed &of : listed())
+    EXPECT_EQ(choice_among(of.frequencies), of.figure.drawn.omega) << of.figure.name;
+  EXPECT_EQ(choice_among({0.2, 0.2561}), 0.2561) << "printed comes before few decimals";
+  EXPECT_EQ(choice_among({0.2531, 0.25}), 0.25);
+  EXPECT_THROW(choice_among({0.2531, 0.2088}), std::runtime_error) << "no choice is left";
+  EXPECT_THROW(choice_among({}), std::runtime_error);
+  EXPECT_EQ(decimals(0.2), 1);
+  EXPECT_EQ(decimals(0.256), 3);
+  EXPECT_EQ(decimals(0.2561), 4);
+  EXPECT_EQ(decimals(3.0), 0);
+}
+
+// What each condition refuses, at a frequency that meets all conditions before it.
+TEST(InferredFrequencies, EveryConditionRefusesSome) {
+  using Met = std::vector<bool>;
+  EXPECT_EQ(try_figure2(0.2709).met[0], false) << "lowest displacement below -0.5";
+  EXPECT_EQ(try_figure2(0.28).met[1], false) << "x2 stays above 0.013 in (b)";
+  EXPECT_EQ(try_figure2(0.48).met[2], false) << "no mass sticks";
+  EXPECT_EQ(try_figure2(0.2901).met[3], false) << "the chatter began before the window";
+  EXPECT_EQ(try_figure5a(0.2562).met, (Met{false, true, true})) << "lowest displacement -0.077";
+  EXPECT_EQ(try_figure5a(0.1973).met, (Met{true, true, false})) << "mass 2 does not hit twice";
+  EXPECT_EQ(try_figure5b(0.2996).met, (Met{false, true})) << "lowest displacement -0.248";
+  EXPECT_FALSE(try_figure5b(0.2998).met[1]) << "at 918.94, not at about 920";
+}
+
+// The bounces of mass 2 that Figure 2(b) can show end before its window does. The limit of the
+// chatter lies beyond the window.
+TEST(InferredFrequencies, ChatterIsShownByItsVisibleBounces) {
+  EventRecorder events{690.0};
+  require_complete(simulate(paper::figure2(), 750.0, all_visible_chatter, events));
+  const paper::AxisBox &box = paper::figure2b_box;
+  const Chatter chatter = chatter_after(events.events, 2, box.from, invisible(box));
+  EXPECT_NEAR(chatter.first_impact, 716.008, 1e-3);
+  EXPECT_LT(chatter.last_bounce_ends, box.to);
+  EXPECT_GT(chatter.last_bounce_ends, box.to - 0.3);
+  EXPECT_GT(chatter.stick, box.to);
+  EXPECT_GT(chatter_after(events.events, 2, box.from).last_bounce_ends, box.to);
 }
 
 }  // namespace

@@ -1,0 +1,249 @@
+// Could the author's procedure explain the statements of the paper that differ from ours? The edges
+// of the two windows of Figure 3 by procedure, the settled motions from random starts, dual
+// sticking against the position of the second stop, and Figure 5(c) with nearly equal stops.
+#include "procedures.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "driver.hpp"
+#include "key_numbers.hpp"
+#include "panel.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using figures::Procedure;
+
+// --- The windows of Figure 3 in which no chatter of mass 1 is complete ------------------------
+
+constexpr double first_omega = 0.28, omega_step = 0.001;
+constexpr std::size_t omegas = 141;  // up to 0.42
+
+double omega_of(std::size_t i) {
+  return first_omega + omega_step * static_cast<double>(i);
+}
+
+// For each frequency, whether no chatter of mass 1 is complete.
+using Incomplete = std::vector<char>;
+
+// The cells of a row: the first and the last such frequency up to 0.36, and those above. The cells
+// of a window that does not exist are empty.
+void add_windows(Table &table, const std::string &procedure, const Incomplete &incomplete,
+                 std::size_t every = 1) {
+  constexpr double between_windows = 0.36;
+  table.cell(procedure);
+  for (const bool low : {true, false}) {
+    figures::Range window;
+    for (std::size_t i = 0; i < omegas; i += every)
+      if (incomplete[i] != 0 && (omega_of(i) < between_windows) == low) window.include(omega_of(i));
+    for (const double edge : {window.lowest, window.highest})
+      std::isfinite(edge) ? table.cell(fmt::format("{:.3f}", edge)) : table.cell("");
+  }
+  table.end_row();
+}
+
+// Follows a motion for `settling` and then `counted` forcing periods, to which it moves the start.
+// Returns whether mass 1 comes to stick in the latter.
+bool sticks(const Scene &scene, MotionState &start, const Procedure &procedure, int settling,
+            int counted) {
+  const double period = Clock(scene.omega).period, from = settling * period;
+  const auto [events, end] = figures::follow(scene, start, from + counted * period, procedure);
+  start = end;
+  start.instant = {};
+  return std::any_of(events.begin(), events.end(), [from](const Event &event) {
+    return event.kind == EventKind::stick && event.mass == 1 && event.time > from;
+  });
+}
+
+// The motions from rest by a procedure, plotted for `counted` periods after `settling` periods.
+Incomplete from_rest(const Procedure &procedure, int settling, int counted) {
+  return sweep(omegas, [&](std::size_t i) {
+    const Scene scene = paper::figure3(omega_of(i));
+    MotionState start = start_of(scene);
+    return static_cast<char>(!sticks(scene, start, procedure, settling, counted));
+  });
+}
+
+// The exact motions, each from the state at the end of the one at the frequency before.
+Incomplete by_continuation(bool upwards) {
+  Incomplete incomplete(omegas);
+  MotionState start = start_of(paper::figure3(first_omega));
+  for (std::size_t n = 0; n < omegas; ++n) {
+    const std::size_t i = upwards ? n : omegas - 1 - n;
+    incomplete[i] = !sticks(paper::figure3(omega_of(i)), start, {}, 60, 20);
+  }
+  return incomplete;
+}
+
+// Starts at random: displacements within 1 of the stop, speeds up to 0.5, the phase zero.
+std::vector<MotionState> random_starts(const Scene &scene, std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  const auto number = [&generator] { return static_cast<double>(generator() >> 11) * 0x1p-53; };
+  std::vector<MotionState> starts(count, start_of(scene));
+  for (MotionState &start : starts)
+    for (std::size_t i = 0; i < 2; ++i) {
+      start.displacement[i] = scene.stops[i].position - sign(scene.stops[i].side) * number();
+      start.velocity[i] = number() - 0.5;
+    }
+  return starts;
+}
+
+// The exact motions, each from a random start of its own.
+Incomplete from_random_starts() {
+  return sweep(omegas, [](std::size_t i) {
+    const Scene scene = paper::figure3(omega_of(i));
+    MotionState start = random_starts(scene, 1, i).front();
+    return static_cast<char>(!sticks(scene, start, {}, 60, 20));
+  });
+}
+
+// The exact motions from rest, and a chatter counts as complete if the plot has a speed of mass 1
+// below the threshold.
+Incomplete by_visible_speed(double threshold) {
+  return sweep(omegas, [&](std::size_t i) {
+    const Scene scene = paper::figure3(omega_of(i));
+    const double period = Clock(scene.omega).period;
+    ImpactSpeedRecorder impacts{1, 60 * period};
+    const RunOptions all_visible{.resolve_chatter = threshold / 10};
+    require_complete(simulate(scene, 64 * period, all_visible, impacts));
+    return static_cast<char>(std::all_of(impacts.velocities.begin(), impacts.velocities.end(),
+                                         [=](double v) { return std::abs(v) > threshold; }));
+  });
+}
+
+Table windows() {
+  Table table("procedure,from_1,to_1,from_2,to_2");
+  const Incomplete exact = from_rest({}, 60, 40);
+  add_windows(table, "the exact motion from rest", exact);
+  add_windows(table, "continuation upwards", by_continuation(true));
+  add_windows(table, "continuation downwards", by_continuation(false));
+  add_windows(table, "a random start at each frequency", from_random_starts());
+  for (const auto &[settling, counted] : {std::pair{0, 2}, {0, 40}, {2, 40}, {5, 40}, {10, 40}})
+    add_windows(table, fmt::format("periods {} to {}", settling + 1, settling + counted),
+                from_rest({}, settling, counted));
+  add_windows(table, "frequencies 0.01 apart", exact, 10);
+  for (const double flight : {0.01, 0.05, 0.1, 0.15})
+    add_windows(table, fmt::format("cut off: flight < {}", flight),
+                from_rest({.shortest_flight = flight}, 60, 10));
+  for (const double speed : {1e-4, 1e-3, 2e-3})
+    add_windows(table, fmt::format("cut off: speed < {}", speed),
+                from_rest({.slowest_impact = speed}, 60, 10));
+  for (const double speed : {1e-3, 2e-3})
+    add_windows(table, fmt::format("seen: no speed < {}", speed), by_visible_speed(speed));
+  add_windows(table, "Eq. 24 as printed", from_rest({.printed_equation24 = true}, 60, 20));
+  return table;
+}
+
+// --- Random starts ----------------------------------------------------------------------------
+
+// What a settled motion is known by: its period, its counts and the greatest speeds of the masses.
+bool same(const OrbitRecord &one, const OrbitRecord &other) {
+  if (one.period == 0 || one.period != other.period || one.counts.sticks != other.counts.sticks ||
+      one.counts.impacts != other.counts.impacts)
+    return false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    figures::Range speeds, others;
+    for (const double v : one.impact_velocities[i]) speeds.include(std::abs(v));
+    for (const double v : other.impact_velocities[i]) others.include(std::abs(v));
+    if (!(std::abs(speeds.highest - others.highest) < 1e-6)) return false;
+  }
+  return true;
+}
+
+// A row: of so many random starts, how many different motions settle, how many starts do not settle
+// in 400 periods, and in how many motions mass 1 sticks.
+void add_starts(Table &table, double omega, std::size_t count) {
+  const Scene scene = paper::figure3(omega);
+  const auto starts = random_starts(scene, count, 0);
+  RecordOptions options;
+  options.impact_velocities = true;
+  const auto records =
+      sweep(count, [&](std::size_t k) { return record_of(scene, starts[k], options); });
+  std::vector<OrbitRecord> different;
+  std::size_t unsettled = 0, sticking = 0;
+  for (const OrbitRecord &record : records) {
+    if (record.counts.sticks[0] > 0) ++sticking;
+    if (record.period == 0)
+      ++unsettled;
+    else if (std::none_of(different.begin(), different.end(),
+                          [&](const OrbitRecord &other) { return same(record, other); }))
+      different.push_back(record);
+  }
+  table.row(omega, count, different.size(), unsettled, sticking);
+}
+
+Table starts() {
+  Table table("omega,starts,settled_motions,unsettled_starts,starts_with_sticking_of_mass_1");
+  for (int hundredth = 25; hundredth <= 46; ++hundredth) add_starts(table, 0.01 * hundredth, 20);
+  for (const double omega : {0.472, 0.62, 0.63, 0.645, 0.65, 0.655, 0.66, 0.665, 0.67})
+    add_starts(table, omega, 60);
+  return table;
+}
+
+// --- Figure 5 ---------------------------------------------------------------------------------
+
+// Dual sticks per forcing period in the scenes of Figure 5, with the second stop at places from 0
+// to 0.5. They are counted up to t = 1000, without the first third of the forcing periods.
+Table dual_sticking() {
+  const auto rows = sweep(101, [](std::size_t i) {
+    std::vector<double> row{0.005 * static_cast<double>(i)};
+    for (Scene scene : {paper::figure5a(), paper::figure5b(), paper::figure5c()}) {
+      scene.stops[1].position = row.front();
+      const double period = Clock(scene.omega).period, last = std::floor(1000.0 / period),
+                   first = std::floor(last / 3.0);
+      const double sticks =
+          figures::dual_sticks(scene, last * period) - figures::dual_sticks(scene, first * period);
+      row.push_back(sticks / (last - first));
+    }
+    return row;
+  });
+  Table table("s2,a,b,c");
+  for (const auto &row : rows) table.row(row[0], row[1], row[2], row[3]);
+  return table;
+}
+
+// Figure 5(c) with the second stop a little below the first one, and with lower r and Omega: when
+// mass 1 is released, the time at which mass 2 has come to stick before it, and else the speed of
+// the last impact of mass 2 before the release.
+Table nearly_equal_stops() {
+  Table table("omega,r,difference,release,stick,speed");
+  const auto add = [&table](double omega, double restitution, double difference) {
+    Scene scene = paper::figure5c();
+    scene.omega = omega;
+    scene.restitution = restitution;
+    scene.stops[1].position -= difference;
+    const double period = Clock(omega).period;
+    const auto events = figures::events_of(scene, 3.5 * period, 2.5 * period);
+    const double release = figures::first_time(events, EventKind::release, 1, 0.0);
+    double stick = NAN, speed = NAN;
+    for (const Event &event : events) {
+      if (event.time >= release) break;
+      if (event.mass != 2) continue;
+      if (event.kind == EventKind::impact) speed = event.velocity_before;
+      if (event.kind == EventKind::stick) stick = event.time;
+    }
+    table.row(omega, restitution, difference, release, stick, speed);
+  };
+  for (const double difference : {1e-4, 1e-7, 1e-8, 3e-9, 1e-9, 0.0}) add(0.02, 0.7, difference);
+  add(0.01, 0.7, 0.0);
+  add(0.02, 0.3, 0.0);
+  return table;
+}
+
+void draw(const std::filesystem::path &output) {
+  write(windows(), output / "procedures_windows.csv");
+  write(starts(), output / "procedures_starts.csv");
+  write(dual_sticking(), output / "procedures_dual.csv");
+  write(nearly_equal_stops(), output / "procedures_figure5c.csv");
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  return figures::drive(argc, argv, "What the author's procedure may have made of the motion",
+                        draw);
+}

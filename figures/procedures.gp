@@ -1,0 +1,42 @@
+# What procedures of the author may have made of the motion. (a) Bars: the windows of Figure 3 in
+# which no chatter of mass 1 is complete, by procedure; grey: as printed; lines: the edges of the
+# first row. (b) Dual sticks a period in the scenes of Figure 5 against the place of the second stop;
+# grey: where the forces allow them; circles: the printed scenes.
+load 'figures/style.gp'
+windows = data.'/procedures_windows.csv'
+dual = data.'/procedures_dual.csv'
+array window_from[2] = [0.3, 0.37]
+array window_to[2] = [0.35, 0.4]
+half_step = 0.0005  # of the frequencies
+stats windows using 0 nooutput name 'row'
+
+eval page('procedures', 2, 1)
+set lmargin at screen 0.31; set tmargin at screen 0.985; set bmargin at screen 0.42
+set label 1 '(a)' at screen 0.01, screen 0.965
+set xlabel 'Ω'
+set xrange [0.28:0.42]; set xtics 0.01
+set yrange [row_records - 0.4:-0.6]  # row 0 is the header
+set label 2 'printed: 0.3 to 0.35' at 0.325, 0 center front
+set label 3 '0.37 to 0.4' at 0.385, 0 center front
+set ytics scale 0
+plot for [k = 1:2] '+' using (window_from[k]):(row_records):(window_from[k]):(window_to[k]):(-0.6):(row_records) every ::::0 \
+    with boxxyerror fillcolor rgb '#d9d9d9' fillstyle solid noborder, \
+  for [k = 1:2] windows using (column('from_'.k)):0:(column('from_'.k) - half_step):(column('to_'.k) + half_step):($0 - 0.22):($0 + 0.22):ytic(1) \
+    with boxxyerror lt 1 fillstyle solid noborder, \
+  for [edge = 2:5] windows using (column(edge)):(0.5):(0):(row_records) every ::1::1 with vectors nohead lt 2 lw 0.7
+
+unset label
+set lmargin at screen 0.31; set tmargin at screen 0.33; set bmargin at screen 0.09
+set label 1 '(b)' at screen 0.01, screen 0.315
+set label 2 's_2 of (a) and (c)' at 0.31, 0.12
+set label 3 's_2 of (b)' at 0.45, 0.12 center
+set xlabel 's_2'
+set xrange [0:0.5]; set xtics 0.05
+set yrange [-0.15:1.5]; set ytics 0.5 scale 0.6
+set ylabel 'dual sticks a period'
+at_stop(name, s2) = abs(column('s2') - s2) < 1e-9 ? column(name) : NaN
+plot '+' using (0.1):(1.5):(0.1):(0.3):(-0.15):(1.5) every ::::0 with boxxyerror fillcolor rgb '#d9d9d9' fillstyle solid noborder, \
+  for [panel in 'a c b'] dual using 's2':(column(panel)) with lines lt (panel eq 'a' ? 1 : panel eq 'b' ? 2 : 6) title 'Figure 5('.panel.')', \
+  dual using 's2':(at_stop('a', 0.3)) with points pt 7 ps 1.5 lc rgb '#12355b', \
+  '' using 's2':(at_stop('b', 0.45)) with points pt 7 ps 1.5 lc rgb '#c8442c', \
+  '' using 's2':(at_stop('c', 0.3)) with points pt 6 ps 2.5 lc rgb '#6a4c93'
