@@ -1,6 +1,7 @@
 // Figure 1: the chain of Figure 2 at rest, and its motion through two forcing periods of Figure 2.
 //
 // chain.csv          a row for each mass: its forcing amplitude, and the side and place of its stop
+// chain_scenes.csv   the parameters of the scene
 // chain_motion.csv   a row for each frame: both displacements, and what each mass does
 #include "driver.hpp"
 #include "panel.hpp"
@@ -10,16 +11,19 @@ namespace {
 using namespace vibro_impact;
 
 // Frames are this far apart in time while a mass chatters, and three times as far otherwise.
-constexpr double step = 0.15;
+constexpr double step = 0.2;
+
+// gnuplot reads a piece of another cell where the last cell of a row is empty.
+constexpr const char *no_action = "-";
 
 // The action of a mass, by its last event before `time`.
 const char *action_of(int mass, double time, const std::vector<Event> &events) {
   const Event *last = nullptr;
   for (const Event &event : events)
     if (event.mass == mass && event.time <= time) last = &event;
-  if (last == nullptr) return "";
+  if (last == nullptr) return no_action;
   if (last->kind == EventKind::stick) return "sticks";
-  if (last->kind == EventKind::release) return time < last->time + 2.0 ? "released" : "";
+  if (last->kind == EventKind::release) return time < last->time + 2.0 ? "released" : no_action;
   return time < last->time + step ? "impact" : "chatters";
 }
 
@@ -36,9 +40,11 @@ void draw(const std::filesystem::path &output) {
     chain.row(scene.amplitude[static_cast<std::size_t>(stop.mass - 1)], sign(stop.side),
               stop.position);
   write(chain, output / "chain.csv");
+  write(figures::parameters({scene}), output / "chain_scenes.csv");
 
-  const double period = Clock(scene.omega).period, from = paper::figure2a_box.from;
-  SampleRecorder samples{.from = from, .to = from + 2 * period, .every = step};
+  const double period = Clock(scene.omega).period, to = paper::figure2a_box.to;
+  const double from = to - 2 * period;
+  SampleRecorder samples{.from = from, .to = to, .every = step};
   EventRecorder recorder{from - period};
   require_complete(simulate(scene, samples.to, figures::all_visible_chatter, samples, recorder));
   Table motion("t,x1,x2,action1,action2");

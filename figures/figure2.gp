@@ -1,6 +1,6 @@
 # Figure 2: displacement of both masses. Bars: a mass sticks.
 load 'figures/style.gp'
-set xlabel 'Time'
+set xlabel 'Time (non-dimensional)'
 set ylabel 'Displacement'
 set tmargin 2
 set rmargin 5
@@ -15,16 +15,16 @@ set xrange [700:750]; set xtics 5
 set yrange [-0.5:0.4]; set ytics 0.1
 table = data.'/figure2a.csv'
 plot s1[1] lt 3, s2[1] lt 3, \
-  table using 't':(stuck(column('x1'), s1[1])) with lines lt 7 title 'sticking', \
-  '' using 't':(stuck(column('x2'), s2[1])) with lines lt 7, \
+  table using 't':(stuck(column('x1'), s1[1])) with lines lt 7 lw 6 title 'sticking', \
+  '' using 't':(stuck(column('x2'), s2[1])) with lines lt 7 lw 6, \
   '' using 't':'x1' with lines lt 1 title 'mass 1', \
   '' using 't':'x2' with lines lt 2 title 'mass 2'
 
 eval panel('b')
-eval heading('close-up of the chatter of mass 2 (mass 1 is not drawn)')
+eval heading('close-up of (a): the chatter of mass 2,  '.known('Ω', omega[1], 'Ω').' (mass 1 is not drawn)')
 unset label 2
 set xrange [715:722]; set xtics 1
 set yrange [-0.06:0.12]; set ytics 0.02
 table = data.'/figure2b.csv'
-plot s2[1] lt 3, table using 't':(stuck(column('x2'), s2[1])) with lines lt 7, \
+plot s2[1] lt 3, table using 't':(stuck(column('x2'), s2[1])) with lines lt 7 lw 6, \
   '' using 't':'x2' with lines lt 2

@@ -68,21 +68,12 @@ Table bifurcations(const Grid &grid, const std::vector<OrbitRecord> &records) {
   return table;
 }
 
-// The frequencies at which a mass sticks.
-Table sticking(const Grid &grid, const std::vector<OrbitRecord> &records) {
-  Table table("mass,omega");
-  for (const int mass : {1, 2})
-    for (std::size_t i = 0; i < records.size(); ++i)
-      if (phases_per_period(records[i], mass) > 0.0) table.row(mass, grid.values(i).front());
-  return table;
-}
-
 void draw(const std::filesystem::path &output) {
   const Grid grid = figures::grid_of_figure3(1801);
   const std::vector<OrbitRecord> records = sweep(grid, figures::recorded_in_figure3);
   write(figures::impact_velocities(grid, records, 1), output / "figure3a.csv");
   write(figures::impact_velocities(grid, records, 2), output / "figure3b.csv");
-  write(sticking(grid, records), output / "figure3_sticking.csv");
+  write(figures::sticking(grid, records), output / "figure3_sticking.csv");
   write(figures::parameters({grid.scene}), output / "figure3_scenes.csv");
   write(bifurcations(grid, records), output / "figure3_bifurcations.csv");
 }

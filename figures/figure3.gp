@@ -1,6 +1,7 @@
-# Figure 3: impact velocities of mass 1 (a) and mass 2 (b) against the forcing frequency, from rest.
-# Grey: where the paper says that the chatter of mass 1 is incomplete (Section 3.2). Bars: where the
-# mass sticks. Vertical lines: border orbits and multi-sliding, with their frequencies.
+# Figure 3: impact velocities of mass 1 (a) and mass 2 (b) against the forcing frequency, from rest;
+# and the speeds of mass 1 on a logarithmic axis, where the chatter becomes incomplete (c). Grey: where
+# the paper says that the chatter of mass 1 is incomplete (Section 3.2). Bars: where the mass sticks.
+# Vertical lines: the changes of sticking, by their kinds, with their frequencies.
 load 'figures/style.gp'
 set xlabel 'Ω'
 set xrange [0.25:0.7]; set xtics 0.05
@@ -8,19 +9,32 @@ set ytics 0.05
 set tmargin 2
 eval key_beside_heading
 
-bifurcations = data.'/figure3_bifurcations.csv'
-of_kind(name, mass) = strcol('kind') eq name && column('mass') == mass ? column('omega') : NaN
-label_offset(kind) = kind eq 'border orbit' ? 0.0036 : -0.0034
+sticking = data.'/figure3_sticking.csv'
+changes = data.'/figure3_bifurcations.csv'
+array kinds[3] = ['border orbit', 'multi-sliding', 'jump']
+array line[3] = [4, 5, 6]
+array colour[3] = ['#606060', '#0f5f40', '#6a4c93']
+array mark[3] = [9, 7, 13]
+array size[3] = [1.5, 1.3, 1.8]
 of_mass(mass) = column('mass') == mass ? column('omega') : NaN
+of_kind(k, mass) = strcol('kind') eq kinds[k] ? of_mass(mass) : NaN
 array window_from[2] = [0.3, 0.37]
 array window_to[2] = [0.35, 0.4]
 step = 0.45 / 1800  # of the frequencies
-# What is written in panels (a) and (b), and at which heights.
+# The heights of the bar and of the frequencies in panels (a) and (b). A frequency that is close to
+# others of the same mass stands below them.
 array bar[2] = [-0.385, 0.385]
-array frequencies[2] = [-0.32, 0.28]
+array first[2] = [-0.262, 0.365]
+array changed[99]; array of[99]
+stats changes using (changed[$0 + 1] = column('omega'), of[$0 + 1] = column('mass')) nooutput
+number = STATS_records
+before(mass, w) = sum [k = 1:number] (of[k] == mass && w - changed[k] > 0 && w - changed[k] < 0.004)
+height(mass) = first[mass] - 0.023 * before(mass, column('omega'))
+frequency(k) = sprintf(k eq 'jump' ? '{/*0.7 %.6f}' : '{/*0.7 %.4f}', column('omega'))
+window = "fillcolor rgb '#e4e4e4' fillstyle solid noborder"
 
 eval scenes('figure3')
-eval page('figure3', 2, 1)
+eval page('figure3', 3, 1)
 do for [mass = 1:2] {
   lowest = mass == 1 ? -0.4 : 0
   eval panel('ab'[mass:mass])
@@ -28,13 +42,28 @@ do for [mass = 1:2] {
   set ylabel sprintf('{/:Italic v}_%d', mass)
   set yrange [lowest:lowest + 0.4]
   set label 2 sprintf('bar: mass %d sticks', mass) at 0.555, bar[mass] center
-  set label 3 mass == 1 ? 'grey: its chatter is incomplete, by the paper' : '' at 0.475, -0.3
+  set label 3 mass == 1 ? "grey: windows in which the paper finds\nthe chatter of mass 1 incomplete" : '' at 0.485, -0.315
   plot for [k = 1:2] '+' using (mass == 1 ? window_from[k] : NaN):(-0.4):(window_from[k]):(window_to[k]):(-0.4):(0) every ::::0 \
-      with boxxyerror fillcolor rgb '#e4e4e4' fillstyle solid noborder, \
-    data.'/figure3_sticking.csv' using (of_mass(mass)):(bar[mass]):(0.5 * step):(0.005) with boxxyerror lt 7 fillstyle solid noborder, \
-    bifurcations using (of_kind('border orbit', mass)):(lowest):(0):(0.4) with vectors nohead lt 4 title 'border orbit', \
-    '' using (of_kind('multi-sliding', mass)):(lowest):(0):(0.4) with vectors nohead lt 5 title 'multi-sliding', \
-    '' using (of_mass(mass) + label_offset(strcol('kind'))):(frequencies[mass]):(sprintf('{/*0.7 %.4f}', column('omega'))) \
-      with labels rotate by 90, \
+      with boxxyerror @window, \
+    sticking using (of_mass(mass)):(bar[mass]):(0.5 * step):(0.005) with boxxyerror lt 7 fillstyle solid noborder, \
+    for [k = 1:3] changes using (of_kind(k, mass)):(lowest):(0):(0.4) with vectors nohead lt line[k], \
+    changes using (of_mass(mass) + 0.004):(height(mass)):(frequency(strcol('kind'))) with labels left, \
+    for [k = 1:3] changes using (of_kind(k, mass)):(height(mass)) with points lc rgb colour[k] pt mark[k] ps size[k] title kinds[k], \
     data.'/figure3'.'ab'[mass:mass].'.csv' using 'omega':'v'.mass with points lt mass pt 7 ps 0.2 lw 0.3
 }
+
+eval panel('c')
+eval heading('speeds of mass 1 from 10^{-4} on;  grey: as in (a);  bar: mass 1 sticks')
+unset label 2; unset label 3
+set ylabel '|{/:Italic v}_1|'
+set xrange [0.28:0.42]; set xtics 0.01
+set logscale y; set yrange [1e-4:4]; set ytics ('10^{-4}' 1e-4, '10^{-3}' 1e-3, '10^{-2}' 1e-2, '10^{-1}' 1e-1)
+array edge[5] = [0.285, 0.3, 0.35, 0.37, 0.4]
+do for [k = 1:5] { set label 10 + k '{/*0.8 '.(k == 1 ? 'paper:' : sprintf('%g', edge[k])).'}' at edge[k], 2.2 center front }
+set label 16 '{/*0.8 here:}' at 0.285, 0.6 center front
+plot for [k = 1:2] '+' using (window_from[k]):(1e-4):(window_from[k]):(window_to[k]):(1e-4):(4) every ::::0 \
+    with boxxyerror @window, \
+  sticking using (of_mass(1)):(1.2e-4):(0.5 * step):(1e-5) with boxxyerror lt 7 fillstyle solid noborder, \
+  for [k = 1:3] changes using (of_kind(k, 1)):(1e-4):(0):(4) with vectors nohead lt line[k], \
+  data.'/figure3a.csv' using 'omega':(-column('v1')) with points lt 1 pt 7 ps 0.3 lw 0.3, \
+  changes using (strcol('kind') eq 'jump' ? NaN : of_mass(1)):(0.6):(sprintf('{/*0.8 %.4f}', column('omega'))) with labels

@@ -47,4 +47,14 @@ inline Table impact_velocities(const Grid &grid, const std::vector<OrbitRecord> 
   return table;
 }
 
+// The frequencies at which each mass with a stop sticks.
+inline Table sticking(const Grid &grid, const std::vector<OrbitRecord> &records) {
+  Table table("mass,omega");
+  for (const Stop &stop : grid.scene.stops)
+    for (std::size_t i = 0; i < records.size(); ++i)
+      if (records[i].counts.sticks[static_cast<std::size_t>(stop.mass - 1)] > 0)
+        table.row(stop.mass, grid.values(i).front());
+  return table;
+}
+
 }  // namespace vibro_impact::figures

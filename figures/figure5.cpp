@@ -14,5 +14,7 @@ int main(int argc, char **argv) {
         write(displacements(figure5a(), figure5a_box, 0.001), output / "figure5a.csv");
         write(displacements(figure5b(), figure5b_box, 0.001), output / "figure5b.csv");
         write(displacements(figure5c(), figure5c_box, 0.005), output / "figure5c.csv");
+        write(figures::impacts(figure5a(), figure5a_box), output / "figure5a_impacts.csv");
+        write(figures::impacts(figure5c(), figure5c_box), output / "figure5c_impacts.csv");
       });
 }

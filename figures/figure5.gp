@@ -1,7 +1,7 @@
-# Figure 5: sticking-impact (a), grazing-sticking (b), close to dual sticking (c). Bars: mass 1 sticks.
-# Insets: what is smaller than a line.
+# Figure 5: sticking-impact (a), grazing-sticking (b), close to dual sticking (c). Bars: mass 1
+# sticks. Dots: impacts of mass 2 in (a). Insets: what is smaller than a line.
 load 'figures/style.gp'
-set xlabel 'Time'
+set xlabel 'Time (non-dimensional)'
 set ylabel 'Displacement'
 set tmargin 2
 set rmargin 7
@@ -11,16 +11,23 @@ eval scenes('figure5')
 array inferred[3] = ['Ω', 'Ω s₁', 's₁ = s₂']
 eval page('figure5', 3, 1)
 table(n) = data.'/figure5'.'abc'[n:n].'.csv'
+impacts(n) = data.'/figure5'.'aac'[n:n].'_impacts.csv'  # those in (b) are not drawn
+of_mass_2(value) = column('mass') == 2 ? value : NaN
+array bar_time[3] = [958.7, 923.2, 944]
+array bar_height[3] = [0.325, 0.345, 0.306]
 do for [n = 1:3] {
   eval panel('abc'[n:n])
   eval scene(n, inferred[n])
   if (n == 1) { set xrange [950:964]; set xtics 2; set yrange [-0.05:0.35]; set ytics 0.05 }
   if (n == 2) { set xrange [916:930]; set yrange [-0.4:0.5]; set ytics 0.1 }
   if (n == 3) { set xrange [900:1000]; set xtics 20; set yrange [0.2:0.31]; set ytics 0.01 }
+  set label 5 'mass 1 sticks' at bar_time[n], bar_height[n] center
+  set label 6 n == 1 ? 'dots: impacts of mass 2' : '' at 953.9, 0.325 center
   plot for [stop = 1:(s1[n] == s2[n] ? 1 : 2)] (stop == 1 ? s1[n] : s2[n]) lt 3, \
     table(n) using 't':(stuck(column('x1'), s1[n])) with lines lt 7 title (n == 1 ? 'sticking' : ''), \
     '' using 't':'x1' with lines lt 1 title (n == 1 ? 'mass 1' : ''), \
-    '' using 't':'x2' with lines lt 2 title (n == 1 ? 'mass 2' : '')
+    '' using 't':'x2' with lines lt 2 title (n == 1 ? 'mass 2' : ''), \
+    impacts(n) using (n == 1 ? of_mass_2(column('t')) : NaN):(s2[n]) with points lt 2 pt 7 ps 0.9
 }
 
 
@@ -33,10 +40,13 @@ set yrange [-25:5]; set ytics 10
 set label 1 sprintf('nearest: %.1f', 1e5 * graze_max_y) at graph 0.5, graph 0.3 center font ',18'
 plot 0 lt 3, table(2) using 't':(1e5 * (column('x2') - s2[2])) with lines lt 2
 
-eval inset(3, 3, 0.33, 0.78)
-set ylabel 's₂ − {/:Italic x}₂' font ',18' offset 1, 0
+stats [900:1000] [*:*] table(3) using 't':(column('x1') == s1[3] ? $1 : NaN) nooutput name 'held'
+eval inset(3, 3, 0.3, 0.78)
+set ylabel 'speed of impacts' font ',18' offset 1, 0
 set xrange [900:1000]; set xtics 20
-set logscale y; set format y '10^{%T}'; set yrange [1e-11:1]; set ytics 1e3
-set label 1 'still bouncing at the release of mass 1' at graph 0.04, graph 0.91 font ',18'
-plot table(3) using 't':(s2[3] - column('x2')) with lines lt 2 dt solid lw 0.8, \
-  '' using 't':(column('x1') == s1[3] ? 2e-11 : NaN) with lines lt 7
+set logscale y; set yrange [1e-10:1]; set mytics 1
+set ytics ('10^{-10}' 1e-10, '10^{-7}' 1e-7, '10^{-4}' 1e-4, '10^{-1}' 1e-1)
+set label 1 'mass 2 bounces, and never sticks' at graph 0.96, graph 0.91 right font ',18'
+set label 2 'mass 1 sticks' at 902, 1e-9 font ',18'
+plot table(3) using 't':(column('x1') == s1[3] ? 2e-10 : NaN) with lines lt 7, \
+  impacts(3) using (of_mass_2(column('t'))):'speed' with points lt 2 pt 7 ps 0.6

@@ -54,6 +54,17 @@ inline Table displacements(const Scene &scene, const paper::AxisBox &box, double
   return displacement_table(samples);
 }
 
+// The impacts across the window of a panel: when, of which mass, and how fast.
+inline Table impacts(const Scene &scene, const paper::AxisBox &box) {
+  EventRecorder recorder{box.from};
+  require_complete(simulate(scene, box.to, all_visible_chatter, recorder));
+  Table table("t,mass,speed");
+  for (const Event &event : recorder.events)
+    if (event.kind == EventKind::impact)
+      table.row(event.time, event.mass, std::abs(event.velocity_before));
+  return table;
+}
+
 // The parameters of the scenes that a figure shows, one row per panel.
 inline Table parameters(const std::vector<Scene> &scenes) {
   Table table("omega,r,s1,s2");

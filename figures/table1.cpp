@@ -10,10 +10,19 @@ namespace {
 
 using namespace vibro_impact;
 
+// The letter of the event of a mass in a pair: G (grazing), S (sticking) or I (impact). The name of
+// a mixed pair has that of `mass` first.
+const char *event_in(const PairedEvents &pair, int mass) {
+  const std::string name = abbreviation(pair.kind);
+  const char letter = name[0] == 'D' || mass == pair.other ? name[1] : name[0];
+  return letter == 'G' ? "G" : letter == 'S' ? "S" : "I";
+}
+
 // table1_<pair>.csv has a motion, table1_pairs.csv its stops and when it shows its pair: from `t`
-// until `until`, with the masses at x1 and x2 at `t`. table1_scenes.csv has their parameters.
+// until `until`, with the masses at x1 and x2 at `t`, and the event of each. table1_scenes.csv has
+// their parameters.
 void draw(const std::filesystem::path &output) {
-  Table pairs("pair,t,until,x1,x2,at_rest");
+  Table pairs("pair,t,until,x1,x2,event1,event2,at_rest");
   std::vector<Scene> scenes;
   for (const auto &[kind, scene, from, to] : figures::table1_scenes()) {
     const char *name = abbreviation(kind);
@@ -26,7 +35,7 @@ void draw(const std::filesystem::path &output) {
       if (pair.kind != kind) continue;
       const MotionState state = require_complete(simulate(scene, pair.from)).state;
       pairs.row(name, pair.from, pair.to, state.displacement[0], state.displacement[1],
-                int{scene.displacement.empty()});
+                event_in(pair, 1), event_in(pair, 2), int{scene.displacement.empty()});
     }
   }
   write(pairs, output / "table1_pairs.csv");

@@ -22,6 +22,7 @@ void draw(const std::filesystem::path &output) {
           output / fmt::format("long_chain{}.csv", stop.mass));
   }
   write(stops, output / "long_chain.csv");
+  write(figures::sticking(grid, records), output / "long_chain_sticking.csv");
 }
 
 }  // namespace

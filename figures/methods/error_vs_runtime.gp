@@ -11,25 +11,30 @@ array method[8] = ['this library', 'this library (every impact)', 'plain event-d
   'odeint runge_kutta_fehlberg78', 'CVODE Adams', 'Siconos Moreau-Jean', 'stiff spring (dopri5)']
 array short[8] = ['this library', 'every impact', 'plain', 'dopri5', 'fehlberg78', 'CVODE', 'Siconos', 'stiff spring']
 array colour[8] = ['#12355b', '#12355b', '#606060', '#d55e00', '#b08000', '#009e73', '#a04090', '#000000']
-array mark[8] = [7, 6, 5, 9, 8, 13, 11, 2]
+array mark[8] = [7, 6, 5, 9, 15, 13, 11, 2]
 array dash[8] = [1, 1, 3, 1, 2, 1, 2, 3]
-note = "Bars: fastest and slowest of five repeats.%sCross at the upper edge: the run misses an event.%s". \
+note = "Bars: fastest and slowest of five repeats.%sAbove the line: the run misses an event.%s". \
   "Errors below 10^{-15} are drawn at 10^{-15}."
 
 shown(error) = error < 1e-15 ? 1e-15 : error
 row(p, m, ok) = strcol('problem') eq problem[p] && strcol('method') eq method[m] && (strlen(strcol('failure')) == 0) == ok
 good(p, m) = row(p, m, 1) ? shown(column('error_time')) : NaN
-bad(p, m) = row(p, m, 0) ? 10 : NaN
+# A method of which a run fails in a problem has a row of its own above this line.
+edge = 3
+array failures[8]  # the number of the row of each method, from 1; 0: no run fails
+count_failures(p, m) = sprintf('count = 0; stats [*:*] [*:*] table using (row(%d, %d, 0) ? (count = count + 1) : 0) nooutput; ', p, m). \
+  sprintf('failures[%d] = count > 0 ? (rows_of_failures = rows_of_failures + 1) : 0', m)
+bad(p, m) = row(p, m, 0) ? edge * 10 ** (1.5 * failures[m] - 0.4) : NaN
 # Where the line of a method ends: the row of its last good run.
 array last_time[8]; array last_error[8]
 read_end(p, m) = sprintf('last_time[%d] = 0; stats [*:*] [*:*] table using (row(%d, %d, 1) ? ', m, p, m). \
-  sprintf("(last_time[%d] = column('median_us'), last_error[%d] = good(%d, %d)) : 0) nooutput", m, m, p, m)
+  sprintf("(last_time[%d] = column('high'), last_error[%d] = good(%d, %d)) : 0) nooutput", m, m, p, m)
 
 do for [picture in '5 2'] {
   reset
   load 'figures/style.gp'
   problems = int(picture)
-  rows = problems == 5 ? 3.0 : 1.55
+  rows = problems == 5 ? 3.0 : 1.45
   eval opened('error_vs_runtime'.(problems == 5 ? '' : '_two'), 1400, 460 * rows)
   set multiplot
   set size 0.5, 1 / rows
@@ -38,26 +43,29 @@ do for [picture in '5 2'] {
   set grid xtics ytics linetype 4 linewidth 0.2
   do for [p = 1:problems] {
     unset label
-    do for [m = 1:8] { eval read_end(p, m) }
+    rows_of_failures = 0
+    do for [m = 1:8] { eval read_end(p, m); eval count_failures(p, m) }
     set origin 0.5 * ((p - 1) % 2), 1 - ((p + 1) / 2) / rows
     eval heading(name[p])
     set xlabel p > 2 ? 'µs per run' : 'µs per forcing period'
     set ylabel 'error of the event times'
-    set xrange [0.5:4e5]; set xtics 10; set yrange [5e-16:20]; set ytics 1e3; set mytics 1
+    set xrange [0.5:2e6]; set xtics 10; set yrange [5e-16:edge * 10 ** (1.5 * rows_of_failures + 0.6)]; set mytics 1
+    set ytics ('10^{-15}' 1e-15, '10^{-12}' 1e-12, '10^{-9}' 1e-9, '10^{-6}' 1e-6, '10^{-3}' 1e-3, '1' 1)
+    if (rows_of_failures > 0) { set label 5 'misses an event' at graph 0.985, first edge * 8 right font ',17' }
     do for [m = 1:8] {
       if (p > 2 || last_time[m] == 0) { continue }
-      set label short[m] at last_time[m] * 1.3, last_error[m] offset (m == 1 ? -7.7 : 0), 0 font ',17'
+      set label short[m] at last_time[m] * 1.3, last_error[m] offset (m == 1 ? -8.4 : 0), 0 font ',17'
     }
-    plot for [m = 1:8] table using 'median_us':(good(p, m)):'low':'high' with xerrorbars lc rgb colour[m] pt 0 lw 1.2 dt 1, \
+    plot rows_of_failures > 0 ? edge : NaN lt 4 notitle, for [m = 1:8] table using 'median_us':(good(p, m)):'low':'high' with xerrorbars lc rgb colour[m] pt 0 lw 1.2 dt 1, \
       for [m = 1:8] '' using 'median_us':(good(p, m)) with linespoints lc rgb colour[m] pt mark[m] dt dash[m] ps 1.2 lw 1.2, \
-      for [m = 1:8] '' using 'median_us':(bad(p, m)) with points lc rgb colour[m] pt 2 ps 1.2 lw 1.2
+      for [m = 1:8] '' using 'median_us':(bad(p, m)) with points lc rgb colour[m] pt mark[m] ps 1.2 lw 1.2
   }
   do for [m = 1:8] { eval read_end(1, m) }  # every method that is installed ends in Figure 2
   # The key fills the sixth cell, or the strip below two.
-  unset label; unset xlabel; unset ylabel; unset tics; unset border; unset grid; set bmargin 0.5
+  unset label; unset xlabel; unset ylabel; unset tics; unset border; unset grid; set tmargin 0; set bmargin 0
   if (problems == 5) { set origin 0.5, 0 } else { set size 1, 1 - 1 / rows; set origin 0, 0 }
   set key at graph 0, graph 1 left maxrows (problems == 5 ? 8 : 3) spacing 1.1 font ',20'
-  set label 1 sprintf(note, problems == 5 ? "\n" : "  ", "\n") at graph 0.02, graph 0.25 font ',20'
+  set label 1 sprintf(note, problems == 5 ? "\n" : "  ", "\n") at graph 0.02, graph (problems == 5 ? 0.25 : 0.3) font ',20'
   plot for [m = 1:8] NaN with linespoints lc rgb colour[m] pt mark[m] dt dash[m] ps 1.2 lw 1.2 \
     title (last_time[m] > 0 ? method[m] : '') noenhanced
   unset multiplot

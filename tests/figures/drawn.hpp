@@ -92,6 +92,29 @@ inline void add_picture(std::vector<Panel> &panels, const std::string &path) {
   }
 }
 
+// A text of a picture in SVG, without its fonts, and where it stands across the picture.
+struct PlacedText {
+  std::string text;
+  double x;
+};
+
+// The texts of a picture in SVG, those without a letter left out. gnuplot writes each in a line.
+inline std::vector<PlacedText> texts_of(const std::string &path) {
+  const std::regex place("translate\\(([-0-9.]+),"), tag("<[^>]*>");
+  std::vector<PlacedText> texts;
+  std::ifstream file = figures::opened(path);
+  double x = 0.0;
+  std::smatch found;
+  for (std::string line; std::getline(file, line);) {
+    if (std::regex_search(line, found, place)) x = std::stod(found[1]);
+    if (line.find("<text") == std::string::npos) continue;
+    std::string text = std::regex_replace(line, tag, "");
+    text.erase(0, text.find_first_not_of(" \t"));
+    if (!text.empty()) texts.push_back({text, x});
+  }
+  return texts;
+}
+
 // The drawing that the script of a figure makes from the tables in a folder.
 inline std::vector<Panel> drawn_from(const std::string &folder, const std::string &figure) {
   for (const char *kind : {"table", "svg"})

@@ -1,4 +1,4 @@
-// Figure 3: its tables against the 50-digit events and what the paper says, and both panels against
+// Figure 3: its tables against the 50-digit events and what the paper says, and its panels against
 // the tables, the printed axes and windows, and the bifurcations.
 #include <gtest/gtest.h>
 
@@ -18,23 +18,35 @@ using namespace vibro_impact::testing;
 using figures::TrueEvent;
 using paper::AxisBox;
 
-// The points drawn over Figure 3 in a panel, against the 50 digits of the points with this name.
-void expect_bifurcations(const Curve &curve, const std::string &symbol, const AxisBox &box) {
+// The changes of sticking of one kind that a panel shows, against the 50 digits of the points with
+// this name.
+void expect_changes(const Curve &curve, const std::string &symbol) {
   std::vector<double> known;
   for (const figures::KeyNumber &number :
        figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv"))
     if (number.symbol.starts_with(symbol)) known.push_back(number.reference);
   std::sort(known.begin(), known.end());
   ASSERT_EQ(curve.points.size(), known.size()) << symbol;
-  for (std::size_t i = 0; i < known.size(); ++i) {
+  for (std::size_t i = 0; i < known.size(); ++i)
     EXPECT_NEAR(curve.points[i][0], known[i], 1e-6) << symbol;  // six digits are written
-    EXPECT_NEAR(curve.points[i][1], box.lowest, 1e-9) << symbol;
-  }
+}
+
+// No two marks of panel (a) or (b) overlap: they stand 0.01 apart across or 0.02 in height.
+void expect_marks_apart(const Panel &panel) {
+  std::vector<Point> marks;
+  for (const std::size_t k : {7u, 8u, 9u})
+    marks.insert(marks.end(), panel.curves[k].points.begin(), panel.curves[k].points.end());
+  ASSERT_GT(marks.size(), 3u);
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_TRUE(std::abs(marks[i][0] - marks[j][0]) > 0.01 ||
+                  std::abs(marks[i][1] - marks[j][1]) > 0.02)
+          << marks[i][0] << " and " << marks[j][0];
 }
 
 TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
   const auto panels = drawn("figure3", folder_of("figure3"));
-  ASSERT_EQ(panels.size(), 2u);
+  ASSERT_EQ(panels.size(), 3u);
   for (const int mass : {1, 2}) {
     const std::string name = mass == 1 ? "figure3a" : "figure3b", v = "v" + std::to_string(mass);
     const AxisBox &box = mass == 1 ? paper::figure3a_box : paper::figure3b_box;
@@ -78,8 +90,8 @@ TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
     for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(of_figure4a[i], truth[i], 1e-8);
 
     const Panel &panel = panels[static_cast<std::size_t>(mass - 1)];
-    expect_axes(panel, name.back(), box, 6);
-    ASSERT_EQ(panel.curves.size(), 7u);
+    expect_axes(panel, name.back(), box, 10);
+    ASSERT_EQ(panel.curves.size(), 11u);
     // Printed: the chatter of mass 1 is incomplete from about 0.3 to 0.35 and from 0.37 to 0.4.
     for (const std::size_t k : {0u, 1u}) {
       ASSERT_EQ(panel.curves[k].points.size(), mass == 1 ? 1u : 0u);
@@ -101,13 +113,48 @@ TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
     EXPECT_TRUE(sticks_at(0.45));
     EXPECT_FALSE(sticks_at(0.48));
     EXPECT_EQ(sticks_at(0.65), mass == 1);
-    EXPECT_EQ(panel.curves[3].title, "border orbit");
-    EXPECT_EQ(panel.curves[4].title, "multi-sliding");
-    expect_bifurcations(panel.curves[3], "border_mass_" + std::to_string(mass), box);
-    expect_bifurcations(panel.curves[4], "multi_sliding_mass_" + std::to_string(mass), box);
-    expect_points(panel.curves[6], omega, velocity);
-    EXPECT_EQ(panel.curves[6].colour, colour_of_line_type(mass));
+    // Lines from the lower edge, and marks on them.
+    const std::string kinds[] = {"border orbit", "multi-sliding", "jump"};
+    const std::string symbols[] = {"border", "multi_sliding", "jump"};
+    for (const std::size_t k : {0u, 1u, 2u}) {
+      const std::string symbol = symbols[k] + "_mass_" + std::to_string(mass);
+      expect_changes(panel.curves[3 + k], symbol);
+      for (const Point &point : panel.curves[3 + k].points)
+        EXPECT_NEAR(point[1], box.lowest, 1e-9) << symbol;
+      EXPECT_EQ(panel.curves[7 + k].title, kinds[k]);
+      expect_changes(panel.curves[7 + k], symbol);
+    }
+    expect_marks_apart(panel);
+    expect_points(panel.curves[10], omega, velocity);
+    EXPECT_EQ(panel.curves[10].colour, colour_of_line_type(mass));
   }
+}
+
+// Panel (c) shows that the chatter of mass 1 is complete from 0.331 on, where the paper prints
+// 0.35: its speeds fall to the lower edge of the axis within the printed window.
+TEST(Figure3, SpeedsOfMass1OnALogarithmicAxis) {
+  const auto panels = drawn("figure3", folder_of("figure3_speeds"));
+  ASSERT_EQ(panels.size(), 3u);
+  const Panel &panel = panels[2];
+  ASSERT_EQ(panel.curves.size(), 8u);
+  EXPECT_EQ(panel.curves[0].points[0][0], 0.3);
+  EXPECT_EQ(panel.curves[1].points[0][0], 0.37);
+  auto columns = columns_of(folder_of("figure3_speeds") + "/figure3a.csv");
+  std::vector<double> speeds = columns["v1"];
+  for (double &speed : speeds) speed = -speed;
+  expect_points(panel.curves[6], columns["omega"], speeds);
+  const auto slowest_from = [&](double from, double to) {
+    double slowest = 1.0;
+    for (const Point &point : panel.curves[6].points)
+      if (point[0] > from && point[0] < to) slowest = std::min(slowest, point[1]);
+    return slowest;
+  };
+  // Impacts follow each other at speeds in the ratio r = 0.7.
+  const double edge = paper::slowest_impact_shown;
+  EXPECT_GT(slowest_from(0.31, 0.32), 30 * edge);
+  for (double omega = 0.332; omega < 0.367; omega += 0.005)
+    EXPECT_LT(slowest_from(omega, omega + 0.001), edge / 0.69) << omega;
+  expect_changes(panel.curves[3], "border_mass_1");
 }
 
 TEST(Figure3, EqualVelocitiesCountOnce) {
