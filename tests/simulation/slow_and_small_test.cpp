@@ -216,6 +216,7 @@ TEST(Work, OfARunIsBounded) {
   scene.mass = {1.0, 1.0};
   scene.stiffness = {1.0, 1e14};
   scene.amplitude = {0.5, 0.0};
+  scene.restitution = 0.7;
   scene.stops = {{1, Side::upper, 0.1}};
   RunOptions options;
   options.max_steps = 10'000;
