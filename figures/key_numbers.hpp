@@ -194,7 +194,7 @@ inline double grazing_frequency() {
     Scene scene = paper::figure5b_without_second_stop(omega);
     const MotionState start = state_after_periods(scene, paper::figure4_settling_periods);
     scene.stops.push_back(paper::figure5b().stops[1]);
-    ImpactSpeedRecorder impacts{2, -1.0};
+    ImpactVelocityRecorder impacts{2, -1.0};
     stroboscopic_map(scene, start, 1, {}, impacts);
     return static_cast<int>(impacts.velocities.size());
   };

@@ -1,10 +1,14 @@
 // The files that the program writes: refused before any work is done, and written whole at the end.
-// The rows of a sweep so far stand in a file of their own until the table is complete.
+// The rows of a sweep are kept in a journal until its tables are complete.
 #pragma once
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
+#include <array>
+#include <boost/crc.hpp>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -23,43 +27,61 @@ template <class... Values>
 }
 
 // Refuses these files, each with the option that names it, unless all can be written: in a folder
-// that exists, in place of nothing but a file, and each under another name. An empty path is no
-// file.
-void check_files(const std::vector<std::pair<std::string, std::string>> &files);
+// that exists and is not write-protected, in place of nothing but a file, and each under another
+// name, which is not that of the file `read`. An empty path is no file.
+void check_files(const std::vector<std::pair<std::string, std::string>> &files,
+                 const std::string &read);
 
-// Writes the table to the file, or for `-` to standard output. Throws std::runtime_error with one
+// Writes the text to the file, or for `-` to standard output. Throws std::runtime_error with one
 // line, and leaves no file, when that fails.
-void write_table(const Table &table, const std::string &path);
+void write_text(std::string text, const std::string &path);
 
-// The rows of an unfinished sweep, in plain text. The first line names the sweep and the program,
-// the second is the header of the table, and rows follow. A sweep that was killed may leave a row
-// without its end of line. This row is cut off, and its point is computed again. A lock on the
-// file, which ends with the process, keeps a second sweep away.
-class PartialTable {
+// The rows of the tables of a sweep, in the order of SweepRequest::files.
+using Texts = std::array<std::string, 3>;
+
+// The journal of an unfinished sweep. It keeps all rows in memory, and appends them block by block
+// to a file, which is read once, by a sweep that resumes this one.
+//
+// The file begins with the head, which names the sweep. A block has the rows of each table, with a
+// line `#` between two tables. It ends with a line `# crc <checksum>` of everything above this
+// line. A sweep that was killed may leave a block without this line. Such a block is cut off, and
+// its points are computed again. A lock on the file, which ends with the process, keeps a second
+// sweep away.
+class Journal {
  public:
-  // Begins the file at `path`, or extends an existing one. `definition` (one line) names the sweep.
-  // `header` is the header of the table, with its end of line. Refuses a file that cannot be
-  // opened, that another process has locked, that exists although `resume` is false, or that has
-  // another definition or header.
-  PartialTable(const std::string &path, const std::string &definition, const std::string &header,
-               bool resume);
+  // What is wrong with row k of the first table: a rule, or nothing.
+  using RowRule = std::function<std::string(std::size_t k, const std::string &row)>;
 
-  std::size_t rows() const {
+  // Begins the file at `path`, or reads and extends an existing one. Throws std::invalid_argument
+  // for a file that cannot be opened, that another process has locked, that exists although
+  // `resume` is false, or that has another head. Throws it also for a row that breaks the rule and
+  // for a block that does not fit its checksum, with the number of the line.
+  Journal(const std::string &path, const std::string &head, bool resume, const RowRule &rule);
+
+  const Texts &rows() const {
     return rows_;
   }
-  // Adds rows, each with the end of its line. Throws std::runtime_error when that fails.
-  void add(const std::string &rows);
-  // The table so far: its header and its rows.
-  std::string text() const;
-  // Removes the file.
-  void remove();
+  // The number of rows of the first table.
+  std::size_t size() const;
+  // Adds a block. Throws std::runtime_error when the file cannot be written.
+  void add(const Texts &block);
+  // Removes the file, unless another file has taken its name. Returns false if another program
+  // has changed, moved or removed the file since it was opened.
+  bool remove();
 
  private:
-  std::string path_, definition_;
+  std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
-  std::size_t rows_ = 0;
+  Texts rows_ = {};
+  boost::crc_32_type checksum_;  // of the file
+  struct stat latest_ = {};      // of the file after it was written last
+  bool changed_ = false;
 
+  bool is_at_path() const;
+  void note_changes();
   void append(const std::string &text);
+  std::size_t read(const std::string &text, std::size_t head, const RowRule &rule);
+  std::string closing_line() const;
 };
 
 }  // namespace vibro_impact::runner

@@ -17,7 +17,7 @@ void carry_out(const Request &request, const Processes &processes) {
   if (const auto *sweep = std::get_if<SweepRequest>(&request)) return run_sweep(*sweep, processes);
   if (processes.rank() > 0) return;
   if (const auto *run = std::get_if<RunRequest>(&request)) return run_scene(*run);
-  std::fputs(std::get<std::string>(request).c_str(), stdout);
+  write_text(std::get<std::string>(request), "-");
 }
 
 }  // namespace
@@ -40,7 +40,8 @@ int main(int argc, char **argv) {
   } catch (const std::exception &failure) {
     message = failure.what();
   }
-  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
   if (at_work || processes.rank() == 0)
     std::fputs(("vibro-impact: " + message + "\n").c_str(), stderr);
   if (at_work) processes.end_others(status);

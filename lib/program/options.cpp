@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "files.hpp"
 #include "scene_options.hpp"
 
@@ -11,16 +13,27 @@ namespace {
 
 // The values of a parameter, given as parameter=from:to:count.
 Axis axis_of(const std::string &text) {
-  const std::string given = "--vary " + text;
+  const std::string given = "--vary " + shown(text);
   const auto sides = split(text, '='), range = split(sides.back(), ':');
   if (sides.size() != 2 || range.size() != 3)
     refuse("{}: must read parameter=from:to:count", given);
-  return {sides[0], number(given, range[0]), number(given, range[1]),
-          static_cast<std::size_t>(whole_number(given, range[2], 1e9))};
+  const Axis axis{sides[0], number(given, range[0]), number(given, range[1]),
+                  static_cast<std::size_t>(whole_number(given, range[2], 1e9))};
+  if (axis.count > 1 && axis.from == axis.to)
+    refuse("{}: {} equal values; one is enough", given, axis.count);
+  return axis;
 }
 
-// The options of a sweep that were given and on which its rows depend (those that are configurable,
-// as CLI11 has it), as words --name=value in one line.
+// A time, or with a P behind it a number of forcing periods.
+double time_of(const std::string &option, const std::string &word, double omega) {
+  const std::string given = option + " " + shown(word);
+  if (!word.ends_with('P')) return number(given, word);
+  if (omega == 0.0) refuse("{}: without a forcing frequency there is no period", given);
+  return number(given, word.substr(0, word.size() - 1)) * Clock(omega).period;
+}
+
+// The options of a command that were given and on which its rows depend (those that are
+// configurable, as CLI11 has it), as words --name=value in one line.
 std::string given(const CLI::App &app) {
   std::string text;
   for (const CLI::Option *option : app.get_options())
@@ -33,19 +46,26 @@ constexpr const char *notes =
     R"(All quantities are non-dimensional. Masses are counted from 1; the link of mass i joins
 it to mass i - 1, and that of mass 1 to the ground. A single value stands for all masses; a list
 has one value per mass, separated by commas. The defaults are those of Wagg (2006), Figure 2; its
-omega is inferred, not printed.
+omega is inferred, not printed. An existing output file is replaced. Tables are CSV.
 
 Example of a run:
   vibro-impact run --from 700 --events events.csv --samples samples.csv --plot run.png
 Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick or
 release; contact_mode lists the sticking masses after the event (-, 1, 2, 1+2).
+A Poincare section, with one point in each forcing period (P):
+  vibro-impact run --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --omega 0.823 --from 200P \
+    --until 9999P --every 1P --velocities --samples section.csv --portrait section.png
 
-Example of a sweep:
+A table, a bifurcation diagram, and hysteresis of an oscillator with one mass:
   vibro-impact sweep --vary omega=0.25:0.7:10 --vary stop1=-0.4:-0.2:3 --table atlas.csv
+  vibro-impact sweep --vary omega=0.25:0.7:91 --impacts impacts.csv --plot impacts.png
+  vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=1.05:1.45:81 \
+    --back --impacts branches.csv --plot branches.png
 The points are those of nested loops, the first range outermost. They are computed on
-OMP_NUM_THREADS threads{}; the table does not depend on their number.
-FILE.partial has the rows until all are there. A point that is refused or given up has empty cells.
-Columns behind the parameters, for a chain of one mass:
+OMP_NUM_THREADS threads{}; the tables do not depend on their number.
+The rows are kept in FILE.partial until all are there, where FILE is the first table that is
+asked for. A point that is refused or given up has empty cells in --table.
+Columns of --table behind the parameters, for a chain of one mass:
 {}
 Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input.)";
 
@@ -61,42 +81,79 @@ std::string footer(bool with_mpi) {
   return fmt::format(notes, with_mpi ? notes_of_mpi : "", columns);
 }
 
-const CLI::Range any_count(1LL, 1'000'000'000'000'000LL);
+constexpr double any_count = 1e15;
+constexpr double most_numbers = 5e7;  // in a table of samples, which then has about 1 GB
 
-void add_run_options(CLI::App &run, RunRequest &request) {
-  option(run, "--until", request.until, "TIME", "End of the run");
-  option(run, "--from", request.from, "TIME",
-         "Start of both tables; the run itself starts at t = 0");
-  option(run, "--every", request.every, "TIME",
-         "Interval between samples, > 0, counted from --from");
-  option(run, "--events", request.events, "FILE", "Event table (CSV); - for standard output");
-  option(run, "--samples", request.samples, "FILE",
-         "Displacements time,x1,x2,... (CSV); - for standard output");
-  option(run, "--plot", request.plot, "FILE",
-         "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
-         "impacts of --events; .png, .pdf or .svg");
+// By default a run, or a point of a sweep, of a few masses ends within ten seconds, or two.
+constexpr long long steps_of_run = 5'000'000, steps_of_point = 1'000'000;
+
+// The times of a run as they were given.
+struct RunTimes {
+  std::string until = "750", from = "0", every = "0.01";
+};
+
+void add_limits(CLI::App &app, RunOptions &options) {
+  count_option(app, "--max-impacts", options.max_impacts_per_period, any_count,
+               "Give up beyond this many impacts in one forcing period");
+  count_option(app, "--max-steps", options.max_steps, any_count,
+               "Give up beyond this many steps, which are as short as the stiffest link asks for");
+}
+
+void add_flag(CLI::App &app, const char *name, bool &value, const char *what) {
+  app.add_flag(name, value, what)->disable_flag_override();
+}
+
+void add_header_option(CLI::App &app, bool &header) {
+  add_flag(app, "--header", header,
+           "Begin each table with the options, in lines # name = value, which --scene reads");
+}
+
+void add_run_options(CLI::App &run, RunRequest &request, RunTimes &times, bool &header) {
+  option(run, "--until", times.until, "TIME", "End of the run; with a P behind it, in periods");
+  option(run, "--from", times.from, "TIME", "Start of both tables; the run itself starts at t = 0");
+  option(run, "--every", times.every, "TIME", "Interval between samples, > 0, counted from --from");
+  add_flag(run, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
   option(run, "--resolve-chatter", request.options.resolve_chatter, "SPEED",
          "Resolve and record every chatter impact faster than this; below it a\n"
          "complete chatter may be carried to its limit. Default: as soon as the\n"
          "limit is certain; 0: resolve until below rounding");
-  option(run, "--max-impacts", request.options.max_impacts_per_period, "N",
-         "Give up beyond this many impacts in one forcing period")
-      ->check(any_count);
+  add_limits(run, request.options);
+  run.option_defaults()->configurable(false);  // the rows do not depend on these
+  option(run, "--events", request.events, "FILE", "Event table; - for standard output");
+  option(run, "--samples", request.samples, "FILE",
+         "Displacements time,x1,x2,...; - for standard output");
+  option(run, "--plot", request.plot, "FILE",
+         "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
+         "impacts of --events; .png, .pdf or .svg. --from and --until zoom");
+  option(run, "--portrait", request.portrait, "FILE",
+         "Picture of the velocities of --samples against the displacements: a phase\n"
+         "portrait, or with --every 1P and more a Poincare section");
+  add_header_option(run, header);
 }
 
 void check_times(const RunRequest &request) {
   if (!(request.from >= 0.0 && request.from <= request.until))
     refuse("--from {}: must lie between 0 and --until {}", request.from, request.until);
+  if (request.samples.empty() || !(request.every > 0.0)) return;
   // Sample times that rounding makes equal would never come to an end.
-  if (!request.samples.empty() && request.every > 0.0 &&
-      request.until + request.every == request.until)
+  if (request.until + request.every == request.until)
     refuse("--every {}: too short for double precision to tell samples at --until {} apart",
            request.every, request.until);
+  const double samples = std::floor((request.until - request.from) / request.every) + 1.0;
+  const int columns = 1 + request.scene.masses() * (request.velocities ? 2 : 1);
+  if (samples * columns > most_numbers)
+    refuse("--every {}: {} samples of {} numbers, and a table has at most {} numbers",
+           request.every, samples, columns, most_numbers);
+  for (const auto &[option, path] :
+       {std::pair{"--plot", &request.plot}, {"--portrait", &request.portrait}})
+    if (!path->empty() && samples < 2.0)
+      refuse("{} {}: needs at least two samples, and --every {} gives one", option, *path,
+             request.every);
 }
 
 void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::string> &ranges,
-                       bool &no_lyapunov) {
-  SettleOptions &settle = request.records.settle;
+                       bool &header) {
+  RecordOptions &records = request.records;
   option(sweep, "--vary", ranges, "RANGE",
          "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
          "restitution, or restitution2 (of a stop), stop1 (its position),\n"
@@ -104,18 +161,31 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
          "displacement1, velocity1")
       ->default_str("")
       ->required();
-  option(sweep, "--longest", settle.longest, "N",
-         "Forcing periods after which a motion counts as not settling")
-      ->check(CLI::Range(1, 1'000'000));
-  option(sweep, "--max-impacts", settle.run.max_impacts_per_period, "N",
-         "Give up a point beyond this many impacts in one forcing period")
-      ->check(any_count);
-  sweep.add_flag("--no-lyapunov", no_lyapunov, "Leave out the Lyapunov exponent");
-  sweep.add_flag("--pairs", request.records.pairs, "Add the pairs of events of Table I that occur");
+  count_option(sweep, "--longest", records.settle.longest, 1e6,
+               "Forcing periods after which a motion counts as not settling");
+  add_limits(sweep, records.settle.run);
+  option(sweep, "--slowest", records.slowest, "SPEED",
+         "Write the impacts of a chatter down to this speed to --impacts");
+  add_flag(sweep, "--lyapunov", records.lyapunov, "Add the greatest Lyapunov exponent");
+  add_flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");
+  add_flag(sweep, "--follow", request.follow,
+           "Start each point at the settled state of its neighbour along the last range,\n"
+           "which goes down where `from` lies above `to`");
+  add_flag(sweep, "--back", request.back, "Follow the last range to its end and back");
   sweep.option_defaults()->configurable(false);  // the rows do not depend on these
-  option(sweep, "--table", request.table, "FILE", "The table (CSV)")->required();
-  sweep.add_flag("--resume", request.resume,
-                 "Go on with the rows that a sweep that was ended has left in FILE.partial");
+  option(sweep, "--table", request.files[0], "FILE", "Periods and counts of the settled motions");
+  option(sweep, "--impacts", request.files[1], "FILE",
+         "Their impacts: parameters,mass,velocity, the velocity before the impact; over\n"
+         "one period, or 40 forcing periods of a motion that has not settled");
+  option(sweep, "--section", request.files[2], "FILE",
+         "Their states at the phase of the start: parameters,x1,x2,...,v1,v2,...");
+  option(sweep, "--plot", request.plot, "FILE",
+         "Picture by gnuplot: --impacts against the parameter, or with two ranges a map of\n"
+         "--column of --table; .png, .pdf or .svg");
+  option(sweep, "--column", request.column, "NAME", "Column of the map");
+  add_header_option(sweep, header);
+  add_flag(sweep, "--resume", request.resume,
+           "Go on with the rows that a sweep that was ended has left in FILE.partial");
 }
 
 }  // namespace
@@ -123,9 +193,10 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
 Request parse(int argc, const char *const *argv, bool with_mpi) {
   SceneOptions scene;
   RunRequest run_request;
+  RunTimes times;
   SweepRequest sweep_request;
   std::vector<std::string> ranges;
-  bool no_lyapunov = false;
+  bool header = false;
   CLI::App app("Simulates a chain of masses with rigid stops under harmonic forcing",
                "vibro-impact");
   app.footer(footer(with_mpi));
@@ -134,37 +205,58 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
   CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
   CLI::App &sweep =
       *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
+  run_request.options.max_steps = steps_of_run;
+  sweep_request.records.settle.run.max_steps = steps_of_point;
   add_scene_options(run, scene);
-  add_run_options(run, run_request);
+  add_run_options(run, run_request, times, header);
   add_scene_options(sweep, scene);
-  add_sweep_options(sweep, sweep_request, ranges, no_lyapunov);
+  add_sweep_options(sweep, sweep_request, ranges, header);
   try {
-    app.parse(reversed_arguments(argc, argv));
+    app.parse(reversed_arguments(argc, argv, run));
   } catch (const CLI::CallForVersion &version) {
     return fmt::format("{}\n", version.what());
   } catch (const CLI::CallForHelp &) {
     return app.help();
   } catch (const CLI::ParseError &error) {
     const std::vector<std::string> others = app.remaining(true);
-    if (!others.empty()) refuse("not expected: {}", fmt::join(others, " "));
+    if (!others.empty())
+      refuse("not expected: {}; the commands are run and sweep, and --help says more",
+             shown(fmt::format("{}", fmt::join(others, " "))));
     refuse("{}", error.what());
   }
   if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
-  if (scene.print) {
-    const CLI::App &command = run.parsed() ? run : sweep;
-    scene_of(scene);  // refuses one that cannot be run
-    return scene_file(command, scene);
+  const CLI::App &command = run.parsed() ? run : sweep;
+  const Scene of_command = scene_of(scene);  // refuses one that cannot be run
+  if (scene.print) return scene_file(command, scene);
+  std::string head;
+  if (header) {
+    head = fmt::format("{}{} {}{}\n", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
+                       given(command));
+    for (const std::string &line : split(scene_file(command, scene), '\n'))
+      if (!line.empty()) head += "# " + line + "\n";
   }
   if (run.parsed()) {
+    run_request.scene = of_command;
+    run_request.until = time_of("--until", times.until, scene.omega);
+    run_request.from = time_of("--from", times.from, scene.omega);
+    run_request.every = time_of("--every", times.every, scene.omega);
+    run_request.points = scene.omega > 0.0 && run_request.every > 0.4 * Clock(scene.omega).period;
+    run_request.scene_file = scene.file;
+    run_request.head = head;
     check_times(run_request);
-    run_request.scene = scene_of(scene);
     return run_request;
   }
-  sweep_request.grid.scene = scene_of(scene);
+  sweep_request.grid.scene = of_command;
   for (const std::string &range : ranges) sweep_request.grid.axes.push_back(axis_of(range));
   check(sweep_request.grid);
-  sweep_request.records.lyapunov = !no_lyapunov;
-  sweep_request.definition = given(sweep);
+  sweep_request.follow = sweep_request.follow || sweep_request.back;
+  sweep_request.records.impact_velocities = !sweep_request.files[1].empty();
+  sweep_request.records.section = !sweep_request.files[2].empty();
+  sweep_request.definition =
+      fmt::format("{}{}{}", given(sweep), sweep_request.files[1].empty() ? "" : " impacts",
+                  sweep_request.files[2].empty() ? "" : " sections");
+  sweep_request.scene_file = scene.file;
+  sweep_request.head = head;
   return sweep_request;
 }
 

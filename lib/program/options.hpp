@@ -1,6 +1,7 @@
 // The command line of `vibro-impact`, and the two commands that it asks for.
 #pragma once
 
+#include <array>
 #include <string>
 #include <variant>
 
@@ -10,36 +11,44 @@
 
 namespace vibro_impact::runner {
 
-// One run. An empty path means that the file is not wanted; `-` is standard output.
+// One run. An empty path means that the file is not wanted; `-` is standard output. All times are
+// non-dimensional.
 struct RunRequest {
   Scene scene;
   RunOptions options;
-  double until = 750.0, from = 0.0, every = 0.01;  // non-dimensional times
-  std::string events, samples, plot;
+  double until = 0.0, from = 0.0, every = 0.0;
+  bool velocities = false;  // beside the displacements of the samples
+  bool points = false;      // of the portrait, which samples so far apart do not join to lines
+  std::string events, samples, plot, portrait;
+  std::string scene_file;  // which no other file may replace
+  std::string head;        // of the tables: lines of comments, or nothing
 };
 
-// A sweep. `definition` has in one line the options on which the rows of its table depend.
+// A sweep. `definition` has in one line the options on which the rows of its tables depend.
 struct SweepRequest {
   Grid grid;
   RecordOptions records;
-  std::string table;
+  std::array<std::string, 3> files;  // the records, the impacts and the sections
+  std::string plot, column = "period";
   bool resume = false;
-  std::string definition;
+  bool follow = false;  // each point from the settled state of the one before, ...
+  bool back = false;    // ... along the innermost range and back again
+  std::string definition, scene_file, head;
 };
 
-// The request of a command line: a run, a sweep, or the text of --help or --version.
+// The request of a command line: a run, a sweep, or a text for standard output.
 using Request = std::variant<RunRequest, SweepRequest, std::string>;
 
-// Reads the command line, and no file. The help offers processes of MPI if `with_mpi`. Throws
-// std::invalid_argument with one line for a command line that makes no sense, and for a scene or a
-// grid that `check` refuses.
+// Reads the command line, and the file of --scene. The help offers processes of MPI if `with_mpi`.
+// Throws std::invalid_argument with one line for a command line that makes no sense, and for a
+// scene or a grid that `check` refuses.
 Request parse(int argc, const char *const *argv, bool with_mpi = false);
 
 // Runs the scene and writes its files. Throws std::invalid_argument for a file that cannot be
 // written, before the run, and std::runtime_error when the run is given up or writing fails.
 void run_scene(const RunRequest &request);
 
-// Computes the table of a sweep. To be called by all processes; that of rank 0 writes the files.
+// Computes the tables of a sweep. To be called by all processes; that of rank 0 writes the files.
 // Throws as `run_scene` does, and std::invalid_argument for rows of another sweep or program.
 void run_sweep(const SweepRequest &request, const Processes &processes);
 

@@ -1,17 +1,19 @@
-# The picture of a run, drawn from its tables to standard output. Called by the program, or by hand:
-#   gnuplot -c plot.gp terminal samples.csv events.csv lower upper >picture
-# where lower and upper are the positions of the stops of each mass, in words; NaN: no stop.
-kind = ARG1
-samples = ARG2
-events = ARG3
-lower = ARG4
-upper = ARG5
-rows = words(lower)
-height = 130 + 370 * (rows < 80 ? rows : 80)  # in pixels, of which cairo takes 32767
-if (kind eq 'pdfcairo') {
+# The pictures of the program, drawn from its tables to standard output. Called by it, or by hand:
+#   gnuplot -c plot.gp terminal motion samples.csv events.csv lower upper >picture
+#   gnuplot -c plot.gp terminal portrait samples.csv masses lines|points >picture
+#   gnuplot -c plot.gp terminal diagram impacts.csv masses parameter none|rising|falling >picture
+#   gnuplot -c plot.gp terminal map table.csv parameter parameter column >picture
+# where lower and upper are the positions of the stops of each mass, in words (NaN: no stop), a
+# diagram has two more arguments, from and to, and a map the two widths of a point.
+kind = ARG2
+data = ARG3
+masses = int(kind eq 'motion' ? words(ARG5) : kind eq 'map' ? 1 : real(ARG4))
+tall = kind eq 'portrait' ? 640 : kind eq 'map' ? 900 : kind eq 'diagram' ? 470 : 370
+height = 130 + tall * (masses < 32000 / tall ? masses : 32000 / tall)  # cairo takes 32767 pixels
+if (ARG1 eq 'pdfcairo') {
   set terminal pdfcairo size 14in,(height / 100.0)in font 'Liberation Serif,22' linewidth 2
 } else {
-  set terminal @kind size 1400,height font 'Liberation Serif,22' linewidth 2
+  set terminal @ARG1 size 1400,height font 'Liberation Serif,22' linewidth 2
 }
 set datafile separator ','
 set border linewidth 0.7 linecolor rgb '#202020'
@@ -24,24 +26,78 @@ set style line 4 linecolor rgb '#e0a030' linewidth 4
 set lmargin 11
 set rmargin 3
 set offsets 0, 0, graph 0.06, graph 0.06
-stats samples using 1 nooutput
-set xrange [STATS_min:STATS_max]
-# A mass sticks where it stands exactly on its stop; it hits the one that it moves towards.
-position(stops, mass) = real(word(stops, mass))
-stuck(mass, x) = x == position(lower, mass) || x == position(upper, mass) ? x : NaN
-hit(mass, v) = position(v > 0 ? upper : lower, mass)
-impact(k, mass, event, v) = mass == k && event eq 'impact' ? hit(mass, v) : NaN
 # The key stands above the first panel.
 key(k, name) = k == 1 ? name : ''
-set multiplot layout rows,1
-do for [k = 1:rows] {
-  set ylabel sprintf('x_{%d}', k)
-  if (k == rows) { set xlabel 'time' }
-  plot position(lower, k) with lines linestyle 3 title key(k, 'stop'), \
-       position(upper, k) with lines linestyle 3, \
-       samples using 1:(stuck(k, column(k + 1))) with lines linestyle 4 title key(k, 'sticking'), \
-       samples using 1:(column(k + 1)) with lines linestyle 1 title key(k, 'displacement'), \
-       events using 1:(impact(k, int($2), strcol(3), $4)) \
-         with points linestyle 2 title key(k, 'impact')
+
+if (kind eq 'motion') {
+  events = ARG4
+  lower = ARG5
+  upper = ARG6
+  stats data using 1 nooutput
+  set xrange [STATS_min:STATS_max]
+  # A mass sticks where it stands exactly on its stop; it hits the one that it moves towards.
+  position(stops, mass) = real(word(stops, mass))
+  stuck(mass, x) = x == position(lower, mass) || x == position(upper, mass) ? x : NaN
+  hit(mass, v) = position(v > 0 ? upper : lower, mass)
+  impact(k, mass, event, v) = mass == k && event eq 'impact' ? hit(mass, v) : NaN
+  set multiplot layout masses,1
+  do for [k = 1:masses] {
+    set ylabel sprintf('x_{%d}', k)
+    if (k == masses) { set xlabel 'time' }
+    plot position(lower, k) with lines linestyle 3 title key(k, 'stop'), \
+         position(upper, k) with lines linestyle 3, \
+         data using 1:(stuck(k, column(k + 1))) with lines linestyle 4 title key(k, 'sticking'), \
+         data using 1:(column(k + 1)) with lines linestyle 1 title key(k, 'displacement'), \
+         events using 1:(impact(k, int($2), strcol(3), $4)) \
+           with points linestyle 2 title key(k, 'impact')
+  }
+  unset multiplot
 }
-unset multiplot
+if (kind eq 'portrait') {
+  lines = ARG5 eq 'lines' ? data : '/dev/null'
+  points = ARG5 eq 'points' ? data : '/dev/null'
+  set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03
+  set multiplot layout masses,1
+  do for [k = 1:masses] {
+    set xlabel sprintf('x_{%d}', k)
+    set ylabel sprintf('v_{%d}', k)
+    plot lines using (column(k + 1)):(column(masses + k + 1)) with lines linestyle 1, \
+         points using (column(k + 1)):(column(masses + k + 1)) \
+           with points linestyle 1 pointtype 7 pointsize 0.3
+  }
+  unset multiplot
+}
+if (kind eq 'diagram') {
+  # Where a branch was followed, ARG6 is the direction in which the parameter began to change.
+  parameter = ARG5
+  followed = ARG6 ne 'none'
+  # Whether the parameter falls, from one row to the next.
+  fell(x) = (falls = x < latest ? 1 : x > latest ? 0 : falls, latest = x, falls)
+  velocity(k, x, mass, v, side) = fell(x) == side && mass == k ? v : NaN
+  set xrange [real(ARG7):real(ARG8)]
+  set multiplot layout masses,1
+  do for [k = 1:masses] {
+    set ylabel sprintf('impact velocity of mass %d', k)
+    if (k == masses) { set xlabel parameter noenhanced }
+    plot falls = (ARG6 eq 'falling'), latest = NaN, \
+         data using 1:(velocity(k, $1, int($2), $3, 0)) with points linestyle 1 pointtype 7 \
+           pointsize followed ? 0.5 : 0.25 title followed ? key(k, 'rising ') : '', \
+         falls = (ARG6 eq 'falling'), latest = NaN, \
+         data using 1:(velocity(k, $1, int($2), $3, 1)) with points linestyle 2 \
+           pointsize 0.9 title followed ? key(k, 'falling ') : ''
+  }
+  unset multiplot
+}
+if (kind eq 'map') {
+  set autoscale fix
+  set xlabel ARG4 noenhanced
+  set ylabel ARG5 noenhanced
+  set title ARG6 noenhanced
+  set offsets 0, 0, 0, 0
+  set palette defined (0 '#f4f1ea', 1 '#8fb3cf', 2 '#12355b')
+  set rmargin 12
+  half(x, width) = x + 0.51 * real(width)  # the boxes overlap
+  plot data using ARG4:ARG5:(half(column(ARG4), '-'.ARG7)):(half(column(ARG4), ARG7)): \
+         (half(column(ARG5), '-'.ARG8)):(half(column(ARG5), ARG8)):ARG6 \
+         with boxxyerror fillstyle solid noborder fillcolor palette
+}

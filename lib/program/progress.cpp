@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -35,7 +36,7 @@ Progress::Progress(std::string name, double total, double before)
 void Progress::advance(double by) {
   if (!terminal_) return;
   const std::lock_guard lock(mutex_);
-  done_ += by;
+  done_ = std::min(total_, done_ + by);
   const auto elapsed = std::chrono::steady_clock::now() - start_;
   const double seconds = std::chrono::duration<double>(elapsed).count();
   if (!is_progress_due(seconds, last_shown_)) return;

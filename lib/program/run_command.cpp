@@ -1,15 +1,15 @@
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <regex>
+#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "files.hpp"
 #include "options.hpp"
+#include "picture.hpp"
 #include "progress.hpp"
 
 namespace vibro_impact::runner {
@@ -26,111 +26,114 @@ Table table_of(const EventRecorder &recorder) {
   return table;
 }
 
-Table table_of(const SampleRecorder &recorder, int masses) {
-  std::string header = "time";
-  for (int mass = 1; mass <= masses; ++mass) header += fmt::format(",x{}", mass);
-  Table table(header);
-  auto displacement = recorder.displacements.begin();
-  for (const double time : recorder.times) {
-    table.cell(time);
-    for (int mass = 1; mass <= masses; ++mass) table.cell(*displacement++);
+// The table of samples, row by row.
+struct SampleTable {
+  const RunRequest &request;
+  Table table;
+  std::size_t taken = 0;
+
+  explicit SampleTable(const RunRequest &of) : request(of), table("") {
+    std::string header = "time";
+    for (const char *column : {"x", "v"})
+      for (int mass = 1; mass <= of.scene.masses() && (*column == 'x' || of.velocities); ++mass)
+        header += fmt::format(",{}{}", column, mass);
+    table = Table(header);
+  }
+  void check(const Scene &scene) const {
+    SampleRecorder{request.from, request.until, request.every}.check(scene);
+  }
+  double next_time() const {
+    return sample_time(request.from, request.until, request.every, taken);
+  }
+  void sample(const Moment &moment) {
+    ++taken;
+    table.cell(moment.time);
+    for (int mass = 1; mass <= moment.masses(); ++mass) table.cell(moment.displacement(mass));
+    for (int mass = 1; mass <= moment.masses() && request.velocities; ++mass)
+      table.cell(moment.velocity(mass));
     table.end_row();
   }
-  return table;
-}
+};
 
-// The name of gnuplot's terminal for a file.
-std::string terminal_of(const std::string &path) {
-  if (path.ends_with(".png")) return "pngcairo";
-  if (path.ends_with(".pdf")) return "pdfcairo";
-  if (path.ends_with(".svg")) return "svg";
-  refuse("--plot {}: must end in .png, .pdf or .svg", path);
-}
+// Shows how far a run is, at its events and at times between them.
+struct ProgressRecorder {
+  static constexpr double shown_times = 1000.0;
 
-// A word of a command of the shell.
-std::string quoted(const std::string &word) {
-  return fmt::format("'{}'", std::regex_replace(word, std::regex("'"), "'\\''"));
-}
+  Progress progress;
+  double until, latest = 0.0, taken = 0.0;
 
-// Runs gnuplot without the settings of the user; true when it succeeds.
-bool gnuplot(const std::string &arguments) {
-  return std::system(fmt::format("gnuplot -d {} 2>/dev/null", arguments).c_str()) == 0;
-}
+  explicit ProgressRecorder(double end) : progress("time", end), until(end) {
+  }
+  void reach(double time) {
+    progress.advance(time - latest);
+    latest = time;
+  }
+  void event(const Event &event, const Moment &) {
+    reach(event.time);
+  }
+  double next_time() const {
+    const double next = until * ((taken + 1.0) / shown_times);
+    return taken + 1.0 < shown_times && next > 0.0 ? next : std::numeric_limits<double>::infinity();
+  }
+  void sample(const Moment &moment) {
+    ++taken;
+    reach(moment.time);
+  }
+};
 
-bool is_file(const std::string &path) {
-  return !path.empty() && path != "-";
-}
-
-// Refuses a picture if the run writes no table of samples to draw it from, if gnuplot is not
-// installed, or if gnuplot cannot write this format.
-void check_plot(const RunRequest &request) {
-  const std::string terminal = terminal_of(request.plot);
-  if (!is_file(request.samples))
-    refuse("--plot {}: is drawn from the table of --samples, which must be a file", request.plot);
-  if (!gnuplot(fmt::format("-e 'set terminal {}'", terminal)))
-    refuse("--plot {}: needs gnuplot with its terminal {}, not found", request.plot, terminal);
-}
-
-// The picture of a run: the displacement of each mass over time, its stops, its impacts and the
-// phases in which it sticks. Gnuplot draws it from the tables, which are written by now, by
-// plot.gp, which is installed. Throws std::runtime_error.
-void draw(const RunRequest &request) {
-  const Scene &scene = request.scene;
-  std::vector<std::string> lower(static_cast<std::size_t>(scene.masses()), "NaN"), upper = lower;
-  for (const Stop &stop : scene.stops)
+// Draws the motion over time, with the positions of the stops of each mass in words.
+void draw_motion(const RunRequest &request) {
+  std::vector<std::string> lower(static_cast<std::size_t>(request.scene.masses()), "NaN");
+  std::vector<std::string> upper = lower;
+  for (const Stop &stop : request.scene.stops)
     (stop.side == Side::lower ? lower : upper)[static_cast<std::size_t>(stop.mass) - 1] =
         fmt::format("{:.17g}", stop.position);
-  // Beside the program, in the build folder as where it is installed.
-  const fs::path script =
-      fs::read_symlink("/proc/self/exe").parent_path() / "../share/vibro-impact/plot.gp";
-  const std::string samples = fs::absolute(request.samples).string(),
-                    events = is_file(request.events) ? fs::absolute(request.events).string()
-                                                     : "/dev/null",
-                    temporary = request.plot + ".part";
-  const bool drawn = gnuplot(fmt::format(
-      "-c {} {} {} {} '{}' '{}' >{}", quoted(script), terminal_of(request.plot), quoted(samples),
-      quoted(events), fmt::join(lower, " "), fmt::join(upper, " "), quoted(temporary)));
-  std::error_code failed;
-  if (drawn) fs::rename(temporary, request.plot, failed);
-  if (drawn && !failed) return;
-  fs::remove(temporary, failed);
-  throw std::runtime_error(fmt::format("--plot {}: gnuplot could not draw it", request.plot));
+  const bool events = !request.events.empty() && request.events != "-";
+  draw({"--plot", request.plot}, "motion",
+       {fs::absolute(request.samples).string(),
+        events ? fs::absolute(request.events).string() : "/dev/null",
+        fmt::format("{}", fmt::join(lower, " ")), fmt::format("{}", fmt::join(upper, " "))});
+}
+
+void check_files_of(const RunRequest &request) {
+  check_files({{"--events", request.events},
+               {"--samples", request.samples},
+               {"--plot", request.plot},
+               {"--portrait", request.portrait}},
+              request.scene_file);
+  if (!request.plot.empty()) check_picture({"--plot", request.plot}, "--samples", request.samples);
+  if (request.portrait.empty()) return;
+  if (!request.velocities) refuse("--portrait {}: needs --velocities", request.portrait);
+  check_picture({"--portrait", request.portrait}, "--samples", request.samples);
 }
 
 }  // namespace
 
-// Shows how far a run is.
-struct ProgressRecorder {
-  Progress &progress;
-  double last = 0.0;
-
-  void event(const Event &event, const Moment &) {
-    progress.advance(event.time - std::exchange(last, event.time));
-  }
-};
-
 void run_scene(const RunRequest &request) {
-  check_files(
-      {{"--events", request.events}, {"--samples", request.samples}, {"--plot", request.plot}});
-  if (!request.plot.empty()) check_plot(request);
+  check_files_of(request);
   EventRecorder events{request.from};
-  SampleRecorder samples{request.from, request.until, request.every};
-  Progress progress("time", request.until);
-  ProgressRecorder shown{progress};
+  SampleTable samples(request);
   RecorderGroup recorders;
   if (!request.events.empty()) recorders.add(events);
   if (!request.samples.empty()) recorders.add(samples);
-  recorders.add(shown);
-  Simulation simulation(request.scene, request.options);
-  const Outcome outcome = require_complete(simulation.advance(request.until, recorders));
-  if (!request.events.empty()) write_table(table_of(events), request.events);
-  if (!request.samples.empty())
-    write_table(table_of(samples, request.scene.masses()), request.samples);
-  if (!request.plot.empty()) draw(request);
+  Outcome outcome;
+  {
+    ProgressRecorder progress(request.until);
+    if (isatty(STDERR_FILENO) != 0) recorders.add(progress);
+    Simulation simulation(request.scene, request.options);
+    outcome = require_complete(simulation.advance(request.until, recorders));
+  }
+  if (!request.events.empty()) write_text(request.head + table_of(events).text, request.events);
+  if (!request.samples.empty()) write_text(request.head + samples.table.text, request.samples);
+  if (!request.plot.empty()) draw_motion(request);
+  if (!request.portrait.empty())
+    draw({"--portrait", request.portrait}, "portrait",
+         {fs::absolute(request.samples).string(), std::to_string(request.scene.masses()),
+          request.points ? "points" : "lines"});
   const Counters &counters = outcome.counters;
   const std::string summary = fmt::format(
-      "t = {:.17g}: {} impacts resolved, {} sticks, {} releases; chatter {} times carried to "
-      "its limit, {} times incomplete\n",
+      "t = {:.17g}: since t = 0, {} impacts resolved, {} sticks, {} releases; chatter {} times "
+      "carried to its limit, {} times incomplete\n",
       outcome.time, counters.impacts, counters.sticks, counters.releases, counters.chatter_limits,
       counters.chatter_incomplete);
   std::fputs(summary.c_str(), stderr);

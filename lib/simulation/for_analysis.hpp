@@ -9,6 +9,7 @@
 
 namespace vibro_impact {
 
+using detail::check_place;
 using detail::entry_of;
 using detail::external_force;
 using detail::force_on;

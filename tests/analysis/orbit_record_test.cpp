@@ -44,4 +44,24 @@ TEST(Record, ThePairsOfTableIThatOccur) {
   EXPECT_TRUE(record_of(paper::figure5b(), options).pairs.empty());
 }
 
+// A state of a neighbouring scene is a start: a mass that is held moves with its stop, a mass
+// beyond a stop moves to it, and the phase stays within the period.
+TEST(StartNear, BringsAStateIntoTheScene) {
+  Scene scene = paper::figure2();
+  MotionState state = start_of(scene);
+  state.displacement = {-0.3, 0.05};
+  state.velocity = {0.0, 0.2};
+  state.held = {-1, 0};
+  state.instant.phase = 0.9 * Clock(scene.omega).period;
+  scene.omega *= 1.5;
+  scene.stops[0].position = -0.25;
+  scene.stops[1].position = 0.04;
+  const MotionState start = start_near(scene, state);
+  EXPECT_EQ(start.displacement, (std::vector<double>{-0.25, 0.04}));
+  EXPECT_EQ(start.velocity, state.velocity);
+  EXPECT_EQ(start.held, state.held);
+  EXPECT_LT(start.instant.phase, Clock(scene.omega).period);
+  EXPECT_NO_THROW(require_complete(simulate(scene, start, time_after(scene, start, 1))));
+}
+
 }  // namespace

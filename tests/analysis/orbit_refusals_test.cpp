@@ -35,6 +35,13 @@ MotionState far() {
   return at;
 }
 
+template <class Change>
+MotionState changed(const Change &change) {
+  MotionState at = start;
+  change(at);
+  return at;
+}
+
 Scene unforced() {
   Scene without = scene;
   without.omega = 0.0;
@@ -59,6 +66,16 @@ TEST(Refusals, OfOrbits) {
       {[&] { natural_modes(scene, wrong); }, "held = 9: must be -1, 0 or 1"},
       {[&] { acceleration(scene, short_of_one()); }, "displacement: 1 values given"},
       {[&] { acceleration({}, start); }, "masses = 0"},
+      {[&] { acceleration(scene, changed([](auto &at) { at.displacement[1] = nan; })); }, "nan"},
+      {[&] { acceleration(scene, changed([](auto &at) { at.velocity[0] = infinity; })); }, "inf"},
+      {[&] { acceleration(scene, changed([](auto &at) { at.instant.phase = -1.0; })); },
+       "phase = -1"},
+      {[&] { acceleration(scene, changed([](auto &at) { at.instant.phase = nan; })); },
+       "phase = nan"},
+      {[&] { acceleration(scene, changed([](auto &at) { at.instant.cycle = -1; })); },
+       "in period -1"},
+      {[&] { pressing_force(scene, scene.stops[0], changed([](auto &at) { at.held[0] = 1; })); },
+       "it has no such stop"},
       {[&] { pressing_force(scene, none, start); }, "mass 5: the chain has masses 1 to 2"},
       {[&] { pressing_force(scene, on_no_side, start); }, "side = 9: must be lower (-1) or"},
       {[&] { pressing_force(scene, nowhere, start); }, "at nan: must be finite"},
@@ -89,7 +106,7 @@ TEST(Refusals, OfOrbits) {
       {[&] {
          floquet_multipliers({3, 4, {}}, free);
        },
-       "derivative: 3 x 4 values given"},
+       "derivative: 0 values of 3 x 4"},
       {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
       {[&] { require_complete(simulate(scene, 60.0, without_stops)); }, "has 0 stops"},
   });

@@ -78,4 +78,12 @@ TEST(Newton, SaysWhyItDidNotConverge) {
   EXPECT_TRUE(find_periodic_orbit(scene, section_after(scene, 30)).why_not.empty());
 }
 
+// An orbit that was not found is not stable, whatever the multipliers of its best iterate.
+TEST(PeriodicOrbit, IsNotStableUnlessItWasFound) {
+  const Scene scene = paper::figure2();
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, start_of(scene), 1, 0);
+  EXPECT_FALSE(orbit.converged);
+  EXPECT_FALSE(orbit.stable());
+}
+
 }  // namespace

@@ -30,7 +30,7 @@ Grid grid_of_figure3() {
 // An observable of one's own: where the motion stands after thirty periods, and its impacts there.
 std::vector<double> observed(const Scene &scene) {
   const double T = Clock(scene.omega).period;
-  ImpactSpeedRecorder speeds{1, 29 * T};
+  ImpactVelocityRecorder speeds{1, 29 * T};
   const Outcome end = simulate(scene, 30 * T, speeds);
   std::vector<double> row = end.state.displacement;
   row.insert(row.end(), speeds.velocities.begin(), speeds.velocities.end());
@@ -138,6 +138,12 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
   };
   MotionState start = start_of(good), far_out = start;
   far_out.instant.cycle = std::numeric_limits<long long>::max();
+  const auto of_mass = [](int mass, int stop = 1) {
+    Event event;
+    event.mass = mass;
+    event.stop = stop;
+    return event;
+  };
   Scene unforced = good;
   unforced.omega = 0.0;
   expect_refused({
@@ -155,7 +161,31 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       {record([](auto &o) { o.slowest = -1.0; }), "slowest = -1"},
       {[&] { record_of(unforced); }, "omega = 0"},
       {[&] { settle(good, far_out); }, "period 9223372036854775807"},
-      {[&] { mean_growth(good, start, 0); }, "periods = 0"},
+      {[&] { mean_growth(good, start, 0); }, "longest = 0"},
+      {[&] {
+         counts_of(good, {of_mass(0)}, 1, {0, 0});
+       },
+       "mass 0: the chain has"},
+      {[&] {
+         counts_of(good, {of_mass(3)}, 1, {0, 0});
+       },
+       "mass 3: the chain has"},
+      {[&] {
+         counts_of(good, {of_mass(1, 3)}, 1, {0, 0});
+       },
+       "stop 3: the scene has 2"},
+      {[&] {
+         counts_of(good, {}, 0, {0, 0});
+       },
+       "periods = 0"},
+      {[&] { counts_of(good, {}, 1, {0}); }, "held: 1 values"},
+      {[&] { record_columns(-1, {}); }, "masses = -1"},
+      {[&] {
+         Table table("");
+         add_row(table, grid, {}, 0, OrbitRecord{});
+       },
+       "record: counts of 0 masses"},
+      {[&] { start_near(good, {}); }, "displacement: 0 values"},
       {[&] { mean_growth(good, MotionState{}, 100); }, "displacement: 0 values"},
   });
 }

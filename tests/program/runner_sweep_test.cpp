@@ -32,8 +32,8 @@ TEST_F(Runner, ASweepGivesTheTableOfTheLibrary) {
     add_row(expected, grid, options, point, record_of(grid.scene_at(point), options));
 
   const std::string arguments =
-      "sweep --vary omega=0.25:0.7:19 --vary restitution=0.3:0.9:4 --longest 100 --pairs "
-      "--table t.csv";
+      "sweep --vary omega=0.25:0.7:19 --vary restitution=0.3:0.9:4 --longest 100 --lyapunov "
+      "--pairs --table t.csv";
   for (const int processes : {1, 2, 3}) {  // 64 and 96 points a block, of 76: the last is short
     if (processes > 1 && !with_mpi) GTEST_SKIP() << "built without MPI";
     const Result result = run(arguments, "true", processes > 1 ? mpirun(processes) : "");
@@ -46,7 +46,7 @@ TEST_F(Runner, ASweepGivesTheTableOfTheLibrary) {
 // At the first frequency a forcing period is longer than double precision can count, and the scene
 // is refused there; with few impacts allowed, r = 0.9 is given up.
 TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
-  ASSERT_EQ(run("sweep --vary omega=1e-307:0.6:2 --no-lyapunov --table t.csv").status, 0);
+  ASSERT_EQ(run("sweep --vary omega=1e-307:0.6:2 --table t.csv").status, 0);
   auto rows = lines(contents(folder / "t.csv"));
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[1].substr(rows[1].find(',')), ",,,,,,");
@@ -54,7 +54,7 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
 
   const Result result =
       run("sweep --vary restitution=0:0.9:2 --max-impacts 6 --longest 20 --omega 0.3 "
-          "--no-lyapunov --table t.csv");
+          "--table t.csv");
   ASSERT_EQ(result.status, 0);
   rows = lines(contents(folder / "t.csv"));
   ASSERT_EQ(rows.size(), 3u);
@@ -62,15 +62,24 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
   EXPECT_NE(result.err.find(" 1 were refused or given up"), std::string::npos) << result.err;
 }
 
-// The rows of a partial table that stand there whole, below its two lines of a head.
-std::size_t rows_in(const std::string &partial) {
-  const auto whole = static_cast<std::size_t>(std::count(partial.begin(), partial.end(), '\n'));
-  return std::max<std::size_t>(whole, 2) - 2;
+// The rows in the whole blocks of a journal, below its two lines of a head.
+std::string rows_in(const std::string &journal) {
+  const std::string of_whole_lines = journal.substr(0, journal.rfind('\n') + 1),
+                    whole = journal.substr(0, of_whole_lines.rfind("# crc") + 1);
+  std::string rows;
+  int line = 0;
+  for (const std::string &row : lines(whole))
+    if (++line > 2 && !row.starts_with("#")) rows += row + '\n';
+  return rows;
+}
+
+int count_of(const std::string &rows) {
+  return static_cast<int>(std::count(rows.begin(), rows.end(), '\n'));
 }
 
 struct KilledSweep : Runner {
   const std::string sweep =
-      "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 --no-lyapunov "
+      "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 "
       "--table t.csv ";
 
   // Starts the sweep and kills it as soon as rows stand in its partial table. Returns false when
@@ -87,7 +96,7 @@ struct KilledSweep : Runner {
     }
     int status = 0;
     while (waitpid(child, &status, WNOHANG) == 0) {
-      if (rows_in(contents(folder / "t.csv.partial")) > 0) {
+      if (!rows_in(contents(folder / "t.csv.partial")).empty()) {
         kill(child, SIGKILL);
         waitpid(child, &status, 0);
         break;
@@ -108,7 +117,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   ASSERT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
   const std::string partial = contents(path);
   const std::size_t head = partial.find('\n') + 1;
-  EXPECT_TRUE(whole.starts_with(partial.substr(head, partial.rfind('\n') + 1 - head)));
+  EXPECT_NE(whole.find("\n" + rows_in(partial)), std::string::npos);
 
   // A sweep does not replace a table by mistake, nor extend that of another sweep or program: one
   // byte more is another file.
@@ -135,7 +144,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   std::ofstream{scene};
   for (const std::size_t size : {head / 2, partial.size() - 5, partial.size()}) {
     std::ofstream(path) << partial.substr(0, size);
-    const std::size_t kept = rows_in(partial.substr(0, size));
+    const int kept = count_of(rows_in(partial.substr(0, size)));
     const Result rest = run(sweep + "--resume --scene " + scene, "true", with_mpi ? mpirun(2) : "");
     ASSERT_EQ(rest.status, 0) << rest.err;
     EXPECT_NE(rest.err.find("905 points, " + std::to_string(905 - kept) + " computed now"),
@@ -148,11 +157,12 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
 }
 
 TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {
-  const runner::PartialTable held(folder / "t.csv.partial", "a sweep", "a header\n", false);
+  const runner::Journal held(folder / "t.csv.partial", "a head\n", false,
+                             [](std::size_t, const std::string &) { return ""; });
   const Result second = run("sweep --vary omega=0.3:0.5:2 --resume --table t.csv");
   EXPECT_EQ(second.status, 2);
   EXPECT_EQ(second.err, "vibro-impact: t.csv.partial: another sweep is writing it\n");
-  EXPECT_EQ(contents(folder / "t.csv.partial"), "a sweep\na header\n");
+  EXPECT_EQ(contents(folder / "t.csv.partial"), "a head\n");
 }
 
 }  // namespace

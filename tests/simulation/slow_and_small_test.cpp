@@ -193,6 +193,45 @@ TEST(ImpactBudget, IsNotThatOfASlowForcing) {
   EXPECT_EQ(simulate(scene, 4e4, {.max_impacts_per_period = 2000}).ending, Ending::reached);
 }
 
+// A spring that holds the other mass does not lengthen the budget of a rattling one.
+TEST(ImpactBudget, IsNotWeakenedByAStiffSpring) {
+  for (const double ground : {1.0, 1e4, 1e6}) {
+    Scene scene;
+    scene.mass = {1.0, 1.0};
+    scene.stiffness = {1.0, 1.0};
+    scene.beta = 0.1;
+    scene.constant = {1.0, 0.0};
+    scene.ground = {0.0, ground};
+    scene.omega = 0.0;
+    scene.stops = {{1, Side::upper, 0.1}};
+    const Outcome outcome = simulate(scene, 1000.0, {.max_impacts_per_period = 2000});
+    EXPECT_EQ(outcome.ending, Ending::given_up) << ground;
+    EXPECT_NE(outcome.reason.find("more than 2000 impacts"), std::string::npos) << outcome.reason;
+  }
+}
+
+// An undamped stiff mode takes two radians a step at most. A damped one dies out.
+TEST(Work, OfARunIsBounded) {
+  Scene scene;
+  scene.mass = {1.0, 1.0};
+  scene.stiffness = {1.0, 1e14};
+  scene.amplitude = {0.5, 0.0};
+  scene.restitution = 0.7;
+  scene.stops = {{1, Side::upper, 0.1}};
+  RunOptions options;
+  options.max_steps = 10'000;
+  const Outcome outcome = simulate(scene, 100.0, options);
+  EXPECT_EQ(outcome.ending, Ending::given_up);
+  EXPECT_NE(outcome.reason.find("more than 10000 steps, given up at t = "), std::string::npos);
+  EXPECT_LE(outcome.counters.expansions, 10'000);
+  scene.beta = 0.1;
+  EXPECT_EQ(simulate(scene, 100.0).ending, Ending::reached);
+  scene.beta = 0.0;
+  scene.stiffness[1] = 1e30;
+  EXPECT_THROW(static_cast<void>(simulate(scene, 100.0, options)), std::invalid_argument);
+  EXPECT_EQ(simulate(scene, 1e-12, options).ending, Ending::reached);
+}
+
 // A fast decay that wakes up late in a run, where its steps lie below the rounding of the phase.
 TEST(Clock, ResolvesAFastDecayLateInARun) {
   Scene scene;

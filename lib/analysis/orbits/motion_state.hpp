@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "simulation/for_analysis.hpp"
@@ -46,7 +47,7 @@ inline void require_held(const Scene &scene, const Held &held) {
   for (const int how : held) require(how >= -1 && how <= 1, "held = ", how, ": must be -1, 0 or 1");
 }
 
-// A run checks its start by itself; functions of a state have to.
+// A run checks its start by itself; functions of a state have to. A mass may lie beyond a stop.
 inline void require_fits(const Scene &scene, const MotionState &at) {
   const std::size_t n = scene.mass.size();
   require(at.displacement.size() == n, "displacement: ", at.displacement.size(),
@@ -54,6 +55,11 @@ inline void require_fits(const Scene &scene, const MotionState &at) {
   require(at.velocity.size() == n, "velocity: ", at.velocity.size(),
           " values given, the chain has ", n, " masses");
   require_held(scene, at.held);
+  check_place(scene, at.instant, at.held);
+  for (const auto &[values, what] :
+       {std::pair{&at.displacement, "displacement"}, {&at.velocity, "velocity"}})
+    for (const double value : *values)
+      require(std::isfinite(value), what, " = ", value, ": must be finite");
 }
 
 // The state at a moment of a run in this contact mode.
@@ -69,6 +75,23 @@ inline MotionState state_at(const Moment &moment, const Held &held) {
 // True where the contact mode holds a mass at this stop.
 inline bool holds(const Stop &stop, const Held &held) {
   return held[static_cast<std::size_t>(stop.mass - 1)] == static_cast<signed char>(stop.side);
+}
+
+// The state in this scene, which may not be quite the one it was found in: its phase lies within
+// the period, and held masses are at rest at their stops.
+inline MotionState moved_into(const Scene &scene, MotionState state) {
+  check(scene);
+  require(std::isfinite(state.instant.phase), "start: phase = ", state.instant.phase,
+          ": must be finite");
+  state.instant = later({state.instant.cycle, 0.0}, state.instant.phase, Clock(scene.omega));
+  require_fits(scene, state);
+  for (const Stop &stop : scene.stops) {
+    if (!holds(stop, state.held)) continue;
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    state.displacement[i] = stop.position;
+    state.velocity[i] = 0.0;
+  }
+  return state;
 }
 
 }  // namespace vibro_impact

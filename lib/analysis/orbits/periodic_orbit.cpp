@@ -14,21 +14,6 @@ namespace vibro_impact {
 
 namespace {
 
-// The state in this scene, which may not be quite the one it was found in: its phase lies within
-// the period, and held masses are at rest at their stops.
-MotionState moved_into(const Scene &scene, MotionState state) {
-  check(scene);
-  require_fits(scene, state);
-  state.instant = later({state.instant.cycle, 0.0}, state.instant.phase, Clock(scene.omega));
-  for (const Stop &stop : scene.stops) {
-    if (!holds(stop, state.held)) continue;
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    state.displacement[i] = stop.position;
-    state.velocity[i] = 0.0;
-  }
-  return state;
-}
-
 double largest_component(const Eigen::VectorXd &vector) {
   return vector.size() == 0 ? 0.0 : vector.cwiseAbs().maxCoeff();
 }
@@ -146,8 +131,8 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
   const std::size_t size = 2 * held.size();
   require(derivative.rows == size && derivative.columns == size &&
               derivative.values.size() == size * size,
-          "derivative: ", derivative.rows, " x ", derivative.columns,
-          " values given, the chain has ", size, " coordinates");
+          "derivative: ", derivative.values.size(), " values of ", derivative.rows, " x ",
+          derivative.columns, ", the chain has ", size, " coordinates");
   const std::vector<std::size_t> free = free_coordinates(held);
   if (free.empty()) return {};
   const Eigen::MatrixXd map = view(derivative)(free, free);

@@ -30,6 +30,7 @@ Growth mean_growth(const Scene &scene, const MotionState &start, int longest,
                    const RunOptions &options) {
   check(scene);
   check(scene, start);
+  require(longest >= 1, "longest = ", longest, ": must be positive");
   time_after(scene, start, longest);  // refuses a length that cannot be run
   MotionState state = start;
   Eigen::VectorXd perturbation = Eigen::VectorXd::Zero(2 * scene.masses());

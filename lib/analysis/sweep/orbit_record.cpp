@@ -2,16 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/tolerances.hpp"
-#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/lyapunov.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
 namespace {
+
+// The states at the beginnings of some forcing periods from `start`.
+struct SectionRecorder {
+  const Scene &scene;
+  const MotionState &start;
+  int periods;
+  std::vector<std::vector<double>> section;
+
+  double next_time() const {
+    const auto taken = static_cast<int>(section.size());
+    return taken < periods ? time_after(scene, start, taken)
+                           : std::numeric_limits<double>::infinity();
+  }
+  void sample(const Moment &moment) {
+    section.push_back(coordinates(state_at(moment, {})));
+  }
+};
 
 // Follows the motion from where it settled for `periods` forcing periods, and records them.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
@@ -20,12 +38,17 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                until = time_after(scene, motion.state, periods);
   RunOptions run = options.settle.run;
   EventRecorder events{begin};
+  SectionRecorder section{scene, motion.state, periods, {coordinates(motion.state)}};
+  RecorderGroup recorders;
+  recorders.add(events);
+  if (options.section) recorders.add(section);
   if (options.impact_velocities)
     run.resolve_chatter = std::min(run.resolve_chatter, options.slowest);
   Simulation simulation = motion.simulation;
   simulation.set_options(run);
-  require_complete(simulation.advance(until, events));
+  require_complete(simulation.advance(until, recorders));
   record.counts = counts_of(scene, events.events, periods, motion.state.held);
+  if (options.section) record.section = std::move(section.section);
   if (!options.impact_velocities) return;
   record.impact_velocities.resize(scene.mass.size());
   for (const Event &event : events.events)
@@ -71,7 +94,7 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
   SettledMotion motion = settle(scene, start, options.settle);
   OrbitRecord record;
   record.period = motion.period;
-  if (motion.period == 0 || options.impact_velocities)
+  if (motion.period == 0 || options.impact_velocities || options.section)
     record_on(scene, motion, motion.period > 0 ? motion.period : periods_counted, options, record);
   else
     record.counts = std::move(motion.counts);
@@ -85,6 +108,16 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
   check(scene);
   return record_of(scene, start_of(scene), options);
+}
+
+MotionState start_near(const Scene &scene, MotionState state) {
+  state = moved_into(scene, std::move(state));
+  for (const Stop &stop : scene.stops) {
+    double &x = state.displacement[static_cast<std::size_t>(stop.mass - 1)];
+    if (sign(stop.side) * (x - stop.position) > 0.0) x = stop.position;
+  }
+  check(scene, state);
+  return state;
 }
 
 }  // namespace vibro_impact

@@ -1,6 +1,7 @@
 // The one list of the columns that the table of a sweep has for its records.
 #include <string_view>
 
+#include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 
 namespace vibro_impact {
@@ -37,6 +38,7 @@ void add_pairs(Table &row, const OrbitRecord &record) {
 }  // namespace
 
 std::vector<Column> record_columns(int masses, const RecordOptions &options) {
+  require(masses >= 1, "masses = ", masses, ": a chain has at least one mass");
   std::vector<Column> columns;
   columns.push_back({"period", "in forcing periods; 0: none was found",
                      [](Table &row, const OrbitRecord &record) { row.cell(record.period); }});
@@ -57,9 +59,29 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
   return columns;
 }
 
-Table sweep_table(const Grid &grid, const RecordOptions &options) {
+namespace {
+
+void require_masses(const EventCounts &counts, const Scene &scene) {
+  require(counts.impacts.size() == scene.mass.size() && counts.sticks.size() == scene.mass.size(),
+          "record: counts of ", counts.impacts.size(), " masses, the chain has ", scene.masses());
+}
+
+// The names of the parameters, each with a comma.
+std::string parameters_of(const Grid &grid) {
   std::string header;
   for (const Axis &axis : grid.axes) header += axis.parameter + ",";
+  return header;
+}
+
+// The cells of the parameters of a point.
+void begin_row(Table &table, const Grid &grid, std::size_t point) {
+  for (const double value : grid.values(point)) table.cell(value);
+}
+
+}  // namespace
+
+Table sweep_table(const Grid &grid, const RecordOptions &options) {
+  std::string header = parameters_of(grid);
   for (const Column &column : record_columns(grid.scene.masses(), options))
     header += column.name + ",";
   header.pop_back();
@@ -68,13 +90,46 @@ Table sweep_table(const Grid &grid, const RecordOptions &options) {
 
 void add_row(Table &table, const Grid &grid, const RecordOptions &options, std::size_t point,
              const std::optional<OrbitRecord> &record) {
-  for (const double value : grid.values(point)) table.cell(value);
+  if (record) require_masses(record->counts, grid.scene);
+  begin_row(table, grid, point);
   for (const Column &column : record_columns(grid.scene.masses(), options))
     if (record)
       column.add_cell(table, *record);
     else
       table.cell(std::string_view());
   table.end_row();
+}
+
+Table impact_table(const Grid &grid) {
+  return Table(parameters_of(grid) + "mass,velocity");
+}
+
+void add_impacts(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record) {
+  int mass = 0;
+  for (const std::vector<double> &of_mass : record.impact_velocities) {
+    ++mass;
+    for (const double velocity : of_mass) {
+      begin_row(table, grid, point);
+      table.row(mass, velocity);
+    }
+  }
+}
+
+Table section_table(const Grid &grid) {
+  std::string header = parameters_of(grid);
+  for (const char *column : {"x", "v"})
+    for (int mass = 1; mass <= grid.scene.masses(); ++mass)
+      header += column + std::to_string(mass) + ",";
+  header.pop_back();
+  return Table(header);
+}
+
+void add_section(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record) {
+  for (const std::vector<double> &state : record.section) {
+    begin_row(table, grid, point);
+    for (const double coordinate : state) table.cell(coordinate);
+    table.end_row();
+  }
 }
 
 }  // namespace vibro_impact

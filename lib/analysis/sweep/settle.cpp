@@ -229,10 +229,20 @@ class Sections {
   }
 };
 
+void require_fits(const Scene &scene, const Event &event) {
+  require_mass(event.mass, scene.masses());
+  require(event.stop >= 1 && static_cast<std::size_t>(event.stop) <= scene.stops.size(), "stop ",
+          event.stop, ": the scene has ", scene.stops.size());
+}
+
 }  // namespace
 
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held) {
+  check(scene);
+  require(periods >= 1, "periods = ", periods, ": must be positive");
+  require_held(scene, held);
+  for (const Event &event : events) require_fits(scene, event);
   const std::vector<int> none(scene.mass.size(), 0);
   EventCounts counts{periods, none, none, dual_sticking(held)};
   for (const Event &event : without_chatters(scene, events)) {

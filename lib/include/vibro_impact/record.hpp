@@ -38,7 +38,9 @@ inline const Stop &stop_of(const Scene &scene, const Event &event) {
   return scene.stops[static_cast<std::size_t>(event.stop - 1)];
 }
 
-// The motion at one time, while a run reports it to a recorder. A displacement or velocity is
+// The motion at one time, while a run reports it to a recorder. At an event it is the motion just
+// after the event: impacts of several masses at one instant are all applied before the first is
+// reported. Event::velocity_before has the velocity before an impact. A displacement or velocity is
 // computed when it is asked for, as a sum over all modes. A moment cannot be kept or copied; a
 // recorder keeps the numbers. Masses count from 1. The functions throw std::invalid_argument for a
 // mass that the chain does not have.
@@ -70,8 +72,8 @@ struct EventRecorder {
   void check(const Scene &scene) const;
 };
 
-// Records the velocities of one mass just before its impacts, from time `from` on.
-struct ImpactSpeedRecorder {
+// Records the velocities (towards +x) of one mass just before its impacts, from time `from` on.
+struct ImpactVelocityRecorder {
   int mass = 1;
   double from = 0.0;
   std::vector<double> velocities = {};

@@ -15,6 +15,8 @@
 // void check(const Scene &)
 // A run calls this member before it begins. It throws std::invalid_argument to refuse the scene.
 //
+// The class must not be final. A recorder is passed as a variable, not as a temporary.
+//
 // An exception that a member throws ends the run and reaches the caller. The state of the
 // simulation is then unspecified.
 #pragma once
@@ -95,8 +97,23 @@ concept Recorder = std::is_class_v<R> && !std::is_final_v<R> && detail::has_no_m
 
 namespace detail {
 
-template <Recorder R>
+// Refuses a class that is no recorder with the reason.
+template <class R>
+consteval void require_recorder() {
+  constexpr bool is_open_class = std::is_class_v<R> && !std::is_final_v<R>;
+  static_assert(is_open_class, "a recorder is an object of a class that is not final");
+  if constexpr (is_open_class) {
+    static_assert(has_no_misfit<R>,
+                  "a member event, next_time, sample, done or check of this recorder has another "
+                  "form than recorder.hpp says");
+    static_assert(takes_events<R> || takes_samples<R> || is_asked<R>,
+                  "a recorder has event, next_time and sample, or done");
+  }
+}
+
+template <class R>
 RecorderRef recorder_ref(R &recorder) {
+  require_recorder<R>();
   RecorderRef ref;
   if constexpr (takes_events<R>)
     ref.event = [&recorder](const Event &event, const Moment &moment) {
@@ -118,7 +135,7 @@ RecorderRef recorder_ref(R &recorder) {
 // group in place of recorders. The recorders must outlive the run.
 class RecorderGroup {
  public:
-  template <Recorder R>
+  template <class R>
   void add(R &recorder) {
     refs_.push_back(detail::recorder_ref(recorder));
   }

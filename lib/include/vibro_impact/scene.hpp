@@ -77,9 +77,9 @@ void check(const Scene &scene);
 
 // Time, displacement and velocity of every mass, and the contact mode. Non-dimensional.
 struct MotionState {
-  Instant instant;
-  std::vector<double> displacement, velocity;  // N
-  Held held;                                   // N
+  Instant instant = {};
+  std::vector<double> displacement = {}, velocity = {};  // N
+  Held held = {};                                        // N
 };
 
 // Throws std::invalid_argument with one line unless a run of this scene can start from this motion:

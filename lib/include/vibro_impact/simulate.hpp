@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 
 #include "counters.hpp"
 #include "record.hpp"
@@ -27,27 +28,35 @@ struct RunOptions {
   // The order of the series follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
   // A run is given up after more impacts than this in one forcing period, or in a thousand periods
-  // of the fastest mode if these are shorter. Without a forcing, or with Omega = 0, they are
-  // counted in one period of that mode. Impacts that continue a chatter do not count if r > 0.999
-  // and 0.03 / (1 - r) is below this number.
+  // of the slowest mode if these are shorter. Without a forcing, or with Omega = 0, they are
+  // counted in one period of that mode, whose frequency is bounded from above by Rayleigh's
+  // quotient. Impacts that continue a chatter do not count if r > 0.999 and 0.03 / (1 - r) is below
+  // this number.
   long long max_impacts_per_period = 1'000'000;
+  // A run is given up after more steps than this in one call of `advance`. An undamped mode of
+  // frequency w takes at least w/2 steps per unit of time while an impact is near.
+  long long max_steps = 10'000'000;
 };
 
 // Why a run ended: it reached its time, a recorder stopped it, or it was given up.
 enum class Ending { reached, stopped, given_up };
 
 struct Outcome {
-  MotionState state;  // at the end: N displacements and velocities, and the contact mode
-  double time = 0.0;  // at the end, counted from t = 0
+  MotionState state = {};  // at the end: N displacements and velocities, and the contact mode
+  double time = 0.0;       // at the end, counted from t = 0
   Ending ending = Ending::reached;
   std::string reason = {};  // one line that says why the run was given up
-  Counters counters;
+  Counters counters = {};
 };
 
 // Returns the outcome, or throws std::runtime_error with the reason if the run was given up.
 Outcome require_complete(Outcome outcome);
 
 namespace detail {
+
+// What a run may take for a recorder; `recorder_ref` says why it is none.
+template <class R>
+concept Argument = !std::is_same_v<R, RunOptions> && !std::is_same_v<R, RecorderGroup>;
 
 struct Run;
 Outcome simulate(const Scene &scene, const MotionState *start, double until,
@@ -62,6 +71,8 @@ class Simulation {
   // Starts from the scene's own initial state at t = 0, or from another motion of it. Throws
   // std::invalid_argument, with one line that names the value and the rule, for a scene that
   // `check` rejects, a start that does not fit it, and options out of range.
+  //
+  // A simulation that was moved from can be assigned to and destroyed, and nothing else.
   explicit Simulation(const Scene &scene, const RunOptions &options = {});
   Simulation(const Scene &scene, const MotionState &start, const RunOptions &options = {});
   Simulation(const Simulation &other);
@@ -75,9 +86,10 @@ class Simulation {
   // Runs on to time `until`, counted from t = 0, and calls the recorders on the way. The events do
   // not depend on the times at which calls end. The counters of the outcome are those of this call.
   // Throws std::invalid_argument, with one line, for a time that is not finite or lies before the
-  // state of the simulation, for a sample before it, and if a recorder refuses the scene. Passes on
-  // what a recorder throws.
-  template <Recorder... Recorders>
+  // state of the simulation, for a sample before it, and if a recorder refuses the scene. Throws it
+  // also if the largest rate of an undamped chain, times the time to run, exceeds 1e12: the phase
+  // of its fastest mode then has a rounding of 1e-4. Passes on what a recorder throws.
+  template <detail::Argument... Recorders>
   [[nodiscard]] Outcome advance(double until, Recorders &...recorders) {
     const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
         detail::recorder_ref(recorders)...};
@@ -95,7 +107,7 @@ class Simulation {
 
 // `simulate` makes a simulation and calls `advance` once. It starts from the scene's own initial
 // state at t = 0, or from another motion of it. It throws what the constructor and `advance` throw.
-template <Recorder... Recorders>
+template <detail::Argument... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
                                const RunOptions &options, Recorders &...recorders) {
   const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
@@ -103,13 +115,13 @@ template <Recorder... Recorders>
   return detail::simulate(scene, &start, until, options, refs);
 }
 
-template <Recorder... Recorders>
+template <detail::Argument... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
                                Recorders &...recorders) {
   return simulate(scene, start, until, RunOptions{}, recorders...);
 }
 
-template <Recorder... Recorders>
+template <detail::Argument... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, double until, const RunOptions &options,
                                Recorders &...recorders) {
   const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
@@ -117,7 +129,7 @@ template <Recorder... Recorders>
   return detail::simulate(scene, nullptr, until, options, refs);
 }
 
-template <Recorder... Recorders>
+template <detail::Argument... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, double until, Recorders &...recorders) {
   return simulate(scene, until, RunOptions{}, recorders...);
 }

@@ -33,8 +33,9 @@ struct Table {
   }
 };
 
-// Writes the table to PATH.part and renames this file to `path`, replacing a file of that name.
-// Throws std::runtime_error, with the path, if that fails.
+// Writes the table to a new file beside `path` and renames this file to `path`. A file of that name
+// is replaced, and a symbolic link is written through. Throws std::runtime_error, with the path and
+// the reason, if that fails.
 void write(const Table &table, const std::string &path);
 
 }  // namespace vibro_impact

@@ -214,6 +214,11 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
     run_step(run, recorders);
     if (!run.progress.over && !recorders.empty() && is_done(recorders))
       stop_run(run, Ending::stopped);
+    if (!run.progress.over && run.counters.expansions >= run.problem.options.max_steps)
+      stop_run(run, Ending::given_up,
+               line("more than ", run.problem.options.max_steps,
+                    " steps, given up at t = ", time_of(run.motion.now, run.problem.clock),
+                    "; the largest rate is ", rate_in_motion(run.motion)));
   }
   // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty())

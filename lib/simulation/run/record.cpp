@@ -34,12 +34,12 @@ void EventRecorder::check(const Scene &) const {
   require(!std::isnan(from), "from = ", from, ": must be a time");
 }
 
-void ImpactSpeedRecorder::event(const Event &event, const Moment &) {
+void ImpactVelocityRecorder::event(const Event &event, const Moment &) {
   if (event.kind == EventKind::impact && event.mass == mass && event.time >= from)
     velocities.push_back(event.velocity_before);
 }
 
-void ImpactSpeedRecorder::check(const Scene &scene) const {
+void ImpactVelocityRecorder::check(const Scene &scene) const {
   require(!std::isnan(from), "from = ", from, ": must be a time");
   require_mass(mass, scene.masses());
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +16,9 @@ namespace detail {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most_radians = 1e12;  // of an undamped mode, whose phase rounds to 1e-4 there
+
 void check_options(const RunOptions &options) {
   for (const auto &[name, tolerance] :
        {std::pair{"chatter", options.chatter_tolerance}, {"flight", options.flight_tolerance}})
@@ -24,6 +28,25 @@ void check_options(const RunOptions &options) {
           ": must be non-negative");
   require(options.max_impacts_per_period > 0,
           "max_impacts_per_period = ", options.max_impacts_per_period, ": must be positive");
+  require(options.max_steps > 0, "max_steps = ", options.max_steps, ": must be positive");
+}
+
+// An upper bound of the frequency of the slowest mode that vibrates: the least quotient of Rayleigh
+// among the motions of one mass alone and that of all masses alike. It is 1 where none vibrates.
+double slow_rate(const Scene &scene) {
+  double springs = scene.stiffness.front(), mass = 0.0, least = infinity;
+  const auto try_quotient = [&least](double stiffness, double inertia) {
+    if (stiffness > 0.0) least = std::min(least, stiffness / inertia);
+  };
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double ground = entry_of(scene.ground, i),
+                 right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+    try_quotient(scene.stiffness[i] + right + ground, scene.mass[i]);
+    springs += ground;
+    mass += scene.mass[i];
+  }
+  try_quotient(springs, mass);
+  return least < infinity ? std::sqrt(least) : 1.0;
 }
 
 // A run before its first step.
@@ -37,7 +60,7 @@ Run start_run(std::shared_ptr<const Scene> scene, const MotionState *start,
   check_options(options);
   Problem problem(std::move(scene), options);
   // The number of impacts in a period of a slow forcing has no bound of use.
-  const double rate = problem.rate_bound;
+  const double rate = slow_rate(*problem.scene);
   const double window = problem.forced && problem.clock.omega > 0.0
                             ? std::min(problem.clock.period, budget_window / rate)
                             : 6.3 / rate;
@@ -55,6 +78,10 @@ Outcome advance_to(Run &run, double until, Recorders recorders) {
   const Instant end = instant_at(until, clock);
   require(until >= begin_time || !(end < begin), "until = ", until, ": lies before the start at ",
           begin_time);
+  const double rate = std::sqrt(largest_eigenvalue_bound(run.scene()));
+  require(run.scene().beta > 0.0 || rate * (until - begin_time) <= most_radians, "rate = ", rate,
+          " of an undamped chain: times the time ", until - begin_time, " it must not exceed ",
+          most_radians);
   for (const RecorderRef &recorder : recorders) {
     if (recorder.check) recorder.check(run.scene());
     if (!recorder.sample) continue;

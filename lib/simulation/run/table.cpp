@@ -1,9 +1,12 @@
 #include "vibro_impact/table.hpp"
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -23,18 +26,24 @@ void Table::cell(std::string_view value) {
 }
 
 void write(const Table &table, const std::string &path) {
+  namespace fs = std::filesystem;
   std::error_code error;
-  const std::filesystem::file_status there = std::filesystem::status(path, error);
-  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+  const fs::path target = fs::weakly_canonical(path, error);  // a link is written through
+  if (error) throw std::runtime_error(path + ": cannot be written: " + error.message());
+  if (fs::exists(target) && !fs::is_regular_file(target))
     throw std::runtime_error(path + ": is no file, cannot be replaced by one");
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << table.text;
-  file.close();
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (file && !error) return;
-  std::filesystem::remove(temporary, error);
-  throw std::runtime_error(path + ": cannot be written");
+  const std::string temporary = target.string() + ".part." + std::to_string(getpid());
+  std::FILE *file = std::fopen(temporary.c_str(), "wbx");
+  const std::size_t size = table.text.size();
+  const bool whole = file != nullptr && std::fwrite(table.text.data(), 1, size, file) == size &&
+                     std::fflush(file) == 0;
+  if (!whole) error = {errno, std::generic_category()};
+  if (file != nullptr) std::fclose(file);
+  if (whole) fs::rename(temporary, target, error);
+  if (!error) return;
+  const std::string reason = error.message();
+  if (file != nullptr) fs::remove(temporary, error);
+  throw std::runtime_error(path + ": cannot be written: " + reason);
 }
 
 }  // namespace vibro_impact

@@ -11,23 +11,27 @@
 namespace vibro_impact {
 
 struct RecordOptions {
-  SettleOptions settle;
+  SettleOptions settle = {};
   bool lyapunov = false;           // greatest Lyapunov exponent
   bool pairs = false;              // the pairs of events of Table I that occur
   bool impact_velocities = false;  // every impact faster than `slowest`
   double slowest = 1e-4;           // >= 0
+  bool section = false;            // the states at the phase of the start
 };
 
 struct OrbitRecord {
-  int period = 0;                  // forcing periods; 0: the motion has not settled
-  EventCounts counts;              // over one period, or 40 of a motion that has not settled
-  std::optional<double> lyapunov;  // if asked for, and its sign is certain
-  std::vector<EventPair> pairs;    // if asked for; each once, in the order of Table I
+  int period = 0;                       // forcing periods; 0: the motion has not settled
+  EventCounts counts = {};              // over one period, or 40 of a motion that has not settled
+  std::optional<double> lyapunov = {};  // if asked for, and its sign is certain
+  std::vector<EventPair> pairs = {};    // if asked for; each once, in the order of Table I
   // If asked for: per mass, in the order of time, the velocities just before the impacts over the
   // same periods as `counts`.
-  std::vector<std::vector<double>> impact_velocities;
-  MotionState state;  // where the motion settled, or stood after SettleOptions::longest: at the
-                      // phase of the start, with cycle count zero
+  std::vector<std::vector<double>> impact_velocities = {};
+  // If asked for: (x_1 .. x_N, x_1' .. x_N') at the beginning of each forcing period of `counts`.
+  std::vector<std::vector<double>> section = {};
+  // Where the motion settled, or stood after SettleOptions::longest: at the phase of the start,
+  // with cycle count zero.
+  MotionState state = {};
 };
 
 // The record of the motion from `start`, or from the initial state of the scene. The Lyapunov
@@ -39,5 +43,10 @@ struct OrbitRecord {
 OrbitRecord record_of(const Scene &scene, const MotionState &start,
                       const RecordOptions &options = {});
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});
+
+// A state of a neighbouring scene as a start of this scene, from which a branch of motions is
+// followed: masses that are held move with their stops, and masses beyond a stop move to the stop.
+// Throws std::invalid_argument for a bad scene and for a state that does not fit the scene.
+MotionState start_near(const Scene &scene, MotionState state);
 
 }  // namespace vibro_impact

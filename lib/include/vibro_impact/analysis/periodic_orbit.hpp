@@ -62,14 +62,16 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options = {});
 
 struct PeriodicOrbit {
-  MotionState state;                              // at the section
-  std::vector<std::complex<double>> multipliers;  // Floquet multipliers, largest modulus first
-  bool converged = false;                         // if false, this is the best iterate
-  std::string why_not;                            // ... and this says why, in one line
-  std::vector<double> residuals;  // largest component of P(z) - z, one per map evaluation
+  MotionState state = {};  // at the section
+  // Floquet multipliers, largest modulus first
+  std::vector<std::complex<double>> multipliers = {};
+  bool converged = false;              // if false, this is the best iterate
+  std::string why_not = {};            // ... and this says why, in one line
+  std::vector<double> residuals = {};  // largest component of P(z) - z, one per map evaluation
 
+  // True of an orbit that was found and whose multipliers all lie inside the unit circle.
   bool stable() const {
-    return multipliers.empty() || std::abs(multipliers.front()) < 1.0;
+    return converged && (multipliers.empty() || std::abs(multipliers.front()) < 1.0);
   }
 };
 

@@ -38,7 +38,7 @@ auto sweep(std::size_t points, const Compute &compute, int threads = 0) {
 
 // The values of one parameter at equal distances, both ends included.
 struct Axis {
-  std::string parameter;  // its name
+  std::string parameter = {};  // its name
   double from = 0.0, to = 0.0;
   std::size_t count = 1;  // >= 1; 1: `from` alone
 
@@ -48,7 +48,7 @@ struct Axis {
 // The points of a grid in the order of nested loops, the last axis innermost. Its functions throw
 // std::invalid_argument for an axis without values and for a point that it does not have.
 struct Grid {
-  Scene scene;  // but for the parameters of the axes
+  Scene scene = {};  // but for the parameters of the axes
   std::vector<Axis> axes = {};
 
   std::size_t points() const;
@@ -78,15 +78,26 @@ struct Column {
 };
 
 // The columns behind those of the axes, for a chain of so many masses. The exponent and the pairs
-// of events have a column where RecordOptions asks for them.
+// of events have a column where RecordOptions asks for them. Throws std::invalid_argument for
+// masses < 1.
 std::vector<Column> record_columns(int masses, const RecordOptions &options);
 
 // The table of a sweep without its rows: one column for each axis, then the columns of the records.
 Table sweep_table(const Grid &grid, const RecordOptions &options);
 
 // Adds the row of a point. The cells of a point without a record are empty behind the values of its
-// parameters.
+// parameters. Throws std::invalid_argument for a record of another number of masses.
 void add_row(Table &table, const Grid &grid, const RecordOptions &options, std::size_t point,
              const std::optional<OrbitRecord> &record);
+
+// The table of the impacts that records have, one a row: one column for each axis, mass, velocity
+// before the impact. `add_impacts` adds those of a point, mass by mass in the order of time.
+Table impact_table(const Grid &grid);
+void add_impacts(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record);
+
+// The table of the states that records have at the phase of the start, one a row: one column for
+// each axis, x1, x2, ..., v1, v2, ...
+Table section_table(const Grid &grid);
+void add_section(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record);
 
 }  // namespace vibro_impact

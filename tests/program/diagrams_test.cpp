@@ -1,0 +1,146 @@
+// The diagrams of the program: impacts, sections, branches, and their pictures.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "figures/figure3.hpp"
+#include "runner_program.hpp"
+
+namespace {
+
+using namespace vibro_impact::testing;
+using namespace vibro_impact;
+
+// The rows of a table as numbers; an empty cell is NaN.
+std::vector<std::vector<double>> numbers(const std::string &table) {
+  std::vector<std::vector<double>> rows;
+  for (const std::string &line : lines(table)) {
+    if (rows.empty() && line.find_first_not_of("0123456789.,-+e") != std::string::npos) continue;
+    std::vector<double> row;
+    for (const std::string &cell : cells(line)) row.push_back(cell.empty() ? NAN : std::stod(cell));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// Figure 3 by one command: the points of the driver, to the bit, on every twentieth of its
+// frequencies.
+TEST_F(Runner, FigureThreeIsOneCommand) {
+  const Grid grid = figures::grid_of_figure3(91);
+  std::string command = "sweep --vary omega=0.25:0.7:91 --impacts i.csv";
+  if (there_is_gnuplot()) command += " --plot f.png";
+  const Result result = run(command);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(contents(folder / "f.png").empty(), !there_is_gnuplot());
+  const auto rows = numbers(contents(folder / "i.csv"));
+  const auto records = sweep(grid, figures::recorded_in_figure3);
+  for (const int mass : {1, 2}) {
+    Table of_program("omega,v" + std::to_string(mass));
+    for (std::size_t point = 0; point < grid.points(); ++point) {
+      const double omega = grid.values(point).front();
+      std::vector<double> velocities;
+      for (const auto &row : rows)
+        if (row[0] == omega && row[1] == mass) velocities.push_back(row[2]);
+      for (const double v : figures::distinct(velocities)) of_program.row(omega, v);
+    }
+    EXPECT_GT(lines(of_program.text).size(), 400u);
+    EXPECT_EQ(lines(of_program.text), lines(figures::impact_velocities(grid, records, mass).text));
+  }
+}
+
+// The oscillator whose free motion grazes its stop at omega = 0.822788525650785 and
+// 1.145870429873032, where |1 - omega^2 + 0.1 i omega| = 1/3: the gap is three times A.
+const std::string oscillator = " --masses 1 --beta 0.1 --amplitude 0.1 --stop 1:upper:0.3 ";
+constexpr double upper_graze = 1.145870429873032;
+
+// On the way up the orbit with impacts lives on above the graze; on the way down the free motion
+// does not leave its stop before the graze.
+TEST_F(Runner, ABranchIsFollowedUpAndDown) {
+  ASSERT_EQ(run("sweep --vary omega=1.1:1.5:81 --back --table t.csv" + oscillator).status, 0);
+  const auto rows = numbers(contents(folder / "t.csv"));
+  ASSERT_EQ(rows.size(), 162u);
+  double last_up = 0.0, first_down = 0.0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bool up = k < 81;
+    EXPECT_EQ(rows[k][0], rows[161 - k][0]) << "there and back";
+    if (!(rows[k][3] > 0.0)) continue;  // no impacts
+    if (up) last_up = rows[k][0];
+    if (!up && first_down == 0.0) first_down = rows[k][0];
+  }
+  EXPECT_GT(last_up, 1.3);
+  EXPECT_LT(first_down, upper_graze);
+  EXPECT_GT(first_down, upper_graze - 0.0051) << "the distance of the frequencies is 0.005";
+  // A range that goes down, alone, is the second half but for its start.
+  ASSERT_EQ(run("sweep --vary omega=1.5:1.1:81 --follow --table d.csv" + oscillator).status, 0);
+  const auto down = numbers(contents(folder / "d.csv"));
+  ASSERT_EQ(down.size(), 81u);
+  EXPECT_EQ(down.front()[0], 1.5);
+  for (std::size_t k = 0; k < down.size(); ++k)
+    EXPECT_EQ(down[k][3] > 0.0, rows[81 + k][3] > 0.0) << down[k][0];
+}
+
+// Chains are shared out whole, and a sweep that goes on begins at the start of one.
+TEST_F(Runner, BranchesAreTheSameOnThreadsAndProcesses) {
+  const std::string command =
+      "sweep --vary restitution=0.5:0.8:5 --vary omega=1.1:1.2:9 --back --impacts i.csv --section "
+      "s.csv --table t.csv" +
+      oscillator;
+  std::string expected;
+  for (const std::string &by : {std::string(), std::string("OMP_NUM_THREADS=3 "), mpirun(3)}) {
+    if (by == mpirun(3) && !with_mpi) continue;
+    ASSERT_EQ(run(command, "true", by).status, 0);
+    std::string tables;
+    for (const char *table : {"i.csv", "s.csv", "t.csv"}) tables += contents(folder / table);
+    EXPECT_EQ(lines(contents(folder / "t.csv")).size(), 91u);
+    if (expected.empty()) expected = tables;
+    EXPECT_EQ(lines(tables), lines(expected)) << by;
+  }
+}
+
+// The states of --section are those of a run at whole forcing periods, and every tenth period is
+// every 10P.
+TEST_F(Runner, ASectionHasTheStatesAtWholePeriods) {
+  ASSERT_EQ(run("sweep --vary omega=1.2:1.25:2 --section s.csv" + oscillator).status, 0);
+  ASSERT_EQ(
+      run("run --omega 1.2 --from 400P --until 420P --every 10P --velocities --samples r.csv" +
+          oscillator)
+          .status,
+      0);
+  EXPECT_EQ(lines(contents(folder / "s.csv"))[0], "omega,x1,v1");
+  EXPECT_EQ(lines(contents(folder / "r.csv"))[0], "time,x1,v1");
+  const auto section = numbers(contents(folder / "s.csv")),
+             run_rows = numbers(contents(folder / "r.csv"));
+  ASSERT_EQ(section.size(), 2u);
+  ASSERT_EQ(run_rows.size(), 3u);
+  for (const auto &row : run_rows) {
+    EXPECT_NEAR(row[1], section[0][1], 1e-9);  // the motion counts as settled at 1e-10
+    EXPECT_NEAR(row[2], section[0][2], 1e-9);
+  }
+}
+
+TEST_F(Runner, EveryKindOfPictureIsDrawn) {
+  if (!there_is_gnuplot()) GTEST_SKIP() << "gnuplot is not there";
+  for (const char *command :
+       {"run --until 50 --velocities --samples s.csv --portrait p.png",
+        "run --until 200P --every 1P --velocities --samples s.csv --portrait p.png",
+        "sweep --vary omega=0.3:0.5:5 --impacts i.csv --plot p.png",
+        "sweep --vary omega=0.5:0.3:5 --back --impacts i.csv --plot p.png",
+        "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot p.png",
+        "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.1:1 --table t.csv --column sticks2 --plot "
+        "p.png"}) {
+    fs::remove(folder / "p.png");
+    const Result result = run(command);
+    EXPECT_EQ(result.status, 0) << command << result.err;
+    EXPECT_GT(contents(folder / "p.png").size(), 8000u) << command << ": nearly empty";
+  }
+}
+
+TEST_F(Runner, AChainOfOneMassHasNoStopOnMassTwo) {
+  EXPECT_EQ(run("run --masses 1 --until 10").status, 0);
+  EXPECT_NE(run("run --masses 1 --print-scene").out.find("stop = 1:lower:-0.3\n"),
+            std::string::npos);
+  EXPECT_NE(run("run --masses 3 --print-scene").out.find("stop = 1:lower:-0.3, 2:upper:0.1\n"),
+            std::string::npos);
+}
+
+}  // namespace

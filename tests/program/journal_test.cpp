@@ -1,0 +1,155 @@
+// The journal of a sweep: what is done to its file while a sweep runs, or between two sweeps, does
+// not change the tables unnoticed.
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/files.hpp"
+#include "runner_program.hpp"
+
+namespace {
+
+using namespace vibro_impact::testing;
+using vibro_impact::runner::Journal;
+using vibro_impact::runner::Texts;
+
+const std::string head = "a sweep\nk,value\n";
+
+std::string row(std::size_t k) {
+  return std::to_string(k) + "," + std::to_string(k * k) + "\n";
+}
+// Row k begins with k, and there are 100 of them.
+std::string rule(std::size_t k, const std::string &line) {
+  return k < 100 && line.starts_with(std::to_string(k) + ",") ? "" : "not the row of its point";
+}
+// A block of ten rows, with impacts and a section.
+Texts block(std::size_t first) {
+  Texts block;
+  for (std::size_t k = first; k < first + 10; ++k) {
+    block[0] += row(k);
+    block[1] += "1," + row(k);
+    block[2] += "2," + row(k);
+  }
+  return block;
+}
+void write(const fs::path &path, const std::string &text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+std::size_t middle(const std::string &text) {
+  return text.find("15,225");
+}
+
+// Twelve ways to touch the file, given its path and its text.
+struct Touch {
+  const char *name;
+  std::function<void(const fs::path &, std::string)> apply;
+};
+const std::vector<Touch> touches = {
+    {"cut to nothing", [](auto &path, auto) { fs::resize_file(path, 0); }},
+    {"cut in the head", [](auto &path, auto) { fs::resize_file(path, 10); }},
+    {"cut in a block", [](auto &path, auto text) { fs::resize_file(path, middle(text)); }},
+    {"cut by one character", [](auto &path, auto text) { fs::resize_file(path, text.size() - 1); }},
+    {"a digit edited",
+     [](auto &path, auto text) { write(path, text.replace(middle(text) + 3, 1, "9")); }},
+    {"a row deleted", [](auto &path, auto text) { write(path, text.erase(middle(text), 7)); }},
+    {"a row doubled",
+     [](auto &path, auto text) { write(path, text.insert(middle(text), "15,225\n")); }},
+    {"a row emptied",
+     [](auto &path, auto text) { write(path, text.replace(middle(text), 6, "15,")); }},
+    {"a row appended", [](auto &path, auto text) { write(path, text + "30,900\n"); }},
+    {"its blocks doubled",
+     [](auto &path, auto text) { write(path, text + text.substr(head.size())); }},
+    {"deleted", [](auto &path, auto) { fs::remove(path); }},
+    {"renamed", [](auto &path, auto) { fs::rename(path, path.string() + ".old"); }},
+    {"replaced",
+     [](auto &path, auto) {
+       fs::remove(path);
+       write(path, "something else\n");
+     }},
+};
+
+struct JournalFile : Runner {
+  fs::path path() const {
+    return folder / "t.csv.partial";
+  }
+  Journal open(bool resume) const {
+    return Journal(path().string(), head, resume, rule);
+  }
+};
+
+TEST_F(JournalFile, WhatIsDoneToItDuringASweepIsSeenAndHarmless) {
+  for (const auto &[name, apply] : touches) {
+    fs::remove_all(folder);
+    fs::create_directory(folder);
+    Journal journal = open(false);
+    journal.add(block(0));
+    journal.add(block(10));
+    apply(path(), contents(path()));
+    journal.add(block(20));
+    EXPECT_EQ(journal.size(), 30u) << name;
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(journal.rows()[k], block(0)[k] + block(10)[k] + block(20)[k]) << name;
+    EXPECT_FALSE(journal.remove()) << name;
+  }
+  fs::remove(path());
+  Journal untouched = open(false);
+  untouched.add(block(0));
+  EXPECT_TRUE(untouched.remove());
+  EXPECT_FALSE(fs::exists(path()));
+}
+
+// A sweep that goes on has the rows that were written, or fewer, or refuses the file.
+TEST_F(JournalFile, WhatIsDoneToItBetweenTwoSweepsIsSeenOrHarmless) {
+  int refused = 0;
+  for (const auto &[name, apply] : touches) {
+    fs::remove_all(folder);
+    fs::create_directory(folder);
+    {
+      Journal journal = open(false);
+      for (const std::size_t first : {0, 10, 20}) journal.add(block(first));
+    }
+    apply(path(), contents(path()));
+    try {
+      Journal resumed = open(true);
+      EXPECT_EQ(resumed.size() % 10, 0u) << name;
+      for (std::size_t first = resumed.size(); first < 40; first += 10) resumed.add(block(first));
+      Texts expected;
+      for (const std::size_t first : {0, 10, 20, 30})
+        for (std::size_t k = 0; k < 3; ++k) expected[k] += block(first)[k];
+      EXPECT_EQ(resumed.rows(), expected) << name;
+    } catch (const std::invalid_argument &refusal) {
+      ++refused;
+      EXPECT_NE(std::string(refusal.what()).find("t.csv.partial: "), std::string::npos) << name;
+    }
+  }
+  EXPECT_EQ(refused, 6);  // edited, deleted, doubled, emptied, blocks doubled, replaced
+}
+
+TEST_F(JournalFile, ARefusalNamesTheLine) {
+  {
+    Journal journal = open(false);
+    journal.add(block(0));
+    journal.add(block(20));
+  }
+  try {
+    open(true);
+    ADD_FAILURE() << "rows 20 to 29 stand where 10 to 19 must";
+  } catch (const std::invalid_argument &refusal) {
+    // Two lines of the head, 30 rows, two lines between the tables, and the checksum.
+    EXPECT_NE(std::string(refusal.what()).find("line 36: not the row of its point"),
+              std::string::npos)
+        << refusal.what();
+  }
+}
+
+TEST_F(JournalFile, APipeOrAFolderInItsPlaceIsRefused) {
+  for (const char *command : {"mkfifo t.csv.partial", "mkdir t.csv.partial"}) {
+    const Result result = run("sweep --vary omega=0.3:0.5:2 --resume --table t.csv", command);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("is no file"), std::string::npos) << result.err;
+    fs::remove(path());
+  }
+}
+
+}  // namespace
