@@ -200,7 +200,9 @@ TEST(ChatterLimit, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
     detail::begin(chatter, {0}, r);
     detail::add_impact(chatter, 1e-9, {jump});
     detail::LimitState limit;
-    EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, scene.omega, 1e-9, limit), stays)
+    const std::vector<detail::StopState> stops(2);
+    EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, stops, scene.omega, 1e-9, limit),
+              stays)
         << share;
   }
 }

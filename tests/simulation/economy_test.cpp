@@ -5,12 +5,14 @@
 #include <cmath>
 #include <set>
 
+#include "random_scenes.hpp"
 #include "reference/scenes/extreme_cases.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
 using namespace vibro_impact;
+using namespace vibro_impact::testing;
 
 // The longest expansion of a flight, two radians of its fastest rate, is of order 23.
 constexpr long long most_coefficients = 24;
@@ -113,6 +115,34 @@ TEST(Economy, AChatterTableOnlyWhereChatterCanBe) {
       simulate(extremes::one_mass(0.0, 0.0, 1.0, 0.9, -0.5, -1.0), 100.0).counters;
   EXPECT_EQ(all_motion.chatter_limits, 1);
   EXPECT_LE(all_motion.impacts, 63);
+}
+
+// Mass 1 chatters, mass 2 is held beside it, and mass 3 rests at a stop at the same place: no force
+// acts on mass 3, which does not keep the chatter from its limit.
+TEST(Economy, AMassThatRestsWithoutForceRefusesNoLimit) {
+  const Scene scene{.mass = {1.0, 1.0, 1.0},
+                    .stiffness = {1.0, 1.0, 1.0},
+                    .constant = {2.0, 2.0, 0.0},
+                    .omega = 0.0,
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, 0.1}, {2, Side::upper, 0.1}, {3, Side::upper, 0.1}},
+                    .displacement = {0.05, 0.1, 0.1}};
+  const Counters counters = simulate(scene, 20.0).counters;
+  EXPECT_EQ(counters.sticks, 2);
+  EXPECT_LT(counters.impacts, 20);  // 90 when each is resolved until the rest lies below rounding
+}
+
+// The number of forced coordinates does not depend on the samples, as modes are built inside
+// chatters also.
+TEST(Economy, TheCountersOfAModeDoNotDependOnSamples) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const Scene scene = chattering_scene(seed);
+    SampleRecorder samples{.from = 0.0, .to = 15.0, .every = 0.01};
+    const Counters plain = simulate(scene, 15.0).counters,
+                   sampled = simulate(scene, 15.0, samples).counters;
+    EXPECT_EQ(plain.forced_coordinates, sampled.forced_coordinates) << seed;
+    EXPECT_EQ(plain.modes_built, sampled.modes_built) << seed;
+  }
 }
 
 // Only modal coordinates that a forcing moves carry it: none without one.

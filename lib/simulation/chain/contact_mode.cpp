@@ -147,9 +147,10 @@ void set_placement(const ContactMode &mode, Contact &contact) {
   contact.placement.setZero(mode.padded());
   double deflection = 0.0;
   for (Index k = 0; k < basis.lambda.size(); ++k) {
-    const bool stays = mode.drift >= 0 && basis.lambda(k) > 0.0;
-    const double value =
-        stays ? 0.0 : basis.shape(mass, k) / (mode.drift >= 0 ? 1.0 : basis.lambda(k));
+    // Relative to the softest mode, since 1 / lambda may not be finite. A rigid-body mode alone
+    // takes part.
+    const double compliance = k == 0 ? 1.0 : basis.lambda(0) / basis.lambda(k);
+    const double value = basis.shape(mass, k) * compliance;
     set_mode(mode, k, value, 0.0, contact.placement, velocity);
     deflection += basis.shape(mass, k) * value;
   }

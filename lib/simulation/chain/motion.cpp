@@ -184,6 +184,7 @@ void let_dead_coordinates_follow(Motion &motion, double omega) {
 double rate_in_motion(const Motion &motion) {
   const ContactMode &mode = *motion.mode;
   const ModalCoordinates &all = mode.coordinates;
+  if (mode.falls) return 0.0;
   if (!mode.stiff) return mode.fastest;
   double fastest = mode.forcing_rate;
   for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
@@ -191,7 +192,11 @@ double rate_in_motion(const Motion &motion) {
     if (moves && !motion.following[static_cast<std::size_t>(j)])
       fastest = std::max(fastest, all.rate(j));
   }
-  return fastest > 0.0 ? fastest : mode.fastest;  // without motion the step length is arbitrary
+  return fastest;
+}
+
+double unit_of_time(const ContactMode &mode, const StopState &stop) {
+  return mode.falls ? stop.duration : std::min(1.0 / mode.fastest, stop.duration);
 }
 
 void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change) {
@@ -251,22 +256,6 @@ void set_state(const Motion &motion, const std::vector<StopState> &stops, const 
         scene.stops[contact.stop].position - contact.sigma * flight.gap;
     state.velocity[contact.mass] = -contact.sigma * flight.speed;
   }
-}
-
-void set_rounding(const Motion &motion, const Scene &scene, double rate,
-                  std::vector<double> &error) {
-  const ContactMode &mode = *motion.mode;
-  double largest = 0.0;
-  for (Index i = 0; i < mode.equilibrium.size(); ++i) {
-    const double moving =
-        (mode.shape.row(i).transpose().array().abs() * (motion.y.abs() + motion.dy.abs() / rate))
-            .sum();
-    largest = std::max(largest, std::abs(mode.equilibrium(i)) + moving);
-  }
-  error.assign(scene.mass.size(), row_rounding * largest);
-  for (const Contact &contact : mode.contacts)
-    if (!contact.held && !is_resolved(contact, motion))
-      error[contact.mass] = row_rounding * std::abs(scene.stops[contact.stop].position);
 }
 
 double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion) {

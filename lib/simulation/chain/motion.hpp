@@ -56,8 +56,13 @@ void complete_change(Motion &motion);
 // steady response. The steps of a stiff scene are then as long as the other coordinates allow.
 void let_dead_coordinates_follow(Motion &motion, double omega);
 
-// The largest rate of a coordinate that moves on its own, and of the forcing.
+// The largest rate of a coordinate that moves on its own, and of the forcing. It is 0 where nothing
+// moves, and in a free fall.
 double rate_in_motion(const Motion &motion);
+
+// The unit of time of the impacts at a stop: that of the fastest rate, or the duration of these
+// impacts if it is shorter. A flight may be short against every rate.
+double unit_of_time(const ContactMode &mode, const StopState &stop);
 
 // Moves to `target` in closed form. `change` is set to the difference of each y.
 void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change);
@@ -91,11 +96,6 @@ bool is_resolved(const Contact &contact, const Motion &motion);
 // carried, and not that of the coordinates.
 void set_state(const Motion &motion, const std::vector<StopState> &stops, const Scene &scene,
                MotionState &state);
-
-// Sets bounds of the rounding of x_i and x_i' / rate. The rounding is that of the largest term of
-// any mass, because every mode change mixes all coordinates.
-void set_rounding(const Motion &motion, const Scene &scene, double rate,
-                  std::vector<double> &error);
 
 // The force, towards the stop of a contact, that acts on its mass if the mass is at rest there.
 double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion);

@@ -29,8 +29,9 @@ void add_responses(const Terms &moments, int first, int last, LimitState &state)
 
 }  // namespace
 
-bool others_stay_out_of_reach(const Chatter &chatter, const Motion &motion, double omega,
-                              double time_left, LimitState &state) {
+bool others_stay_out_of_reach(const Chatter &chatter, const Motion &motion,
+                              const std::vector<StopState> &stops, double omega, double time_left,
+                              LimitState &state) {
   const ContactMode &mode = *motion.mode;
   const ModalCoordinates &all = mode.coordinates;
   PerCoordinate &jumps = state.jumps, &speed = state.speed;
@@ -47,7 +48,7 @@ bool others_stay_out_of_reach(const Chatter &chatter, const Motion &motion, doub
   speed += jumps;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact &contact = mode.contacts[k];
-    if (chatter.hits(k)) continue;
+    if (chatter.hits(k) || (!contact.held && rests_without_force(stops[contact.stop]))) continue;
     double rate = dot(contact.modulus, speed), jump = 0.0;
     if (contact.held) {
       rate += contact.damping * (contact.modulus * (3.0 * all.rate * speed + all.force)).sum() +

@@ -21,11 +21,13 @@ struct LimitState {
   PerCoordinate jumps, speed;        // bounds of the impacts to come, and of |y'|
 };
 
-// True when no contact outside the chatter can come to zero up to the limit. The jumps of the gap
+// True when no contact outside the chatter can come to zero up to the limit. A mass that rests
+// without force is tied to nothing that moves. The jumps of the gap
 // speed at the impacts to come add up to at most `jump_sum_factor` times J r / (1 - r), with J the
 // latest jump.
-bool others_stay_out_of_reach(const Chatter &chatter, const Motion &motion, double omega,
-                              double time_left, LimitState &state);
+bool others_stay_out_of_reach(const Chatter &chatter, const Motion &motion,
+                              const std::vector<StopState> &stops, double omega, double time_left,
+                              LimitState &state);
 
 // Sets the state at the limit from the motion just after the latest impact, with the masses hit at
 // rest on their stops. The error is the difference that the oldest node makes to the moments M_n,

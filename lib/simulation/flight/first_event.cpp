@@ -55,19 +55,18 @@ bool is_out_of_reach(const Contact &contact, double value, double omega, const F
 }
 
 // Replaces the leading coefficients of the polynomial of a contact by those known more accurately:
-// the carried gap and gap speed, or the zeros and the leading derivative of a decided force.
-void insert_exact_coefficients(const Contact &contact, const StopState &stop, double rate_bound,
-                               double length, Polynomial &p) {
-  if (const LeadingDerivative *leading = decided_force(stop)) {
+// the carried gap and gap speed, or the zeros of a decided force. The first coefficient after the
+// zeros has the decided sign.
+void insert_exact_coefficients(const Contact &contact, const StopState &stop, double length,
+                               Polynomial &p) {
+  if (const DecidedForce *force = decided_force(stop)) {
     // The force on a released mass is the second derivative of its gap.
-    const int known = contact.held ? leading->zeros : leading->zeros + 2;
-    const int zeros = leading->value == 0.0 ? p.order + 1 : std::min(known, p.order + 1);
-    double term = leading->value;
-    for (int n = 0; n < zeros; ++n) {
-      p.coefficient[static_cast<std::size_t>(n)] = 0.0;
-      term *= length * rate_bound / (n + 1);
-    }
-    if (zeros <= p.order) p.coefficient[static_cast<std::size_t>(zeros)] = term;
+    const int known = force->none ? p.order + 1 : force->zeros + (contact.held ? 0 : 2);
+    // The gap of a mass that leaves in an order beyond that of the step is not identically zero.
+    const int zeros = force->none ? known : std::min(known, p.order);
+    std::fill_n(p.coefficient.begin(), zeros, 0.0);
+    double &first = p.coefficient[static_cast<std::size_t>(zeros)];
+    first = std::abs(first);
   } else if (const auto *flight = std::get_if<InFlight>(&stop.contact)) {
     p.coefficient[0] = flight->gap;
     p.coefficient[1] = flight->speed * length;
@@ -83,8 +82,6 @@ void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, S
   bool evaluate_anew = evaluated > gap_reread_ratio * terms;
   if (!evaluate_anew) {
     carried = carry();
-    // A released mass whose gap and gap speed are still exactly zero has not left its stop.
-    if (decided_force(stop) != nullptr && carried.gap == 0.0 && carried.speed == 0.0) return;
     evaluate_anew = evaluated > gap_reread_ratio * gap_reread_ratio * terms &&
                     std::abs(carried.gap - evaluated) > carried_gap_drift * terms;
   }
@@ -127,6 +124,26 @@ double drift_time(const Motion &motion, const Contact &contact, double room, dou
   return row * mean_slope < 0.0 ? std::max(time, left / (-row * mean_slope)) : infinity;
 }
 
+// Drops the roots after the first event. A root u is as far from it as rounding allows when u -
+// flight.u is at most `tolerance`, and at most the sum of the roundings of the two roots: the
+// rounding of (3) over its slope.
+void drop_later_roots(const Motion &motion, double tolerance, Flight &flight) {
+  const std::vector<Contact> &contacts = motion.mode->contacts;
+  const auto rounding_of = [&](std::size_t k) {
+    return same_instant * terms_of(contacts[k], motion) /
+           std::abs(flight.approaches[k].root->slope);
+  };
+  double rounding_of_first = infinity;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (flight.approaches[k].root && flight.approaches[k].root->u == flight.u)
+      rounding_of_first = std::min(rounding_of_first, rounding_of(k));
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    std::optional<Root> &root = flight.approaches[k].root;
+    if (!root || root->u == flight.u) continue;
+    if (root->u - flight.u > std::min(tolerance, rounding_of(k) + rounding_of_first)) root.reset();
+  }
+}
+
 }  // namespace
 
 double quiet_time(const Motion &motion, const std::vector<StopState> &stops, double omega) {
@@ -162,14 +179,13 @@ double quiet_time(const Motion &motion, const std::vector<StopState> &stops, dou
 }
 
 void find_first_event(const Motion &motion, const std::vector<StopState> &stops, const Clock &clock,
-                      bool forced, double rate_bound, Flight &flight, Counters &counters) {
+                      bool forced, Flight &flight, Counters &counters) {
   const ContactMode &mode = *motion.mode;
   const Step &step = flight.step;
   expand(motion, step, clock.omega, forced, flight.table);
   bound_travel(motion, clock.omega, flight);
-  // Two events are simultaneous when they are closer than the rounding of the time of the motion.
-  // After a flight much shorter than the time scale of the motion, the rounding is that of the
-  // flight.
+  // Two events are simultaneous when they are closer than the rounding of the time of the motion,
+  // which is that of the flight after a much shorter flight, and than the rounding of both roots.
   const double rounding = same_instant / (step.rate * step.length);
   const auto simultaneous = [rounding](double u) {
     return std::min(rounding, same_instant * short_flight_ratio * u);
@@ -188,10 +204,10 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
       flight.any_near = flight.event = true;
       continue;
     }
-    const LeadingDerivative *leading = decided_force(stop);
+    const DecidedForce *decided = decided_force(stop);
     const double value = contact.held ? evaluate(contact, motion) : gap_of(stop);
     approach.out_of_reach =
-        leading == nullptr && is_out_of_reach(contact, value, clock.omega, flight);
+        decided == nullptr && is_out_of_reach(contact, value, clock.omega, flight);
     if (approach.out_of_reach) {
       ++counters.out_of_reach;
       continue;
@@ -202,18 +218,15 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     counters.products += (step.order + 1) * mode.padded();
     // With more than one zero derivative the motion that moves this mass has yet to pass along the
     // chain, and the coefficients computed so far are rounding.
-    if (flight_of(stop).below_rounding || (leading != nullptr && leading->zeros > 1))
+    if (flight_of(stop).below_rounding || (decided != nullptr && decided->zeros > 1))
       drop_rounding(motion, clock.omega, flight.table, contact, flight.moduli, p);
-    insert_exact_coefficients(contact, stop, rate_bound, step.length, p);
+    insert_exact_coefficients(contact, stop, step.length, p);
     approach.root = first_root(p, std::min(1.0, flight.u + simultaneous(flight.u)), counters);
     if (!approach.root) continue;
     flight.event = true;
     flight.u = std::min(flight.u, approach.root->u);
   }
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {  // drops the roots after the first event
-    std::optional<Root> &root = flight.approaches[k].root;
-    if (root && root->u > flight.u + simultaneous(flight.u)) root.reset();
-  }
+  drop_later_roots(motion, simultaneous(flight.u), flight);
 }
 
 void move_along(const Flight &flight, double u, const Clock &clock, Motion &motion,
@@ -237,7 +250,7 @@ void move_along(const Flight &flight, double u, const Clock &clock, Motion &moti
       stop.contact = InFlight{0.0, approach.root->slope / length};
     } else if (u > 0.0 && approach.out_of_reach) {
       stop.contact = InFlight{std::max(0.0, evaluate(contact, motion)), gap_speed(contact, motion)};
-    } else if (u > 0.0) {
+    } else if (u > 0.0 && !rests_without_force(stop)) {
       const auto along_step = [&] {
         const Jet jet = jet_at(approach.polynomial, 0, u);
         return InFlight{jet.value, jet.slope / length};

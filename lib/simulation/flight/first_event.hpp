@@ -33,10 +33,9 @@ struct Flight {
 // speed. The time is infinite when no event can follow.
 double quiet_time(const Motion &motion, const std::vector<StopState> &stops, double omega);
 
-// Finds the first event at u in (0, 1] of flight.step, which begins at `motion`. `rate_bound` is
-// the unit of leading derivatives.
+// Finds the first event at u in (0, 1] of flight.step, which begins at `motion`.
 void find_first_event(const Motion &motion, const std::vector<StopState> &stops, const Clock &clock,
-                      bool forced, double rate_bound, Flight &flight, Counters &counters);
+                      bool forced, Flight &flight, Counters &counters);
 
 // Moves motion and stops to u of the step. At flight.u the gaps of impacts are exactly 0.
 void move_along(const Flight &flight, double u, const Clock &clock, Motion &motion,

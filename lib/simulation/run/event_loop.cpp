@@ -26,7 +26,7 @@ Step make_step(Run &run, double length, double rate) {
 // Finds the limit of the chatter under way and the state there, in scratch.limit, with the step to
 // it. Returns false when the limit is not accurate enough, when another contact may come to zero
 // before it, or when a mass hit is not pressed against its stop there. The errors of the time of
-// the limit (in units of 1 / rate) and of the state add up to at most the tolerance.
+// the limit (in the unit of time of the impacts) and of the state add up to at most the tolerance.
 bool find_limit(Run &run, Step &step) {
   const Chatter &chatter = run.chatter;
   const RunOptions &options = run.problem.options;
@@ -36,21 +36,24 @@ bool find_limit(Run &run, Step &step) {
   for (const std::size_t k : chatter.contacts)
     if (!(next_speed_factor * speed_of(run.stops[mode.contacts[k].stop]) < options.resolve_chatter))
       return false;
-  // The unit of time is that of the fastest coordinate. A free fall has no rate, and its unit is
-  // the time left to the limit, to leading order.
+  double unit = 0.0;
+  for (const std::size_t k : chatter.contacts)
+    unit = std::max(unit, unit_of_time(mode, run.stops[mode.contacts[k].stop]));
+  // The rate of the step. A free fall has none, and its unit is the time left to the limit, to
+  // leading order.
   const double rate = mode.falls ? (1.0 - chatter.restitution) / chatter.flight_time : mode.fastest;
   // The impact speed falls to a third over 1 / (1 - r) impacts and has the rounding of these.
   const double tolerance =
       options.chatter_tolerance + 4.0 * impact_rounding / std::sqrt(1.0 - chatter.restitution);
-  const auto limit = extrapolate_limit(chatter, tolerance / rate);
+  const auto limit = extrapolate_limit(chatter, tolerance * unit);
   if (!limit || !(limit->time_left * rate <= max_step_radians)) return false;
-  if (!others_stay_out_of_reach(chatter, run.motion, run.problem.clock.omega, limit->time_left,
-                                scratch.limit))
+  if (!others_stay_out_of_reach(chatter, run.motion, run.stops, run.problem.clock.omega,
+                                limit->time_left, scratch.limit))
     return false;
   step = make_step(run, limit->time_left, rate);
   set_limit_state(chatter, *limit, step, run.problem.clock, run.problem.forced, run.motion,
                   run.stops, scratch.limit);
-  if (limit->error * rate + scratch.limit.error > tolerance) return false;
+  if (limit->error / unit + scratch.limit.error > tolerance) return false;
   for (const std::size_t k : chatter.contacts)  // not pressed: a border orbit or beyond
     if (!(pressing_force(run.scene(), mode.contacts[k], scratch.limit.motion) > 0.0)) return false;
   return true;
@@ -66,6 +69,7 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.modal_evaluations = inside.counters.modal_evaluations;
   run.counters.modes_built = inside.counters.modes_built;
+  run.counters.forced_coordinates = inside.counters.forced_coordinates;
   if (run.progress.end < limit || inside.progress.ending != Ending::reached) {
     run.progress = std::move(inside.progress);
     run.progress.inside_chatter = false;
@@ -100,8 +104,16 @@ void give_up_beyond_range(Run &run, const Instant &instant) {
                 time_of(instant, run.problem.clock), ", given up"));
 }
 
+// The longest step at this rate in motion. A step without a rate is exact at any length and is as
+// long as the time before.
+double longest_step_at(double rate, const Run &run) {
+  if (rate > 0.0) return std::min(max_step_radians / rate, longest_step);
+  return std::max(max_step_radians / run.motion.mode->fastest,
+                  time_of(run.motion.now, run.problem.clock));
+}
+
 Step plan_step(Run &run) {
-  const double rate = rate_in_motion(run.motion), longest = max_step_radians / rate;
+  const double rate = rate_in_motion(run.motion), longest = longest_step_at(rate, run);
   // A flight may be shorter than any bound (r = 1e-300). A step may not: the product of a slope and
   // its length must not underflow.
   double length = std::min(
@@ -167,7 +179,7 @@ bool fly_quietly(Run &run, double remaining, Recorders recorders) {
   if (!run.hint.quiet) return false;
   const double quiet = quiet_time(run.motion, run.stops, clock.omega);
   const double length = 0.5 * quiet;
-  if (!(length * rate_in_motion(run.motion) > quiet_steps * max_step_radians)) return false;
+  if (!(length > quiet_steps * longest_step_at(rate_in_motion(run.motion), run))) return false;
   // The end of the call must not decide whether the run flies in closed form.
   if (length > remaining) {
     end_at_time(run, remaining, true, recorders);
@@ -190,8 +202,7 @@ void run_step(Run &run, Recorders recorders) {
   if (run.progress.over || fly_quietly(run, remaining, recorders)) return;
   Flight &flight = run.scratch.flight;
   flight.step = plan_step(run);
-  find_first_event(run.motion, run.stops, clock, run.problem.forced, run.problem.rate_bound, flight,
-                   run.counters);
+  find_first_event(run.motion, run.stops, clock, run.problem.forced, flight, run.counters);
   const double tau = flight.u * flight.step.length;
   if (tau > remaining || remaining == 0.0) return end_at_time(run, remaining, false, recorders);
   sample(run, tau, false, recorders);

@@ -6,6 +6,7 @@
 
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
 #include "simulation/stops/impact.hpp"
 
 namespace vibro_impact::detail {
@@ -59,6 +60,9 @@ void count_impact(Run &run, StopState &stop, double speed) {
   if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
   stop.falling = falls ? stop.falling + 1 : 0;
   stop.last_speed = speed;
+  const double flight = elapsed(stop.left, run.motion.now, run.problem.clock);
+  stop.duration = std::max(falls ? stop.duration : 0.0, flight);
+  stop.left = run.motion.now;
   if (run.progress.inside_chatter || continues_slow_chatter(run)) return;
   ImpactBudget &budget = run.budget;
   if (!(elapsed(budget.start, run.motion.now, run.problem.clock) <= budget.window)) {
@@ -97,12 +101,14 @@ void apply_impacts(Run &run, Recorders recorders) {
   }
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
-    const double speed = speed_of(run.stops[contact.stop]);
+    StopState &stop = run.stops[contact.stop];
+    const double speed = speed_of(stop);
     run.scratch.flight_times.push_back(next_flight(run.scene(), contact, speed, motion));
     if (!(speed > 0.0)) continue;
     const double time_left = run.scratch.flight_times.back() / (1.0 - contact.restitution);
-    if (!(time_left * mode.fastest < same_instant) && !is_negligible(contact, speed, motion))
-      continue;
+    if (std::isfinite(time_left)) stop.duration = std::max(stop.duration, time_left);
+    const double unit = unit_of_time(mode, stop);
+    if (!(time_left < same_instant * unit) && !is_negligible(contact, speed, motion)) continue;
     leave_stop(contact, 0.0, motion, run.stops);
     ++run.counters.chatter_limits;
   }
@@ -129,15 +135,18 @@ void gather_resting(Run &run, bool at_start) {
   for (std::size_t k = 0; k < run.motion.mode->contacts.size(); ++k) {
     const Contact &contact = run.motion.mode->contacts[k];
     const StopState &stop = run.stops[contact.stop];
-    const LeadingDerivative *leading = decided_force(stop);
+    const DecidedForce *decided = decided_force(stop);
     if (!contact.held && !(gap_of(stop) == 0.0 && speed_of(stop) == 0.0)) continue;
     const bool root = std::find(roots.begin(), roots.end(), k) != roots.end();
     const bool pushed = is_pushed(run, contact.mass);
-    const bool in_question = !contact.held || at_start || root || leading != nullptr ||
+    const bool in_question = !contact.held || at_start || root || decided != nullptr ||
                              is_postponed(stop) || (pushed && !is_resolved(contact, run.motion));
     if (!in_question) continue;
-    // The force is exactly zero at a root, or as decided at this instant before, unless it jumps.
-    const bool zero = root || (leading != nullptr && (leading->zeros > 0 || leading->value == 0.0));
+    // The force is exactly zero at a root, or as decided at this instant before, unless it jumps. A
+    // force that is already negative is no root.
+    const bool zero =
+        (root && evaluate(contact, run.motion) >= -row_rounding * terms_of(contact, run.motion)) ||
+        (decided != nullptr && (decided->zeros > 0 || decided->none));
     masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
 }
@@ -147,14 +156,15 @@ void gather_resting(Run &run, bool at_start) {
 void set_stops(Run &run, const RestingMass &mass) {
   const std::vector<Stop> &stops = run.scene().stops;
   StopState &stop = run.stops[mass.stop];
-  stop.contact = AtRest{mass.leading};
+  stop.contact = AtRest{mass.force};
   if (mass.held == mass.was_held) return;
-  stop.changed = run.motion.now;
+  stop.changed = stop.left = run.motion.now;
   stop.falling = 0;
   stop.last_speed = 0.0;
   for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
     if (k != mass.stop && stops[k].mass == stops[mass.stop].mass)
-      run.stops[k] = {InFlight{std::abs(stops[k].position - stops[mass.stop].position), 0.0}};
+      run.stops[k] = {.contact = InFlight{std::abs(stops[k].position - stops[mass.stop].position)},
+                      .left = run.motion.now};
 }
 
 // Adds the impacts of this instant to the chatter that they continue or begin, and sets the step
@@ -205,12 +215,12 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start) {
   MotionState &state = run.scratch.state;
   const double rate = run.problem.rate_bound;
   if (at_start) {
-    rest.state_error.assign(state.held.size(), 0.0);
+    rest.decide(run.scene(), state, rate);
   } else {
-    set_state(run.motion, run.stops, run.scene(), state);
-    set_rounding(run.motion, run.scene(), rate, rest.state_error);
+    state.held = run.motion.mode->held;
+    set_chain(run.motion, run.scratch.chain);
+    rest.decide(run.scene(), state.held, run.scratch.chain, run.motion.now.phase, rate);
   }
-  rest.decide(run.scene(), state, rate);
   for (RestingMass &mass : rest.masses) {
     const std::optional<Instant> &changed = run.stops[mass.stop].changed;
     // A mass does not stick and leave, or leave and stick, at one instant of the clock.
@@ -257,6 +267,7 @@ void handle_start(Run &run, Recorders recorders) {
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const auto i = static_cast<std::size_t>(stops[k].mass - 1);
     const double sigma = sign(stops[k].side);
+    run.stops[k].left = state.instant;
     if (state.held[i] == static_cast<signed char>(stops[k].side))
       run.stops[k].contact = AtRest{};
     else
