@@ -5,12 +5,14 @@
 #include <cmath>
 #include <set>
 
+#include "random_scenes.hpp"
 #include "reference/scenes/extreme_cases.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
 using namespace vibro_impact;
+using namespace vibro_impact::testing;
 
 // The longest expansion of a flight, two radians of its fastest rate, is of order 23.
 constexpr long long most_coefficients = 24;
@@ -115,6 +117,34 @@ TEST(Economy, AChatterTableOnlyWhereChatterCanBe) {
   EXPECT_LE(all_motion.impacts, 63);
 }
 
+// Mass 1 chatters, mass 2 is held beside it, and mass 3 rests at a stop at the same place: no force
+// acts on mass 3, which does not keep the chatter from its limit.
+TEST(Economy, AMassThatRestsWithoutForceRefusesNoLimit) {
+  const Scene scene{.mass = {1.0, 1.0, 1.0},
+                    .stiffness = {1.0, 1.0, 1.0},
+                    .constant = {2.0, 2.0, 0.0},
+                    .omega = 0.0,
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, 0.1}, {2, Side::upper, 0.1}, {3, Side::upper, 0.1}},
+                    .displacement = {0.05, 0.1, 0.1}};
+  const Counters counters = simulate(scene, 20.0).counters;
+  EXPECT_EQ(counters.sticks, 2);
+  EXPECT_LT(counters.impacts, 20);  // 90 when each is resolved until the rest lies below rounding
+}
+
+// The number of forced coordinates does not depend on the samples, as modes are built inside
+// chatters also.
+TEST(Economy, TheCountersOfAModeDoNotDependOnSamples) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const Scene scene = chattering_scene(seed);
+    SampleRecorder samples{.from = 0.0, .to = 15.0, .every = 0.01};
+    const Counters plain = simulate(scene, 15.0).counters,
+                   sampled = simulate(scene, 15.0, samples).counters;
+    EXPECT_EQ(plain.forced_coordinates, sampled.forced_coordinates) << seed;
+    EXPECT_EQ(plain.modes_built, sampled.modes_built) << seed;
+  }
+}
+
 // Only modal coordinates that a forcing moves carry it: none without one.
 TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
   Scene scene = paper::figure2();
@@ -123,9 +153,10 @@ TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
   EXPECT_EQ(simulate(scene, 60.0).counters.forced_coordinates, 0);
 }
 
-// If nothing can happen, without stops or out of their reach for ever, there is no expansion, one
-// closed-form evaluation per sample and one for the state at the end. With stops nothing is
-// evaluated that nobody asked for.
+// If nothing can happen, without stops or out of their reach for ever, there is one closed-form
+// evaluation per sample and one for the state at the end. Expansions are made only while a mode
+// near resonance grows out of a motion far smaller than its response, which would cancel its
+// digits. With stops nothing is evaluated that nobody asked for.
 TEST(Economy, ASampleIsOneEvaluation) {
   Scene clear = extremes::one_mass(0.0, 0.5, 0.0, 0.7, 1.25);  // swings about 0.5
   clear.stops.push_back({1, Side::lower, -0.25});
@@ -135,7 +166,7 @@ TEST(Economy, ASampleIsOneEvaluation) {
     const Counters counters = simulate(scene, 1e6, samples).counters;
     EXPECT_EQ(samples.times.size(), 241u);
     EXPECT_EQ(counters.modal_evaluations, 242);
-    EXPECT_EQ(counters.expansions, 0);
+    EXPECT_LE(counters.expansions, 40);
     for (std::size_t i = 0; i < samples.times.size() && scene.masses() == 1; ++i)
       EXPECT_NEAR(samples.displacements[i], 0.5 * (1.0 - std::cos(samples.times[i])), 1e-15);
   }
@@ -155,7 +186,7 @@ void expect_the_same_work(const Scene &scene, double soon, double late, long lon
 
 // The steady motion A / (k - m Omega^2 + i c Omega) of one mass, after a million periods; also in
 // resonance, where what is left of it is the damping.
-TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreOneStep) {
+TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreFewSteps) {
   const double force = 0.5;
   const long long periods = 1'000'000;
   for (const auto &[beta, omega] :
@@ -163,7 +194,7 @@ TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreOneStep) {
     Scene scene = extremes::one_mass(beta, force, omega, 0.7, 200.0);
     scene.stops.push_back({1, Side::lower, -200.0});
     const Outcome outcome = simulate(scene, time_of({periods, 1.0}, Clock(omega)));
-    EXPECT_EQ(outcome.counters.expansions, 0) << omega;
+    EXPECT_LE(outcome.counters.expansions, 20) << omega;
     EXPECT_EQ(outcome.state.instant.cycle, periods);
     EXPECT_NEAR(outcome.state.instant.phase, 1.0, 4e-9);  // the time is rounded to 2e-9
     const double stiff = 1.0 - omega * omega, drag = beta * omega,

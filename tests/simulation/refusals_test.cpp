@@ -123,6 +123,7 @@ TEST(Refusals, OfTimesAndOptions) {
       {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
       {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
       {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},
+      {with({.flight_tolerance = 1e-22}), "flight_tolerance = 1e-22: must be at least 1e-21"},
       {with({.max_impacts_per_period = 0}), "max_impacts_per_period = 0: must be positive"},
       {[] { Clock(-1.0); }, "omega = -1: must be non-negative and finite"},
       {[] { Clock(1e-320); }, "with a finite period"},

@@ -83,6 +83,19 @@ TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
   }
 }
 
+// Two recorders ask for the same sample: each gets it, whichever is done there.
+TEST(Resume, ASampleReachesEveryRecorderBeforeTheRunEnds) {
+  for (const bool first : {false, true}) {
+    FirstSample stopper{1.0};
+    SampleRecorder samples{.from = 1.0, .to = 1.0, .every = 1.0};
+    Simulation simulation(paper::figure2());
+    const Outcome outcome = first ? simulation.advance(10.0, stopper, samples)
+                                  : simulation.advance(10.0, samples, stopper);
+    EXPECT_EQ(outcome.ending, Ending::stopped);
+    EXPECT_EQ(samples.times.size(), 1u) << first;
+  }
+}
+
 // To its own time, which rounding may put before it, from where it has just been hit; and from
 // where it ended, after 61 periods that, divided by one, are less than 61.
 TEST(Resume, ARunToTheTimeOfItsStartEndsAsItStarts) {

@@ -24,8 +24,8 @@ struct RunOptions {
   // Largest estimated error of the time of a chatter limit, times the rate of the fastest mode, at
   // which the limit is accepted. It lies in (0, 1).
   double chatter_tolerance = 1e-13;
-  // Largest remainder of the Taylor series of a step, relative to its second-order term, in (0, 1).
-  // The order of the series follows from it. The default lies below rounding.
+  // Largest remainder of the Taylor series of a step, relative to its second-order term, from 1e-21
+  // to below 1. The order of the series follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
   // A run is given up after more impacts than this in one forcing period, or in a thousand periods
   // of the slowest mode if these are shorter. Without a forcing, or with Omega = 0, they are

@@ -27,12 +27,34 @@ void set_coordinates(const ContactMode &mode, ChainMotion &chain, Motion &motion
   motion.mode = &mode;
   motion.y.setZero(mode.padded());
   motion.dy.setZero(mode.padded());
+  motion.y_low.setZero(mode.padded());
+  motion.dy_low.setZero(mode.padded());
   set_values(mode.basis, chain.displacement, chain.tension, chain.value);
   set_values(mode.basis, chain.velocity, chain.tension_rate, chain.speed);
   for (Index k = 0; k < mode.basis.lambda.size(); ++k)
     set_mode(mode, k, chain.value(k), chain.speed(k), motion.y, motion.dy);
-  motion.following.assign(mode.stiff ? static_cast<std::size_t>(mode.padded()) : 0, false);
+  motion.following.assign(static_cast<std::size_t>(mode.padded()), false);
+  motion.any_following = false;
   complete_change(motion);
+}
+
+// Adds the motion about the static positions, and sets the rates.
+void add_motion(const Motion &motion, ChainMotion &chain) {
+  const ContactMode &mode = *motion.mode;
+  chain.velocity.setZero(mode.equilibrium.size());
+  chain.tension_rate.setZero(mode.tension.size());
+  for (Index k = 0; k < mode.basis.lambda.size(); ++k) {
+    const Index j = mode.first_coordinate[static_cast<std::size_t>(k)];
+    double value = motion.y(j), velocity = motion.dy(j);
+    if (mode.coordinates.decay[static_cast<std::size_t>(j)]) {
+      value += motion.y(j + 1);
+      velocity += motion.dy(j + 1);
+    }
+    chain.displacement += value * mode.basis.shape.col(k);
+    chain.tension += value * mode.basis.tension.col(k);
+    chain.velocity += velocity * mode.basis.shape.col(k);
+    chain.tension_rate += velocity * mode.basis.tension.col(k);
+  }
 }
 
 }  // namespace
@@ -63,25 +85,17 @@ void express(const Scene &scene, const MotionState &state, const ContactMode &mo
   set_coordinates(mode, chain, motion);
 }
 
+void set_chain(const Motion &motion, ChainMotion &chain) {
+  const ContactMode &mode = *motion.mode;
+  chain.displacement = mode.equilibrium;
+  chain.tension = mode.tension;
+  add_motion(motion, chain);
+}
+
 void change_mode(const ContactMode &mode, ChainMotion &chain, Motion &motion) {
-  const ContactMode &before = *motion.mode;
-  const ModalBasis &basis = before.basis;
-  chain.displacement = before.equilibrium - mode.equilibrium;
-  chain.tension = before.tension - mode.tension;
-  chain.velocity.setZero(mode.equilibrium.size());
-  chain.tension_rate.setZero(mode.tension.size());
-  for (Index k = 0; k < basis.lambda.size(); ++k) {
-    const Index j = before.first_coordinate[static_cast<std::size_t>(k)];
-    double value = motion.y(j), velocity = motion.dy(j);
-    if (before.coordinates.decay[static_cast<std::size_t>(j)]) {
-      value += motion.y(j + 1);
-      velocity += motion.dy(j + 1);
-    }
-    chain.displacement += value * basis.shape.col(k);
-    chain.tension += value * basis.tension.col(k);
-    chain.velocity += velocity * basis.shape.col(k);
-    chain.tension_rate += velocity * basis.tension.col(k);
-  }
+  chain.displacement = motion.mode->equilibrium - mode.equilibrium;
+  chain.tension = motion.mode->tension - mode.tension;
+  add_motion(motion, chain);
   set_coordinates(mode, chain, motion);
 }
 

@@ -5,7 +5,8 @@
 
 namespace vibro_impact::detail {
 
-// The motion of the chain about the static positions of a contact mode: displacements x_i and
+// The motion of the chain about the static positions of a contact mode, or about the unstretched
+// chain: displacements x_i and
 // tensions of the springs as in `ModalBasis`, and the rates of both.
 struct ChainMotion {
   Eigen::VectorXd displacement, tension, velocity, tension_rate;
@@ -16,6 +17,9 @@ struct ChainMotion {
 // scratch.
 void express(const Scene &scene, const MotionState &state, const ContactMode &mode,
              const Clock &clock, ChainMotion &chain, Motion &motion);
+
+// Sets displacements and tensions, and the rates of both, about the unstretched chain.
+void set_chain(const Motion &motion, ChainMotion &chain);
 
 // Converts the modal coordinates of `motion` to those of another mode. `chain` is scratch.
 void change_mode(const ContactMode &mode, ChainMotion &chain, Motion &motion);

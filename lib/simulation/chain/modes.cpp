@@ -29,9 +29,15 @@ MatrixXd eigenvectors_of(const Scene &scene, const std::vector<std::size_t> &fre
     diagonal(a) = (scene.stiffness[i] + k_right + entry_of(scene.ground, i)) / scene.mass[i];
     if (a + 1 < modes)
       off(a) = free[static_cast<std::size_t>(a) + 1] == i + 1
-                   ? -k_right / std::sqrt(scene.mass[i] * scene.mass[i + 1])
+                   ? -k_right / std::sqrt(scene.mass[i]) / std::sqrt(scene.mass[i + 1])
                    : 0.0;
   }
+  // The solver drops entries by a rule that is not homogeneous, so the matrix is brought to order
+  // one. A power of two leaves the digits.
+  const double largest = diagonal.maxCoeff();
+  const double unit = largest > 0.0 ? std::exp2(-std::ilogb(largest)) : 1.0;
+  diagonal *= unit;
+  off *= unit;
   Eigen::SelfAdjointEigenSolver<MatrixXd> solver;
   solver.computeFromTridiagonal(diagonal, off);
   return solver.eigenvectors();

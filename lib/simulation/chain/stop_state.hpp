@@ -8,37 +8,41 @@
 
 namespace vibro_impact::detail {
 
-// A mass in flight before its stop. Gap g = sigma (s - x) and gap speed g' are carried, because a
-// small gap evaluated from the modal coordinates loses its digits to cancellation. After an impact
-// the gap is exactly 0.
+// A mass in flight before its stop. At an impact its gap g = sigma (s - x) is exactly 0, and its
+// gap speed g' is known, just before the impact and then just after. At other times both are
+// evaluated from the modal coordinates.
 struct InFlight {
-  double gap = 0.0, speed = 0.0;
-  bool below_rounding = false;  // the gap lies below the rounding of the modal coordinates
+  std::optional<double> speed_at_stop = {};
 };
 
-// The first non-zero time derivative of w: w is the hold force of a held mass, or the acceleration
-// g'' of the gap of a released mass. The derivatives of order 0, ..., zeros - 1 are exactly zero,
-// and the next one is value * rate_bound^zeros with value > 0. With value = 0 no force acts on the
-// mass, to all orders, and the mass stays free and at rest at its stop.
-struct LeadingDerivative {
+// The decision about a mass at rest: the derivatives of order 0, ..., zeros - 1 of the hold force
+// of a held mass, or of the acceleration g'' of the gap of a released mass, are exactly zero, and
+// the next one is positive. With `none` no force acts on the mass, to all orders, and the mass
+// stays free and at rest at its stop.
+struct DecidedForce {
   int zeros = 0;
-  double value = 0.0;
+  bool none = false;
 };
 
 // A mass at rest at its stop: held, or released at this instant, or free without any force.
 struct AtRest {
-  // The force decided at this instant. It is reset when time passes.
-  std::optional<LeadingDerivative> decided = {};
+  // The force decided at this instant. It is reset when time passes, unless no force acts.
+  std::optional<DecidedForce> decided = {};
+  bool released = false;  // the mass leaves when time passes
   // A mass cannot stick and be released at one instant of the clock. The second of two such
   // decisions is made again one rounding of the clock later.
   bool postponed = false;
 };
 
 struct StopState {
-  std::variant<InFlight, AtRest> contact = InFlight{};
+  std::variant<InFlight, AtRest> contact = {};
   double last_speed = 0.0;              // closing speed of the latest impact
   int falling = 0;                      // see Event::falling
   std::optional<Instant> changed = {};  // instant of the latest stick or release
+  Instant left = {};                    // instant of the start, of the latest release or impact
+  // The time in which the falling impacts happen: the longest of their flights and of their times
+  // to the limit, to leading order. It is the unit of time where every rate is slower.
+  double duration = 0.0;
 };
 
 inline bool is_postponed(const StopState &stop) {
@@ -47,27 +51,24 @@ inline bool is_postponed(const StopState &stop) {
 }
 
 // The force decided at this instant on a mass at rest, or nullptr.
-inline const LeadingDerivative *decided_force(const StopState &stop) {
+inline const DecidedForce *decided_force(const StopState &stop) {
   const auto *rest = std::get_if<AtRest>(&stop.contact);
   return rest != nullptr && rest->decided ? &*rest->decided : nullptr;
 }
 
 // True when no force acts on the mass, to all orders.
 inline bool rests_without_force(const StopState &stop) {
-  const LeadingDerivative *leading = decided_force(stop);
-  return leading != nullptr && leading->value == 0.0;
+  const DecidedForce *force = decided_force(stop);
+  return force != nullptr && force->none;
 }
 
-// Gap and gap speed: the carried ones of a mass in flight, and zero of a mass at rest.
-inline InFlight flight_of(const StopState &stop) {
+inline std::optional<double> speed_at_stop(const StopState &stop) {
   const auto *flight = std::get_if<InFlight>(&stop.contact);
-  return flight != nullptr ? *flight : InFlight{};
+  return flight != nullptr ? flight->speed_at_stop : std::nullopt;
 }
-inline double gap_of(const StopState &stop) {
-  return flight_of(stop).gap;
-}
-inline double speed_of(const StopState &stop) {
-  return flight_of(stop).speed;
+
+inline bool is_at_rest(const StopState &stop) {
+  return std::holds_alternative<AtRest>(stop.contact);
 }
 
 }  // namespace vibro_impact::detail

@@ -7,6 +7,7 @@
 #include "observers.hpp"
 #include "simulation/chain/pair.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/flight/quiet_flight.hpp"
 #include "simulation/stops/impact.hpp"
 
 namespace vibro_impact::detail {
@@ -23,37 +24,38 @@ Step make_step(Run &run, double length, double rate) {
   return step;
 }
 
-// Finds the limit of the chatter under way and the state there, in scratch.limit, with the step to
-// it. Returns false when the limit is not accurate enough, when another contact may come to zero
-// before it, or when a mass hit is not pressed against its stop there. The errors of the time of
-// the limit (in units of 1 / rate) and of the state add up to at most the tolerance.
-bool find_limit(Run &run, Step &step) {
+// Finds the limit of the chatter under way and sets the state there, in scratch.limit. Returns
+// false when the limit is not accurate enough, when another contact may come to zero before it, or
+// when a mass hit is not pressed against its stop there. The errors of the time of the limit (in
+// the unit of time of the impacts) and of the state add up to at most the tolerance.
+bool find_limit(Run &run) {
   const Chatter &chatter = run.chatter;
   const RunOptions &options = run.problem.options;
   const ContactMode &mode = *run.motion.mode;
-  Scratch &scratch = run.scratch;
-  // The closing speed of the next impact may be a little above the latest rebound speed.
-  for (const std::size_t k : chatter.contacts)
-    if (!(next_speed_factor * speed_of(run.stops[mode.contacts[k].stop]) < options.resolve_chatter))
-      return false;
-  // The unit of time is that of the fastest coordinate. A free fall has no rate, and its unit is
-  // the time left to the limit, to leading order.
-  const double rate = mode.falls ? (1.0 - chatter.restitution) / chatter.flight_time : mode.fastest;
+  LimitState &state = run.scratch.limit;
+  double unit = 0.0;
+  for (const std::size_t k : chatter.contacts) {
+    const StopState &stop = run.stops[mode.contacts[k].stop];
+    // The closing speed of the next impact may be a little above the latest rebound speed.
+    const double speed = speed_at_stop(stop).value_or(0.0);
+    if (!(next_speed_factor * speed < options.resolve_chatter)) return false;
+    unit = std::max(unit, unit_of_time(mode, stop));
+  }
   // The impact speed falls to a third over 1 / (1 - r) impacts and has the rounding of these.
   const double tolerance =
       options.chatter_tolerance + 4.0 * impact_rounding / std::sqrt(1.0 - chatter.restitution);
-  const auto limit = extrapolate_limit(chatter, tolerance / rate);
-  if (!limit || !(limit->time_left * rate <= max_step_radians)) return false;
-  if (!others_stay_out_of_reach(chatter, run.motion, run.problem.clock.omega, limit->time_left,
-                                scratch.limit))
+  const auto limit = extrapolate_limit(chatter, tolerance * unit);
+  if (!limit || (!mode.falls && !(limit->time_left * mode.fastest <= max_step_radians)))
     return false;
-  step = make_step(run, limit->time_left, rate);
-  set_limit_state(chatter, *limit, step, run.problem.clock, run.problem.forced, run.motion,
-                  run.stops, scratch.limit);
-  if (limit->error * rate + scratch.limit.error > tolerance) return false;
-  for (const std::size_t k : chatter.contacts)  // not pressed: a border orbit or beyond
-    if (!(pressing_force(run.scene(), mode.contacts[k], scratch.limit.motion) > 0.0)) return false;
-  return true;
+  if (!others_stay_out_of_reach(chatter, run.motion, run.stops, run.problem.clock.omega,
+                                limit->time_left, state))
+    return false;
+  set_limit_state(chatter, *limit, run.problem.clock, run.motion, run.stops, state);
+  if (limit->error / unit + state.error > tolerance) return false;
+  // A mass that is not pressed is on a border orbit or beyond.
+  return std::all_of(chatter.contacts.begin(), chatter.contacts.end(), [&](std::size_t k) {
+    return pressing_force(run.scene(), mode.contacts[k], state.motion, 0.0) > 0.0;
+  });
 }
 
 // Advances a copy of the run through the impacts before the limit, for samples and an end there. A
@@ -66,6 +68,7 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.modal_evaluations = inside.counters.modal_evaluations;
   run.counters.modes_built = inside.counters.modes_built;
+  run.counters.forced_coordinates = inside.counters.forced_coordinates;
   if (run.progress.end < limit || inside.progress.ending != Ending::reached) {
     run.progress = std::move(inside.progress);
     run.progress.inside_chatter = false;
@@ -75,9 +78,8 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
 // Moves the run to the limit of a chatter whose latest impact is a node of its table, if the limit
 // is found.
 void take_limit(Run &run, Recorders recorders) {
-  Step step;
   if (run.progress.over || run.progress.inside_chatter || !run.chatter.stands_at_node() ||
-      !find_limit(run, step))
+      !find_limit(run))
     return;
   const Instant limit = run.scratch.limit.motion.now;
   if (run.progress.end < limit || next_sample(recorders) <= time_of(limit, run.problem.clock)) {
@@ -86,7 +88,7 @@ void take_limit(Run &run, Recorders recorders) {
   }
   std::swap(run.motion, run.scratch.limit.motion);
   std::swap(run.stops, run.scratch.limit.stops);
-  end(run.chatter);
+  end_chatter(run.chatter);
   run.hint = {};
   ++run.counters.chatter_limits;
   run.scratch.hits.clear();
@@ -100,8 +102,16 @@ void give_up_beyond_range(Run &run, const Instant &instant) {
                 time_of(instant, run.problem.clock), ", given up"));
 }
 
+// The longest step at this rate in motion. A step without a rate is exact at any length and is as
+// long as the time before.
+double longest_step_at(double rate, const Run &run) {
+  if (rate > 0.0) return std::min(max_step_radians / rate, longest_step);
+  return std::max(max_step_radians / run.motion.mode->fastest,
+                  time_of(run.motion.now, run.problem.clock));
+}
+
 Step plan_step(Run &run) {
-  const double rate = rate_in_motion(run.motion), longest = max_step_radians / rate;
+  const double rate = rate_in_motion(run.motion), longest = longest_step_at(rate, run);
   // A flight may be shorter than any bound (r = 1e-300). A step may not: the product of a slope and
   // its length must not underflow.
   double length = std::min(
@@ -112,6 +122,12 @@ Step plan_step(Run &run) {
   return make_step(run, length, rate);
 }
 
+void fly_to(const Instant &instant, const Clock &clock, Motion &motion,
+            std::vector<StopState> &stops) {
+  fly(motion, clock, instant);
+  forget_instant(stops);
+}
+
 // Sets scratch.sampled to the motion at `instant`, `tau` after the motion of the run: along the
 // step in scratch.flight, or in closed form on a flight without events.
 void set_sampled(Run &run, const Instant &instant, double tau, bool in_closed_form) {
@@ -120,7 +136,7 @@ void set_sampled(Run &run, const Instant &instant, double tau, bool in_closed_fo
   scratch.sampled = run.motion;
   scratch.sampled_stops = run.stops;
   if (in_closed_form)
-    fly_along(instant, clock, scratch.sampled, scratch.sampled_stops, scratch.change);
+    fly_to(instant, clock, scratch.sampled, scratch.sampled_stops);
   else
     move_along(scratch.flight, tau / scratch.flight.step.length, clock, scratch.sampled,
                scratch.sampled_stops);
@@ -167,7 +183,7 @@ bool fly_quietly(Run &run, double remaining, Recorders recorders) {
   if (!run.hint.quiet) return false;
   const double quiet = quiet_time(run.motion, run.stops, clock.omega);
   const double length = 0.5 * quiet;
-  if (!(length * rate_in_motion(run.motion) > quiet_steps * max_step_radians)) return false;
+  if (!(length > quiet_steps * longest_step_at(rate_in_motion(run.motion), run))) return false;
   // The end of the call must not decide whether the run flies in closed form.
   if (length > remaining) {
     end_at_time(run, remaining, true, recorders);
@@ -177,7 +193,7 @@ bool fly_quietly(Run &run, double remaining, Recorders recorders) {
   const double tau = time_until(run.motion, target, clock);
   sample(run, tau, true, recorders);
   if (run.progress.over) return true;
-  fly_along(target, clock, run.motion, run.stops, run.scratch.change);
+  fly_to(target, clock, run.motion, run.stops);
   run.chatter.since += tau;
   return true;
 }
@@ -190,8 +206,7 @@ void run_step(Run &run, Recorders recorders) {
   if (run.progress.over || fly_quietly(run, remaining, recorders)) return;
   Flight &flight = run.scratch.flight;
   flight.step = plan_step(run);
-  find_first_event(run.motion, run.stops, clock, run.problem.forced, run.problem.rate_bound, flight,
-                   run.counters);
+  find_first_event(run.motion, run.stops, clock, run.problem.forced, flight, run.counters);
   const double tau = flight.u * flight.step.length;
   if (tau > remaining || remaining == 0.0) return end_at_time(run, remaining, false, recorders);
   sample(run, tau, false, recorders);
@@ -199,7 +214,7 @@ void run_step(Run &run, Recorders recorders) {
   move_along(flight, flight.u, clock, run.motion, run.stops);
   run.chatter.since += tau;
   run.hint = {.quiet = !flight.any_near || (run.motion.mode->drift >= 0 && !flight.event)};
-  if (!flight.event) return;
+  if (!flight.event) return let_dead_coordinates_follow(run.motion, clock.omega);
   handle_instant(run, recorders);
   take_limit(run, recorders);
 }

@@ -6,6 +6,7 @@
 
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
 #include "simulation/stops/impact.hpp"
 
 namespace vibro_impact::detail {
@@ -21,6 +22,21 @@ void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
     stop_run(run, Ending::stopped);
 }
 
+// The gap of a contact in the initial state.
+Gap start_gap(const Scene &scene, const Contact &contact, const MotionState &state) {
+  const double position = scene.stops[contact.stop].position;
+  return {contact.sigma * (position - state.displacement[contact.mass]),
+          -contact.sigma * state.velocity[contact.mass]};
+}
+
+// Sets scratch.gaps to the gaps before a mode change, at the stops that have a contact.
+void set_gaps(Run &run) {
+  std::vector<std::optional<Gap>> &gaps = run.scratch.gaps;
+  gaps.assign(run.stops.size(), std::nullopt);
+  for (const Contact &contact : run.motion.mode->contacts)
+    gaps[contact.stop] = gap_of(contact, run.stops[contact.stop], run.motion);
+}
+
 // Enters the contact mode state.held. At the start of a run `state` is exact and gives the modal
 // coordinates; later the coordinates of the mode before give them.
 void enter_mode(Run &run, const MotionState &state, bool at_start) {
@@ -32,13 +48,16 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
   }
   if (at_start) {
     express(run.scene(), state, mode, run.problem.clock, run.scratch.chain, run.motion);
-    return;
+  } else {
+    set_gaps(run);
+    change_mode(mode, run.scratch.chain, run.motion);
   }
-  change_mode(mode, run.scratch.chain, run.motion);
-  for (const Contact &contact : mode.contacts)
-    if (const auto *flight = std::get_if<InFlight>(&run.stops[contact.stop].contact);
-        flight != nullptr && !contact.held && !is_resolved(contact, run.motion))
-      place(contact, *flight, run.motion);  // a small gap is more accurate as carried
+  // A small gap is more accurate than the coordinates of the new mode.
+  for (const Contact &contact : mode.contacts) {
+    const std::optional<Gap> gap =
+        at_start ? start_gap(run.scene(), contact, state) : run.scratch.gaps[contact.stop];
+    if (gap && !contact.held && !is_resolved(contact, run.motion)) place(contact, *gap, run.motion);
+  }
 }
 
 // True when the impacts at this instant continue a chatter of so many impacts that the budget would
@@ -59,6 +78,9 @@ void count_impact(Run &run, StopState &stop, double speed) {
   if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
   stop.falling = falls ? stop.falling + 1 : 0;
   stop.last_speed = speed;
+  const double flight = elapsed(stop.left, run.motion.now, run.problem.clock);
+  stop.duration = std::max(falls ? stop.duration : 0.0, flight);
+  stop.left = run.motion.now;
   if (run.progress.inside_chatter || continues_slow_chatter(run)) return;
   ImpactBudget &budget = run.budget;
   if (!(elapsed(budget.start, run.motion.now, run.problem.clock) <= budget.window)) {
@@ -83,7 +105,7 @@ void apply_impacts(Run &run, Recorders recorders) {
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
     StopState &stop = run.stops[contact.stop];
-    const double closing = std::max(0.0, -speed_of(stop));
+    const double closing = std::max(0.0, -speed_at_stop(stop).value_or(0.0));
     count_impact(run, stop, closing);
     const ImpactLaw law = law_of(run.scene(), run.scene().stops[contact.stop]);
     leave_stop(contact, law.after(closing), motion, run.stops);
@@ -92,17 +114,19 @@ void apply_impacts(Run &run, Recorders recorders) {
     const Contact &contact = mode.contacts[k];
     const StopState &stop = run.stops[contact.stop];
     report_event(run, EventKind::impact, contact.stop,
-                 {contact.sigma * stop.last_speed, -contact.sigma * speed_of(stop)}, false,
+                 {contact.sigma * stop.last_speed, -contact.sigma * *speed_at_stop(stop)}, false,
                  recorders);
   }
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
-    const double speed = speed_of(run.stops[contact.stop]);
+    StopState &stop = run.stops[contact.stop];
+    const double speed = *speed_at_stop(stop);
     run.scratch.flight_times.push_back(next_flight(run.scene(), contact, speed, motion));
     if (!(speed > 0.0)) continue;
     const double time_left = run.scratch.flight_times.back() / (1.0 - contact.restitution);
-    if (!(time_left * mode.fastest < same_instant) && !is_negligible(contact, speed, motion))
-      continue;
+    if (std::isfinite(time_left)) stop.duration = std::max(stop.duration, time_left);
+    const double unit = unit_of_time(mode, stop);
+    if (!(time_left < same_instant * unit) && !is_negligible(contact, speed, motion)) continue;
     leave_stop(contact, 0.0, motion, run.stops);
     ++run.counters.chatter_limits;
   }
@@ -129,15 +153,18 @@ void gather_resting(Run &run, bool at_start) {
   for (std::size_t k = 0; k < run.motion.mode->contacts.size(); ++k) {
     const Contact &contact = run.motion.mode->contacts[k];
     const StopState &stop = run.stops[contact.stop];
-    const LeadingDerivative *leading = decided_force(stop);
-    if (!contact.held && !(gap_of(stop) == 0.0 && speed_of(stop) == 0.0)) continue;
+    const DecidedForce *decided = decided_force(stop);
+    if (!contact.held && !is_at_rest(stop) && speed_at_stop(stop) != 0.0) continue;
     const bool root = std::find(roots.begin(), roots.end(), k) != roots.end();
     const bool pushed = is_pushed(run, contact.mass);
-    const bool in_question = !contact.held || at_start || root || leading != nullptr ||
+    const bool in_question = !contact.held || at_start || root || decided != nullptr ||
                              is_postponed(stop) || (pushed && !is_resolved(contact, run.motion));
     if (!in_question) continue;
-    // The force is exactly zero at a root, or as decided at this instant before, unless it jumps.
-    const bool zero = root || (leading != nullptr && (leading->zeros > 0 || leading->value == 0.0));
+    // The force is exactly zero at a root, or as decided at this instant before, unless it jumps. A
+    // force that is already negative is no root.
+    const bool zero =
+        (root && evaluate(contact, run.motion) >= -row_rounding * terms_of(contact, run.motion)) ||
+        (decided != nullptr && (decided->zeros > 0 || decided->none));
     masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
 }
@@ -147,14 +174,14 @@ void gather_resting(Run &run, bool at_start) {
 void set_stops(Run &run, const RestingMass &mass) {
   const std::vector<Stop> &stops = run.scene().stops;
   StopState &stop = run.stops[mass.stop];
-  stop.contact = AtRest{mass.leading};
+  stop.contact = AtRest{.decided = mass.force, .released = !mass.held && !mass.force.none};
   if (mass.held == mass.was_held) return;
-  stop.changed = run.motion.now;
+  stop.changed = stop.left = run.motion.now;
   stop.falling = 0;
   stop.last_speed = 0.0;
   for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
     if (k != mass.stop && stops[k].mass == stops[mass.stop].mass)
-      run.stops[k] = {InFlight{std::abs(stops[k].position - stops[mass.stop].position), 0.0}};
+      run.stops[k] = {.left = run.motion.now};
 }
 
 // Adds the impacts of this instant to the chatter that they continue or begin, and sets the step
@@ -170,23 +197,23 @@ void follow_chatter(Run &run, const ContactMode &previous_mode) {
   for (std::size_t i = 0; i < hits.size() && leaving; ++i) {
     const Contact &contact = mode.contacts[hits[i]];
     const StopState &stop = run.stops[contact.stop];
-    const double speed = speed_of(stop);
+    const double speed = *speed_at_stop(stop);
     leaving = speed > 0.0;
     jumps.push_back(stop.last_speed + speed);
     flight_time = std::max(flight_time, run.scratch.flight_times[i]);
   }
-  if (!leaving) return end(run.chatter);
+  if (!leaving) return end_chatter(run.chatter);
   run.hint.flight_time = flight_time;
   Chatter &chatter = run.chatter;
   if (!(chatter.under_way() && flight_time < chatter.flight_time && hits == chatter.contacts)) {
-    end(chatter);
+    end_chatter(chatter);
     const double r = mode.contacts[hits[0]].restitution;
     // With r = 0 one impact stops the mass, and with r = 1 the impacts have no limit. A chatter
     // begins once a flight takes less than a radian of the fastest rate.
     if (!(r > 0.0 && r < 1.0 && (mode.falls || flight_time * mode.fastest < 1.0))) return;
-    begin(chatter, hits, r);
+    begin_chatter(chatter, hits, r);
   }
-  if (add_impact(chatter, flight_time, jumps)) ++run.counters.chatter_nodes;
+  if (add_impact(chatter, flight_time, jumps, run.motion)) ++run.counters.chatter_nodes;
 }
 
 }  // namespace
@@ -205,12 +232,12 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start) {
   MotionState &state = run.scratch.state;
   const double rate = run.problem.rate_bound;
   if (at_start) {
-    rest.state_error.assign(state.held.size(), 0.0);
+    rest.decide(run.scene(), state, rate);
   } else {
-    set_state(run.motion, run.stops, run.scene(), state);
-    set_rounding(run.motion, run.scene(), rate, rest.state_error);
+    state.held = run.motion.mode->held;
+    set_chain(run.motion, run.scratch.chain);
+    rest.decide(run.scene(), state.held, run.scratch.chain, run.motion.now.phase, rate);
   }
-  rest.decide(run.scene(), state, rate);
   for (RestingMass &mass : rest.masses) {
     const std::optional<Instant> &changed = run.stops[mass.stop].changed;
     // A mass does not stick and leave, or leave and stick, at one instant of the clock.
@@ -256,25 +283,23 @@ void handle_start(Run &run, Recorders recorders) {
   run.stops.resize(stops.size());
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const auto i = static_cast<std::size_t>(stops[k].mass - 1);
-    const double sigma = sign(stops[k].side);
-    if (state.held[i] == static_cast<signed char>(stops[k].side))
-      run.stops[k].contact = AtRest{};
-    else
-      run.stops[k].contact =
-          InFlight{sigma * (stops[k].position - state.displacement[i]), -sigma * state.velocity[i]};
+    run.stops[k].left = state.instant;
+    if (state.held[i] == static_cast<signed char>(stops[k].side)) run.stops[k].contact = AtRest{};
   }
   const ContactMode &mode = *run.motion.mode;
   scratch.hits.clear();
   scratch.roots.clear();
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    const StopState &stop = run.stops[mode.contacts[k].stop];
-    if (!mode.contacts[k].held && gap_of(stop) == 0.0 && speed_of(stop) < 0.0)
-      scratch.hits.push_back(k);
+    const Contact &contact = mode.contacts[k];
+    const Gap gap = start_gap(run.scene(), contact, state);
+    if (contact.held || gap.value != 0.0) continue;
+    run.stops[contact.stop].contact = InFlight{gap.speed};
+    if (gap.speed < 0.0) scratch.hits.push_back(k);
   }
   apply_impacts(run, recorders);
   for (const std::size_t k : scratch.hits) {
     const Contact &contact = mode.contacts[k];
-    state.velocity[contact.mass] = -contact.sigma * speed_of(run.stops[contact.stop]);
+    state.velocity[contact.mass] = -contact.sigma * *speed_at_stop(run.stops[contact.stop]);
   }
   hold_or_release(run, recorders, true);
   follow_chatter(run, mode);

@@ -83,14 +83,18 @@ double next_sample(Recorders recorders) {
 
 bool report_sample(const Motion &motion, double time, const Clock &clock, Recorders recorders) {
   const MomentOfMotion moment(motion, instant_at(time, clock), clock);
+  bool done = false;
   for (const RecorderRef &recorder : recorders) {
     if (!recorder.sample || recorder.next_time() > time) continue;
     recorder.sample(moment);
-    if (is_done(recorder)) return true;
+    if (is_done(recorder)) {
+      done = true;
+      continue;
+    }
     const double next = recorder.next_time();
     require(next > time, "next_time = ", next, " after the sample at ", time, ": must be later");
   }
-  return false;
+  return done;
 }
 
 bool is_done(Recorders recorders) {

@@ -24,6 +24,9 @@ void check_options(const RunOptions &options) {
        {std::pair{"chatter", options.chatter_tolerance}, {"flight", options.flight_tolerance}})
     require(tolerance > 0.0 && tolerance < 1.0, name, "_tolerance = ", tolerance,
             ": must lie between 0 and 1");
+  require(options.flight_tolerance >= least_flight_tolerance,
+          "flight_tolerance = ", options.flight_tolerance, ": must be at least ",
+          least_flight_tolerance, ", the remainder of the highest order");
   require(options.resolve_chatter >= 0.0, "resolve_chatter = ", options.resolve_chatter,
           ": must be non-negative");
   require(options.max_impacts_per_period > 0,

@@ -1,93 +1,166 @@
 #include "rest.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "simulation/chain/forces.hpp"
+#include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
+
+namespace {
+
+// The stiffness of spring `i`, a link or below the links a spring to the ground.
+double stiffness_of(const Scene &scene, std::size_t spring) {
+  const std::size_t n = scene.mass.size();
+  return spring < n ? scene.stiffness[spring] : scene.ground[spring - n];
+}
+
+std::size_t index_of(const Stop &stop) {
+  return static_cast<std::size_t>(stop.mass - 1);
+}
+
+}  // namespace
+
+// The force of springs and dampers on a mass, in one order.
+RestDecision::Sum RestDecision::force_on(const Scene &scene, std::size_t mass, double rate) const {
+  const std::size_t n = scene.mass.size();
+  const Real damping = static_cast<Real>(scene.beta) * rate;
+  Sum sum;
+  const auto add = [&](std::size_t spring, Real sign) {
+    const Springs &force = current_.force, &slope = current_.rate;
+    sum.value += sign * (force.value[spring] + damping * slope.value[spring]);
+    sum.error += force.error[spring] + damping * slope.error[spring];
+  };
+  add(mass, -1.0);
+  if (mass + 1 < n) add(mass + 1, 1.0);
+  if (!scene.ground.empty()) add(n + mass, -1.0);
+  return sum;
+}
 
 // Decides the masses still undecided, order by order; a force within its error bound counts as
 // zero. Returns how many are left.
 std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, double rate) {
   const std::size_t n = scene.mass.size();
-  Derivatives &state = current_;
   const double angle = scene.omega * phase, c = std::cos(angle), s = std::sin(angle);
   const std::array<double, 5> cosine{c, -s, -c, s, c};  // and its derivatives
-  double power = 1.0;                                   // (Omega / rate)^order
-  std::size_t left = 0;
-  for (const RestingMass &mass : masses) left += kind_[mass.mass] == Kind::undecided;
+  Real power = 1.0;                                     // (Omega / rate)^order
+  current_ = start_;
+  std::size_t left = masses.size();
   for (int order = 0; left > 0 && order < 2 * static_cast<int>(n) + 4; ++order) {
     // The sine is minus the derivative of the cosine.
     const auto phase_order = static_cast<std::size_t>(order % 4);
-    const ForcingFactors forcing{power * cosine[phase_order], -power * cosine[phase_order + 1],
-                                 order == 0 ? 1.0 : 0.0};
-    const auto force_of = [&](std::size_t i) {
-      return force_on(
-          scene, i, [&](std::size_t j) { return state.x[j]; },
-          [&](std::size_t j) { return rate * state.v[j]; }, forcing);
+    const ForcingFactors forcing{cosine[phase_order], -cosine[phase_order + 1], 0.0};
+    const auto total_force = [&](std::size_t i) {
+      Sum force = force_on(scene, i, rate);
+      force.value += power * external_force(scene, i, forcing);
+      if (order == 0) force.value += entry_of(scene.constant, i);
+      return force;
     };
-    // The error bound of the force: with -E_i in place of x_i all error bounds are added.
-    const auto error_of = [&](std::size_t i) {
-      return force_on(
-          scene, i, [&](std::size_t j) { return j == i ? -state.x_error[j] : state.x_error[j]; },
-          [&](std::size_t j) { return rate * (j == i ? -state.v_error[j] : state.v_error[j]); },
-          {});
+    const auto acceleration = [&](std::size_t i, const Sum &force) {
+      const Real inertia = static_cast<Real>(scene.mass[i]) * rate * rate;
+      return Sum{force.value / inertia, force.error / inertia};
     };
-    const auto set_acceleration = [&](std::size_t i, double force, double error) {
-      state.a[i] = force / (scene.mass[i] * rate * rate);
-      state.a_error[i] = error / (scene.mass[i] * rate * rate);
-    };
-    for (std::size_t i = 0; i < n; ++i) {
-      const bool moves = kind_[i] == Kind::moving;
-      set_acceleration(i, moves ? force_of(i) : 0.0, moves ? error_of(i) : 0.0);
-    }
+    for (std::size_t i = 0; i < n; ++i)
+      acceleration_[i] = kind_[i] == Kind::moving ? acceleration(i, total_force(i)) : Sum{};
     for (RestingMass &mass : masses) {
       if (kind_[mass.mass] != Kind::undecided) continue;
-      const double force = force_of(mass.mass), error = error_of(mass.mass);
-      if ((order == 0 && mass.force_is_zero) || std::abs(force) <= error) continue;
-      mass.held = mass.sigma * force > 0.0;
+      const Sum force = total_force(mass.mass);
+      if ((order == 0 && mass.force_is_zero) || std::abs(force.value) <= force.error) continue;
+      mass.held = mass.sigma * force.value > 0.0;
+      mass.force = {.zeros = order};
       kind_[mass.mass] = mass.held ? Kind::held : Kind::moving;
-      if (!mass.held) set_acceleration(mass.mass, force, error);
-      mass.leading = {order, mass.held ? mass.sigma * force : -mass.sigma * state.a[mass.mass]};
+      if (!mass.held) acceleration_[mass.mass] = acceleration(mass.mass, force);
       --left;
     }
-    // x, x', x'' become x', x'', and the oldest to be written over.
-    state.x.swap(state.v);
-    state.v.swap(state.a);
-    state.x_error.swap(state.v_error);
-    state.v_error.swap(state.a_error);
-    power *= scene.omega / rate;
+    // F and F' become F' and F''.
+    std::swap(current_.force, current_.rate);
+    const auto set_second = [&](std::size_t spring, const Sum &right, const Sum &below) {
+      const Real stiffness = stiffness_of(scene, spring);
+      current_.rate.value[spring] = stiffness * (right.value - below.value);
+      current_.rate.error[spring] = stiffness * (right.error + below.error);
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      set_second(i, acceleration_[i], i > 0 ? acceleration_[i - 1] : Sum{});
+      if (!scene.ground.empty()) set_second(n + i, acceleration_[i], {});
+    }
+    power *= static_cast<Real>(scene.omega) / rate;
   }
   return left;
 }
 
-void RestDecision::decide(const Scene &scene, const MotionState &motion, double rate) {
-  const std::size_t n = scene.mass.size();
+void RestDecision::set_kinds(const Scene &scene, const Held &held) {
+  const std::size_t n = scene.mass.size(), springs = scene.ground.empty() ? n : 2 * n;
   kind_.resize(n);
-  start_.x = motion.displacement;
-  start_.v = motion.velocity;
-  start_.x_error = state_error;
-  for (std::size_t i = 0; i < n; ++i) {
-    start_.v[i] /= rate;
-    kind_[i] = motion.held[i] != 0 ? Kind::held : Kind::moving;
-  }
-  for (const RestingMass &mass : masses) {
+  acceleration_.assign(n, {});
+  for (std::size_t i = 0; i < n; ++i) kind_[i] = held[i] != 0 ? Kind::held : Kind::moving;
+  for (RestingMass &mass : masses) {
     kind_[mass.mass] = Kind::undecided;
-    start_.x[mass.mass] = scene.stops[mass.stop].position;
+    mass.held = false;
+    mass.force = {.none = true};
   }
-  for (std::size_t i = 0; i < n; ++i)  // a mass at rest is exactly at its stop
-    if (kind_[i] != Kind::moving) start_.v[i] = start_.x_error[i] = 0.0;
-  start_.a.assign(n, 0.0);
-  start_.a_error.assign(n, 0.0);
-  start_.v_error = start_.x_error;
-  current_ = start_;
-  if (decide_by_order(scene, motion.instant.phase, rate) == 0) return;
+  for (Springs *numbers : {&start_.force, &start_.rate}) {
+    numbers->value.resize(springs);
+    numbers->error.assign(springs, 0.0);
+  }
+}
+
+// Sets the forces of link i, and of the spring of mass i to the ground, from the positions and
+// velocities of masses i - 1 and i.
+void RestDecision::set_exact_link(const Scene &scene, std::size_t i, double rate, double x_before,
+                                  double v_before, double x, double v) {
+  const auto set = [&](std::size_t spring, double stretch, double speed) {
+    const Real stiffness = stiffness_of(scene, spring);
+    start_.force.value[spring] = stiffness * stretch;
+    start_.rate.value[spring] = stiffness * speed / rate;
+    start_.force.error[spring] = start_.rate.error[spring] = 0.0;
+  };
+  // Differences first: a neighbour at the same position exerts no force at all.
+  set(i, x - x_before, v - v_before);
+  if (!scene.ground.empty()) set(scene.mass.size() + i, x, v);
+}
+
+void RestDecision::decide_from_start(const Scene &scene, double phase, double rate) {
+  if (decide_by_order(scene, phase, rate) == 0) return;
   // Forces within their error bounds in all orders are decided by their rounded values.
-  start_.x_error.assign(n, 0.0);
-  start_.v_error.assign(n, 0.0);
-  current_ = start_;
-  decide_by_order(scene, motion.instant.phase, rate);
+  std::fill(start_.force.error.begin(), start_.force.error.end(), 0.0);
+  std::fill(start_.rate.error.begin(), start_.rate.error.end(), 0.0);
+  decide_by_order(scene, phase, rate);
+}
+
+void RestDecision::decide(const Scene &scene, const MotionState &exact, double rate) {
+  set_kinds(scene, exact.held);
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    set_exact_link(scene, i, rate, i > 0 ? exact.displacement[i - 1] : 0.0,
+                   i > 0 ? exact.velocity[i - 1] : 0.0, exact.displacement[i], exact.velocity[i]);
+  }
+  decide_from_start(scene, exact.instant.phase, rate);
+}
+
+void RestDecision::decide(const Scene &scene, const Held &held, const ChainMotion &chain,
+                          double phase, double rate) {
+  set_kinds(scene, held);
+  const Real error = row_rounding * chain.tension.norm(),
+             rate_error = row_rounding * chain.tension_rate.norm() / rate;
+  for (std::size_t i = 0; i < start_.force.value.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const Real root = std::sqrt(stiffness_of(scene, i));
+    start_.force.value[i] = root * chain.tension(row);
+    start_.force.error[i] = root * error;
+    start_.rate.value[i] = root * chain.tension_rate(row) / rate;
+    start_.rate.error[i] = root * rate_error;
+  }
+  // Links between masses at rest are exact.
+  positions_.assign(held.size(), 0.0);
+  for (const Stop &stop : scene.stops)
+    if (held[index_of(stop)] == static_cast<signed char>(stop.side))
+      positions_[index_of(stop)] = stop.position;
+  for (const RestingMass &mass : masses) positions_[mass.mass] = scene.stops[mass.stop].position;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (kind_[i] != Kind::moving && (i == 0 || kind_[i - 1] != Kind::moving))
+      set_exact_link(scene, i, rate, i > 0 ? positions_[i - 1] : 0.0, 0.0, positions_[i], 0.0);
+  decide_from_start(scene, phase, rate);
 }
 
 }  // namespace vibro_impact::detail

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "simulation/chain/mode_change.hpp"
 #include "simulation/chain/stop_state.hpp"
 #include "vibro_impact/scene.hpp"
 
@@ -18,31 +19,51 @@ struct RestingMass {
   bool force_is_zero = false;  // the force is exactly zero: the instant is a root of the force
   // The decision.
   bool held = false;
-  LeadingDerivative leading = {};
+  DecidedForce force = {};
 };
 
 // The masses in question, the decision about them, and its storage, which is reused.
 class RestDecision {
  public:
   std::vector<RestingMass> masses;
-  std::vector<double> state_error;  // error bounds of x_i, and of x_i' / rate
 
-  // Decides whether each of `masses` is held. The other masses are free or held as in motion.held.
-  // The unit of a derivative of order n is rate^n. A mass on which no force acts in the first
-  // 2 N + 4 orders is free and stays at rest: by these orders motion has passed along the chain.
-  void decide(const Scene &scene, const MotionState &motion, double rate);
+  // Decides whether each of `masses` is held. The other masses are free or held as in `held`.
+  // `phase` is that of the forcing, and `rate` the unit of time. A mass on which no force acts in
+  // the first 2 N + 4 orders is free and stays at rest: by these orders motion has passed along the
+  // chain. The motion is exact, as at the start of a run, or given by tensions, with their
+  // rounding.
+  void decide(const Scene &scene, const MotionState &exact, double rate);
+  void decide(const Scene &scene, const Held &held, const ChainMotion &chain, double phase,
+              double rate);
 
  private:
   enum class Kind : char { moving, held, undecided };
-  // x, x' / rate and x'' / rate^2 of all masses, or their derivatives of one order, with error
-  // bounds.
-  struct Derivatives {
-    std::vector<double> x, v, a, x_error, v_error, a_error;
+  // Derivatives of order n are carried in units of rate^n. Their range is that of the power: beside
+  // a link of 1e9, those of mass 36 differ by more than a double can hold.
+  using Real = long double;
+  // A number for each spring (a link, or below the links a spring to the ground), with a bound of
+  // its error.
+  struct Springs {
+    std::vector<Real> value, error;
   };
-  Derivatives start_, current_;
+  // The forces k_i (x_i - x_(i-1)) of the springs, and their next derivative.
+  struct Forces {
+    Springs force, rate;
+  };
+  struct Sum {
+    Real value = 0.0, error = 0.0;
+  };
+  Forces start_, current_;
+  std::vector<Sum> acceleration_;
   std::vector<Kind> kind_;
+  std::vector<double> positions_;
 
+  void set_kinds(const Scene &scene, const Held &held);
+  void set_exact_link(const Scene &scene, std::size_t i, double rate, double x_before,
+                      double v_before, double x, double v);
+  void decide_from_start(const Scene &scene, double phase, double rate);
   std::size_t decide_by_order(const Scene &scene, double phase, double rate);
+  Sum force_on(const Scene &scene, std::size_t mass, double rate) const;
 };
 
 }  // namespace vibro_impact::detail
