@@ -15,7 +15,7 @@ namespace vibro_impact::figures {
 // Frequencies from 0.25 to 0.7, both included, at equal distances.
 inline Grid grid_of_figure3(std::size_t count) {
   const paper::AxisBox &box = paper::figure3a_box;
-  return {paper::figure2(), {{"omega", box.from, box.to, count}}};
+  return {paper::figure3(box.from), {{"omega", box.from, box.to, count}}};
 }
 
 // The distinct ones among `values`, sorted: those that agree to 1e-6 of their size, as the impacts
