@@ -177,7 +177,8 @@ void add_scene_options(CLI::App &app, SceneOptions &words) {
   option(app, "--stop", words.stops, "STOP",
          "mass:side:position or mass:side:position:restitution, with side lower or\n"
          "upper, repeatable; none: a chain without stops. Default: 1:lower:-0.3 and\n"
-         "2:upper:0.1, as far as the chain has these masses");
+         "2:upper:0.1, as far as the chain has these masses")
+      ->default_str("");
   option(app, "--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
   option(app, "--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
   app.option_defaults()->group("Options");
