@@ -91,9 +91,8 @@ std::vector<std::string> stops_of(const SceneOptions &words) {
 // The words of a value in a scene file: a word, or words separated by commas, which may stand in
 // brackets and in quotes. Returns no words if a bracket or a quote has no partner.
 std::vector<std::string> words_of(std::string value) {
-  const bool opens = value.starts_with('['), closes = value.size() > 1 && value.ends_with(']');
-  if (opens && closes) value = value.substr(1, value.size() - 2);
-  if (opens != closes || value.find_first_of("[]") != std::string::npos) return {};
+  if (value.starts_with('[') && value.ends_with(']')) value = value.substr(1, value.size() - 2);
+  if (value.find_first_of("[]") != std::string::npos) return {};
   for (const char quote : {'"', '\''}) {
     if (std::count(value.begin(), value.end(), quote) % 2 != 0) return {};
     std::erase(value, quote);

@@ -64,6 +64,15 @@ TEST_F(Runner, FilesOfOtherNamesAreLeftAlone) {
                                                "c.csv", "c.csv.part"}));
 }
 
+// Not even a file of the temporary name is overwritten or removed. `exec` keeps the process number.
+TEST_F(Runner, AFileOfTheTemporaryNameIsLeftAlone) {
+  const Result result = run("run --until 20 --events e.csv", "echo mine >e.csv.part.$$", "exec ");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err, "vibro-impact: e.csv: cannot be written: File exists\n");
+  ASSERT_EQ(files().size(), 1u);
+  EXPECT_EQ(contents(folder / files()[0]), "mine\n");
+}
+
 TEST_F(Runner, ALinkIsWrittenThroughOrRefused) {
   std::ofstream(folder / "x.csv") << "old";
   fs::create_symlink("x.csv", folder / "link.csv");
