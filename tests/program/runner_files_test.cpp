@@ -64,7 +64,7 @@ TEST_F(Runner, FilesOfOtherNamesAreLeftAlone) {
                                                "c.csv", "c.csv.part"}));
 }
 
-// Not even a file of the temporary name is overwritten or removed. `exec` keeps the process number.
+// A file of the temporary name is neither overwritten nor removed. `exec` keeps the process number.
 TEST_F(Runner, AFileOfTheTemporaryNameIsLeftAlone) {
   const Result result = run("run --until 20 --events e.csv", "echo mine >e.csv.part.$$", "exec ");
   EXPECT_EQ(result.status, 1);
