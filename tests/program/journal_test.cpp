@@ -107,12 +107,12 @@ TEST_F(JournalFile, WhatIsDoneToItBetweenTwoSweepsIsSeenOrHarmless) {
     fs::create_directory(folder);
     {
       Journal journal = open(false);
-      for (const std::size_t first : {0, 10, 20}) journal.add(block(first));
+      for (const std::size_t first : {0u, 10u, 20u}) journal.add(block(first));
     }
     apply(path(), contents(path()));
     try {
       Texts expected;
-      for (const std::size_t first : {0, 10, 20, 30})
+      for (const std::size_t first : {0u, 10u, 20u, 30u})
         for (std::size_t k = 0; k < 3; ++k) expected[k] += block(first)[k];
       {
         Journal resumed = open(true);
