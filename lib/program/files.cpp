@@ -50,8 +50,9 @@ void check_files(const std::vector<std::pair<std::string, std::string>> &files,
       refuse("{} {}: {} is no folder", option, path, name.parent_path().string());
     if (path != "-" && access(name.parent_path().c_str(), W_OK | X_OK) != 0)
       refuse("{} {}: {} is write-protected", option, path, name.parent_path().string());
-    if (std::find(names.begin(), names.end(), name) != names.end())
-      refuse("{} {}: another file of the command has that name", option, path);
+    const bool taken = std::find(names.begin(), names.end(), name) != names.end();
+    if (taken && path == "-") refuse("{} -: standard output takes one table", option);
+    if (taken) refuse("{} {}: another file of the command has that name", option, path);
     names.push_back(name);
   }
 }

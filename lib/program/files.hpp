@@ -49,7 +49,7 @@ using Texts = std::array<std::string, 3>;
 // sweep away.
 class Journal {
  public:
-  // What is wrong with row k of the first table: a rule, or nothing.
+  // Returns the rule that row k of the first table breaks, or an empty text.
   using RowRule = std::function<std::string(std::size_t k, const std::string &row)>;
 
   // Begins the file at `path`, or reads and extends an existing one. Throws std::invalid_argument

@@ -81,10 +81,10 @@ if (kind eq 'diagram') {
     if (k == masses) { set xlabel parameter noenhanced }
     plot falls = (ARG6 eq 'falling'), latest = NaN, \
          data using 1:(velocity(k, $1, int($2), $3, 0)) with points linestyle 1 pointtype 7 \
-           pointsize followed ? 0.5 : 0.25 title followed ? key(k, 'rising ') : '', \
+           pointsize followed ? 0.5 : 0.2 title followed ? key(k, 'rising ') : '', \
          falls = (ARG6 eq 'falling'), latest = NaN, \
          data using 1:(velocity(k, $1, int($2), $3, 1)) with points linestyle 2 \
-           pointsize 0.9 title followed ? key(k, 'falling ') : ''
+           pointsize 1.2 title followed ? key(k, 'falling ') : ''
   }
   unset multiplot
 }

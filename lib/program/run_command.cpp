@@ -131,12 +131,12 @@ void run_scene(const RunRequest &request) {
          {fs::absolute(request.samples).string(), std::to_string(request.scene.masses()),
           request.points ? "points" : "lines"});
   const Counters &counters = outcome.counters;
-  const std::string summary = fmt::format(
+  fmt::print(
+      stderr,
       "t = {:.17g}: since t = 0, {} impacts resolved, {} sticks, {} releases; chatter {} times "
       "carried to its limit, {} times incomplete\n",
       outcome.time, counters.impacts, counters.sticks, counters.releases, counters.chatter_limits,
       counters.chatter_incomplete);
-  std::fputs(summary.c_str(), stderr);
 }
 
 }  // namespace vibro_impact::runner

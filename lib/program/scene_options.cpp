@@ -91,9 +91,8 @@ std::vector<std::string> stops_of(const SceneOptions &words) {
 // The words of a value in a scene file: a word, or words separated by commas, which may stand in
 // brackets and in quotes. Returns no words if a bracket or a quote has no partner.
 std::vector<std::string> words_of(std::string value) {
-  const bool opens = value.starts_with('['), closes = value.size() > 1 && value.ends_with(']');
-  if (opens && closes) value = value.substr(1, value.size() - 2);
-  if (opens != closes || value.find_first_of("[]") != std::string::npos) return {};
+  if (value.starts_with('[') && value.ends_with(']')) value = value.substr(1, value.size() - 2);
+  if (value.find_first_of("[]") != std::string::npos) return {};
   for (const char quote : {'"', '\''}) {
     if (std::count(value.begin(), value.end(), quote) % 2 != 0) return {};
     std::erase(value, quote);
@@ -177,7 +176,8 @@ void add_scene_options(CLI::App &app, SceneOptions &words) {
   option(app, "--stop", words.stops, "STOP",
          "mass:side:position or mass:side:position:restitution, with side lower or\n"
          "upper, repeatable; none: a chain without stops. Default: 1:lower:-0.3 and\n"
-         "2:upper:0.1, as far as the chain has these masses");
+         "2:upper:0.1, as far as the chain has these masses")
+      ->default_str("");
   option(app, "--initial-displacement", words.displacement, "LIST", "x_i at t = 0");
   option(app, "--initial-velocity", words.velocity, "LIST", "x_i' at t = 0");
   app.option_defaults()->group("Options");

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <string>
+#include <string_view>
 
 #include "files.hpp"
 #include "options.hpp"
@@ -83,17 +83,10 @@ Texts rows_of_chain(const SweepRequest &request, std::size_t chain, Progress *pr
   return {records.text, impacts.text, sections.text};
 }
 
-std::vector<std::pair<std::string, std::string>> files_of(const SweepRequest &request) {
-  return {{"--table", request.files[0]},
-          {"--impacts", request.files[1]},
-          {"--section", request.files[2]},
-          {"--plot", request.plot}};
-}
-
-// The option and the file of the first table that is asked for.
-std::pair<std::string, std::string> first_table(const SweepRequest &request) {
-  for (const auto &file : files_of(request))
-    if (!file.second.empty() && file.second != request.plot) return file;
+// The journal of the rows stands beside the first table that is asked for.
+std::string path_of_journal(const SweepRequest &request) {
+  for (const std::string &file : request.files)
+    if (!file.empty()) return file + ".partial";
   refuse("needs --table, --impacts or --section: the file that it writes");
 }
 
@@ -110,11 +103,14 @@ void check_plot_of(const SweepRequest &request) {
 }
 
 Journal begin(const SweepRequest &request, const std::string &header) {
-  const auto [option, table] = first_table(request);
-  auto files = files_of(request);
+  const std::string path = path_of_journal(request);
+  const std::vector<std::pair<std::string, std::string>> files = {{"--table", request.files[0]},
+                                                                  {"--impacts", request.files[1]},
+                                                                  {"--section", request.files[2]},
+                                                                  {"--plot", request.plot},
+                                                                  {"rows in", path}};
   for (const auto &[name, file] : files)
     if (file == "-") refuse("{} -: must be a file, beside which the rows are kept", name);
-  files.emplace_back(option, table + ".partial");
   check_files(files, request.scene_file);
   if (!request.plot.empty()) check_plot_of(request);
   const std::string head = fmt::format("vibro-impact sweep, program {},{}\n{}",
@@ -128,20 +124,19 @@ Journal begin(const SweepRequest &request, const std::string &header) {
     if (!line.starts_with(cells.text)) return "not the row of its point";
     return std::count(line.begin(), line.end(), ',') == commas ? "" : "not all columns";
   };
-  Journal journal(table + ".partial", head, request.resume, rule);
+  Journal journal(path, head, request.resume, rule);
   if (isatty(STDERR_FILENO) != 0)
-    std::fputs(
-        fmt::format("rows are kept in {0}.partial; --resume goes on with them\n", table).c_str(),
-        stderr);
+    fmt::print(stderr, "rows are kept in {}; --resume goes on with them\n", path);
   return journal;
 }
 
 // The number of points without a record: all cells behind their parameters are empty.
 std::size_t empty_rows(const SweepRequest &request, const std::string &table) {
   const std::string empty(record_columns(request.grid.scene.masses(), request.records).size(), ',');
-  std::istringstream rows(table);
   std::size_t count = 0;
-  for (std::string row; std::getline(rows, row);) count += row.ends_with(empty) ? 1 : 0;
+  for (std::size_t end = table.find('\n'); end != std::string::npos;
+       end = table.find('\n', end + 1))
+    count += std::string_view(table).substr(0, end).ends_with(empty) ? 1 : 0;
   return count;
 }
 
@@ -179,16 +174,12 @@ void finish(const SweepRequest &request, Journal &journal, std::size_t computed)
     if (!request.files[k].empty())
       write_text(request.head + headers[k].text + journal.rows()[k], request.files[k]);
   if (!journal.remove())
-    std::fputs(fmt::format("{}.partial was changed by another program; the tables do not depend "
-                           "on it\n",
-                           first_table(request).second)
-                   .c_str(),
-               stderr);
+    fmt::print(stderr, "{} was changed by another program; the tables do not depend on it\n",
+               path_of_journal(request));
   if (!request.plot.empty()) draw_plot(request);
-  const std::string summary =
-      fmt::format("{} points, {} computed now; {} were refused or given up, and have empty cells\n",
-                  rows, computed, empty_rows(request, journal.rows()[0]));
-  std::fputs(summary.c_str(), stderr);
+  fmt::print(stderr,
+             "{} points, {} computed now; {} were refused or given up, and have empty cells\n",
+             rows, computed, empty_rows(request, journal.rows()[0]));
 }
 
 }  // namespace

@@ -39,4 +39,69 @@ TEST_F(Runner, ADashIsStandardOutput) {
   EXPECT_EQ(full.err, "vibro-impact: standard output cannot be written\n");
 }
 
+TEST_F(Runner, NoOutputTakesThePlaceOfTheScene) {
+  std::ofstream(folder / "own.scene") << "omega = 0.5\n";
+  fs::create_symlink("own.scene", folder / "link");
+  for (const char *command :
+       {"run --scene own.scene --events own.scene", "run --scene own.scene --samples ./own.scene",
+        "run --scene link --events own.scene", "run --scene own.scene --events link",
+        "sweep --vary omega=0.3:0.5:2 --scene own.scene --table own.scene",
+        "sweep --vary omega=0.3:0.5:2 --table a --impacts a.partial"}) {
+    EXPECT_EQ(run(command).status, 2) << command;
+    EXPECT_EQ(contents(folder / "own.scene"), "omega = 0.5\n");
+  }
+}
+
+// Temporary files have names of their own, and nothing but them is removed.
+TEST_F(Runner, FilesOfOtherNamesAreLeftAlone) {
+  ASSERT_EQ(run("run --until 20 --samples a.csv --events a.csv.part").status, 0);
+  EXPECT_EQ(contents(folder / "a.csv.part").substr(0, 10), "time,mass,");
+  fs::create_directory(folder / "b.csv.part");
+  std::ofstream(folder / "c.csv.part") << "mine";
+  ASSERT_EQ(run("run --until 20 --samples b.csv --events c.csv").status, 0);
+  EXPECT_EQ(contents(folder / "c.csv.part"), "mine");
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.csv", "a.csv.part", "b.csv", "b.csv.part",
+                                               "c.csv", "c.csv.part"}));
+}
+
+// A file of the temporary name is neither overwritten nor removed. `exec` keeps the process number.
+TEST_F(Runner, AFileOfTheTemporaryNameIsLeftAlone) {
+  const Result result = run("run --until 20 --events e.csv", "echo mine >e.csv.part.$$", "exec ");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err, "vibro-impact: e.csv: cannot be written: File exists\n");
+  ASSERT_EQ(files().size(), 1u);
+  EXPECT_EQ(contents(folder / files()[0]), "mine\n");
+}
+
+TEST_F(Runner, ALinkIsWrittenThroughOrRefused) {
+  std::ofstream(folder / "x.csv") << "old";
+  fs::create_symlink("x.csv", folder / "link.csv");
+  ASSERT_EQ(run("run --until 20 --events link.csv").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(contents(folder / "x.csv").substr(0, 5), "time,");
+  fs::create_symlink("missing.csv", folder / "dangling.csv");
+  fs::create_symlink("loop.csv", folder / "loop.csv");
+  for (const std::string &name :
+       {std::string("dangling.csv"), std::string("loop.csv"), std::string(300, 'x')}) {
+    const Result result = run("run --until 20 --events " + name);
+    EXPECT_EQ(result.status, 2) << name;
+    EXPECT_TRUE(is_one_message(result.err)) << result.err;
+  }
+}
+
+TEST_F(Runner, ATextForAFullDiskIsAnError) {
+  for (const char *command : {"--help", "--version", "run --print-scene"})
+    EXPECT_EQ(run(std::string(command) + " >/dev/full").status, 1) << command;
+}
+
+// A folder that cannot be written to is noticed before the run. Root can write to every folder.
+TEST_F(Runner, AWriteProtectedFolderIsRefusedBeforeTheRun) {
+  if (geteuid() == 0) GTEST_SKIP() << "root writes everywhere";
+  fs::create_directory(folder / "ro");
+  fs::permissions(folder / "ro", fs::perms::owner_read | fs::perms::owner_exec);
+  const Result result = run("run --until 20 --events ro/x.csv");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("is write-protected"), std::string::npos) << result.err;
+}
+
 }  // namespace

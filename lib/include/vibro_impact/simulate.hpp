@@ -54,7 +54,7 @@ Outcome require_complete(Outcome outcome);
 
 namespace detail {
 
-// What a run may take for a recorder; `recorder_ref` says why it is none.
+// An argument that stands for a recorder. If it is none, `recorder_ref` says why.
 template <class R>
 concept Argument = !std::is_same_v<R, RunOptions> && !std::is_same_v<R, RecorderGroup>;
 

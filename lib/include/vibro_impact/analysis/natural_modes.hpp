@@ -15,8 +15,8 @@ struct NaturalModes {
   Matrix shape;
 };
 
-// The modes with some masses held, which need not have stops. Throws std::invalid_argument for a bad
-// scene and for a contact mode of another number of masses.
+// The modes with some masses held, which need not have stops. Throws std::invalid_argument for a
+// bad scene and for a contact mode of another number of masses.
 NaturalModes natural_modes(const Scene &scene, const Held &held);
 
 }  // namespace vibro_impact

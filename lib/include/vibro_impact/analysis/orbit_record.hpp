@@ -29,8 +29,8 @@ struct OrbitRecord {
   std::vector<std::vector<double>> impact_velocities = {};
   // If asked for: (x_1 .. x_N, x_1' .. x_N') at the beginning of each forcing period of `counts`.
   std::vector<std::vector<double>> section = {};
-  // Where the motion settled, or stood after SettleOptions::longest: at the phase of the start,
-  // with cycle count zero.
+  // The state at which the motion settled, or that after SettleOptions::longest periods. It has the
+  // phase of the start, and cycle count zero.
   MotionState state = {};
 };
 
