@@ -67,8 +67,8 @@ TEST(SlowForcing, OfASoftSpringCancelsNoDigits) {
   }
 }
 
-// The centre of mass, in 1e5 forcing periods beside a stop that lies 0.001 beyond its amplitude: 1e-12
-// of its motion, in steps of two radians of the fastest mode.
+// The centre of mass, in 1e5 forcing periods beside a stop that lies 0.001 beyond its amplitude:
+// 1e-12 of its motion, in steps of two radians of the fastest mode.
 TEST(RigidBodyMode, IsExactInStepsBesideAStop) {
   Scene scene = paper::figure2();
   scene.stiffness = {0.0, 0.35};

@@ -31,7 +31,7 @@ void resize(ContactMode &mode, std::size_t size, Index masses) {
         &all.rate, &all.drive_re, &all.drive_im, &all.pull, &all.static_value})
     array->setZero(padded);
   all.decay.assign(static_cast<std::size_t>(padded), false);
-  all.slow.assign(static_cast<std::size_t>(padded), false);
+  all.slow = all.decay;
   mode.shape.setZero(masses, padded);
 }
 
@@ -140,13 +140,15 @@ void set_impulse(const ContactMode &mode, Contact &contact) {
   if (!mode.coordinates.any_decay) contact.impulse_value.resize(0);
 }
 
-// Sets the static deflection by a force at the mass that widens the gap by one. Stiff coordinates
-// hardly take part in it. With a rigid-body mode it is a displacement of the whole chain.
+// Sets the displacement that widens the gap by one, and the static deflection by a force at the
+// mass that does. Stiff coordinates hardly take part in it. With a rigid-body mode it is a
+// displacement of the whole chain.
 void set_placement(const ContactMode &mode, Contact &contact) {
   const auto &basis = mode.basis;
   const auto mass = static_cast<Index>(contact.mass);
   PerCoordinate velocity = PerCoordinate::Zero(mode.padded());
   contact.placement.setZero(mode.padded());
+  contact.displacement.setZero(mode.padded());
   double deflection = 0.0;
   for (Index k = 0; k < basis.lambda.size(); ++k) {
     // Relative to the softest mode, since 1 / lambda may not be finite. A rigid-body mode alone
@@ -154,6 +156,7 @@ void set_placement(const ContactMode &mode, Contact &contact) {
     const double compliance = k == 0 ? 1.0 : basis.lambda(0) / basis.lambda(k);
     const double value = basis.shape(mass, k) * compliance;
     set_mode(mode, k, value, 0.0, contact.placement, velocity);
+    set_mode(mode, k, -contact.sigma * basis.inverse(k, mass), 0.0, contact.displacement, velocity);
     deflection += basis.shape(mass, k) * value;
   }
   contact.placement *= -contact.sigma / deflection;

@@ -61,7 +61,9 @@ struct Contact {
   PerCoordinate modulus;        // |row|
   PerCoordinate impulse;        // change of y' by a unit jump of the gap speed
   PerCoordinate impulse_value;  // and of y, which only decays have; else empty
-  PerCoordinate placement;      // change of y by a unit of gap: a static deflection at the mass
+  // Changes of y by a unit of gap: a static deflection by a force at the mass, and a displacement
+  // of this mass alone.
+  PerCoordinate placement, displacement;
   // (3) in the steady response is offset + static_value + Re(steady e^(i Omega t)).
   std::complex<double> steady = 0.0;
   double static_value = 0.0;

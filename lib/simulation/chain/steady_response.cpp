@@ -86,7 +86,7 @@ void let_dead_coordinates_follow(Motion &motion, double omega) {
   for (const Index j : mode.by_rate) {
     char &follows = motion.following[static_cast<std::size_t>(j)];
     if (follows) continue;
-    if (!(all.kappa(j) > 0.0)) return;
+    if (!(all.kappa(j) > 0.0 && all.rate(j) > least_ratio_to_follow * mode.forcing_rate)) return;
     if (acceleration < 0.0) {
       acceleration =
           dot_moduli(mode.acceleration_weight, motion.y) + dot_moduli(mode.speed_weight, motion.dy);

@@ -24,6 +24,9 @@ constexpr double largest_response = 8.0;
 constexpr double slow_rate = 1.0 / 16.0;
 // Damping ratio beyond which a mode is split into two decays, which are then far enough apart.
 constexpr double strong_damping = 1.5;
+// Ratio of the rate of a coordinate to Omega below which following the steady response saves few
+// steps.
+constexpr double least_ratio_to_follow = 16.0;
 // Number of contact modes that a run keeps. 100 masses with 200 stops stay below 62 MB, and below
 // 130 MB if every mode is strongly damped.
 constexpr std::size_t most_contact_modes = 64;
@@ -48,9 +51,9 @@ constexpr double resolved_ratio = 0x1p-10;
 constexpr double limit_margin = 0x1p-30;
 // Time between simultaneous events, times the fastest rate: the rounding of one or two periods.
 constexpr double same_instant = 0x1p-46;
-// The same after a short flight of time x: at most short_flight_ratio same_instant x. Impacts at
-// 1e-15 and 1.4e-15 are two.
-constexpr double short_flight_ratio = 0x1p30;
+// Two roots u1 < u2 of a step are one instant only if u2 - u1 is also at most this times u1,
+// however small u1 is, and at most the rounding of both roots.
+constexpr double same_instant_of_flight = 0x1p-16;
 
 // Steps.
 

@@ -28,12 +28,12 @@ void predict(const Motion &motion, const Chatter &chatter, double time_left,
         value += to_come * pair(contact.impulse_value.data() + j);
     }
     const Twofold<Pair> y{pair(motion.y.data() + j), pair(motion.y_low.data() + j)},
-        dy{pair(motion.dy.data() + j), pair(motion.dy_low.data() + j)}, y_there = y + value,
-                                                                        dy_there = dy + slope;
-    store(y_there.value, state.y.data() + j);
-    store(y_there.low, state.y_low.data() + j);
-    store(dy_there.value, state.dy.data() + j);
-    store(dy_there.low, state.dy_low.data() + j);
+        dy{pair(motion.dy.data() + j), pair(motion.dy_low.data() + j)}, y_at_limit = y + value,
+                                                                        dy_at_limit = dy + slope;
+    store(y_at_limit.value, state.y.data() + j);
+    store(y_at_limit.low, state.y_low.data() + j);
+    store(dy_at_limit.value, state.dy.data() + j);
+    store(dy_at_limit.low, state.dy_low.data() + j);
   }
 }
 

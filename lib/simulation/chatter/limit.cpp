@@ -111,6 +111,8 @@ void set_limit_state(const Chatter &chatter, const ChatterLimit &limit, const Cl
   pass_time(state.motion, clock, limit.time_left);
   complete_change(state.motion);
   for (const std::size_t k : chatter.contacts) place(mode.contacts[k], {0.0, 0.0}, state.motion);
+  for (const std::size_t k : chatter.contacts)
+    if (chatter.contacts.size() > 1) place_alone(mode.contacts[k], 0.0, state.motion);
   forget_instant(state.stops);
   for (const std::size_t k : chatter.contacts)
     state.stops[mode.contacts[k].stop].contact = AtRest{};

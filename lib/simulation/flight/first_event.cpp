@@ -127,6 +127,19 @@ void drop_later_roots(const Motion &motion, double tolerance, Flight &flight) {
   }
 }
 
+// Places the small gap of a mass that was released at the start of the step. The polynomial has its
+// exact zeros, while the coordinates have the rounding of the mode change and of fast decays.
+void place_released(const Flight &flight, const std::vector<StopState> &stops, Motion &motion) {
+  const std::vector<Contact> &contacts = motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto *rest = std::get_if<AtRest>(&stops[contacts[k].stop].contact);
+    if (rest == nullptr || !rest->released || flight.approaches[k].root) continue;
+    if (is_resolved(contacts[k], motion)) continue;
+    const Jet jet = jet_at(flight.approaches[k].polynomial, 0, flight.u);
+    place(contacts[k], {jet.value, jet.slope / flight.step.length}, motion);
+  }
+}
+
 }  // namespace
 
 void find_first_event(const Motion &motion, const std::vector<StopState> &stops, const Clock &clock,
@@ -139,7 +152,7 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
   // which is that of the flight after a much shorter flight, and than the rounding of both roots.
   const double rounding = same_instant / (step.rate * step.length);
   const auto simultaneous = [rounding](double u) {
-    return std::min(rounding, same_instant * short_flight_ratio * u);
+    return std::min(rounding, same_instant_of_flight * u);
   };
   if (flight.approaches.size() < mode.contacts.size())
     flight.approaches.resize(mode.contacts.size());
@@ -178,6 +191,7 @@ void move_along(const Flight &flight, double u, const Clock &clock, Motion &moti
                 std::vector<StopState> &stops) {
   if (u > 0.0) {
     move_coordinates(flight.table, u, clock, motion);
+    if (u == flight.u) place_released(flight, stops, motion);
     forget_instant(stops);
   }
   if (u < flight.u) return;

@@ -94,12 +94,12 @@ void expand_pair(const PairOfOscillators &two, Pair value, Pair slope, Index j,
   store(value, next);
   store(slope, next += stride);
   const auto coefficient = [&](std::size_t n, Pair before, Pair latest) {
-    Pair rest = two.lambda * before;
-    if (forcing != Forcing::none) rest = two.force_re * table.cosine[n] - rest;
-    if (forcing == Forcing::any) rest -= two.force_im * table.sine[n];
-    rest *= factors.inverse_square[n];
+    Pair spring = two.lambda * before;  // or its difference from the force
+    if (forcing != Forcing::none) spring = two.force_re * table.cosine[n] - spring;
+    if (forcing == Forcing::any) spring -= two.force_im * table.sine[n];
+    spring *= factors.inverse_square[n];
     const Pair damping = two.kappa * latest * factors.inverse[n + 1];
-    return forcing == Forcing::none ? -(rest + damping) : rest - damping;
+    return forcing == Forcing::none ? -(spring + damping) : spring - damping;
   };
   const auto orders = static_cast<std::size_t>(table.order);
   for (std::size_t n = 0; n < orders; n += 2) {

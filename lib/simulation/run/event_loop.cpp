@@ -91,9 +91,7 @@ void take_limit(Run &run, Recorders recorders) {
   end_chatter(run.chatter);
   run.hint = {};
   ++run.counters.chatter_limits;
-  run.scratch.hits.clear();
-  run.scratch.roots.clear();
-  hold_or_release(run, recorders);
+  hold_or_release(run, {}, recorders);
 }
 
 void give_up_beyond_range(Run &run, const Instant &instant) {

@@ -8,9 +8,6 @@
 
 namespace vibro_impact::detail {
 
-// Changes the coordinates so that (3) gives this gap and gap speed.
-void place(const Contact &contact, const Gap &gap, Motion &motion);
-
 // Sets the gap of the contact to exactly 0 and its gap speed to `speed`, in the coordinates and in
 // the state of the stop.
 void leave_stop(const Contact &contact, double speed, Motion &motion,
