@@ -156,7 +156,7 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
   };
   if (flight.approaches.size() < mode.contacts.size())
     flight.approaches.resize(mode.contacts.size());
-  flight.any_near = flight.event = false;
+  flight.any_near = flight.event = flight.any_released = false;
   flight.u = 1.0;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact &contact = mode.contacts[k];
@@ -168,6 +168,7 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
       continue;
     }
     const bool decided = decided_force(stop) != nullptr;
+    flight.any_released = flight.any_released || (decided && !contact.held);
     const double travel = travel_of(contact, clock.omega, flight);
     if (!decided && evaluate(contact, motion) > travel) {
       ++counters.out_of_reach;
@@ -191,7 +192,7 @@ void move_along(const Flight &flight, double u, const Clock &clock, Motion &moti
                 std::vector<StopState> &stops) {
   if (u > 0.0) {
     move_coordinates(flight.table, u, clock, motion);
-    if (u == flight.u) place_released(flight, stops, motion);
+    if (u == flight.u && flight.any_released) place_released(flight, stops, motion);
     forget_instant(stops);
   }
   if (u < flight.u) return;

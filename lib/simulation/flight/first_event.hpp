@@ -25,6 +25,7 @@ struct Flight {
   double u = 1.0;                     // of the first event, or 1 at the end of the step
   bool event = false;                 // an event ends the step
   bool any_near = false;              // some contact was within reach
+  bool any_released = false;          // some mass was released at the start of the step
 };
 
 // Finds the first event at u in (0, 1] of flight.step, which begins at `motion`.

@@ -54,19 +54,19 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
     change_mode(mode, run.scratch.chain, run.motion);
   }
   // A small gap is more accurate than the coordinates of the new mode.
-  std::size_t placed = 0;
-  for (const bool alone : {false, true})
-    for (const Contact &contact : mode.contacts) {
-      const std::optional<Gap> gap =
-          at_start ? start_gap(run.scene(), contact, state) : run.scratch.gaps[contact.stop];
-      if (!gap || contact.held || is_resolved(contact, run.motion)) continue;
-      if (!alone) {
-        place(contact, *gap, run.motion);
-        ++placed;
-      } else if (placed > 1) {
-        place_alone(contact, gap->value, run.motion);
-      }
-    }
+  std::vector<const Contact *> &placed = run.scratch.placed;
+  placed.clear();
+  const auto gap_before = [&](const Contact &contact) {
+    return at_start ? start_gap(run.scene(), contact, state) : run.scratch.gaps[contact.stop];
+  };
+  for (const Contact &contact : mode.contacts) {
+    const std::optional<Gap> gap = gap_before(contact);
+    if (!gap || contact.held || is_resolved(contact, run.motion)) continue;
+    place(contact, *gap, run.motion);
+    placed.push_back(&contact);
+  }
+  for (const Contact *contact : placed)
+    if (placed.size() > 1) place_alone(*contact, gap_before(*contact)->value, run.motion);
 }
 
 // Applies the impacts at the contacts hit, then reports them. Simultaneous impacts act on different
