@@ -197,8 +197,8 @@ TEST(ChatterLimit, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
     detail::ChainMotion chain;
     detail::express(scene, start_of(scene), pressed_mode, Clock(scene.omega), chain, motion);
     detail::Chatter chatter;
-    detail::begin(chatter, {0}, r);
-    detail::add_impact(chatter, 1e-9, {jump});
+    detail::begin_chatter(chatter, {0}, r);
+    detail::add_impact(chatter, 1e-9, {jump}, motion);
     detail::LimitState limit;
     const std::vector<detail::StopState> stops(2);
     EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, stops, scene.omega, 1e-9, limit),

@@ -153,9 +153,10 @@ TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
   EXPECT_EQ(simulate(scene, 60.0).counters.forced_coordinates, 0);
 }
 
-// If nothing can happen, without stops or out of their reach for ever, there is no expansion, one
-// closed-form evaluation per sample and one for the state at the end. With stops nothing is
-// evaluated that nobody asked for.
+// If nothing can happen, without stops or out of their reach for ever, there is one closed-form
+// evaluation per sample and one for the state at the end. Expansions are made only while a mode
+// near resonance grows out of a motion far smaller than its response, which would cancel its
+// digits. With stops nothing is evaluated that nobody asked for.
 TEST(Economy, ASampleIsOneEvaluation) {
   Scene clear = extremes::one_mass(0.0, 0.5, 0.0, 0.7, 1.25);  // swings about 0.5
   clear.stops.push_back({1, Side::lower, -0.25});
@@ -165,7 +166,7 @@ TEST(Economy, ASampleIsOneEvaluation) {
     const Counters counters = simulate(scene, 1e6, samples).counters;
     EXPECT_EQ(samples.times.size(), 241u);
     EXPECT_EQ(counters.modal_evaluations, 242);
-    EXPECT_EQ(counters.expansions, 0);
+    EXPECT_LE(counters.expansions, 40);
     for (std::size_t i = 0; i < samples.times.size() && scene.masses() == 1; ++i)
       EXPECT_NEAR(samples.displacements[i], 0.5 * (1.0 - std::cos(samples.times[i])), 1e-15);
   }
@@ -185,7 +186,7 @@ void expect_the_same_work(const Scene &scene, double soon, double late, long lon
 
 // The steady motion A / (k - m Omega^2 + i c Omega) of one mass, after a million periods; also in
 // resonance, where what is left of it is the damping.
-TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreOneStep) {
+TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreFewSteps) {
   const double force = 0.5;
   const long long periods = 1'000'000;
   for (const auto &[beta, omega] :
@@ -193,7 +194,7 @@ TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreOneStep) {
     Scene scene = extremes::one_mass(beta, force, omega, 0.7, 200.0);
     scene.stops.push_back({1, Side::lower, -200.0});
     const Outcome outcome = simulate(scene, time_of({periods, 1.0}, Clock(omega)));
-    EXPECT_EQ(outcome.counters.expansions, 0) << omega;
+    EXPECT_LE(outcome.counters.expansions, 20) << omega;
     EXPECT_EQ(outcome.state.instant.cycle, periods);
     EXPECT_NEAR(outcome.state.instant.phase, 1.0, 4e-9);  // the time is rounded to 2e-9
     const double stiff = 1.0 - omega * omega, drag = beta * omega,

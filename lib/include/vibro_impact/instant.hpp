@@ -20,22 +20,22 @@ namespace detail {
 
 }  // namespace detail
 
-// The forcing period T = 2 pi / Omega, as the unevaluated sum period + period_rest. It is infinite
+// The forcing period T = 2 pi / Omega, as the unevaluated sum period + period_low. It is infinite
 // when Omega = 0. The constructor throws std::invalid_argument for a bad Omega.
 struct Clock {
   double omega = 0.0;
   double period = std::numeric_limits<double>::infinity();
-  double period_rest = 0.0;
+  double period_low = 0.0;
 
   Clock() = default;
   explicit Clock(double omega_of_forcing) : omega(omega_of_forcing) {
-    constexpr double two_pi = 6.283185307179586477, two_pi_rest = 2.4492935982947064e-16;
+    constexpr double two_pi = 6.283185307179586477, two_pi_low = 2.4492935982947064e-16;
     if (!(omega >= 0.0 && omega < std::numeric_limits<double>::infinity()))
       detail::refuse_omega(omega);
     if (omega == 0.0) return;
     period = two_pi / omega;
     if (!std::isfinite(period)) detail::refuse_omega(omega);
-    period_rest = (std::fma(-omega, period, two_pi) + two_pi_rest) / omega;
+    period_low = (std::fma(-omega, period, two_pi) + two_pi_low) / omega;
   }
 };
 
@@ -52,7 +52,7 @@ constexpr double most_periods = 0x1p53;
 inline double time_of(const Instant &instant, const Clock &clock) {
   if (instant.cycle == 0) return instant.phase;
   const auto cycles = static_cast<double>(instant.cycle);
-  return std::fma(cycles, clock.period, std::fma(cycles, clock.period_rest, instant.phase));
+  return std::fma(cycles, clock.period, std::fma(cycles, clock.period_low, instant.phase));
 }
 
 // The instant a time tau >= 0 after another. Throws std::invalid_argument beyond `most_periods`.
@@ -62,7 +62,7 @@ inline Instant later(Instant instant, double tau, const Clock &clock) {
     const double cycles = std::floor(instant.phase / clock.period);
     if (!(cycles + static_cast<double>(instant.cycle) <= most_periods))
       detail::refuse_time(instant.phase);
-    instant.phase = std::fma(-cycles, clock.period, instant.phase) - cycles * clock.period_rest;
+    instant.phase = std::fma(-cycles, clock.period, instant.phase) - cycles * clock.period_low;
     instant.cycle += static_cast<long long>(cycles);
     if (instant.phase < 0.0) instant.phase = 0.0;  // rounding at the period boundary
   }
@@ -82,7 +82,7 @@ inline bool operator<(const Instant &a, const Instant &b) {
 inline double elapsed(const Instant &a, const Instant &b, const Clock &clock) {
   if (a.cycle == b.cycle) return b.phase - a.phase;
   const double cycles = static_cast<double>(b.cycle) - static_cast<double>(a.cycle);
-  return std::fma(cycles, clock.period, std::fma(cycles, clock.period_rest, b.phase - a.phase));
+  return std::fma(cycles, clock.period, std::fma(cycles, clock.period_low, b.phase - a.phase));
 }
 
 }  // namespace vibro_impact

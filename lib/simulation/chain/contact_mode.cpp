@@ -6,6 +6,7 @@
 
 #include "forces.hpp"
 #include "modes.hpp"
+#include "pair.hpp"
 #include "tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -27,9 +28,10 @@ void resize(ContactMode &mode, std::size_t size, Index masses) {
   for (auto *array :
        {&all.kappa, &all.lambda, &all.force_re, &all.force_im, &all.constant, &all.force,
         &all.steady_re, &all.steady_im, &all.steady, &all.frequency, &all.inverse_frequency,
-        &all.rate, &all.drive_re, &all.drive_im, &all.pull, &all.rest})
+        &all.rate, &all.drive_re, &all.drive_im, &all.pull, &all.static_value})
     array->setZero(padded);
   all.decay.assign(static_cast<std::size_t>(padded), false);
+  all.slow = all.decay;
   mode.shape.setZero(masses, padded);
 }
 
@@ -67,7 +69,7 @@ void set_oscillator(const Scene &scene, double kappa, double lambda, const Modal
   all.force_re(j) = force.turning.real();
   all.force_im(j) = force.turning.imag();
   all.constant(j) = force.constant;
-  if (lambda > 0.0) all.rest(j) = force.constant / lambda;
+  if (lambda > 0.0) all.static_value(j) = force.constant / lambda;
   if (force.turning == 0.0) return;
   const Complex detuning(lambda - scene.omega * scene.omega, kappa * scene.omega);
   set_steady(detuning == 0.0 ? std::numeric_limits<double>::infinity() : force.turning / detuning,
@@ -82,7 +84,7 @@ void set_decay(const Scene &scene, double kappa, const ModalForce &drive, Index 
   all.drive_re(j) = drive.turning.real();
   all.drive_im(j) = drive.turning.imag();
   all.pull(j) = drive.constant;
-  all.rest(j) = drive.constant / kappa;
+  all.static_value(j) = drive.constant / kappa;
   all.force_re(j) = -scene.omega * drive.turning.imag();
   all.force_im(j) = scene.omega * drive.turning.real();
   set_steady(drive.turning / Complex(kappa, scene.omega), j, all);
@@ -138,13 +140,15 @@ void set_impulse(const ContactMode &mode, Contact &contact) {
   if (!mode.coordinates.any_decay) contact.impulse_value.resize(0);
 }
 
-// Sets the static deflection by a force at the mass that widens the gap by one. Stiff coordinates
-// hardly take part in it. With a rigid-body mode it is a displacement of the whole chain.
+// Sets the displacement that widens the gap by one, and the static deflection by a force at the
+// mass that does. Stiff coordinates hardly take part in it. With a rigid-body mode it is a
+// displacement of the whole chain.
 void set_placement(const ContactMode &mode, Contact &contact) {
   const auto &basis = mode.basis;
   const auto mass = static_cast<Index>(contact.mass);
   PerCoordinate velocity = PerCoordinate::Zero(mode.padded());
   contact.placement.setZero(mode.padded());
+  contact.displacement.setZero(mode.padded());
   double deflection = 0.0;
   for (Index k = 0; k < basis.lambda.size(); ++k) {
     // Relative to the softest mode, since 1 / lambda may not be finite. A rigid-body mode alone
@@ -152,6 +156,7 @@ void set_placement(const ContactMode &mode, Contact &contact) {
     const double compliance = k == 0 ? 1.0 : basis.lambda(0) / basis.lambda(k);
     const double value = basis.shape(mass, k) * compliance;
     set_mode(mode, k, value, 0.0, contact.placement, velocity);
+    set_mode(mode, k, -contact.sigma * basis.inverse(k, mass), 0.0, contact.displacement, velocity);
     deflection += basis.shape(mass, k) * value;
   }
   contact.placement *= -contact.sigma / deflection;
@@ -178,7 +183,9 @@ void add_contacts(const Scene &scene, ContactMode &mode) {
     if (held) {
       set_hold_force(scene, mode, contact);
     } else {
-      contact.offset = contact.sigma * (stop.position - mode.equilibrium(mass));
+      const Twofold<double> offset = exact_sum(stop.position, -mode.equilibrium(mass));
+      contact.offset = contact.sigma * offset.value;
+      contact.offset_low = contact.sigma * offset.low;
       contact.row = -contact.sigma * mode.shape.row(mass).transpose().array();
       set_impulse(mode, contact);
       set_placement(mode, contact);
@@ -186,8 +193,8 @@ void add_contacts(const Scene &scene, ContactMode &mode) {
     contact.modulus = contact.row.abs();
     contact.steady = contact.forcing;
     for (Index j = 0; j < mode.padded(); ++j) {
-      if (j == mode.drift) continue;
-      contact.rest += contact.row(j) * all.rest(j);
+      if (j == mode.drift && scene.omega == 0.0) continue;
+      contact.static_value += contact.row(j) * all.static_value(j);
       if (all.steady(j) > 0.0)
         contact.steady +=
             contact.row(j) * Complex(1.0, contact.damping * scene.omega) * all.steady_of(j);
@@ -228,28 +235,33 @@ ContactMode build_contact_mode(const Scene &scene, const Held &held) {
     if (strongly_damped(scene.beta, lambda)) ++size;
   resize(mode, size, static_cast<Index>(held.size()));
   for (Index k = 0, j = 0; k < mode.basis.lambda.size(); ++k) j = add_mode(scene, k, j, mode);
-  const auto is_slow = [&](Index j) {
-    return j == mode.drift || (all.force_of(j) != 0.0 && all.rate(j) < slow_rate * scene.omega &&
-                               !all.decay[static_cast<std::size_t>(j)]);
-  };
-  for (Index j = 0; j < static_cast<Index>(size); ++j)
-    if (is_slow(j)) mode.slow.push_back(j);
+  for (Index j = 0; j < static_cast<Index>(size); ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    mode.by_rate.push_back(j);
+    all.slow[k] = all.force_of(j) != 0.0 && all.rate(j) < slow_rate * scene.omega && !all.decay[k];
+  }
+  std::stable_sort(mode.by_rate.begin(), mode.by_rate.end(),
+                   [&all](Index i, Index j) { return all.rate(i) > all.rate(j); });
+  mode.any_slow = std::find(all.slow.begin(), all.slow.end(), true) != all.slow.end();
   all.inverse_frequency = 1.0 / all.frequency.max(1e-300);
   all.force = all.force_re.abs() + all.force_im.abs() + all.constant.abs();
   all.any_beside_cosine = all.any_decay || !scene.sine.empty() || (all.constant != 0.0).any();
-  double slowest = std::numeric_limits<double>::infinity();
   for (Index j = 0; j < static_cast<Index>(size); ++j) {
     all.steady(j) = std::hypot(all.steady_re(j), all.steady_im(j));
     mode.fastest = std::max(mode.fastest, all.rate(j));
-    if (all.rate(j) > 0.0) slowest = std::min(slowest, all.rate(j));
   }
   mode.forcing_rate = scene.forced() ? scene.omega : 0.0;
   mode.fastest = std::max(mode.fastest, mode.forcing_rate);
-  if (mode.forcing_rate > 0.0) slowest = std::min(slowest, mode.forcing_rate);
   mode.falls = mode.fastest == 0.0;
   if (mode.falls) mode.fastest = 1.0;  // any unit of time will do
-  mode.stiff = scene.beta > 0.0 && mode.fastest > stiff_ratio * slowest;
+  mode.damped = scene.beta > 0.0;
   mode.extent = mode.shape.cwiseAbs().colwise().maxCoeff().transpose().array();
+  const PerCoordinate rate =
+      all.rate.max((all.force > 0.0)
+                       .select(PerCoordinate::Constant(all.rate.size(), scene.omega),
+                               PerCoordinate::Zero(all.rate.size())));
+  mode.speed_weight = mode.extent * rate;
+  mode.acceleration_weight = mode.speed_weight * rate;
   add_contacts(scene, mode);
   return mode;
 }

@@ -25,15 +25,16 @@ struct ModalCoordinates {
   std::size_t size = 0;  // without padding
   PerCoordinate kappa, lambda;
   PerCoordinate force_re, force_im, constant;  // of (1)
-  PerCoordinate force;                         // a bound of the modulus of both
+  PerCoordinate force;                 // >= |Re(force e^(i Omega t)) + constant| at all times
   PerCoordinate steady_re, steady_im;  // the steady response to it is Re(steady e^(i Omega t))
   PerCoordinate steady;                // its modulus; infinite where there is none
   PerCoordinate frequency, inverse_frequency;  // sqrt(lambda), and 1e300 for 1 / 0
   PerCoordinate rate;                          // largest modulus of a characteristic root
   std::vector<char> decay;                     // true of a coordinate of (2)
   PerCoordinate drive_re, drive_im, pull;      // of (2)
-  PerCoordinate
-      rest;  // constant / lambda, or pull / kappa: the constant part of the steady response
+  PerCoordinate static_value;  // constant / lambda, or pull / kappa: the constant part of the
+                               // steady response
+  std::vector<char> slow;      // true of a forced coordinate far slower than the forcing
   bool any_decay = false;
   bool any_beside_cosine = false;  // some force is not a cosine
 
@@ -53,17 +54,19 @@ struct Contact {
   std::size_t stop = 0, mass = 0;  // indices from 0
   double sigma = 1.0;              // the sign of its side
   bool held = false;
-  double offset = 0.0, damping = 0.0;
+  double offset = 0.0, offset_low = 0.0, damping = 0.0;  // offset + offset_low of a gap is exact
   std::complex<double> forcing = 0.0;
   double forcing_modulus = 0.0;
   PerCoordinate row;
   PerCoordinate modulus;        // |row|
   PerCoordinate impulse;        // change of y' by a unit jump of the gap speed
   PerCoordinate impulse_value;  // and of y, which only decays have; else empty
-  PerCoordinate placement;      // change of y by a unit of gap: a static deflection at the mass
-  // (3) in the steady response is offset + rest + Re(steady e^(i Omega t)).
+  // Changes of y by a unit of gap: a static deflection by a force at the mass, and a displacement
+  // of this mass alone.
+  PerCoordinate placement, displacement;
+  // (3) in the steady response is offset + static_value + Re(steady e^(i Omega t)).
   std::complex<double> steady = 0.0;
-  double rest = 0.0;
+  double static_value = 0.0;
   double restitution = 0.0;  // r at rest
 };
 
@@ -73,18 +76,21 @@ struct ContactMode {
   // The first coordinate of each mode; the other decay of a strongly damped mode follows it.
   std::vector<Eigen::Index> first_coordinate;
   ModalCoordinates coordinates;
-  double fastest = 0.0;             // the largest rate of a coordinate and of the forcing
-  double forcing_rate = 0.0;        // Omega of a forced scene, else 0
-  bool falls = false;               // every rate is 0, as in a free fall; `fastest` is then 1
-  bool stiff = false;               // the rates differ by more than `stiff_ratio`
-  Eigen::Index drift = -1;          // the rigid-body mode y'' = f cos(Omega t), if there is one
-  std::vector<Eigen::Index> slow;   // the rigid-body mode and those far slower than their forcing
-  Eigen::VectorXd equilibrium;      // N: static positions without forcing
-  Eigen::VectorXd tension;          // N: sqrt(k_i) (x_i - x_(i-1)) at the static positions
-  Eigen::VectorXd lowest, highest;  // N: the stops of each mass, or -infinity and infinity
+  double fastest = 0.0;       // the largest rate of a coordinate and of the forcing
+  double forcing_rate = 0.0;  // Omega of a forced scene, else 0
+  bool falls = false;         // every rate is 0, as in a free fall; `fastest` is then 1
+  bool damped = false;
+  bool any_slow = false;              // see ModalCoordinates::slow
+  std::vector<Eigen::Index> by_rate;  // the coordinates, the fastest first
+  Eigen::Index drift = -1;            // the rigid-body mode y'' = f cos(Omega t), if there is one
+  Eigen::VectorXd equilibrium;        // N: static positions without forcing
+  Eigen::VectorXd tension;            // N: sqrt(k_i) (x_i - x_(i-1)) at the static positions
+  Eigen::VectorXd lowest, highest;    // N: the stops of each mass, or -infinity and infinity
   // x = equilibrium + shape y, N x coordinates, with zero rows for held masses.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> shape;
   PerCoordinate extent;  // largest modulus in each column of `shape`
+  // Bounds of |x''| by |y| and by |y'|: extent times a rate and its square.
+  PerCoordinate acceleration_weight, speed_weight;
   std::vector<Contact> contacts;
 
   Eigen::Index padded() const {

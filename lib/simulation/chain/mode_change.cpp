@@ -27,11 +27,14 @@ void set_coordinates(const ContactMode &mode, ChainMotion &chain, Motion &motion
   motion.mode = &mode;
   motion.y.setZero(mode.padded());
   motion.dy.setZero(mode.padded());
+  motion.y_low.setZero(mode.padded());
+  motion.dy_low.setZero(mode.padded());
   set_values(mode.basis, chain.displacement, chain.tension, chain.value);
   set_values(mode.basis, chain.velocity, chain.tension_rate, chain.speed);
   for (Index k = 0; k < mode.basis.lambda.size(); ++k)
     set_mode(mode, k, chain.value(k), chain.speed(k), motion.y, motion.dy);
-  motion.following.assign(mode.stiff ? static_cast<std::size_t>(mode.padded()) : 0, false);
+  motion.following.assign(static_cast<std::size_t>(mode.padded()), false);
+  motion.any_following = false;
   complete_change(motion);
 }
 

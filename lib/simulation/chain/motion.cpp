@@ -8,211 +8,69 @@
 
 namespace vibro_impact::detail {
 
-namespace {
-
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-Complex turn_at(double omega, double phase) {
-  return {std::cos(omega * phase), std::sin(omega * phase)};
-}
-
-// The turning part of the steady response of a coordinate, and its slope.
-OscillatorState steady_state(const ModalCoordinates &all, Index j, Complex turn, double omega) {
-  const Complex steady = all.steady_of(j) * turn;
-  return {steady.real(), -omega * steady.imag()};
-}
-
-// Lets a coordinate follow its steady response.
-void set_steady_state(Motion &motion, Index j, double omega) {
-  const OscillatorState steady = steady_state(motion.mode->coordinates, j, motion.turn, omega);
-  motion.y(j) = motion.mode->coordinates.rest(j) + steady.value;
-  motion.dy(j) = steady.slope;
-}
-
-void tie_decays(Motion &motion) {
-  const ModalCoordinates &all = motion.mode->coordinates;
-  if (all.any_decay)
-    for (Index j = 0; j < motion.y.size(); ++j)
-      if (all.decay[static_cast<std::size_t>(j)])
-        motion.dy(j) = all.drive_re(j) * motion.turn.real() - all.drive_im(j) * motion.turn.imag() +
-                       all.pull(j) - all.kappa(j) * motion.y(j);
-}
-
-// The time tau + rest between two instants, where `rest` is the rounding of tau.
-struct Duration {
-  double tau, rest;
-};
-
-Duration duration_of(const Motion &motion, const Instant &target, const Clock &clock) {
-  const double phases = target.phase - motion.now.phase, sum = elapsed(motion.now, target, clock),
-               tau = sum - motion.now_rest, rounded = (sum - tau) - motion.now_rest;
-  if (target.cycle == motion.now.cycle) return {tau, (phases - sum) + rounded};
-  const double cycles = static_cast<double>(target.cycle) - static_cast<double>(motion.now.cycle),
-               whole = cycles * clock.period,
-               whole_rest = std::fma(cycles, clock.period, -whole) + cycles * clock.period_rest;
-  return {tau, ((whole - sum) + phases) + whole_rest + rounded};
-}
-
-// The difference of the state of one coordinate after a time from `start`. `turn` is e^(i Omega t)
-// at the start.
-OscillatorState change_of(const ContactMode &mode, Index j, OscillatorState start, Complex turn,
-                          Complex turn_after, double omega, Duration duration) {
-  const ModalCoordinates &all = mode.coordinates;
-  const double tau = duration.tau, kappa = all.kappa(j), lambda = all.lambda(j),
-               constant = all.constant(j);
-  const Complex force = all.force_of(j) * turn, force_after = all.force_of(j) * turn_after;
-  if (j == mode.drift) {
-    const OscillatorState forced = forced_drift(force, force_after, omega, tau);
-    return {start.slope * tau + (forced.value + constant * tau * tau / 2),
-            forced.slope + constant * tau};
-  }
-  const bool slow = all.rate(j) * tau <= max_step_radians;
-  if (slow && (force == 0.0 || omega * tau <= max_step_radians))
-    return change_by_series(kappa, lambda, start, force, constant, omega, tau);
-  // Over a short time of a soft coordinate its static position would cancel digits.
-  const bool decay = all.decay[static_cast<std::size_t>(j)];
-  const double rest = slow ? 0.0 : all.rest(j);
-  OscillatorState pushed{0.0, 0.0};
-  if (decay)
-    pushed.value = slow ? -all.rest(j) * std::expm1(-kappa * tau) : 0.0;
-  else if (slow && constant != 0.0)
-    pushed = change_by_series(kappa, lambda, {0.0, 0.0}, 0.0, constant, 0.0, tau);
-  const auto free_motion = [&](const OscillatorState &from) {
-    if (decay) return OscillatorState{from.value * std::exp(-kappa * tau), from.slope};
-    return free_response(kappa, lambda, free_response(kappa, lambda, from, tau), duration.rest);
-  };
-  const double detuning = lambda - omega * omega;
-  OscillatorState before{0.0, 0.0}, after = before;  // what the forcing adds at either end
-  if (force != 0.0 && !decay &&
-      std::hypot(detuning, kappa * omega) < near_resonance * (lambda + omega * omega)) {
-    after = forced_from_rest(kappa, lambda, force, force_after, omega, tau);
-  } else {
-    before = steady_state(all, j, turn, omega);
-    after = steady_state(all, j, turn_after, omega);
-  }
-  const OscillatorState own =
-      free_motion({start.value - before.value - rest, start.slope - before.slope});
-  return {own.value + after.value + rest + pushed.value - start.value,
-          own.slope + after.slope + pushed.slope - start.slope};
-}
-
-}  // namespace
-
 void set_clock(Motion &motion, const Clock &clock, const Instant &instant) {
+  const double angle = clock.omega * instant.phase;
   motion.now = instant;
-  motion.turn = turn_at(clock.omega, instant.phase);
+  motion.turn = {std::cos(angle), std::sin(angle)};
 }
 
 void pass_time(Motion &motion, const Clock &clock, double tau) {
-  const double step = tau + motion.now_rest, phase = motion.now.phase, sum = phase + step;
+  const double step = tau + motion.now_low, phase = motion.now.phase, sum = phase + step;
   const double added = sum - phase;
-  motion.now_rest = (phase - (sum - added)) + (step - added);  // rounding of the sum
+  motion.now_low = (phase - (sum - added)) + (step - added);  // rounding of the sum
   Instant now = later(motion.now, step, clock);
-  if (now.cycle != motion.now.cycle && now.phase + motion.now_rest >= 0.0) {
+  if (now.cycle != motion.now.cycle && now.phase + motion.now_low >= 0.0) {
     // The phase of a new period is finer than that of the sum.
-    const double finer = now.phase + motion.now_rest;
-    motion.now_rest -= finer - now.phase;
+    const double finer = now.phase + motion.now_low;
+    motion.now_low -= finer - now.phase;
     now.phase = finer;
   }
   set_clock(motion, clock, now);
 }
 
 double time_until(const Motion &motion, const Instant &instant, const Clock &clock) {
-  return elapsed(motion.now, instant, clock) - motion.now_rest;
+  return elapsed(motion.now, instant, clock) - motion.now_low;
 }
 
-void complete_move(Motion &motion, const Clock &clock) {
-  const ContactMode &mode = *motion.mode;
-  tie_decays(motion);
-  for (std::size_t k = 0; k < motion.following.size(); ++k) {
-    if (motion.following[k]) set_steady_state(motion, static_cast<Index>(k), clock.omega);
-  }
-  if (mode.slow.empty()) return;
-  const Motion::Change &from = motion.change;
-  const double tau = elapsed(from.instant, motion.now, clock) + (motion.now_rest - from.rest);
-  for (std::size_t k = 0; k < mode.slow.size(); ++k) {
-    const Index j = mode.slow[k];
-    const OscillatorState &start = from.states[k];
-    const OscillatorState change =
-        change_of(mode, j, start, from.turn, motion.turn, clock.omega, {tau, 0.0});
-    motion.y(j) = start.value + change.value;
-    motion.dy(j) = start.slope + change.slope;
+void tie_decays(Motion &motion) {
+  const ModalCoordinates &all = motion.mode->coordinates;
+  for (Index j = 0; all.any_decay && j < motion.y.size(); ++j) {
+    if (!all.decay[static_cast<std::size_t>(j)]) continue;
+    // The drives of the two decays of a mode cancel in a gap speed, and their sum has no rounding.
+    const double drive =
+        all.drive_re(j) * motion.turn.real() - all.drive_im(j) * motion.turn.imag() + all.pull(j);
+    const Twofold<double> decay = exact_product(-all.kappa(j), motion.y(j)),
+                          sum = exact_sum(drive, decay.value),
+                          tied = exact_sum(sum.value,
+                                           sum.low + decay.low - all.kappa(j) * motion.y_low(j));
+    motion.dy(j) = tied.value;
+    motion.dy_low(j) = tied.low;
   }
 }
 
 void complete_change(Motion &motion) {
   tie_decays(motion);
-  std::fill(motion.following.begin(), motion.following.end(), false);
-  if (motion.mode->slow.empty()) return;
-  Motion::Change &change = motion.change;
-  change.instant = motion.now;
-  change.rest = motion.now_rest;
-  change.turn = motion.turn;
-  change.states.clear();
-  for (const Index j : motion.mode->slow) change.states.push_back({motion.y(j), motion.dy(j)});
-}
-
-void let_dead_coordinates_follow(Motion &motion, double omega) {
-  const ContactMode &mode = *motion.mode;
-  const ModalCoordinates &all = mode.coordinates;
-  if (!mode.stiff) return;
-  double acceleration = 0.0, extent = 0.0;
-  for (Index j = 0; j < motion.y.size(); ++j) {
-    const double rate = std::max(all.rate(j), all.force(j) > 0.0 ? omega : 0.0);
-    acceleration += mode.extent(j) * rate * (rate * std::abs(motion.y(j)) + std::abs(motion.dy(j)));
-    extent += mode.extent(j) * std::abs(motion.y(j));
-  }
-  for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
-    char &follows = motion.following[static_cast<std::size_t>(j)];
-    if (follows || !(all.kappa(j) > 0.0)) continue;
-    const OscillatorState steady = steady_state(all, j, motion.turn, omega);
-    const double rate = all.rate(j);
-    const double speed =
-        mode.extent(j) * (rate * std::abs(motion.y(j) - all.rest(j) - steady.value) +
-                          std::abs(motion.dy(j) - steady.slope));
-    const double rounding =
-        response_rounding * mode.extent(j) * (all.steady(j) + std::abs(all.rest(j)));
-    if (speed * rate <= std::max(negligible * acceleration, rounding * rate * rate) &&
-        speed / rate <= std::max(negligible * extent, rounding)) {
-      follows = true;
-      set_steady_state(motion, j, omega);
-    }
-  }
+  if (motion.any_following) std::fill(motion.following.begin(), motion.following.end(), false);
+  motion.any_following = false;
 }
 
 double rate_in_motion(const Motion &motion) {
   const ContactMode &mode = *motion.mode;
   const ModalCoordinates &all = mode.coordinates;
   if (mode.falls) return 0.0;
-  if (!mode.stiff) return mode.fastest;
-  double fastest = mode.forcing_rate;
-  for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
+  for (const Index j : mode.by_rate) {
+    if (all.rate(j) <= mode.forcing_rate) break;
     const bool moves = motion.y(j) != 0.0 || motion.dy(j) != 0.0 || all.force(j) > 0.0;
-    if (moves && !motion.following[static_cast<std::size_t>(j)])
-      fastest = std::max(fastest, all.rate(j));
+    if (moves && !motion.following[static_cast<std::size_t>(j)]) return all.rate(j);
   }
-  return fastest;
+  return mode.forcing_rate;
 }
 
 double unit_of_time(const ContactMode &mode, const StopState &stop) {
   return mode.falls ? stop.duration : std::min(1.0 / mode.fastest, stop.duration);
-}
-
-void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change) {
-  const Duration duration = duration_of(motion, target, clock);
-  const Complex after = turn_at(clock.omega, target.phase);
-  change.setZero(motion.y.size());
-  for (Index j = 0; j < static_cast<Index>(motion.mode->coordinates.size); ++j) {
-    const OscillatorState step = change_of(*motion.mode, j, {motion.y(j), motion.dy(j)},
-                                           motion.turn, after, clock.omega, duration);
-    change(j) = step.value;
-    motion.y(j) += step.value;
-    motion.dy(j) += step.slope;
-  }
-  set_clock(motion, clock, target);
-  motion.now_rest = 0.0;
-  complete_move(motion, clock);
 }
 
 double displacement(const Motion &motion, std::size_t mass) {
@@ -235,7 +93,44 @@ double terms_of(const Contact &contact, const Motion &motion) {
 }
 
 bool is_resolved(const Contact &contact, const Motion &motion) {
-  return evaluate(contact, motion) > gap_reread_ratio * terms_of(contact, motion);
+  return evaluate(contact, motion) > resolved_ratio * terms_of(contact, motion);
+}
+
+namespace {
+
+// Adds factor a_j to y_j + low_j.
+void add(double factor, const PerCoordinate &a, PerCoordinate &y, PerCoordinate &low) {
+  for (Eigen::Index j = 0; j < y.size(); j += 2) {
+    const Twofold<Pair> before{pair(y.data() + j), pair(low.data() + j)},
+        after = before + factor * pair(a.data() + j);
+    store(after.value, y.data() + j);
+    store(after.low, low.data() + j);
+  }
+}
+
+}  // namespace
+
+void place(const Contact &contact, const Gap &gap, Motion &motion) {
+  const auto add_jump = [&](double jump) {
+    add(jump, contact.impulse, motion.dy, motion.dy_low);
+    if (contact.impulse_value.size() > 0) add(jump, contact.impulse_value, motion.y, motion.y_low);
+  };
+  const Gap before = gap_at(contact, motion);
+  const double jump = gap.speed - before.speed;
+  add(gap.value - before.value, contact.placement, motion.y, motion.y_low);
+  add_jump(jump);
+  complete_change(motion);
+  // The jump is rounded. A speed far below the jump gets its digits from a second one.
+  if (!(std::abs(gap.speed) < resolved_ratio * std::abs(jump))) return;
+  const Gap left = gap_at(contact, motion);
+  add(gap.value - left.value, contact.placement, motion.y, motion.y_low);
+  add_jump(gap.speed - left.speed);
+  complete_change(motion);
+}
+
+void place_alone(const Contact &contact, double gap, Motion &motion) {
+  add(gap - gap_at(contact, motion).value, contact.displacement, motion.y, motion.y_low);
+  complete_change(motion);
 }
 
 void set_state(const Motion &motion, const std::vector<StopState> &stops, const Scene &scene,
@@ -251,22 +146,23 @@ void set_state(const Motion &motion, const std::vector<StopState> &stops, const 
   }
   for (const Contact &contact : mode.contacts) {
     if (contact.held || is_resolved(contact, motion)) continue;
-    const InFlight flight = flight_of(stops[contact.stop]);
+    const Gap gap = gap_of(contact, stops[contact.stop], motion);
     state.displacement[contact.mass] =
-        scene.stops[contact.stop].position - contact.sigma * flight.gap;
-    state.velocity[contact.mass] = -contact.sigma * flight.speed;
+        scene.stops[contact.stop].position - contact.sigma * std::max(0.0, gap.value);
+    state.velocity[contact.mass] = -contact.sigma * gap.speed;
   }
 }
 
-double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion) {
+double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion,
+                      double gap_speed) {
   if (contact.held) return evaluate(contact, motion);
-  const double stop = scene.stops[contact.stop].position;
-  return contact.sigma *
-         force_on(
-             scene, contact.mass,
-             [&](std::size_t j) { return j == contact.mass ? stop : displacement(motion, j); },
-             [&](std::size_t j) { return j == contact.mass ? 0.0 : velocity(motion, j); },
-             forcing_at(motion.turn.real(), motion.turn.imag()));
+  const std::size_t i = contact.mass;
+  Pair sums{};
+  for (Index j = 0; j < motion.y.size(); j += 2)
+    sums += pair(contact.row.data() + j) * acceleration(motion, j);
+  const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
+               drag = scene.beta * (scene.stiffness[i] + right + entry_of(scene.ground, i));
+  return -scene.mass[i] * sum(sums) - drag * gap_speed;
 }
 
 }  // namespace vibro_impact::detail

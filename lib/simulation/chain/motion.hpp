@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "contact_mode.hpp"
-#include "oscillator.hpp"
 #include "pair.hpp"
 #include "stop_state.hpp"
 #include "vibro_impact/instant.hpp"
@@ -13,25 +12,19 @@
 namespace vibro_impact::detail {
 
 struct Motion {
-  // The time of the motion is now + now_rest, where |now_rest| lies below the rounding of the
-  // phase. The sum of many steps then has no rounding, even of steps that the phase cannot resolve.
+  // The time of the motion is now + now_low, where |now_low| lies below the rounding of the phase.
+  // The sum of many steps then has no rounding, even of steps that the phase cannot resolve.
   Instant now;
-  double now_rest = 0.0;
+  double now_low = 0.0;
   std::complex<double> turn;  // e^(i Omega t)
   const ContactMode *mode = nullptr;
-  PerCoordinate y, dy;
+  // The coordinates are the unevaluated sums y + y_low and y' + y'_low, each of twice the
+  // precision. A gap far below the rounding of y then keeps its digits.
+  PerCoordinate y, dy, y_low, dy_low;
   // True of a coordinate whose deviation from its steady response has died out: y and y' are set to
-  // the steady response. One for each coordinate of a stiff contact mode, else empty.
+  // the steady response. One for each coordinate.
   std::vector<char> following;
-  // A slow coordinate is evaluated from its state after the latest impact or mode change. A sum
-  // over steps would keep the rounding of each step, because hardly any force pulls the coordinate
-  // back.
-  struct Change {
-    Instant instant;
-    double rest = 0.0;
-    std::complex<double> turn;
-    std::vector<OscillatorState> states;  // one for each slow coordinate
-  } change;
+  bool any_following = false;
 };
 
 // Sets the clock to an instant, with the forcing.
@@ -43,18 +36,12 @@ void pass_time(Motion &motion, const Clock &clock, double tau);
 // Time from the motion to an instant.
 double time_until(const Motion &motion, const Instant &instant, const Clock &clock);
 
-// Sets the dependent coordinates after a move: y' of decays by (2), coordinates that follow their
-// steady response, and slow coordinates.
-void complete_move(Motion &motion, const Clock &clock);
+// Sets y' of decays by (2), which makes it depend on y.
+void tie_decays(Motion &motion);
 
-// Completes an impact or a mode change: sets y' of decays by (2), ends the following of all
-// coordinates, and stores the states of the slow coordinates in motion.change.
+// Completes an impact or a mode change: sets y' of decays, and ends the following of all
+// coordinates.
 void complete_change(Motion &motion);
-
-// Lets damped coordinates follow their steady response once the deviation d = y - steady has died
-// out: in displacement and acceleration, d lies below the rounding of the whole motion or of the
-// steady response. The steps of a stiff scene are then as long as the other coordinates allow.
-void let_dead_coordinates_follow(Motion &motion, double omega);
 
 // The largest rate of a coordinate that moves on its own, and of the forcing. It is 0 where nothing
 // moves, and in a free fall.
@@ -64,14 +51,11 @@ double rate_in_motion(const Motion &motion);
 // impacts if it is shorter. A flight may be short against every rate.
 double unit_of_time(const ContactMode &mode, const StopState &stop);
 
-// Moves to `target` in closed form. `change` is set to the difference of each y.
-void fly(Motion &motion, const Clock &clock, const Instant &target, PerCoordinate &change);
-
 // Displacement and velocity of a mass, counted from 0. The displacement is clamped to the stops.
 double displacement(const Motion &motion, std::size_t mass);
 double velocity(const Motion &motion, std::size_t mass);
 
-// (3) of a contact: its gap or hold force.
+// (3) of a contact, its gap or hold force, rounded relative to its largest term.
 inline double evaluate(const Contact &contact, const Motion &motion) {
   double sum = contact.offset + dot(contact.row, motion.y);
   if (contact.held)
@@ -81,23 +65,55 @@ inline double evaluate(const Contact &contact, const Motion &motion) {
   return sum;
 }
 
-// The sum of the moduli of the terms of (3), which is the scale of its rounding.
-double terms_of(const Contact &contact, const Motion &motion);
-// The speed of a gap.
-inline double gap_speed(const Contact &contact, const Motion &motion) {
-  return dot(contact.row, motion.dy);
+// A gap g and its speed g'.
+struct Gap {
+  double value = 0.0, speed = 0.0;
+};
+
+// The gap of a free mass, from coordinates of twice the precision.
+inline Gap gap_at(const Contact &contact, const Motion &motion) {
+  return {dot_twofold(contact.offset, contact.row, motion.y, motion.y_low) + contact.offset_low,
+          dot_twofold(0.0, contact.row, motion.dy, motion.dy_low)};
 }
 
-// True when (3) exceeds `gap_reread_ratio` times the sum of the moduli of its terms. Smaller gaps
-// lose more bits to cancellation and are carried from event to event.
+// The same, or exact values where they are known: those of a mass at rest at the stop, or at an
+// impact.
+inline Gap gap_of(const Contact &contact, const StopState &stop, const Motion &motion) {
+  if (is_at_rest(stop)) return {};
+  if (const auto speed = speed_at_stop(stop)) return {0.0, *speed};
+  return gap_at(contact, motion);
+}
+
+// The sum of the moduli of the terms of (3), which is the scale of its rounding.
+double terms_of(const Contact &contact, const Motion &motion);
+
+// True when (3) exceeds `resolved_ratio` times the sum of the moduli of its terms. Smaller gaps
+// lose more bits to cancellation in coordinates of one precision.
 bool is_resolved(const Contact &contact, const Motion &motion);
 
-// Sets the displacements and velocities of all masses. A small gap is that of the stop, which is
-// carried, and not that of the coordinates.
+// Changes the coordinates so that (3) gives this gap and gap speed.
+void place(const Contact &contact, const Gap &gap, Motion &motion);
+
+// Corrects a gap by a displacement of its mass alone, where placing others has changed it. The
+// correction is so small that no stiff link feels it.
+void place_alone(const Contact &contact, double gap, Motion &motion);
+
+// Sets the displacements and velocities of all masses.
 void set_state(const Motion &motion, const std::vector<StopState> &stops, const Scene &scene,
                MotionState &state);
 
-// The force, towards the stop of a contact, that acts on its mass if the mass is at rest there.
-double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion);
+// The acceleration y'' of two coordinates.
+inline Pair acceleration(const Motion &motion, Eigen::Index j) {
+  const ModalCoordinates &all = motion.mode->coordinates;
+  return pair(all.force_re.data() + j) * motion.turn.real() -
+         pair(all.force_im.data() + j) * motion.turn.imag() + pair(all.constant.data() + j) -
+         pair(all.kappa.data() + j) * pair(motion.dy.data() + j) -
+         pair(all.lambda.data() + j) * pair(motion.y.data() + j);
+}
+
+// The force, towards the stop of a contact, that acts on its mass if the mass is at rest there. The
+// mass moves with this gap speed: F = -m g'' - drag g'. No stiffness multiplies a rounded position.
+double pressing_force(const Scene &scene, const Contact &contact, const Motion &motion,
+                      double gap_speed);
 
 }  // namespace vibro_impact::detail

@@ -27,33 +27,6 @@ OscillatorState free_response(double kappa, double lambda, OscillatorState start
           decay * (start.slope * (fast - slow * s) - lambda * start.value * s)};
 }
 
-OscillatorState forced_from_rest(double kappa, double lambda, Complex force, Complex force_after,
-                                 double omega, double tau) {
-  const Complex drive(0, omega);
-  const double alpha = kappa / 2, damped = std::sqrt(lambda - alpha * alpha);
-  // (F exp(drive tau) - F exp(root tau)) / (drive - root), without cancellation as drive -> root.
-  const auto quotient = [&](Complex root) {
-    const Complex half = (drive - root) * (tau / 2);
-    if (std::abs(half) > 1.0) return (force_after - force * std::exp(root * tau)) / (drive - root);
-    const Complex ratio = std::abs(half) < 1e-4 ? 1.0 + half * half / 6.0 : std::sinh(half) / half;
-    return force_after * std::exp(-half) * ratio * tau;
-  };
-  const Complex upper(-alpha, damped), lower(-alpha, -damped);
-  const Complex split = upper - lower, of_upper = quotient(upper), of_lower = quotient(lower);
-  return {std::real((of_upper - of_lower) / split),
-          std::real((upper * of_upper - lower * of_lower) / split)};
-}
-
-OscillatorState forced_drift(Complex force, Complex force_after, double omega, double tau) {
-  const Complex drive(0, omega), z = drive * tau;
-  if (std::abs(z) > 1.0)
-    return {std::real((force_after - force * (1.0 + z)) / (drive * drive)),
-            std::real((force_after - force) / drive)};
-  Complex second = 0.0;  // (exp(z) - 1 - z) / z^2, from its series
-  for (int n = 20; n >= 2; --n) second = (1.0 + second * z) / static_cast<double>(n);
-  return {tau * tau * std::real(force * second), tau * std::real(force * (1.0 + z * second))};
-}
-
 OscillatorState change_by_series(double kappa, double lambda, OscillatorState start, Complex force,
                                  double constant, double omega, double tau) {
   kappa *= tau;

@@ -1,4 +1,4 @@
-// One oscillator in closed form: y'' + kappa y' + lambda y = 0, and forced at or near resonance.
+// One oscillator in closed form: y'' + kappa y' + lambda y = 0, and forced over a short time.
 // The formulas of the free motion hold for under-, critically and over-damped modes and pass
 // smoothly from one to the other. The paper prints the under-damped case only.
 #pragma once
@@ -14,18 +14,6 @@ struct OscillatorState {
 
 // The solution after tau of y'' + kappa y' + lambda y = 0 from `start`; kappa, lambda >= 0.
 OscillatorState free_response(double kappa, double lambda, OscillatorState start, double tau);
-
-// The response from rest after tau of y'' + kappa y' + lambda y = Re(F e^(i omega t)), with F =
-// `force` and F e^(i omega tau) = `force_after`, of an under-damped mode at or near resonance. The
-// formulas are difference quotients, because the steady response grows without bound there. The
-// caller passes both forces, so that their phases do not have the rounding of omega tau.
-OscillatorState forced_from_rest(double kappa, double lambda, std::complex<double> force,
-                                 std::complex<double> force_after, double omega, double tau);
-
-// The response from rest for lambda = kappa = 0, the rigid-body mode of a free chain. With omega =
-// 0 it is a fall.
-OscillatorState forced_drift(std::complex<double> force, std::complex<double> force_after,
-                             double omega, double tau);
 
 // The change after tau, of at most two radians, of y'' + kappa y' + lambda y = Re(F(t)) + constant,
 // F turning from `force` on: the Taylor series, whose terms fall from the start, adds up changes

@@ -53,11 +53,67 @@ inline double total(const PerCoordinate &a, const PerCoordinate &b) {
 }
 
 // sum_j a_j |b_j|.
-inline double dot_moduli(const PerCoordinate &a, const PerCoordinate &b) {
+inline double dot_moduli(const double *a, const double *b, Eigen::Index size) {
   Pair total{};
-  for (Eigen::Index j = 0; j < a.size(); j += 2)
-    total += pair(a.data() + j) * abs(pair(b.data() + j));
+  for (Eigen::Index j = 0; j < size; j += 2) total += pair(a + j) * abs(pair(b + j));
   return sum(total);
+}
+
+inline double dot_moduli(const PerCoordinate &a, const PerCoordinate &b) {
+  return dot_moduli(a.data(), b.data(), a.size());
+}
+
+// The unevaluated sum value + low of twice the precision, where |low| lies below the rounding of
+// value. The functions below are exact (Knuth; Dekker) unless the compiler reorders sums: a test
+// guards that.
+template <class Number>
+struct Twofold {
+  Number value{}, low{};
+};
+
+template <class Number>
+Twofold<Number> exact_sum(Number a, Number b) {
+  const Number sum = a + b, added = sum - a;
+  return {sum, (a - (sum - added)) + (b - added)};
+}
+
+// The leading 26 bits of the numbers.
+inline Pair leading_bits(Pair two) {
+  using Bits [[gnu::vector_size(16)]] = long long;
+  constexpr long long mask = ~0x7ffffffLL;
+  return reinterpret_cast<Pair>(reinterpret_cast<Bits>(two) & Bits{mask, mask});
+}
+
+inline Twofold<Pair> exact_product(Pair a, Pair b) {
+  const Pair product = a * b, a_high = leading_bits(a), b_high = leading_bits(b),
+             a_low = a - a_high, b_low = b - b_high;
+  return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
+}
+
+inline Twofold<double> exact_product(double a, double b) {
+  const Twofold<Pair> product = exact_product(Pair{a, 0.0}, Pair{b, 0.0});
+  return {product.value[0], product.low[0]};
+}
+
+template <class Number>
+Twofold<Number> operator+(const Twofold<Number> &a, Number b) {
+  const Twofold<Number> sum = exact_sum(a.value, b);
+  return exact_sum(sum.value, sum.low + a.low);
+}
+
+// offset + sum_j a_j (b_j + b_low_j), as if in twice the precision.
+inline double dot_twofold(double offset, const PerCoordinate &a, const PerCoordinate &b,
+                          const PerCoordinate &b_low) {
+  Twofold<Pair> total{{offset, 0.0}, {}};
+  for (Eigen::Index j = 0; j < b.size(); j += 2) {
+    const Pair weight = pair(a.data() + j);
+    const Twofold<Pair> term = exact_product(weight, pair(b.data() + j)),
+                        next = exact_sum(total.value, term.value);
+    total.value = next.value;
+    total.low += next.low + term.low + weight * pair(b_low.data() + j);
+  }
+  const Twofold<double> both = exact_sum(total.value[0], total.value[1]);
+  return both.value + (both.low + sum(total.low));
 }
 
 }  // namespace vibro_impact::detail

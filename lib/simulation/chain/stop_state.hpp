@@ -8,12 +8,11 @@
 
 namespace vibro_impact::detail {
 
-// A mass in flight before its stop. Gap g = sigma (s - x) and gap speed g' are carried, because a
-// small gap evaluated from the modal coordinates loses its digits to cancellation. After an impact
-// the gap is exactly 0.
+// A mass in flight before its stop. At an impact its gap g = sigma (s - x) is exactly 0, and its
+// gap speed g' is known, just before the impact and then just after. At other times both are
+// evaluated from the modal coordinates.
 struct InFlight {
-  double gap = 0.0, speed = 0.0;
-  bool below_rounding = false;  // the gap lies below the rounding of the modal coordinates
+  std::optional<double> speed_at_stop = {};
 };
 
 // The decision about a mass at rest: the derivatives of order 0, ..., zeros - 1 of the hold force
@@ -29,13 +28,14 @@ struct DecidedForce {
 struct AtRest {
   // The force decided at this instant. It is reset when time passes, unless no force acts.
   std::optional<DecidedForce> decided = {};
+  bool released = false;  // the mass leaves when time passes
   // A mass cannot stick and be released at one instant of the clock. The second of two such
   // decisions is made again one rounding of the clock later.
   bool postponed = false;
 };
 
 struct StopState {
-  std::variant<InFlight, AtRest> contact = InFlight{};
+  std::variant<InFlight, AtRest> contact = {};
   double last_speed = 0.0;              // closing speed of the latest impact
   int falling = 0;                      // see Event::falling
   std::optional<Instant> changed = {};  // instant of the latest stick or release
@@ -62,16 +62,13 @@ inline bool rests_without_force(const StopState &stop) {
   return force != nullptr && force->none;
 }
 
-// Gap and gap speed: the carried ones of a mass in flight, and zero of a mass at rest.
-inline InFlight flight_of(const StopState &stop) {
+inline std::optional<double> speed_at_stop(const StopState &stop) {
   const auto *flight = std::get_if<InFlight>(&stop.contact);
-  return flight != nullptr ? *flight : InFlight{};
+  return flight != nullptr ? flight->speed_at_stop : std::nullopt;
 }
-inline double gap_of(const StopState &stop) {
-  return flight_of(stop).gap;
-}
-inline double speed_of(const StopState &stop) {
-  return flight_of(stop).speed;
+
+inline bool is_at_rest(const StopState &stop) {
+  return std::holds_alternative<AtRest>(stop.contact);
 }
 
 }  // namespace vibro_impact::detail

@@ -13,16 +13,20 @@ constexpr double soft_pair = 1.0 / 16.0;
 // LAPACK's dgesvj has the same bound; ten sweeps are rare.
 constexpr int most_jacobi_sweeps = 30;
 // A mode is near resonance when |lambda - Omega^2 + i kappa Omega| is below this times lambda +
-// Omega^2. A steady response 64 times the motion cancels six bits.
+// Omega^2. The steady response then grows slowly out of a motion that it is far larger than.
 constexpr double near_resonance = 0x1p-6;
-// A coordinate is slow when its rate is below this times the Omega of its forcing. Sums over the
-// steps round a faster coordinate by less than 64 units in the last place.
+// Largest ratio of the steady response near resonance to the motion in a long flight: it cancels
+// three bits.
+constexpr double largest_response = 8.0;
+// A coordinate is slow when its rate is below this times the Omega of its forcing, in steps longer
+// than this over Omega. Sums over the steps round a faster coordinate by less than 64 units in the
+// last place.
 constexpr double slow_rate = 1.0 / 16.0;
 // Damping ratio beyond which a mode is split into two decays, which are then far enough apart.
 constexpr double strong_damping = 1.5;
-// Ratio of the largest to the smallest rate beyond which a contact mode is stiff. Below it,
-// following the steady response saves no steps.
-constexpr double stiff_ratio = 16.0;
+// Ratio of the rate of a coordinate to Omega below which following the steady response saves few
+// steps.
+constexpr double least_ratio_to_follow = 16.0;
 // Number of contact modes that a run keeps. 100 masses with 200 stops stay below 62 MB, and below
 // 130 MB if every mode is strongly damped.
 constexpr std::size_t most_contact_modes = 64;
@@ -31,26 +35,25 @@ constexpr std::size_t most_contact_modes = 64;
 
 // Error of (3), a sum of up to 100 products, relative to the sum of the moduli of its terms.
 constexpr double row_rounding = 0x1p-49;
+// Least first coefficient of a decided force: a positive number, far below every motion.
+constexpr double least_coefficient = 1e-290;
 // A term that is smaller than this, relative to the sum of the other terms, changes no digit and is
 // left out.
 constexpr double negligible = 0x1p-60;
 // Error of a deviation from the steady response, relative to the amplitude of that response: eight
 // units in the last place.
 constexpr double response_rounding = 0x1p-49;
-// Ratio of a gap to the sum of the moduli of its terms in (3), below which the gap is carried. A
-// gap that loses ten bits still has a relative error of 1e-13.
-constexpr double gap_reread_ratio = 0x1p-10;
-// Difference of a carried and an evaluated gap, relative to the same sum, beyond which the gap is
-// evaluated. It is eight times `row_rounding`.
-constexpr double carried_gap_drift = 0x1p-46;
+// Ratio of a gap to the sum of the moduli of its terms in (3), below which coordinates of one
+// precision do not resolve it. A gap that loses ten bits still has a relative error of 1e-13.
+constexpr double resolved_ratio = 0x1p-10;
 // Margin of the contacts out of reach of a chatter limit, relative to the same sum. It is far above
 // the rounding of a gap.
 constexpr double limit_margin = 0x1p-30;
 // Time between simultaneous events, times the fastest rate: the rounding of one or two periods.
 constexpr double same_instant = 0x1p-46;
-// The same after a short flight of time x: at most short_flight_ratio same_instant x. Impacts at
-// 1e-15 and 1.4e-15 are two.
-constexpr double short_flight_ratio = 0x1p30;
+// Two roots u1 < u2 of a step are one instant only if u2 - u1 is also at most this times u1,
+// however small u1 is, and at most the rounding of both roots.
+constexpr double same_instant_of_flight = 0x1p-16;
 
 // Steps.
 
@@ -80,9 +83,8 @@ constexpr double node_ratio = 0.75;
 // Least ratio of an estimated error to the estimate with one node less. With 1/8, limits were off
 // by six tolerances.
 constexpr double min_error_decay = 1.0 / 4.0;
-// Error of the responses, relative to the difference that the oldest node makes to them. The state
-// was measured to err by less than half a tolerance.
-constexpr double response_error_share = 1.0 / 32.0;
+// Error of the state at a limit, relative to the difference that the oldest node makes to it.
+constexpr double state_error_share = 1.0 / 8.0;
 // Error of the jump of the gap speed at an impact, relative to this jump, in the sum of 1 / (1 - r)
 // jumps.
 constexpr double impact_rounding = 0x1p-52;

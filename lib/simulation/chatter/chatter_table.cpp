@@ -1,6 +1,5 @@
 #include "chatter_table.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -8,64 +7,85 @@ namespace vibro_impact::detail {
 
 namespace {
 
-using Packet = Eigen::Array<double, 4, 1>;
-using NodeWeights = std::array<double, max_chatter_nodes>;
+using Eigen::Index;
 
-// The weights w_i of the nodes from `first` on, by which their predictions are extrapolated:
-// Lagrange's weights at x = 0, divided by x_i and by the sum of these quotients.
-NodeWeights node_weights(const ChatterTable &table, std::size_t first) {
-  NodeWeights weights{};
-  double sum = 0.0;
-  for (std::size_t i = first; i < table.nodes.size(); ++i) {
-    weights[i] = 1.0 / table.nodes[i].x;
-    for (std::size_t j = first; j < table.nodes.size(); ++j)
-      if (j != i) weights[i] *= table.nodes[j].x / (table.nodes[j].x - table.nodes[i].x);
-    sum += weights[i];
+// The state at the limit, to leading order. Over the time left x / (1 - r) the flight moves on by
+// the first order of its Taylor series, and the jumps J of the gap speeds to come add up to
+// J r / (1 - r).
+void predict(const Motion &motion, const Chatter &chatter, double time_left,
+             PredictedState &state) {
+  const std::vector<Contact> &contacts = motion.mode->contacts;
+  for (PerCoordinate *array : {&state.y, &state.dy, &state.y_low, &state.dy_low})
+    array->resize(motion.y.size());
+  for (Index j = 0; j < motion.y.size(); j += 2) {
+    Pair value = time_left * pair(motion.dy.data() + j),
+         slope = time_left * acceleration(motion, j);
+    for (std::size_t hit = 0; hit < chatter.contacts.size(); ++hit) {
+      const Contact &contact = contacts[chatter.contacts[hit]];
+      const double to_come = chatter.jumps[hit] * contact.restitution / (1.0 - contact.restitution);
+      slope += to_come * pair(contact.impulse.data() + j);
+      if (contact.impulse_value.size() > 0)
+        value += to_come * pair(contact.impulse_value.data() + j);
+    }
+    const Twofold<Pair> y{pair(motion.y.data() + j), pair(motion.y_low.data() + j)},
+        dy{pair(motion.dy.data() + j), pair(motion.dy_low.data() + j)}, y_at_limit = y + value,
+                                                                        dy_at_limit = dy + slope;
+    store(y_at_limit.value, state.y.data() + j);
+    store(y_at_limit.low, state.y_low.data() + j);
+    store(dy_at_limit.value, state.dy.data() + j);
+    store(dy_at_limit.low, state.dy_low.data() + j);
   }
-  for (double &weight : weights) weight /= sum;
-  return weights;
-}
-
-// The same without the node `first`: its factor x / (x - x_i) is taken out of the others.
-NodeWeights without_node(const ChatterTable &table, std::size_t first, NodeWeights weights) {
-  double sum = 0.0;
-  weights[first] = 0.0;
-  for (std::size_t i = first + 1; i < table.nodes.size(); ++i) {
-    weights[i] *= 1.0 - table.nodes[i].x / table.nodes[first].x;
-    sum += weights[i];
-  }
-  for (double &weight : weights) weight /= sum;
-  return weights;
-}
-
-// Drops the impacts before the oldest node, which no extrapolation reads.
-void drop_old_impacts(Chatter &chatter) {
-  const std::size_t old = chatter.table.nodes.front().impact - chatter.dropped;
-  // Impacts are dropped in portions, so that the mean work for an impact is bounded.
-  if (old < 64 || 2 * old < chatter.times.size()) return;
-  const auto count = static_cast<std::ptrdiff_t>(old);
-  chatter.times.erase(chatter.times.begin(), chatter.times.begin() + count);
-  const auto jumps = count * static_cast<std::ptrdiff_t>(chatter.contacts.size());
-  chatter.jumps.erase(chatter.jumps.begin(), chatter.jumps.begin() + jumps);
-  chatter.dropped += old;
 }
 
 }  // namespace
 
-void extend(ChatterTable &table, const ChatterTable::Node &node) {
+// Lagrange's weights at x = 0, divided by x_i and by the sum of these quotients.
+PerNode node_weights(const ChatterTable &table, std::size_t first) {
+  PerNode weights{};
+  double sum = 0.0;
+  for (std::size_t i = first; i < table.size; ++i) {
+    weights[i] = 1.0 / table.x[i];
+    for (std::size_t j = first; j < table.size; ++j)
+      if (j != i) weights[i] *= table.x[j] / (table.x[j] - table.x[i]);
+    sum += weights[i];
+  }
+  for (double &weight : weights) weight /= sum;
+  return weights;
+}
+
+// The factor x / (x - x_i) of the node is taken out of the others.
+PerNode without_node(const ChatterTable &table, std::size_t first, PerNode weights) {
+  double sum = 0.0;
+  weights[first] = 0.0;
+  for (std::size_t i = first + 1; i < table.size; ++i) {
+    weights[i] *= 1.0 - table.x[i] / table.x[first];
+    sum += weights[i];
+  }
+  for (double &weight : weights) weight /= sum;
+  return weights;
+}
+
+PredictedState &extend(ChatterTable &table, double x, double predicted, double jump) {
   table.error = std::numeric_limits<double>::infinity();
   table.best = 0;
-  if (table.nodes.size() == max_chatter_nodes) table.nodes.erase(table.nodes.begin());
-  table.nodes.push_back(node);
-  const std::size_t last = table.nodes.size() - 1;
-  ChatterTable::Entry entry{node.predicted / node.x, 1.0 / node.x};
+  if (table.size == max_chatter_nodes) {
+    for (PerNode *numbers : {&table.x, &table.predicted, &table.jump})
+      std::copy(numbers->begin() + 1, numbers->end(), numbers->begin());
+    table.oldest_state = (table.oldest_state + 1) % max_chatter_nodes;
+    --table.size;
+  }
+  const std::size_t last = table.size++;
+  table.x[last] = x;
+  table.predicted[last] = predicted;
+  table.jump[last] = jump;
+  ChatterTable::Entry entry{predicted / x, 1.0 / x};
   double error_before = 0.0, limit_before = entry.limit();
   for (std::size_t column = 1; column <= last; ++column) {
     const ChatterTable::Entry without_newest = table.row[column - 1];
     table.row[column - 1] = entry;
-    const double share = node.x / (table.nodes[last - column].x - node.x);
+    const double share = x / (table.x[last - column] - x);
     entry.predicted += (entry.predicted - without_newest.predicted) * share;
-    entry.one += (entry.one - without_newest.one) * share;
+    entry.reciprocal += (entry.reciprocal - without_newest.reciprocal) * share;
     const double limit = entry.limit(), error = std::abs(limit - limit_before);
     // Two limits may agree by chance: the estimate is not much below that with one node less.
     const double estimate = std::max(error, min_error_decay * error_before);
@@ -77,88 +97,49 @@ void extend(ChatterTable &table, const ChatterTable::Node &node) {
     limit_before = limit;
   }
   table.row[last] = entry;
+  return table.states[(table.oldest_state + last) % max_chatter_nodes];
 }
 
 bool Chatter::hits(std::size_t contact) const {
   return std::find(contacts.begin(), contacts.end(), contact) != contacts.end();
 }
 
-void end(Chatter &chatter) {
+void end_chatter(Chatter &chatter) {
   chatter.contacts.clear();
-  chatter.times.clear();
-  chatter.jumps.clear();
-  chatter.dropped = 0;
-  chatter.flight_time = chatter.since = 0.0;
-  chatter.table.nodes.clear();
+  chatter.impacts = chatter.table.size = chatter.table.oldest_state = 0;
+  chatter.flight_time = chatter.since = chatter.time = 0.0;
 }
 
-void begin(Chatter &chatter, const std::vector<std::size_t> &contacts, double restitution) {
-  end(chatter);
+void begin_chatter(Chatter &chatter, const std::vector<std::size_t> &contacts, double restitution) {
+  end_chatter(chatter);
   chatter.contacts = contacts;
   chatter.restitution = restitution;
   const double stride = std::log(node_ratio) / std::log(restitution);
   chatter.stride = static_cast<std::size_t>(std::ceil(std::max(1.0, stride)));
 }
 
-bool add_impact(Chatter &chatter, double flight_time, const std::vector<double> &jumps) {
-  const double time = chatter.under_way() ? chatter.times.back() + chatter.since : 0.0;
-  const std::size_t impact = chatter.dropped + chatter.times.size();
-  chatter.times.push_back(time);
-  chatter.jumps.insert(chatter.jumps.end(), jumps.begin(), jumps.end());
+bool add_impact(Chatter &chatter, double flight_time, const std::vector<double> &jumps,
+                const Motion &motion) {
+  if (chatter.under_way()) chatter.time += chatter.since;
   chatter.flight_time = flight_time;
   chatter.since = 0.0;
-  if (impact % chatter.stride != 0) return false;
-  extend(chatter.table, {flight_time, time + flight_time / (1.0 - chatter.restitution), impact});
-  drop_old_impacts(chatter);
+  chatter.jumps = jumps;
+  if (chatter.impacts++ % chatter.stride != 0) return false;
+  const double left = flight_time / (1.0 - chatter.restitution);
+  predict(motion, chatter, left,
+          extend(chatter.table, flight_time, chatter.time + left,
+                 *std::max_element(jumps.begin(), jumps.end())));
   return true;
 }
 
 std::optional<ChatterLimit> extrapolate_limit(const Chatter &chatter, double tolerance) {
   const ChatterTable &table = chatter.table;
-  if (table.nodes.size() < fewest_chatter_nodes || !(table.error <= tolerance)) return std::nullopt;
-  const std::size_t last = table.nodes.size() - 1;
-  const double now = chatter.times.back(), predicted = table.nodes[last].predicted - now;
-  const double time_left = table.row[table.best].limit() - now;
+  if (table.size < fewest_chatter_nodes || !(table.error <= tolerance)) return std::nullopt;
+  const std::size_t last = table.size - 1;
+  const double predicted = table.predicted[last] - chatter.time,
+               time_left = table.row[table.best].limit() - chatter.time;
   if (!(std::abs(time_left - predicted) < prediction_share * predicted)) return std::nullopt;
   return ChatterLimit{time_left, table.error, last - table.best};
-}
-
-// By (13) of lib/README.md a node at t_i predicts the moments J_i (T - t_i)^n q / (1 - q), q =
-// r^(n+1), of all impacts after it. The impacts between it and the latest are subtracted:
-//   M_n ~ sum_i w_i (J_i (T - t_i)^n q / (1 - q) - sum_(i < k <= latest) J_k (T - t_k)^n).
-// The sums are formed in one pass over the impacts k, where `weight_before` is the sum of w_i over
-// the nodes i < k.
-ChatterMoments extrapolate_moments(const Chatter &chatter, const ChatterLimit &limit,
-                                   std::size_t hit, double restitution, int order) {
-  const ChatterTable &table = chatter.table;
-  Terms ratio{};
-  double power = restitution;
-  for (int n = 0; n <= order; ++n, power *= restitution)
-    ratio[static_cast<std::size_t>(n)] = power / (1.0 - power);
-  const NodeWeights weights = node_weights(table, limit.oldest),
-                    fewer = without_node(table, limit.oldest, weights);
-  ChatterMoments moments;
-  double weight_before = 0.0, difference_before = 0.0;
-  std::size_t node = limit.oldest;
-  for (std::size_t k = table.nodes[node].impact - chatter.dropped; k < chatter.times.size(); ++k) {
-    double weight = 0.0, difference = 0.0;
-    if (node < table.nodes.size() && table.nodes[node].impact == chatter.dropped + k) {
-      weight = weights[node];
-      difference = weight - fewer[node++];
-    }
-    const double x = (chatter.times.back() - chatter.times[k]) / limit.time_left + 1.0;
-    const double quartic = x * x * x * x;
-    Packet moment = chatter.jump(k, hit) * Packet(1.0, x, x * x, x * x * x);
-    for (int n = 0; n <= order; n += 4, moment *= quartic) {
-      const Packet ratios = Eigen::Map<const Packet>(ratio.data() + n);
-      Eigen::Map<Packet>(moments.moment.data() + n) += moment * (weight * ratios - weight_before);
-      Eigen::Map<Packet>(moments.difference.data() + n) +=
-          moment * (difference * ratios - difference_before);
-    }
-    weight_before += weight;
-    difference_before += difference;
-  }
-  return moments;
 }
 
 }  // namespace vibro_impact::detail

@@ -1,6 +1,7 @@
-// The impacts of a chatter and their limit T, without the motion. Let x be the flight time after an
-// impact at t, to leading order. The impact predicts the limit t + x / (1 - r), which is a smooth
-// function of x and differs from T by O(x^2) as x -> 0: (11) to (13) of lib/README.md.
+// The impacts of a chatter and their limit T. Let x be the flight time after an impact at t, to
+// leading order. The impact predicts the time t + x / (1 - r) of the limit and the state there.
+// Both are smooth functions of x and differ from the limit by O(x^2) as x -> 0: (11) and (12) of
+// lib/README.md.
 #pragma once
 
 #include <array>
@@ -9,75 +10,87 @@
 #include <optional>
 #include <vector>
 
+#include "simulation/chain/motion.hpp"
 #include "simulation/chain/tolerances.hpp"
-#include "simulation/flight/polynomial.hpp"
 
 namespace vibro_impact::detail {
 
-// Neville's tables at x = 0 of predicted / x and of 1 / x, over nodes: a node is an impact that is
-// entered into the table. The predicted limit is T + c x^2 + d x^3 + ... without a linear term.
-// Divided by x it is T / x plus a polynomial that is zero at x = 0, hence the ratio of the two
-// extrapolated values tends to T.
+// The coordinates that a node predicts at the limit, in twice the precision.
+struct PredictedState {
+  PerCoordinate y, dy, y_low, dy_low;
+};
+
+using PerNode = std::array<double, max_chatter_nodes>;
+
+// P(x) = T + c x^2 + ... has no linear term, which a plain extrapolation would not use. P / x - T /
+// x is zero at x = 0, so T = lim (P / x) / lim (1 / x), where both limits are extrapolated with the
+// same weights, by Neville's scheme. A node is an impact that is entered into the table.
 struct ChatterTable {
-  struct Node {
-    double x, predicted;  // flight time, and predicted limit counted from the first impact
-    std::size_t impact;   // index, from 0, of the impact in the chatter
-  };
   struct Entry {
-    double predicted = 0.0, one = 0.0;
+    double predicted = 0.0, reciprocal = 0.0;
     double limit() const {
-      return predicted / one;
+      return predicted / reciprocal;
     }
   };
-  std::vector<Node> nodes;  // oldest first
+  std::size_t size = 0;  // nodes, oldest first
+  // Flight time, predicted limit counted from the first impact, and the largest jump of a gap
+  // speed.
+  PerNode x{}, predicted{}, jump{};
+  std::array<PredictedState, max_chatter_nodes> states{};  // a ring: see state_of
+  std::size_t oldest_state = 0;
   // Entry k is extrapolated from the last k + 1 nodes.
   std::array<Entry, max_chatter_nodes> row{};
   // The entry with the smallest estimated error of its limit, and that error.
   std::size_t best = 0;
   double error = std::numeric_limits<double>::infinity();
+
+  const PredictedState &state_of(std::size_t node) const {
+    return states[(oldest_state + node) % max_chatter_nodes];
+  }
 };
 
-// Adds a node and computes the row of the table that ends with it.
-void extend(ChatterTable &table, const ChatterTable::Node &node);
+// Adds a node and computes the row of the table that ends with it. Returns the place of its state.
+PredictedState &extend(ChatterTable &table, double x, double predicted, double jump);
+
+// The weights w_i of the nodes from `first` on, by which times and states are extrapolated.
+PerNode node_weights(const ChatterTable &table, std::size_t first);
+
+// The same without the node `first`.
+PerNode without_node(const ChatterTable &table, std::size_t first, PerNode weights);
 
 // A chatter is a sequence of impacts at the same contacts in one contact mode, each flight shorter
 // than the one before. Without impacts no chatter is under way. At most `max_chatter_nodes` nodes
-// and the impacts since the oldest of them are kept.
+// are kept.
 struct Chatter {
   std::vector<std::size_t> contacts = {};  // indices, in the mode, of the contacts hit
   double restitution = 0.0;                // of the first contact, at speed zero
   // Every stride-th impact is a node. Nodes that are closer to each other amplify rounding.
-  std::size_t stride = 1;
-  // For each impact the time since the first impact, and the jumps J of the gap speeds, one for
-  // each contact. `dropped` counts the impacts before the oldest node, which are dropped.
-  std::vector<double> times = {}, jumps = {};
-  std::size_t dropped = 0;
-  double flight_time = 0.0;  // x of the latest impact
-  double since = 0.0;        // time since the latest impact
+  std::size_t stride = 1, impacts = 0;
+  double time = 0.0;               // of the latest impact, since the first
+  double since = 0.0;              // time since the latest impact
+  double flight_time = 0.0;        // x of the latest impact
+  std::vector<double> jumps = {};  // of the gap speeds at the latest impact, one for each contact
   ChatterTable table = {};
 
   bool under_way() const {
-    return !times.empty();
+    return impacts > 0;
   }
   bool hits(std::size_t contact) const;
   // True when the latest impact is a node and the run stands at this impact.
   bool stands_at_node() const {
-    return under_way() && since == 0.0 && table.nodes.back().impact + 1 == dropped + times.size();
-  }
-  // The jump J at contacts[hit] of the kept impact k.
-  double jump(std::size_t k, std::size_t hit) const {
-    return jumps[k * contacts.size() + hit];
+    return under_way() && since == 0.0 && (impacts - 1) % stride == 0;
   }
 };
 
 // Ends the chatter under way, and begins another one at these contacts without impacts.
-void begin(Chatter &chatter, const std::vector<std::size_t> &contacts, double restitution);
+void begin_chatter(Chatter &chatter, const std::vector<std::size_t> &contacts, double restitution);
 
-void end(Chatter &chatter);
+void end_chatter(Chatter &chatter);
 
 // Adds an impact with these jumps, one for each contact, and the expected time of the flight after
-// it. Returns true when the impact is a node of the table.
-bool add_impact(Chatter &chatter, double flight_time, const std::vector<double> &jumps);
+// it. The motion stands just after the impact. Returns true when the impact is a node of the table.
+bool add_impact(Chatter &chatter, double flight_time, const std::vector<double> &jumps,
+                const Motion &motion);
 
 struct ChatterLimit {
   double time_left = 0.0;  // from the latest impact to the limit
@@ -89,13 +102,5 @@ struct ChatterLimit {
 // little from the time left that the latest impact predicts. The second condition excludes an error
 // that is small by chance near a border orbit, where the hold force is zero at the limit.
 std::optional<ChatterLimit> extrapolate_limit(const Chatter &chatter, double tolerance);
-
-// The extrapolated moments M_n = sum_k J_k ((T - t_k) / time_left)^n, n = 0, ..., order, of the
-// impacts to come at contact `hit`, and their differences from the moments without the oldest node.
-struct ChatterMoments {
-  Terms moment{}, difference{};
-};
-ChatterMoments extrapolate_moments(const Chatter &chatter, const ChatterLimit &limit,
-                                   std::size_t hit, double restitution, int order);
 
 }  // namespace vibro_impact::detail

@@ -25,9 +25,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 //   |y'(t + tau)| <= |y'| + (|y''| + Omega |force| h) / sqrt(lambda).
 // The second bound is small for a coordinate that hardly moves, as under a slow forcing.
 void bound_travel(const Motion &motion, double omega, Flight &flight) {
-  constexpr double margin = 2.0 * gap_reread_ratio;
+  constexpr double margin = 2.0 * resolved_ratio;
   const ModalCoordinates &all = motion.mode->coordinates;
-  const double length = flight.step.length, time = (1.0 + gap_reread_ratio) * length;
+  const double length = flight.step.length, time = (1.0 + resolved_ratio) * length;
   flight.travel.resize(motion.y.size());
   flight.rate_travel.resize(motion.y.size());
   for (Index j = 0; j < motion.y.size(); j += 2) {
@@ -43,85 +43,68 @@ void bound_travel(const Motion &motion, double omega, Flight &flight) {
   }
 }
 
-// True when (3) of a contact, now `value`, stays positive over the step by the margin. The cosine
-// of the forcing changes by at most Omega h, to which 1 percent is added.
-bool is_out_of_reach(const Contact &contact, double value, double omega, const Flight &flight) {
-  constexpr double margin = 2.0 * gap_reread_ratio;
+// A bound of the change of (3) over the step, with the margin. The cosine of the forcing changes by
+// at most Omega h, to which 1 percent is added.
+double travel_of(const Contact &contact, double omega, const Flight &flight) {
+  constexpr double margin = 2.0 * resolved_ratio;
   double travel = dot(contact.modulus, flight.travel) + margin * std::abs(contact.offset);
   if (contact.held)
     travel += contact.damping * dot(contact.modulus, flight.rate_travel) +
               contact.forcing_modulus * (1.01 * omega * flight.step.length + margin);
-  return value > travel;
+  return travel;
+}
+
+// The rounding of the coefficient of order n of (3).
+double rounding_of_order(const TaylorTable &table, const Contact &contact, int n) {
+  double size = dot_moduli(contact.modulus.data(), table.of_order(n), table.coordinates);
+  if (contact.held)
+    size += contact.damping / table.length * (n + 1) *
+                dot_moduli(contact.modulus.data(), table.of_order(n + 1), table.coordinates) +
+            contact.forcing_modulus;
+  return row_rounding * size;
+}
+
+// Inserts the zeros of a decided force. The first coefficient after them has the decided sign and
+// is at least its rounding. Further coefficients below their rounding are zero, up to the first one
+// above it: they must not bring the mass back at once.
+void insert_decided_force(const DecidedForce &force, const Contact &contact,
+                          const TaylorTable &table, Polynomial &p) {
+  // The force on a released mass is the second derivative of its gap.
+  const int known = force.none ? p.order + 1 : force.zeros + (contact.held ? 0 : 2);
+  // The gap of a mass that leaves in an order beyond that of the step is not identically zero.
+  const int zeros = force.none ? known : std::min(known, p.order);
+  std::fill_n(p.coefficient.begin(), zeros, 0.0);
+  for (int n = zeros; n <= p.order; ++n) {
+    double &coefficient = p.coefficient[static_cast<std::size_t>(n)];
+    const double rounding = rounding_of_order(table, contact, n);
+    const bool above = std::abs(coefficient) > rounding;
+    if (n == zeros)
+      coefficient = std::max({std::abs(coefficient), rounding, least_coefficient});
+    else if (!above)
+      coefficient = 0.0;
+    if (above) return;
+  }
 }
 
 // Replaces the leading coefficients of the polynomial of a contact by those known more accurately:
-// the carried gap and gap speed, or the zeros of a decided force. The first coefficient after the
-// zeros has the decided sign.
-void insert_exact_coefficients(const Contact &contact, const StopState &stop, double length,
-                               Polynomial &p) {
+// a small gap and its speed, or the zeros of a decided force.
+void insert_exact_coefficients(const Motion &motion, const Contact &contact, const StopState &stop,
+                               const TaylorTable &table, Polynomial &p) {
   if (const DecidedForce *force = decided_force(stop)) {
-    // The force on a released mass is the second derivative of its gap.
-    const int known = force->none ? p.order + 1 : force->zeros + (contact.held ? 0 : 2);
-    // The gap of a mass that leaves in an order beyond that of the step is not identically zero.
-    const int zeros = force->none ? known : std::min(known, p.order);
-    std::fill_n(p.coefficient.begin(), zeros, 0.0);
-    double &first = p.coefficient[static_cast<std::size_t>(zeros)];
-    first = std::abs(first);
-  } else if (const auto *flight = std::get_if<InFlight>(&stop.contact)) {
-    p.coefficient[0] = flight->gap;
-    p.coefficient[1] = flight->speed * length;
+    insert_decided_force(*force, contact, table, p);
+  } else if (!contact.held && !(p.coefficient[0] > resolved_ratio * terms_of(contact, motion))) {
+    const Gap gap = gap_of(contact, stop, motion);
+    p.coefficient[0] = std::max(0.0, gap.value);
+    p.coefficient[1] = gap.speed * table.length;
   }
 }
 
-// Sets the gap after a step. It is evaluated from the coordinates when it is well above their
-// rounding, or when the carried gap has drifted from them. Otherwise the carried gap is kept.
-template <class Carry>
-void set_gap(const Motion &motion, const Contact &contact, const Carry &carry, StopState &stop) {
-  const double terms = terms_of(contact, motion), evaluated = evaluate(contact, motion);
-  InFlight carried;
-  bool evaluate_anew = evaluated > gap_reread_ratio * terms;
-  if (!evaluate_anew) {
-    carried = carry();
-    evaluate_anew = evaluated > gap_reread_ratio * gap_reread_ratio * terms &&
-                    std::abs(carried.gap - evaluated) > carried_gap_drift * terms;
-  }
-  if (evaluate_anew) {
-    stop.contact = InFlight{evaluated, gap_speed(contact, motion)};
-    return;
-  }
-  carried.gap = std::max(0.0, carried.gap);
-  carried.below_rounding = carried.gap < row_rounding * terms;
-  stop.contact = carried;
-}
-
-// The least time in which a mass that closes its gap at `speed`, under an acceleration towards the
-// stop of at most `push`, or away from it of `push` if `pushed_away`, closes `room`. Infinite if it
-// turns back before.
-double closing_time(double speed, double push, bool pushed_away, double room) {
-  if (!(speed > 0.0) && (pushed_away || push == 0.0)) return infinity;
-  if (!pushed_away) return 2.0 * room / (speed + std::sqrt(speed * speed + 2.0 * push * room));
-  const bool turns_back = push > 0.0 && !(speed * speed > 2.0 * push * room);
-  return turns_back ? infinity : room / speed;
-}
-
-// A time in which the rigid-body mode cannot close `room` of a gap. Its speed and the modulus of
-// its forces bound it. Where the forces only turn, its mean speed and the amplitude 2 |f| / Omega^2
-// may give a longer time.
-double drift_time(const Motion &motion, const Contact &contact, double room, double omega) {
-  const ModalCoordinates &all = motion.mode->coordinates;
-  const Index j = motion.mode->drift;
-  const double row = contact.row(j), slope = motion.dy(j);
-  const bool turns = omega > 0.0 && all.force_of(j) != 0.0;
-  const double turning = turns ? std::abs(all.force_of(j)) : 0.0;
-  const double constant = all.constant(j) + (turns ? 0.0 : all.force_re(j));
-  const double push = std::abs(row) * (std::abs(constant) + turning);
-  const double time =
-      closing_time(std::max(0.0, -row * slope), push, !turns && row * constant >= 0.0, room);
-  if (!turns || constant != 0.0) return time;
-  const double left = room - 2.0 * push / (omega * omega);
-  if (!(left > 0.0)) return time;
-  const double mean_slope = slope - std::imag(all.force_of(j) * motion.turn) / omega;
-  return row * mean_slope < 0.0 ? std::max(time, left / (-row * mean_slope)) : infinity;
+// True when a hold force is nothing but rounding over the whole step. The mass stays held.
+bool is_rounding(const Motion &motion, const Contact &contact, double travel, const Polynomial &p) {
+  if (std::abs(p.coefficient[0]) > row_rounding * travel / resolved_ratio) return false;
+  double sum = 0.0;
+  for (int n = 0; n <= p.order; ++n) sum += std::abs(p.coefficient[static_cast<std::size_t>(n)]);
+  return sum <= row_rounding * (terms_of(contact, motion) + travel);
 }
 
 // Drops the roots after the first event. A root u is as far from it as rounding allows when u -
@@ -144,39 +127,20 @@ void drop_later_roots(const Motion &motion, double tolerance, Flight &flight) {
   }
 }
 
-}  // namespace
-
-double quiet_time(const Motion &motion, const std::vector<StopState> &stops, double omega) {
-  const ContactMode &mode = *motion.mode;
-  const ModalCoordinates &all = mode.coordinates;
-  // The amplitude of a coordinate about its steady response.
-  const auto amplitude_of = [&](Index j) {
-    const Complex steady = all.steady_of(j) * motion.turn;
-    const double y = motion.y(j) - all.rest(j) - steady.real();
-    if (!(all.frequency(j) > 0.0)) return std::abs(y);
-    return std::hypot(y, (motion.dy(j) + omega * steady.imag()) / all.frequency(j));
-  };
-  double quiet = infinity;
-  for (const Contact &contact : mode.contacts) {
-    const StopState &stop = stops[contact.stop];
-    if (!contact.held && rests_without_force(stop)) continue;
-    double swing = 0.0, rest = contact.rest + (contact.held ? contact.offset : gap_of(stop));
-    for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
-      if (j == mode.drift) continue;
-      if (!contact.held) rest -= contact.row(j) * motion.y(j);
-      swing += contact.modulus(j) * (1.0 + contact.damping * all.rate(j)) * amplitude_of(j);
-    }
-    if (omega == 0.0)
-      rest += contact.steady.real();
-    else
-      swing += std::abs(contact.steady);
-    const double room = rest - swing - 2.0 * gap_reread_ratio * (std::abs(rest) + swing);
-    if (!(room > 0.0)) return 0.0;
-    if (mode.drift < 0 || contact.held) continue;
-    quiet = std::min(quiet, drift_time(motion, contact, room, omega));
+// Places the small gap of a mass that was released at the start of the step. The polynomial has its
+// exact zeros, while the coordinates have the rounding of the mode change and of fast decays.
+void place_released(const Flight &flight, const std::vector<StopState> &stops, Motion &motion) {
+  const std::vector<Contact> &contacts = motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto *rest = std::get_if<AtRest>(&stops[contacts[k].stop].contact);
+    if (rest == nullptr || !rest->released || flight.approaches[k].root) continue;
+    if (is_resolved(contacts[k], motion)) continue;
+    const Jet jet = jet_at(flight.approaches[k].polynomial, 0, flight.u);
+    place(contacts[k], {jet.value, jet.slope / flight.step.length}, motion);
   }
-  return quiet;
 }
+
+}  // namespace
 
 void find_first_event(const Motion &motion, const std::vector<StopState> &stops, const Clock &clock,
                       bool forced, Flight &flight, Counters &counters) {
@@ -188,27 +152,25 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
   // which is that of the flight after a much shorter flight, and than the rounding of both roots.
   const double rounding = same_instant / (step.rate * step.length);
   const auto simultaneous = [rounding](double u) {
-    return std::min(rounding, same_instant * short_flight_ratio * u);
+    return std::min(rounding, same_instant_of_flight * u);
   };
   if (flight.approaches.size() < mode.contacts.size())
     flight.approaches.resize(mode.contacts.size());
-  flight.any_near = flight.event = false;
+  flight.any_near = flight.event = flight.any_released = false;
   flight.u = 1.0;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact &contact = mode.contacts[k];
     const StopState &stop = stops[contact.stop];
     Approach &approach = flight.approaches[k];
     approach.root.reset();
-    approach.out_of_reach = is_postponed(stop);  // the end of the step is the event
-    if (approach.out_of_reach) {
+    if (is_postponed(stop)) {  // decided at the end of the step
       flight.any_near = flight.event = true;
       continue;
     }
-    const DecidedForce *decided = decided_force(stop);
-    const double value = contact.held ? evaluate(contact, motion) : gap_of(stop);
-    approach.out_of_reach =
-        decided == nullptr && is_out_of_reach(contact, value, clock.omega, flight);
-    if (approach.out_of_reach) {
+    const bool decided = decided_force(stop) != nullptr;
+    flight.any_released = flight.any_released || (decided && !contact.held);
+    const double travel = travel_of(contact, clock.omega, flight);
+    if (!decided && evaluate(contact, motion) > travel) {
       ++counters.out_of_reach;
       continue;
     }
@@ -216,11 +178,8 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     Polynomial &p = approach.polynomial;
     read_along(flight.table, contact, p);
     counters.products += (step.order + 1) * mode.padded();
-    // With more than one zero derivative the motion that moves this mass has yet to pass along the
-    // chain, and the coefficients computed so far are rounding.
-    if (flight_of(stop).below_rounding || (decided != nullptr && decided->zeros > 1))
-      drop_rounding(motion, clock.omega, flight.table, contact, flight.moduli, p);
-    insert_exact_coefficients(contact, stop, step.length, p);
+    if (contact.held && !decided && is_rounding(motion, contact, travel, p)) continue;
+    insert_exact_coefficients(motion, contact, stop, flight.table, p);
     approach.root = first_root(p, std::min(1.0, flight.u + simultaneous(flight.u)), counters);
     if (!approach.root) continue;
     flight.event = true;
@@ -231,49 +190,27 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
 
 void move_along(const Flight &flight, double u, const Clock &clock, Motion &motion,
                 std::vector<StopState> &stops) {
-  const ContactMode &mode = *motion.mode;
-  const double length = flight.step.length;
   if (u > 0.0) {
-    move_coordinates(flight.table, u, motion);
-    pass_time(motion, clock, u * length);
-    complete_move(motion, clock);
-    let_dead_coordinates_follow(motion, clock.omega);
+    move_coordinates(flight.table, u, clock, motion);
+    if (u == flight.u && flight.any_released) place_released(flight, stops, motion);
+    forget_instant(stops);
   }
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    const Contact &contact = mode.contacts[k];
-    const Approach &approach = flight.approaches[k];
-    StopState &stop = stops[contact.stop];
-    if (is_postponed(stop)) continue;
-    if (contact.held) {
-      if (u > 0.0) stop.contact = AtRest{};  // a decided force is valid at its instant only
-    } else if (u == flight.u && approach.root) {
-      stop.contact = InFlight{0.0, approach.root->slope / length};
-    } else if (u > 0.0 && approach.out_of_reach) {
-      stop.contact = InFlight{std::max(0.0, evaluate(contact, motion)), gap_speed(contact, motion)};
-    } else if (u > 0.0 && !rests_without_force(stop)) {
-      const auto along_step = [&] {
-        const Jet jet = jet_at(approach.polynomial, 0, u);
-        return InFlight{jet.value, jet.slope / length};
-      };
-      set_gap(motion, contact, along_step, stop);
-    }
-  }
+  if (u < flight.u) return;
+  const std::vector<Contact> &contacts = motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (const auto &root = flight.approaches[k].root; root && !contacts[k].held)
+      stops[contacts[k].stop].contact = InFlight{root->slope / flight.step.length};
 }
 
-void fly_along(const Instant &target, const Clock &clock, Motion &motion,
-               std::vector<StopState> &stops, PerCoordinate &change) {
-  fly(motion, clock, target, change);
-  for (const Contact &contact : motion.mode->contacts) {
-    StopState &stop = stops[contact.stop];
-    if (contact.held)
-      stop.contact = AtRest{};
-    else if (!rests_without_force(stop))
-      set_gap(
-          motion, contact,
-          [&] {
-            return InFlight{gap_of(stop) + dot(contact.row, change), gap_speed(contact, motion)};
-          },
-          stop);
+void forget_instant(std::vector<StopState> &stops) {
+  for (StopState &stop : stops) {
+    if (auto *flight = std::get_if<InFlight>(&stop.contact)) flight->speed_at_stop.reset();
+    auto *rest = std::get_if<AtRest>(&stop.contact);
+    if (rest == nullptr || rest->postponed || !rest->decided || rest->decided->none) continue;
+    if (rest->released)
+      stop.contact = InFlight{};
+    else
+      rest->decided.reset();
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "simulation/chain/pair.hpp"
+#include "simulation/chain/steady_response.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -12,6 +13,7 @@ namespace vibro_impact::detail {
 namespace {
 
 using Eigen::Index;
+using TwofoldPair = Twofold<Pair>;
 
 // Factors of the recurrences for both coordinates of a pair: 1 / (n + 1), 1 / ((n + 1) (n + 2)),
 // and n.
@@ -35,18 +37,17 @@ struct PairOfOscillators {
   Pair kappa, lambda, force_re, force_im, constant;
 };
 
-// `following` is empty, or says which coordinates follow their steady response, which obeys
-// y'' + Omega^2 y = 0.
-PairOfOscillators oscillators(const ModalCoordinates &all, const std::vector<char> &following,
-                              double omega, double length, Index j) {
+// A coordinate that follows its steady response obeys y'' + Omega^2 y = 0.
+PairOfOscillators oscillators(const Motion &motion, double omega, double length, Index j) {
+  const ModalCoordinates &all = motion.mode->coordinates;
   PairOfOscillators two{pair(all.kappa.data() + j), pair(all.lambda.data() + j),
                         pair(all.force_re.data() + j), pair(all.force_im.data() + j), Pair{}};
   if (all.any_beside_cosine) two.constant = pair(all.constant.data() + j);
-  for (Index i = 0; i < 2 && !following.empty(); ++i)
-    if (following[static_cast<std::size_t>(j + i)]) {
+  for (Index i = 0; i < 2 && motion.any_following; ++i)
+    if (motion.following[static_cast<std::size_t>(j + i)]) {
       two.kappa[i] = two.force_re[i] = two.force_im[i] = 0.0;
       two.lambda[i] = omega * omega;
-      two.constant[i] = omega * omega * all.rest(j + i);
+      two.constant[i] = omega * omega * all.static_value(j + i);
     }
   const double square = length * length;
   two.kappa *= length;
@@ -93,12 +94,12 @@ void expand_pair(const PairOfOscillators &two, Pair value, Pair slope, Index j,
   store(value, next);
   store(slope, next += stride);
   const auto coefficient = [&](std::size_t n, Pair before, Pair latest) {
-    Pair rest = two.lambda * before;
-    if (forcing != Forcing::none) rest = two.force_re * table.cosine[n] - rest;
-    if (forcing == Forcing::any) rest -= two.force_im * table.sine[n];
-    rest *= factors.inverse_square[n];
+    Pair spring = two.lambda * before;  // or its difference from the force
+    if (forcing != Forcing::none) spring = two.force_re * table.cosine[n] - spring;
+    if (forcing == Forcing::any) spring -= two.force_im * table.sine[n];
+    spring *= factors.inverse_square[n];
     const Pair damping = two.kappa * latest * factors.inverse[n + 1];
-    return forcing == Forcing::none ? -(rest + damping) : rest - damping;
+    return forcing == Forcing::none ? -(spring + damping) : spring - damping;
   };
   const auto orders = static_cast<std::size_t>(table.order);
   for (std::size_t n = 0; n < orders; n += 2) {
@@ -136,7 +137,7 @@ void expand(const Motion &motion, const Step &step, double omega, bool forced, T
   size_table(step.length, step.order, motion.y.size(), table);
   if (forced) expand_forcing(motion.turn, omega * step.length, all.any_beside_cosine, table);
   for (Index j = 0; j < table.coordinates; j += 2) {
-    const PairOfOscillators two = oscillators(all, motion.following, omega, step.length, j);
+    const PairOfOscillators two = oscillators(motion, omega, step.length, j);
     const Pair value = pair(motion.y.data() + j), slope = pair(motion.dy.data() + j) * step.length;
     if (all.any_beside_cosine)
       expand_pair<Forcing::any>(two, value, slope, j, table);
@@ -144,18 +145,6 @@ void expand(const Motion &motion, const Step &step, double omega, bool forced, T
       expand_pair<Forcing::cosine>(two, value, slope, j, table);
     else
       expand_pair<Forcing::none>(two, value, slope, j, table);
-  }
-}
-
-void expand_impulse(const ContactMode &mode, const Contact &contact, const Step &step,
-                    TaylorTable &table) {
-  size_table(step.length, step.order, mode.padded(), table);
-  for (Index j = 0; j < table.coordinates; j += 2) {
-    const Pair value =
-        contact.impulse_value.size() > 0 ? pair(contact.impulse_value.data() + j) : Pair{};
-    const PairOfOscillators two = oscillators(mode.coordinates, {}, 0.0, step.length, j);
-    expand_pair<Forcing::none>(two, value, pair(contact.impulse.data() + j) * step.length, j,
-                               table);
   }
 }
 
@@ -195,39 +184,13 @@ void read_along(const TaylorTable &table, const Contact &contact, Polynomial &po
   p[0] += contact.offset;
 }
 
-void drop_rounding(const Motion &motion, double omega, const TaylorTable &table,
-                   const Contact &contact, TaylorTable &moduli, Polynomial &polynomial) {
-  size_table(table.length, table.order, table.coordinates, moduli);
-  std::transform(table.cosine.begin(), table.cosine.end(), moduli.cosine.begin(),
-                 [](double value) { return std::abs(value); });
-  std::transform(table.sine.begin(), table.sine.end(), moduli.sine.begin(),
-                 [](double value) { return -std::abs(value); });
-  // The recurrence with the moduli of all its terms: its signs are those of `expand_pair`.
-  for (Index j = 0; j < table.coordinates; j += 2) {
-    PairOfOscillators two =
-        oscillators(motion.mode->coordinates, motion.following, omega, table.length, j);
-    two.kappa = -two.kappa;
-    two.lambda = -two.lambda;
-    two.force_re = abs(two.force_re);
-    two.force_im = abs(two.force_im);
-    two.constant = abs(two.constant);
-    expand_pair<Forcing::any>(two, abs(pair(table.of_order(0) + j)),
-                              abs(pair(table.of_order(1) + j)), j, moduli);
-  }
-  Terms sizes{};
-  sum_row(moduli, contact.modulus, table.order + 1, sizes);
-  const double damping = contact.damping / table.length;
-  for (std::size_t n = 1; n <= static_cast<std::size_t>(table.order); ++n) {
-    const double size = sizes[n] + damping * static_cast<double>(n + 1) * sizes[n + 1] +
-                        std::abs(contact.forcing.real() * table.cosine[n]) +
-                        std::abs(contact.forcing.imag() * table.sine[n]);
-    if (std::abs(polynomial.coefficient[n]) < row_rounding * size) polynomial.coefficient[n] = 0.0;
-  }
-}
-
-void move_coordinates(const TaylorTable &table, double u, Motion &motion) {
+void move_coordinates(const TaylorTable &table, double u, const Clock &clock, Motion &motion) {
   const Index stride = table.coordinates;
   const auto last = static_cast<std::size_t>(table.order + 1);
+  const double tau = u * table.length;
+  const std::complex<double> turn = motion.turn;
+  pass_time(motion, clock, tau);
+  const bool by_deviation = any_moves_by_deviation(motion, clock.omega, tau);
   for (Index j = 0; j < stride; j += 2) {
     const double *column = table.of_order(table.order + 1) + j;
     // The sums over n >= 2 of y_n u^(n-2) and n y_n u^(n-2).
@@ -237,10 +200,23 @@ void move_coordinates(const TaylorTable &table, double u, Motion &motion) {
       value = value * u + coefficient;
       slope = slope * u + factors.order[n] * coefficient;
     }
-    const Pair first = pair(table.of_order(1) + j);
-    store(pair(motion.y.data() + j) + u * (first + u * value), motion.y.data() + j);
-    store(pair(motion.dy.data() + j) + (u / table.length) * slope, motion.dy.data() + j);
+    const TwofoldPair y{pair(motion.y.data() + j), pair(motion.y_low.data() + j)},
+        dy{pair(motion.dy.data() + j), pair(motion.dy_low.data() + j)};
+    const TwofoldPair travel = exact_product(dy.value, Pair{} + tau);
+    const TwofoldPair sum = exact_sum(y.value, travel.value),
+                      moved = exact_sum(sum.value, sum.low + ((u * u) * value + tau * dy.low +
+                                                              travel.low + y.low)),
+                      changed = dy + (u / table.length) * slope;
+    store(moved.value, motion.y.data() + j);
+    store(moved.low, motion.y_low.data() + j);
+    store(changed.value, motion.dy.data() + j);
+    store(changed.low, motion.dy_low.data() + j);
+    for (Index i = 0; i < 2 && by_deviation; ++i)
+      if (moves_by_deviation(motion, j + i, clock.omega, tau))
+        move_by_deviation(motion, j + i, {{y.value[i], y.low[i]}, {dy.value[i], dy.low[i]}, turn},
+                          clock.omega, tau, 0.0);
   }
+  tie_decays(motion);
 }
 
 }  // namespace vibro_impact::detail

@@ -48,25 +48,14 @@ struct TaylorTable {
 // The table of the motion over a step, by the recurrence (4).
 void expand(const Motion &motion, const Step &step, double omega, bool forced, TaylorTable &table);
 
-// The table of the response to a unit jump of the gap speed at a contact.
-void expand_impulse(const ContactMode &mode, const Contact &contact, const Step &step,
-                    TaylorTable &table);
-
 // sum_j row_j y_j[n] of the orders n = 0, ..., last.
 void sum_row(const TaylorTable &table, const PerCoordinate &row, int last, Terms &sums);
 
 // (3) of a contact along the step, by (5).
 void read_along(const TaylorTable &table, const Contact &contact, Polynomial &polynomial);
 
-// Sets the coefficients of (3) below the rounding of the modal coordinates to zero. The true motion
-// of a mass is smaller than this rounding while motion has yet to pass along the chain to the mass.
-// `moduli` is scratch.
-void drop_rounding(const Motion &motion, double omega, const TaylorTable &table,
-                   const Contact &contact, TaylorTable &moduli, Polynomial &polynomial);
-
-// Moves the coordinates to u of the step by (6): changes are added up, because the coordinates
-// themselves would be rounded alike in each of many steps of one length. The clock is left to the
-// caller.
-void move_coordinates(const TaylorTable &table, double u, Motion &motion);
+// Moves motion and clock to u of the step by (6). The first-order change tau y' is added exactly,
+// in twice the precision, so that a gap errs by the rounding of its second-order change only.
+void move_coordinates(const TaylorTable &table, double u, const Clock &clock, Motion &motion);
 
 }  // namespace vibro_impact::detail

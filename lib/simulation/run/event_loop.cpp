@@ -7,6 +7,7 @@
 #include "observers.hpp"
 #include "simulation/chain/pair.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/flight/quiet_flight.hpp"
 #include "simulation/stops/impact.hpp"
 
 namespace vibro_impact::detail {
@@ -23,40 +24,38 @@ Step make_step(Run &run, double length, double rate) {
   return step;
 }
 
-// Finds the limit of the chatter under way and the state there, in scratch.limit, with the step to
-// it. Returns false when the limit is not accurate enough, when another contact may come to zero
-// before it, or when a mass hit is not pressed against its stop there. The errors of the time of
-// the limit (in the unit of time of the impacts) and of the state add up to at most the tolerance.
-bool find_limit(Run &run, Step &step) {
+// Finds the limit of the chatter under way and sets the state there, in scratch.limit. Returns
+// false when the limit is not accurate enough, when another contact may come to zero before it, or
+// when a mass hit is not pressed against its stop there. The errors of the time of the limit (in
+// the unit of time of the impacts) and of the state add up to at most the tolerance.
+bool find_limit(Run &run) {
   const Chatter &chatter = run.chatter;
   const RunOptions &options = run.problem.options;
   const ContactMode &mode = *run.motion.mode;
-  Scratch &scratch = run.scratch;
-  // The closing speed of the next impact may be a little above the latest rebound speed.
-  for (const std::size_t k : chatter.contacts)
-    if (!(next_speed_factor * speed_of(run.stops[mode.contacts[k].stop]) < options.resolve_chatter))
-      return false;
+  LimitState &state = run.scratch.limit;
   double unit = 0.0;
-  for (const std::size_t k : chatter.contacts)
-    unit = std::max(unit, unit_of_time(mode, run.stops[mode.contacts[k].stop]));
-  // The rate of the step. A free fall has none, and its unit is the time left to the limit, to
-  // leading order.
-  const double rate = mode.falls ? (1.0 - chatter.restitution) / chatter.flight_time : mode.fastest;
+  for (const std::size_t k : chatter.contacts) {
+    const StopState &stop = run.stops[mode.contacts[k].stop];
+    // The closing speed of the next impact may be a little above the latest rebound speed.
+    const double speed = speed_at_stop(stop).value_or(0.0);
+    if (!(next_speed_factor * speed < options.resolve_chatter)) return false;
+    unit = std::max(unit, unit_of_time(mode, stop));
+  }
   // The impact speed falls to a third over 1 / (1 - r) impacts and has the rounding of these.
   const double tolerance =
       options.chatter_tolerance + 4.0 * impact_rounding / std::sqrt(1.0 - chatter.restitution);
   const auto limit = extrapolate_limit(chatter, tolerance * unit);
-  if (!limit || !(limit->time_left * rate <= max_step_radians)) return false;
-  if (!others_stay_out_of_reach(chatter, run.motion, run.stops, run.problem.clock.omega,
-                                limit->time_left, scratch.limit))
+  if (!limit || (!mode.falls && !(limit->time_left * mode.fastest <= max_step_radians)))
     return false;
-  step = make_step(run, limit->time_left, rate);
-  set_limit_state(chatter, *limit, step, run.problem.clock, run.problem.forced, run.motion,
-                  run.stops, scratch.limit);
-  if (limit->error / unit + scratch.limit.error > tolerance) return false;
-  for (const std::size_t k : chatter.contacts)  // not pressed: a border orbit or beyond
-    if (!(pressing_force(run.scene(), mode.contacts[k], scratch.limit.motion) > 0.0)) return false;
-  return true;
+  if (!others_stay_out_of_reach(chatter, run.motion, run.stops, run.problem.clock.omega,
+                                limit->time_left, state))
+    return false;
+  set_limit_state(chatter, *limit, run.problem.clock, run.motion, run.stops, state);
+  if (limit->error / unit + state.error > tolerance) return false;
+  // A mass that is not pressed is on a border orbit or beyond.
+  return std::all_of(chatter.contacts.begin(), chatter.contacts.end(), [&](std::size_t k) {
+    return pressing_force(run.scene(), mode.contacts[k], state.motion, 0.0) > 0.0;
+  });
 }
 
 // Advances a copy of the run through the impacts before the limit, for samples and an end there. A
@@ -79,9 +78,8 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
 // Moves the run to the limit of a chatter whose latest impact is a node of its table, if the limit
 // is found.
 void take_limit(Run &run, Recorders recorders) {
-  Step step;
   if (run.progress.over || run.progress.inside_chatter || !run.chatter.stands_at_node() ||
-      !find_limit(run, step))
+      !find_limit(run))
     return;
   const Instant limit = run.scratch.limit.motion.now;
   if (run.progress.end < limit || next_sample(recorders) <= time_of(limit, run.problem.clock)) {
@@ -90,12 +88,10 @@ void take_limit(Run &run, Recorders recorders) {
   }
   std::swap(run.motion, run.scratch.limit.motion);
   std::swap(run.stops, run.scratch.limit.stops);
-  end(run.chatter);
+  end_chatter(run.chatter);
   run.hint = {};
   ++run.counters.chatter_limits;
-  run.scratch.hits.clear();
-  run.scratch.roots.clear();
-  hold_or_release(run, recorders);
+  hold_or_release(run, {}, recorders);
 }
 
 void give_up_beyond_range(Run &run, const Instant &instant) {
@@ -124,6 +120,12 @@ Step plan_step(Run &run) {
   return make_step(run, length, rate);
 }
 
+void fly_to(const Instant &instant, const Clock &clock, Motion &motion,
+            std::vector<StopState> &stops) {
+  fly(motion, clock, instant);
+  forget_instant(stops);
+}
+
 // Sets scratch.sampled to the motion at `instant`, `tau` after the motion of the run: along the
 // step in scratch.flight, or in closed form on a flight without events.
 void set_sampled(Run &run, const Instant &instant, double tau, bool in_closed_form) {
@@ -132,7 +134,7 @@ void set_sampled(Run &run, const Instant &instant, double tau, bool in_closed_fo
   scratch.sampled = run.motion;
   scratch.sampled_stops = run.stops;
   if (in_closed_form)
-    fly_along(instant, clock, scratch.sampled, scratch.sampled_stops, scratch.change);
+    fly_to(instant, clock, scratch.sampled, scratch.sampled_stops);
   else
     move_along(scratch.flight, tau / scratch.flight.step.length, clock, scratch.sampled,
                scratch.sampled_stops);
@@ -189,7 +191,7 @@ bool fly_quietly(Run &run, double remaining, Recorders recorders) {
   const double tau = time_until(run.motion, target, clock);
   sample(run, tau, true, recorders);
   if (run.progress.over) return true;
-  fly_along(target, clock, run.motion, run.stops, run.scratch.change);
+  fly_to(target, clock, run.motion, run.stops);
   run.chatter.since += tau;
   return true;
 }
@@ -210,7 +212,7 @@ void run_step(Run &run, Recorders recorders) {
   move_along(flight, flight.u, clock, run.motion, run.stops);
   run.chatter.since += tau;
   run.hint = {.quiet = !flight.any_near || (run.motion.mode->drift >= 0 && !flight.event)};
-  if (!flight.event) return;
+  if (!flight.event) return let_dead_coordinates_follow(run.motion, clock.omega);
   handle_instant(run, recorders);
   take_limit(run, recorders);
 }

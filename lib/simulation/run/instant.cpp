@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "impact_budget.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chain/tolerances.hpp"
@@ -22,6 +23,21 @@ void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
     stop_run(run, Ending::stopped);
 }
 
+// The gap of a contact in the initial state.
+Gap start_gap(const Scene &scene, const Contact &contact, const MotionState &state) {
+  const double position = scene.stops[contact.stop].position;
+  return {contact.sigma * (position - state.displacement[contact.mass]),
+          -contact.sigma * state.velocity[contact.mass]};
+}
+
+// Sets scratch.gaps to the gaps before a mode change, at the stops that have a contact.
+void set_gaps(Run &run) {
+  std::vector<std::optional<Gap>> &gaps = run.scratch.gaps;
+  gaps.assign(run.stops.size(), std::nullopt);
+  for (const Contact &contact : run.motion.mode->contacts)
+    gaps[contact.stop] = gap_of(contact, run.stops[contact.stop], run.motion);
+}
+
 // Enters the contact mode state.held. At the start of a run `state` is exact and gives the modal
 // coordinates; later the coordinates of the mode before give them.
 void enter_mode(Run &run, const MotionState &state, bool at_start) {
@@ -33,62 +49,38 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
   }
   if (at_start) {
     express(run.scene(), state, mode, run.problem.clock, run.scratch.chain, run.motion);
-    return;
+  } else {
+    set_gaps(run);
+    change_mode(mode, run.scratch.chain, run.motion);
   }
-  change_mode(mode, run.scratch.chain, run.motion);
-  for (const Contact &contact : mode.contacts)
-    if (const auto *flight = std::get_if<InFlight>(&run.stops[contact.stop].contact);
-        flight != nullptr && !contact.held && !is_resolved(contact, run.motion))
-      place(contact, *flight, run.motion);  // a small gap is more accurate as carried
-}
-
-// True when the impacts at this instant continue a chatter of so many impacts that the budget would
-// end the run before the limit. They do not count while two nodes of the chatter table are at most
-// ten budgets of impacts apart. With the default budget of 1e6 this holds up to r = 0.9999999.
-bool continues_slow_chatter(const Run &run) {
-  const Chatter &chatter = run.chatter;
-  const long long budget = run.problem.options.max_impacts_per_period;
-  return chatter.stride >= slow_chatter_stride && chatter.under_way() &&
-         chatter.stride / longest_stride <= static_cast<std::size_t>(budget) &&
-         run.scratch.hits == chatter.contacts;
-}
-
-// Counts an impact at this closing speed, and gives the run up when there are too many.
-void count_impact(Run &run, StopState &stop, double speed) {
-  ++run.counters.impacts;
-  const bool falls = speed < stop.last_speed;
-  if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
-  stop.falling = falls ? stop.falling + 1 : 0;
-  stop.last_speed = speed;
-  const double flight = elapsed(stop.left, run.motion.now, run.problem.clock);
-  stop.duration = std::max(falls ? stop.duration : 0.0, flight);
-  stop.left = run.motion.now;
-  if (run.progress.inside_chatter || continues_slow_chatter(run)) return;
-  ImpactBudget &budget = run.budget;
-  if (!(elapsed(budget.start, run.motion.now, run.problem.clock) <= budget.window)) {
-    budget.start = run.motion.now;
-    budget.impacts = 0;
+  // A small gap is more accurate than the coordinates of the new mode.
+  std::vector<const Contact *> &placed = run.scratch.placed;
+  placed.clear();
+  const auto gap_before = [&](const Contact &contact) {
+    return at_start ? start_gap(run.scene(), contact, state) : run.scratch.gaps[contact.stop];
+  };
+  for (const Contact &contact : mode.contacts) {
+    const std::optional<Gap> gap = gap_before(contact);
+    if (!gap || contact.held || is_resolved(contact, run.motion)) continue;
+    place(contact, *gap, run.motion);
+    placed.push_back(&contact);
   }
-  const long long most = run.problem.options.max_impacts_per_period;
-  if (++budget.impacts > most)
-    stop_run(run, Ending::given_up,
-             line("more than ", most, " impacts in one period, given up at t = ",
-                  time_of(run.motion.now, run.problem.clock)));
+  for (const Contact *contact : placed)
+    if (placed.size() > 1) place_alone(*contact, gap_before(*contact)->value, run.motion);
 }
 
 // Applies the impacts at the contacts hit, then reports them. Simultaneous impacts act on different
 // masses, so that their order matters to rounding only. A mass comes to rest at once when the time
 // left to the limit of its chatter, or its rebound speed, lies below rounding.
-void apply_impacts(Run &run, Recorders recorders) {
+void apply_impacts(Run &run, std::span<const std::size_t> hits, Recorders recorders) {
   Motion &motion = run.motion;
   const ContactMode &mode = *motion.mode;
-  const std::vector<std::size_t> &hits = run.scratch.hits;
   run.scratch.flight_times.clear();
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
     StopState &stop = run.stops[contact.stop];
-    const double closing = std::max(0.0, -speed_of(stop));
-    count_impact(run, stop, closing);
+    const double closing = std::max(0.0, -speed_at_stop(stop).value_or(0.0));
+    count_impact(run, hits, stop, closing);
     const ImpactLaw law = law_of(run.scene(), run.scene().stops[contact.stop]);
     leave_stop(contact, law.after(closing), motion, run.stops);
   }
@@ -96,13 +88,13 @@ void apply_impacts(Run &run, Recorders recorders) {
     const Contact &contact = mode.contacts[k];
     const StopState &stop = run.stops[contact.stop];
     report_event(run, EventKind::impact, contact.stop,
-                 {contact.sigma * stop.last_speed, -contact.sigma * speed_of(stop)}, false,
+                 {contact.sigma * stop.last_speed, -contact.sigma * *speed_at_stop(stop)}, false,
                  recorders);
   }
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
     StopState &stop = run.stops[contact.stop];
-    const double speed = speed_of(stop);
+    const double speed = *speed_at_stop(stop);
     run.scratch.flight_times.push_back(next_flight(run.scene(), contact, speed, motion));
     if (!(speed > 0.0)) continue;
     const double time_left = run.scratch.flight_times.back() / (1.0 - contact.restitution);
@@ -115,9 +107,9 @@ void apply_impacts(Run &run, Recorders recorders) {
 }
 
 // True when a neighbour has an impact and the damper between them passes on the jump of its speed.
-bool is_pushed(const Run &run, std::size_t mass) {
+bool is_pushed(const Run &run, std::span<const std::size_t> hits, std::size_t mass) {
   if (!(run.scene().beta > 0.0)) return false;
-  return std::any_of(run.scratch.hits.begin(), run.scratch.hits.end(), [&](std::size_t hit) {
+  return std::any_of(hits.begin(), hits.end(), [&](std::size_t hit) {
     const Contact &contact = run.motion.mode->contacts[hit];
     return (contact.mass + 1 == mass || mass + 1 == contact.mass) &&
            !is_negligible(contact, run.stops[contact.stop].last_speed, run.motion);
@@ -128,17 +120,17 @@ bool is_pushed(const Run &run, std::size_t mass) {
 // question. A held mass is in question when its force is zero at this instant, when its force was
 // decided at this instant before, when its decision was postponed, or when the force has jumped to
 // a value that is small or negative. At the start of a run every held mass is in question.
-void gather_resting(Run &run, bool at_start) {
-  const std::vector<std::size_t> &roots = run.scratch.roots;
+void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) {
+  const std::span<const std::size_t> roots = contacts.roots;
   std::vector<RestingMass> &masses = run.scratch.rest.masses;
   masses.clear();
   for (std::size_t k = 0; k < run.motion.mode->contacts.size(); ++k) {
     const Contact &contact = run.motion.mode->contacts[k];
     const StopState &stop = run.stops[contact.stop];
     const DecidedForce *decided = decided_force(stop);
-    if (!contact.held && !(gap_of(stop) == 0.0 && speed_of(stop) == 0.0)) continue;
+    if (!contact.held && !is_at_rest(stop) && speed_at_stop(stop) != 0.0) continue;
     const bool root = std::find(roots.begin(), roots.end(), k) != roots.end();
-    const bool pushed = is_pushed(run, contact.mass);
+    const bool pushed = is_pushed(run, contacts.hits, contact.mass);
     const bool in_question = !contact.held || at_start || root || decided != nullptr ||
                              is_postponed(stop) || (pushed && !is_resolved(contact, run.motion));
     if (!in_question) continue;
@@ -156,22 +148,21 @@ void gather_resting(Run &run, bool at_start) {
 void set_stops(Run &run, const RestingMass &mass) {
   const std::vector<Stop> &stops = run.scene().stops;
   StopState &stop = run.stops[mass.stop];
-  stop.contact = AtRest{mass.force};
+  stop.contact = AtRest{.decided = mass.force, .released = !mass.held && !mass.force.none};
   if (mass.held == mass.was_held) return;
   stop.changed = stop.left = run.motion.now;
   stop.falling = 0;
   stop.last_speed = 0.0;
   for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
     if (k != mass.stop && stops[k].mass == stops[mass.stop].mass)
-      run.stops[k] = {.contact = InFlight{std::abs(stops[k].position - stops[mass.stop].position)},
-                      .left = run.motion.now};
+      run.stops[k] = {.left = run.motion.now};
 }
 
 // Adds the impacts of this instant to the chatter that they continue or begin, and sets the step
 // hint to the longest flight expected after them. The chatter ends at an instant without impacts,
 // with a mass left at rest, or with another contact mode than `previous_mode`.
-void follow_chatter(Run &run, const ContactMode &previous_mode) {
-  const std::vector<std::size_t> &hits = run.scratch.hits;
+void follow_chatter(Run &run, const std::vector<std::size_t> &hits,
+                    const ContactMode &previous_mode) {
   const ContactMode &mode = *run.motion.mode;
   std::vector<double> &jumps = run.scratch.jumps;
   jumps.clear();
@@ -180,23 +171,23 @@ void follow_chatter(Run &run, const ContactMode &previous_mode) {
   for (std::size_t i = 0; i < hits.size() && leaving; ++i) {
     const Contact &contact = mode.contacts[hits[i]];
     const StopState &stop = run.stops[contact.stop];
-    const double speed = speed_of(stop);
+    const double speed = *speed_at_stop(stop);
     leaving = speed > 0.0;
     jumps.push_back(stop.last_speed + speed);
     flight_time = std::max(flight_time, run.scratch.flight_times[i]);
   }
-  if (!leaving) return end(run.chatter);
+  if (!leaving) return end_chatter(run.chatter);
   run.hint.flight_time = flight_time;
   Chatter &chatter = run.chatter;
   if (!(chatter.under_way() && flight_time < chatter.flight_time && hits == chatter.contacts)) {
-    end(chatter);
+    end_chatter(chatter);
     const double r = mode.contacts[hits[0]].restitution;
     // With r = 0 one impact stops the mass, and with r = 1 the impacts have no limit. A chatter
     // begins once a flight takes less than a radian of the fastest rate.
     if (!(r > 0.0 && r < 1.0 && (mode.falls || flight_time * mode.fastest < 1.0))) return;
-    begin(chatter, hits, r);
+    begin_chatter(chatter, hits, r);
   }
-  if (add_impact(chatter, flight_time, jumps)) ++run.counters.chatter_nodes;
+  if (add_impact(chatter, flight_time, jumps, run.motion)) ++run.counters.chatter_nodes;
 }
 
 }  // namespace
@@ -208,8 +199,9 @@ void stop_run(Run &run, Ending ending, std::string reason) {
   run.progress.reason = std::move(reason);
 }
 
-void hold_or_release(Run &run, Recorders recorders, bool at_start) {
-  gather_resting(run, at_start);
+void hold_or_release(Run &run, const ContactsOfInstant &contacts, Recorders recorders,
+                     bool at_start) {
+  gather_resting(run, contacts, at_start);
   RestDecision &rest = run.scratch.rest;
   if (rest.masses.empty()) return;
   MotionState &state = run.scratch.state;
@@ -251,9 +243,9 @@ void handle_instant(Run &run, Recorders recorders) {
   for (std::size_t k = 0; k < mode.contacts.size(); ++k)
     if (scratch.flight.approaches[k].root)
       (mode.contacts[k].held ? scratch.roots : scratch.hits).push_back(k);
-  apply_impacts(run, recorders);
-  hold_or_release(run, recorders);
-  follow_chatter(run, mode);
+  apply_impacts(run, scratch.hits, recorders);
+  hold_or_release(run, {scratch.hits, scratch.roots}, recorders);
+  follow_chatter(run, scratch.hits, mode);
 }
 
 void handle_start(Run &run, Recorders recorders) {
@@ -266,29 +258,25 @@ void handle_start(Run &run, Recorders recorders) {
   run.stops.resize(stops.size());
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const auto i = static_cast<std::size_t>(stops[k].mass - 1);
-    const double sigma = sign(stops[k].side);
     run.stops[k].left = state.instant;
-    if (state.held[i] == static_cast<signed char>(stops[k].side))
-      run.stops[k].contact = AtRest{};
-    else
-      run.stops[k].contact =
-          InFlight{sigma * (stops[k].position - state.displacement[i]), -sigma * state.velocity[i]};
+    if (state.held[i] == static_cast<signed char>(stops[k].side)) run.stops[k].contact = AtRest{};
   }
   const ContactMode &mode = *run.motion.mode;
   scratch.hits.clear();
-  scratch.roots.clear();
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    const StopState &stop = run.stops[mode.contacts[k].stop];
-    if (!mode.contacts[k].held && gap_of(stop) == 0.0 && speed_of(stop) < 0.0)
-      scratch.hits.push_back(k);
+    const Contact &contact = mode.contacts[k];
+    const Gap gap = start_gap(run.scene(), contact, state);
+    if (contact.held || gap.value != 0.0) continue;
+    run.stops[contact.stop].contact = InFlight{gap.speed};
+    if (gap.speed < 0.0) scratch.hits.push_back(k);
   }
-  apply_impacts(run, recorders);
+  apply_impacts(run, scratch.hits, recorders);
   for (const std::size_t k : scratch.hits) {
     const Contact &contact = mode.contacts[k];
-    state.velocity[contact.mass] = -contact.sigma * speed_of(run.stops[contact.stop]);
+    state.velocity[contact.mass] = -contact.sigma * *speed_at_stop(run.stops[contact.stop]);
   }
-  hold_or_release(run, recorders, true);
-  follow_chatter(run, mode);
+  hold_or_release(run, {.hits = scratch.hits}, recorders, true);
+  follow_chatter(run, scratch.hits, mode);
 }
 
 }  // namespace vibro_impact::detail

@@ -6,6 +6,11 @@
 
 namespace vibro_impact::detail {
 
+// Contacts of the mode with an impact, or with a root of the hold force, at one instant.
+struct ContactsOfInstant {
+  std::span<const std::size_t> hits = {}, roots = {};
+};
+
 // Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
@@ -17,8 +22,8 @@ void handle_instant(Run &run, Recorders recorders);
 void handle_start(Run &run, Recorders recorders);
 
 // Decides which masses stick after this instant, for all masses in question together, and enters
-// the contact mode that follows. The caller has set scratch.hits and scratch.roots to the contacts
-// of this instant. At the start of a run it has set scratch.state to the exact initial state.
-void hold_or_release(Run &run, Recorders recorders, bool at_start = false);
+// the contact mode that follows. At the start of a run scratch.state is the exact initial state.
+void hold_or_release(Run &run, const ContactsOfInstant &contacts, Recorders recorders,
+                     bool at_start = false);
 
 }  // namespace vibro_impact::detail

@@ -11,6 +11,7 @@
 
 #include "simulation/chain/mode_change.hpp"
 #include "simulation/chatter/limit.hpp"
+#include "simulation/flight/first_event.hpp"
 #include "simulation/stops/rest.hpp"
 #include "vibro_impact/simulate.hpp"
 
@@ -56,11 +57,12 @@ struct Scratch {
   Flight flight;
   LimitState limit;
   RestDecision rest;
-  PerCoordinate change;
   ChainMotion chain;
+  std::vector<std::optional<Gap>> gaps;  // one for each stop, before a mode change
   Motion sampled;                        // the motion at a sample or at the end of a call,
   std::vector<StopState> sampled_stops;  // with the stops
-  // Contacts of the mode with an impact, or with a root of the hold force, at this instant.
+  std::vector<const Contact *> placed;   // in the new mode
+  // Storage of ContactsOfInstant.
   std::vector<std::size_t> hits, roots;
   // For each hit the expected time of the flight after it, and the jump of the gap speed.
   std::vector<double> flight_times, jumps;

@@ -8,12 +8,8 @@
 
 namespace vibro_impact::detail {
 
-// Changes the coordinates so that (3) gives the gap and the gap speed of `flight`, which are known
-// more accurately than from the coordinates.
-void place(const Contact &contact, const InFlight &flight, Motion &motion);
-
 // Sets the gap of the contact to exactly 0 and its gap speed to `speed`, in the coordinates and in
-// the state of the stop. The gap speed of the opposite stop of this mass is then -speed.
+// the state of the stop.
 void leave_stop(const Contact &contact, double speed, Motion &motion,
                 std::vector<StopState> &stops);
 

@@ -24,14 +24,15 @@ std::size_t index_of(const Stop &stop) {
 }  // namespace
 
 // The force of springs and dampers on a mass, in one order.
-RestDecision::Sum RestDecision::force_on(const Scene &scene, std::size_t mass, double rate) const {
+RestDecision::Bounded RestDecision::force_on(const Scene &scene, std::size_t mass,
+                                             double rate) const {
   const std::size_t n = scene.mass.size();
   const Real damping = static_cast<Real>(scene.beta) * rate;
-  Sum sum;
+  Bounded sum;
   const auto add = [&](std::size_t spring, Real sign) {
-    const Springs &force = current_.force, &slope = current_.rate;
-    sum.value += sign * (force.value[spring] + damping * slope.value[spring]);
-    sum.error += force.error[spring] + damping * slope.error[spring];
+    const Bounded &force = current_.force[spring], &slope = current_.rate[spring];
+    sum.value += sign * (force.value + damping * slope.value);
+    sum.error += force.error + damping * slope.error;
   };
   add(mass, -1.0);
   if (mass + 1 < n) add(mass + 1, 1.0);
@@ -47,26 +48,27 @@ std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, doub
   const std::array<double, 5> cosine{c, -s, -c, s, c};  // and its derivatives
   Real power = 1.0;                                     // (Omega / rate)^order
   current_ = start_;
-  std::size_t left = masses.size();
+  std::size_t left = 0;
+  for (const RestingMass &mass : masses) left += kind_[mass.mass] == Kind::undecided;
   for (int order = 0; left > 0 && order < 2 * static_cast<int>(n) + 4; ++order) {
     // The sine is minus the derivative of the cosine.
     const auto phase_order = static_cast<std::size_t>(order % 4);
     const ForcingFactors forcing{cosine[phase_order], -cosine[phase_order + 1], 0.0};
     const auto total_force = [&](std::size_t i) {
-      Sum force = force_on(scene, i, rate);
+      Bounded force = force_on(scene, i, rate);
       force.value += power * external_force(scene, i, forcing);
       if (order == 0) force.value += entry_of(scene.constant, i);
       return force;
     };
-    const auto acceleration = [&](std::size_t i, const Sum &force) {
+    const auto acceleration = [&](std::size_t i, const Bounded &force) {
       const Real inertia = static_cast<Real>(scene.mass[i]) * rate * rate;
-      return Sum{force.value / inertia, force.error / inertia};
+      return Bounded{force.value / inertia, force.error / inertia};
     };
     for (std::size_t i = 0; i < n; ++i)
-      acceleration_[i] = kind_[i] == Kind::moving ? acceleration(i, total_force(i)) : Sum{};
+      acceleration_[i] = kind_[i] == Kind::moving ? acceleration(i, total_force(i)) : Bounded{};
     for (RestingMass &mass : masses) {
       if (kind_[mass.mass] != Kind::undecided) continue;
-      const Sum force = total_force(mass.mass);
+      const Bounded force = total_force(mass.mass);
       if ((order == 0 && mass.force_is_zero) || std::abs(force.value) <= force.error) continue;
       mass.held = mass.sigma * force.value > 0.0;
       mass.force = {.zeros = order};
@@ -76,13 +78,13 @@ std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, doub
     }
     // F and F' become F' and F''.
     std::swap(current_.force, current_.rate);
-    const auto set_second = [&](std::size_t spring, const Sum &right, const Sum &below) {
+    const auto set_second = [&](std::size_t spring, const Bounded &after, const Bounded &before) {
       const Real stiffness = stiffness_of(scene, spring);
-      current_.rate.value[spring] = stiffness * (right.value - below.value);
-      current_.rate.error[spring] = stiffness * (right.error + below.error);
+      current_.rate[spring] = {stiffness * (after.value - before.value),
+                               stiffness * (after.error + before.error)};
     };
     for (std::size_t i = 0; i < n; ++i) {
-      set_second(i, acceleration_[i], i > 0 ? acceleration_[i - 1] : Sum{});
+      set_second(i, acceleration_[i], i > 0 ? acceleration_[i - 1] : Bounded{});
       if (!scene.ground.empty()) set_second(n + i, acceleration_[i], {});
     }
     power *= static_cast<Real>(scene.omega) / rate;
@@ -100,10 +102,8 @@ void RestDecision::set_kinds(const Scene &scene, const Held &held) {
     mass.held = false;
     mass.force = {.none = true};
   }
-  for (Springs *numbers : {&start_.force, &start_.rate}) {
-    numbers->value.resize(springs);
-    numbers->error.assign(springs, 0.0);
-  }
+  start_.force.resize(springs);
+  start_.rate.resize(springs);
 }
 
 // Sets the forces of link i, and of the spring of mass i to the ground, from the positions and
@@ -112,9 +112,8 @@ void RestDecision::set_exact_link(const Scene &scene, std::size_t i, double rate
                                   double v_before, double x, double v) {
   const auto set = [&](std::size_t spring, double stretch, double speed) {
     const Real stiffness = stiffness_of(scene, spring);
-    start_.force.value[spring] = stiffness * stretch;
-    start_.rate.value[spring] = stiffness * speed / rate;
-    start_.force.error[spring] = start_.rate.error[spring] = 0.0;
+    start_.force[spring] = {stiffness * stretch, 0.0};
+    start_.rate[spring] = {stiffness * speed / rate, 0.0};
   };
   // Differences first: a neighbour at the same position exerts no force at all.
   set(i, x - x_before, v - v_before);
@@ -124,8 +123,8 @@ void RestDecision::set_exact_link(const Scene &scene, std::size_t i, double rate
 void RestDecision::decide_from_start(const Scene &scene, double phase, double rate) {
   if (decide_by_order(scene, phase, rate) == 0) return;
   // Forces within their error bounds in all orders are decided by their rounded values.
-  std::fill(start_.force.error.begin(), start_.force.error.end(), 0.0);
-  std::fill(start_.rate.error.begin(), start_.rate.error.end(), 0.0);
+  for (std::vector<Bounded> *numbers : {&start_.force, &start_.rate})
+    for (Bounded &number : *numbers) number.error = 0.0;
   decide_by_order(scene, phase, rate);
 }
 
@@ -143,13 +142,11 @@ void RestDecision::decide(const Scene &scene, const Held &held, const ChainMotio
   set_kinds(scene, held);
   const Real error = row_rounding * chain.tension.norm(),
              rate_error = row_rounding * chain.tension_rate.norm() / rate;
-  for (std::size_t i = 0; i < start_.force.value.size(); ++i) {
+  for (std::size_t i = 0; i < start_.force.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const Real root = std::sqrt(stiffness_of(scene, i));
-    start_.force.value[i] = root * chain.tension(row);
-    start_.force.error[i] = root * error;
-    start_.rate.value[i] = root * chain.tension_rate(row) / rate;
-    start_.rate.error[i] = root * rate_error;
+    start_.force[i] = {root * chain.tension(row), root * error};
+    start_.rate[i] = {root * chain.tension_rate(row) / rate, root * rate_error};
   }
   // Links between masses at rest are exact.
   positions_.assign(held.size(), 0.0);

@@ -41,20 +41,17 @@ class RestDecision {
   // Derivatives of order n are carried in units of rate^n. Their range is that of the power: beside
   // a link of 1e9, those of mass 36 differ by more than a double can hold.
   using Real = long double;
-  // A number for each spring (a link, or below the links a spring to the ground), with a bound of
-  // its error.
-  struct Springs {
-    std::vector<Real> value, error;
-  };
-  // The forces k_i (x_i - x_(i-1)) of the springs, and their next derivative.
-  struct Forces {
-    Springs force, rate;
-  };
-  struct Sum {
+  // A number with a bound of its error.
+  struct Bounded {
     Real value = 0.0, error = 0.0;
   };
-  Forces start_, current_;
-  std::vector<Sum> acceleration_;
+  // The forces k_i (x_i - x_(i-1)) of the links, below them those of the springs to the ground, and
+  // their next derivative.
+  struct SpringForces {
+    std::vector<Bounded> force, rate;
+  };
+  SpringForces start_, current_;
+  std::vector<Bounded> acceleration_;
   std::vector<Kind> kind_;
   std::vector<double> positions_;
 
@@ -63,7 +60,7 @@ class RestDecision {
                       double v_before, double x, double v);
   void decide_from_start(const Scene &scene, double phase, double rate);
   std::size_t decide_by_order(const Scene &scene, double phase, double rate);
-  Sum force_on(const Scene &scene, std::size_t mass, double rate) const;
+  Bounded force_on(const Scene &scene, std::size_t mass, double rate) const;
 };
 
 }  // namespace vibro_impact::detail
