@@ -2,6 +2,7 @@
 // digits at critical damping and in resonance.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -63,6 +64,7 @@ struct ModeMotion {
   Real rest;           // where the pull alone takes it
   Complex steady = 0;  // response to the forcing; not split off where that is next to a resonance
   Place free;          // what moves about these
+  Place start;         // of the flight
 
   ModeMotion(const Scene &scene, Real lambda_of_mode, Complex force, Real constant, Real phase,
              Place from)
@@ -72,7 +74,8 @@ struct ModeMotion {
         drive(std::polar<Real>(1, omega * phase) * force),
         pull(constant),
         rest(lambda > 0 ? pull / lambda : 0),
-        free{from.at - rest, from.speed} {
+        free{from.at - rest, from.speed},
+        start(from) {
     const Complex detuning(lambda - omega * omega, kappa * omega);
     if (lambda == 0 || std::abs(detuning) < 0.01L * (lambda + omega * omega)) return;
     steady = drive / detuning;
@@ -80,7 +83,32 @@ struct ModeMotion {
     free.speed -= (steady * Complex(0, omega)).real();
   }
 
+  // The Taylor series about the start. Where rates times t are small, the formulas of `after` would
+  // subtract responses that are many times the motion. For lambda t^2, kappa t and omega t below
+  // 0.01, the terms that are left out lie below rounding.
+  bool has_series(Real t) const {
+    return std::max({lambda * t * t, kappa * t, omega * t}) < 0.01L;
+  }
+  Place series(Real t) const {
+    Complex turning = drive;  // derivative of the forcing, over n!
+    Real derivative = start.speed, previous = start.at, power = 1;
+    Place sum = start;
+    for (int n = 0; n < 16; ++n) {  // coefficients of t^n and t^(n+1) give that of t^(n+2)
+      const Real next = (turning.real() + (n == 0 ? pull : 0) -
+                         kappa * static_cast<Real>(n + 1) * derivative - lambda * previous) /
+                        static_cast<Real>((n + 1) * (n + 2));
+      sum.speed += next * static_cast<Real>(n + 2) * power * t;
+      sum.at += n == 0 ? derivative * t + next * t * t : next * power * t * t;
+      turning *= Complex(0, omega) / static_cast<Real>(n + 1);
+      previous = derivative;
+      derivative = next;
+      power *= t;
+    }
+    return sum;
+  }
+
   Place after(Real t) const {
+    if (lambda > 0 && has_series(t)) return series(t);
     const Complex rate(0, omega);
     Complex at = 0, speed = 0;  // what the forcing does
     if (lambda == 0) {          // the rigid-body mode of a free chain, which nothing holds back

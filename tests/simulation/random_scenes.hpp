@@ -224,12 +224,14 @@ inline double rounding_of_forcing(const Scene &scene) {
 // Displacements are known to epsilon times the steady response, whose static bound this is: all
 // forces on a chain of all the links' compliances. Next to a resonance the response may be 32 times
 // as large before the library no longer splits it off. The rigid-body mode of a free chain has no
-// steady response.
-inline double rounding_of_steady_response(const Scene &scene) {
+// steady response. On soft links a force is followed by less: it moves the lightest mass by at most
+// F t^2 / m.
+inline double rounding_of_steady_response(const Scene &scene, double until) {
   double compliance = 0.0;
   for (const double k : scene.stiffness)
     if (k > 0.0) compliance += 1.0 / k;
-  return rounding_of_forcing(scene) * compliance;
+  const double lightest = *std::min_element(scene.mass.begin(), scene.mass.end());
+  return rounding_of_forcing(scene) * std::min(compliance, until * until / lightest);
 }
 
 // A scene of one of the distributions with a sine, a constant force and springs to the ground, on

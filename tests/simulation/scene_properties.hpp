@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "event_rules.hpp"
-#include "random_scenes.hpp"
+#include "wide_scenes.hpp"
 #include "witness.hpp"
 
 namespace vibro_impact::testing {
@@ -20,21 +20,24 @@ namespace vibro_impact::testing {
 // The state after every flight agrees in the energy norm, within a share of the motion and the
 // rounding of the phase over long flights. A free chain may be far from where it started, and one
 // at rest may be anywhere, with its links hardly stretched: positions are known to epsilon of their
-// size. A force is rounded as the largest of those in the chain.
-inline std::string seen_by_a_witness(const Scene &scene, double until, double share,
-                                     Witness &witness) {
+// size. A force is rounded as the largest of those in the chain. Displacements are at least of the
+// order of the unit of length.
+inline std::string seen_by_a_witness(const Trial &trial, double share, Witness &witness) {
+  const auto &[scene, until, units, completes] = trial;
   const Outcome outcome =
       simulate(scene, until, {.resolve_chatter = 0.0, .max_impacts_per_period = 1000}, witness);
   // If a run is given up, all properties hold up to its last event.
   if (outcome.ending == Ending::reached) witness.close(outcome.state);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double scale = std::max(1.0, witness.farthest()), rate = frequency_bound(scene);
+  const double scale = std::max(units.length, witness.farthest()), rate = frequency_bound(scene);
   // The rounding of a gap that is too small to be evaluated again adds up over its impacts, at
   // random.
   const double impacts = std::sqrt(static_cast<double>(outcome.counters.impacts));
-  const double displaced = 1e-12 * scale + (64.0 + impacts) * rounding_of_steady_response(scene),
-               pulled = 2e-11 * scale * rate + 4.0 * rounding_of_forcing(scene),
-               apart = (share + epsilon * rate * until) * witness.size() +
+  const double displaced =
+                   1e-12 * scale + (64.0 + impacts) * rounding_of_steady_response(scene, until),
+               pulled = 2e-11 * (scale / units.length) * (rate * units.time) * units.force +
+                        4.0 * rounding_of_forcing(scene),
+               apart = (share + epsilon * std::max(rate, scene.omega) * until) * witness.size() +
                        8.0 * epsilon * witness.stretch();
   const struct {
     const char *what;
@@ -56,6 +59,8 @@ inline Witness witness_of(const Scene &scene, double until) {
   return Witness(scene, std::max(0.1, until * frequency_bound(scene) / 1500.0));
 }
 
+// Whether a run may end at the limit of impacts, unless its scene says that it never does.
+//
 // This many impacts in one period are possible only if impacts lose almost no energy, if a
 // mass rattles in a small clearance or between neighbours that rattle too, or if a forcing
 // period is long against the motion: a chatter of some 60 impacts in each half period of the
@@ -136,8 +141,9 @@ inline std::string broken_by_a_mirror(const Run &run) {
 // Runs the scene, sampled and not, in two parts, mirrored, and before a witness. Where the parts
 // meet follows from `seed`: any time, or that of an event. `share`: of the motion, that a flight
 // may be off.
-inline Verdict try_scene(const Scene &scene, double until, long long most_impacts, double share,
-                         unsigned seed) {
+inline Verdict try_scene(const Trial &trial, long long most_impacts, double share, unsigned seed) {
+  const Scene &scene = trial.scene;
+  const double until = trial.until;
   RunOptions options;
   options.max_impacts_per_period = most_impacts;
   Verdict verdict;
@@ -149,8 +155,10 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   const auto require_that = [&verdict](const auto &property) {
     if (verdict.broken.empty()) verdict.broken = property();
   };
-  require_that(
-      [&] { return verdict.gave_up && !may_be_given_up(scene, most_impacts) ? "gave up" : ""; });
+  require_that([&] {
+    return verdict.gave_up && (trial.completes || !may_be_given_up(scene, most_impacts)) ? "gave up"
+                                                                                         : "";
+  });
   require_that([&] {
     for (const double x : outcome.state.displacement)
       if (!std::isfinite(x)) return "not finite";
@@ -165,7 +173,7 @@ inline Verdict try_scene(const Scene &scene, double until, long long most_impact
   require_that([&] { return broken_by_a_split(run, split, samples); });
   require_that([&] { return broken_by_a_mirror(run); });
   Witness witness = witness_of(scene, until);
-  require_that([&] { return seen_by_a_witness(scene, until, share, witness); });
+  require_that([&] { return seen_by_a_witness(trial, share, witness); });
   return verdict;
 }
 

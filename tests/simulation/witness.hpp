@@ -45,8 +45,8 @@ class Witness {
       note(off_the_stop, std::abs(gap(stop, flown_)));
       note(off_in_speed, std::abs(flown_.v(i) - event.velocity_before));
       flown_.v(i) = event.velocity_after;
-    } else if (event.kind == EventKind::stick) {
-      flown_.v(i) = 0;
+    } else if (event.kind == EventKind::stick) {  // its last speed counts as off
+      note(off_the_stop, std::abs(gap(stop, flown_)));
     } else if (!event.by_a_jump) {
       note(not_zero, std::abs(press(stop, flown_, event.instant.phase)));
     }
@@ -174,7 +174,9 @@ class Witness {
       return motion;
     }
   };
-  Flight take_off() {
+  // The steady response of a flight of length t counts at most with the energy that its forces give
+  // to a mode at rest.
+  Flight take_off(Real t) {
     auto known = modes_.find(held_);
     if (known == modes_.end()) known = modes_.emplace(held_, free_modes(scene_, held_)).first;
     const FreeModes &basis = known->second;
@@ -186,8 +188,10 @@ class Witness {
       flight.modes.emplace_back(scene_, lambda, Complex(basis.cosine(j), -basis.sine(j)),
                                 basis.pull(j), since_.phase, Place{q(j), v(j)});
       const ModeMotion &mode = flight.modes.back();
-      steady += std::max(lambda, mode.omega * mode.omega) * std::norm(mode.steady) / 2 +
-                lambda * mode.rest * mode.rest / 2;
+      const Real force = std::abs(mode.drive) + std::abs(mode.pull);
+      steady += std::min(std::max(lambda, mode.omega * mode.omega) * std::norm(mode.steady) / 2 +
+                             lambda * mode.rest * mode.rest / 2,
+                         force * t * force * t / 2);
     }
     steady_ = std::max(steady_, steady);
     return flight;
@@ -199,7 +203,7 @@ class Witness {
     const Real t = elapsed(since_, next, clock_);
     if (!(t > 0)) return;
     compare();
-    const Flight flight = take_off();
+    const Flight flight = take_off(t);
     const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
     const auto watched = [&](std::size_t k, const Motion &at, Real s) {
       const Stop &stop = scene_.stops[k];
