@@ -16,15 +16,14 @@ using namespace vibro_impact::figures;
 // the end of the sticking region (printed, Section 3.2).
 constexpr double lowest = 0.1, highest = 0.5;
 
-// Where a condition holds: from one frequency tried to another, and all between.
+// Adds a row for each run of neighbouring frequencies at which a condition holds.
 void add_strips(Table &table, const InferredFigure &figure, const std::vector<Trial> &trials) {
   for (std::size_t condition = 0; condition < figure.conditions.size(); ++condition)
     for (std::size_t i = 0; i < trials.size(); ++i) {
       if (!trials[i].met[condition]) continue;
       const double from = trials[i].omega;
       while (i + 1 < trials.size() && trials[i + 1].met[condition]) ++i;
-      table.row(figure.name, figure.conditions[condition], condition + 1, from,
-                trials[i].omega);
+      table.row(figure.name, figure.conditions[condition], condition + 1, from, trials[i].omega);
     }
 }
 

@@ -116,7 +116,7 @@ inline Chatter chatter_after(const std::vector<Event> &events, int mass, double 
   return {};
 }
 
-// What a plot cannot show: less than a thousandth of its ordinate.
+// A plot does not show a height below a thousandth of its ordinate.
 inline double invisible(const paper::AxisBox &box) {
   return (box.highest - box.lowest) / 1000.0;
 }

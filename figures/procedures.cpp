@@ -140,7 +140,8 @@ Table windows() {
 
 // --- Random starts ----------------------------------------------------------------------------
 
-// What a settled motion is known by: its period, its counts and the greatest speeds of the masses.
+// The numbers that identify a settled motion: its period, its counts and the greatest speeds of the
+// masses.
 bool same(const OrbitRecord &one, const OrbitRecord &other) {
   if (one.period == 0 || one.period != other.period || one.counts.sticks != other.counts.sticks ||
       one.counts.impacts != other.counts.impacts)

@@ -35,8 +35,7 @@ inline const std::vector<StickingChange> &sticking_changes() {
   return changes;
 }
 
-// Where the first of the two motions at the jump ends, if it is followed from below: its own border
-// orbit.
+// The first of the two motions at the jump, followed from below, ends here at its own border orbit.
 inline StickingChange border_beyond_the_jump() {
   return {"border_beyond_the_jump", 1, 0.3678229, 0.367823};
 }

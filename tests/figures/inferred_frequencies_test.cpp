@@ -84,7 +84,7 @@ TEST(InferredFrequencies, TheRuleOfChoiceLeavesTheOneThatIsDrawn) {
   EXPECT_EQ(decimals(3.0), 0);
 }
 
-// What each condition refuses, at a frequency that meets all conditions before it.
+// Each condition refuses some frequency.
 TEST(InferredFrequencies, EveryConditionRefusesSome) {
   using Met = std::vector<bool>;
   EXPECT_EQ(try_figure2(0.2709).met[0], false) << "lowest displacement below -0.5";

@@ -277,4 +277,18 @@ inline bool same(const Event &a, const Event &b) {
          a.by_a_jump == b.by_a_jump && a.held == b.held;
 }
 
+// A scene forced by a cosine alone, without springs to the ground, in units so many times smaller:
+// its masses, links, lengths and times are so many times larger. time^2 = mass / stiffness.
+inline Scene in_units(Scene scene, double mass, double stiffness, double length, double time) {
+  for (double &m : scene.mass) m *= mass;
+  for (double &k : scene.stiffness) k *= stiffness;
+  for (double &a : scene.amplitude) a *= stiffness * length;
+  for (double &x : scene.displacement) x *= length;
+  for (double &v : scene.velocity) v *= length / time;
+  for (Stop &stop : scene.stops) stop.position *= length;
+  scene.beta *= time;
+  scene.omega /= time;
+  return scene;
+}
+
 }  // namespace vibro_impact::testing

@@ -147,15 +147,7 @@ TEST(RandomScenes, AreTheSameInOtherUnits) {
     const double length = power_of_two(33, 1), time = power_of_two(33, 1),
                  mass = power_of_two(13, 2), stiffness = mass / (time * time);
     const Scene scene = random_scene(seed);
-    Scene other = scene;
-    for (double &m : other.mass) m *= mass;
-    for (double &k : other.stiffness) k *= stiffness;
-    for (double &a : other.amplitude) a *= stiffness * length;
-    for (double &x : other.displacement) x *= length;
-    for (double &v : other.velocity) v *= length / time;
-    for (Stop &stop : other.stops) stop.position *= length;
-    other.beta *= time;
-    other.omega /= time;
+    const Scene other = in_units(scene, mass, stiffness, length, time);
     const double until = run_length(scene, 1000.0);
     EventRecorder ours, theirs;
     const Outcome our_end = simulate(scene, until, ours),

@@ -9,7 +9,7 @@
 
 namespace vibro_impact::testing {
 
-// What the motion of a scene is measured by.
+// The units that the motion of a scene is measured in.
 struct Units {
   double length = 1.0, time = 1.0, force = 1.0;
 };
@@ -178,14 +178,7 @@ inline Trial in_other_units(unsigned seed) {
   Scene scene = random_scene(seed);
   const double mass = draw.spread(1e-8, 1e8), stiffness = draw.spread(1e-12, 1e12),
                length = draw.spread(1e-10, 1e10), time = std::sqrt(mass / stiffness);
-  for (double &m : scene.mass) m *= mass;
-  for (double &k : scene.stiffness) k *= stiffness;
-  for (double &a : scene.amplitude) a *= stiffness * length;
-  for (double &x : scene.displacement) x *= length;
-  for (double &v : scene.velocity) v *= length / time;
-  for (Stop &stop : scene.stops) stop.position *= length;
-  scene.beta *= time;
-  scene.omega /= time;
+  scene = in_units(scene, mass, stiffness, length, time);
   return {scene, run_length(scene, 300.0), {length, time, stiffness * length}};
 }
 

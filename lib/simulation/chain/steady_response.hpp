@@ -1,4 +1,4 @@
-// Motions told by their deviation from the steady response S, which has no rounding that adds up:
+// Motions represented by their deviation from the steady response S, which has no rounding that adds up:
 //   y(t + tau) = y(t) + S(t + tau) - S(t) + (the free motion of y - S in tau).
 // Coordinates that follow S, slow coordinates and long flights move in this way. A scene whose
 // rates are of the order of Omega, with stops within reach, does without.
