@@ -27,13 +27,8 @@ void predict(const Motion &motion, const Chatter &chatter, double time_left,
       if (contact.impulse_value.size() > 0)
         value += to_come * pair(contact.impulse_value.data() + j);
     }
-    const Twofold<Pair> y{pair(motion.y.data() + j), pair(motion.y_low.data() + j)},
-        dy{pair(motion.dy.data() + j), pair(motion.dy_low.data() + j)}, y_at_limit = y + value,
-                                                                        dy_at_limit = dy + slope;
-    store(y_at_limit.value, state.y.data() + j);
-    store(y_at_limit.low, state.y_low.data() + j);
-    store(dy_at_limit.value, state.dy.data() + j);
-    store(dy_at_limit.low, state.dy_low.data() + j);
+    store(twofold(motion.y, motion.y_low, j) + value, state.y, state.y_low, j);
+    store(twofold(motion.dy, motion.dy_low, j) + slope, state.dy, state.dy_low, j);
   }
 }
 

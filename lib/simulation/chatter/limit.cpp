@@ -22,18 +22,16 @@ void extrapolate_states(const ChatterTable &table, std::size_t oldest, LimitStat
                                PerCoordinate PredictedState::*low, PerCoordinate &y,
                                PerCoordinate &y_low, PerCoordinate &difference) {
     for (Index j = 0; j < y.size(); j += 2) {
-      const Pair z = pair((latest.*value).data() + j), z_low = pair((latest.*low).data() + j);
+      const Twofold<Pair> z = twofold(latest.*value, latest.*low, j);
       Pair change{}, from_oldest{};
       for (std::size_t i = oldest; i + 1 < table.size; ++i) {
         const PredictedState &node = table.state_of(i);
-        const Pair distance =
-            (pair((node.*value).data() + j) - z) + (pair((node.*low).data() + j) - z_low);
+        const Twofold<Pair> other = twofold(node.*value, node.*low, j);
+        const Pair distance = (other.value - z.value) + (other.low - z.low);
         change += weights[i] * distance;
         from_oldest += (weights[i] - fewer[i]) * distance;
       }
-      const Twofold<Pair> sum = Twofold<Pair>{z, z_low} + change;
-      store(sum.value, y.data() + j);
-      store(sum.low, y_low.data() + j);
+      store(z + change, y, y_low, j);
       store(from_oldest, difference.data() + j);
     }
   };
