@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "instant.hpp"
+#include "events_at_an_instant.hpp"
 #include "simulation/chain/require.hpp"
 
 namespace vibro_impact::detail {

@@ -1,4 +1,4 @@
-#include "instant.hpp"
+#include "events_at_an_instant.hpp"
 
 #include <algorithm>
 #include <cmath>
