@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

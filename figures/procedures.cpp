@@ -10,7 +10,7 @@
 #include <string>
 
 #include "driver.hpp"
-#include "key_numbers.hpp"
+#include "figures/check/key_numbers.hpp"
 #include "panel.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/event_pairs.hpp"
 
 namespace vibro_impact::figures {

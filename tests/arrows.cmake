@@ -1,6 +1,7 @@
 # The layers, read off the includes: who may include whom. cmake -D source=... -P arrows.cmake
 #
-#   reference/scenes <- the generator, figures, tests     public headers of the simulation alone
+#   reference/scenes <- reference/truth <- reference/generator, figures     public headers of the
+#                                                                            simulation alone
 #   lib/simulation   <- lib/analysis, through for_analysis.hpp alone
 #   lib/analysis     <- lib/program   <- figures (its progress line)
 # Inside the simulation a folder includes only folders before it: chain, flight, stops, chatter, run.

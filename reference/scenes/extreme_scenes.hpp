@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
+#include "paper_scenes.hpp"
 
 namespace vibro_impact::figures {
 
@@ -33,7 +33,7 @@ using figures::TrueEvent;
 
 // The truth that a case is compared with.
 enum class Truth {
-  digits,   // the events of the 50-digit generator, reference/extreme_events.csv
+  digits,   // the events of the 50-digit generator, reference/tables/extreme_events.csv
   exact,    // a closed formula, `events`
   grazing,  // a closed formula whose event lies within rounding of not happening, `events`
 };

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "figures/figure3.hpp"
-#include "figures/printed.hpp"
-#include "tests/figures/panels.hpp"
+#include "figures/check/verdict.hpp"
+#include "figures/frequency_diagram.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 

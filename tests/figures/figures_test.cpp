@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "figures/printed.hpp"
-#include "tests/figures/panels.hpp"
+#include "figures/check/verdict.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "figures/methods/error_vs_runtime/method.hpp"
+#include "figures/error_vs_runtime/methods/method.hpp"
 #include "figures/procedures.hpp"
-#include "reference/table_reader.hpp"
-#include "tests/events.hpp"
-#include "tests/figures/drawn.hpp"
-#include "tests/figures/panels.hpp"
+#include "reference/truth/table_reader.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/events.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "figures/methods/extreme_verdict.hpp"
-#include "tests/rates.hpp"
+#include "figures/stability/extreme_verdict.hpp"
+#include "tests/support/rates.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -53,7 +53,7 @@ std::vector<std::string> groups() {
 
 class Group : public ::testing::TestWithParam<std::string> {};
 
-// The verdict is that of figures/methods/extreme_verdict.hpp, which says what it allows.
+// The verdict is that of figures/stability/extreme_verdict.hpp, which says what it allows.
 TEST_P(Group, AgreesWithTheTruthWithinRounding) {
   for (const Case &extreme : all_cases()) {
     if (extreme.group != GetParam()) continue;

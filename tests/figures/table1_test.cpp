@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "figures/table1_scenes.hpp"
-#include "tests/figures/panels.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 

@@ -2,10 +2,10 @@
 // where forces tie by trying every assignment.
 #include <gtest/gtest.h>
 
-#include "figures/event_tables.hpp"
-#include "reference/event_comparison.hpp"
-#include "reference/scenes/degenerate_cases.hpp"
-#include "tests/events.hpp"
+#include "reference/truth/degenerate_cases.hpp"
+#include "reference/truth/event_comparison.hpp"
+#include "reference/truth/event_reader.hpp"
+#include "tests/support/events.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

@@ -1,12 +1,12 @@
-// The library against orbits of one impact in closed form (reference/one_impact_orbits.csv).
-#include "reference/one_impact.hpp"
+// The library against orbits of one impact in closed form (reference/tables/one_impact_orbits.csv).
+#include "reference/generator/one_impact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "figures/published.hpp"
-#include "tests/events.hpp"
+#include "figures/check/results_of_others.hpp"
+#include "tests/support/events.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // The generator still makes what is stored: it computes the shortest event table again.
 #include <gtest/gtest.h>
 
-#include "reference/event_table.hpp"
-#include "reference/table_reader.hpp"
+#include "reference/generator/event_table.hpp"
+#include "reference/truth/table_reader.hpp"
 
 namespace {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "figures/event_tables.hpp"
-#include "reference/event_comparison.hpp"
-#include "reference/paper_scenes.hpp"
-#include "tests/events.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/event_comparison.hpp"
+#include "reference/truth/event_reader.hpp"
+#include "tests/support/events.hpp"
 
 namespace {
 

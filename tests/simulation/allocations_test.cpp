@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "reference/scenes/extreme_cases.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "reference/truth/extreme_cases.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace {
