@@ -44,7 +44,7 @@ const Document documents[] = {{"README.md", {"few", "counts", "speed"}, true},
 
 std::string content_of(const std::string &path) {
   std::ostringstream text;
-  text << opened(path).rdbuf();
+  text << truth::opened(path).rdbuf();
   return text.str();
 }
 

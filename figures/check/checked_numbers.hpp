@@ -62,7 +62,7 @@ inline std::vector<CheckedResult> checked_results(const std::string &folder) {
 }
 
 // A table of Markdown, every column as wide as its widest cell.
-inline std::string table_of(const Rows &rows) {
+inline std::string table_of(const truth::Rows &rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto &cells : rows)
     for (std::size_t k = 0; k < cells.size(); ++k) widths[k] = std::max(widths[k], cells[k].size());
@@ -90,7 +90,7 @@ inline std::vector<CheckedNumber> with_verdict(const std::vector<CheckedNumber> 
 inline std::string tables_by_verdict(const std::vector<CheckedNumber> &numbers) {
   std::string text;
   for (const Verdict verdict : all_verdicts) {
-    Rows rows{{"number", "the paper says", "computed", "error", "allowed", "reference"}};
+    truth::Rows rows{{"number", "the paper says", "computed", "error", "allowed", "reference"}};
     for (const auto &checked : with_verdict(numbers, verdict))
       rows.push_back(
           {checked.number.meaning, checked.number.printed.words,
@@ -113,7 +113,7 @@ inline const CheckedNumber &number_of(const std::vector<CheckedNumber> &numbers,
 // A table of the numbers with these symbols, which blanks separate.
 inline std::string table_of_few(const std::vector<CheckedNumber> &numbers,
                                 const std::string &symbols) {
-  Rows rows{{"number", "the paper", "here", "class"}};
+  truth::Rows rows{{"number", "the paper", "here", "class"}};
   std::istringstream words(symbols);
   for (std::string symbol; words >> symbol;) {
     const auto &[number, computed] = number_of(numbers, symbol);
@@ -124,8 +124,8 @@ inline std::string table_of_few(const std::vector<CheckedNumber> &numbers,
 }
 
 inline std::string table_of_results(const std::vector<CheckedResult> &results) {
-  Rows rows{{"id", "source", "quantity", "kind", "printed", "computed", "difference", "allowed",
-             "limited by", "verdict"}};
+  truth::Rows rows{{"id", "source", "quantity", "kind", "printed", "computed", "difference",
+                    "allowed", "limited by", "verdict"}};
   for (const CheckedResult &checked : results) {
     const published::Result &result = checked.result;
     rows.push_back({result.id, result.source, result.quantity, result.kind, result.printed,

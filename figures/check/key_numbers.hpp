@@ -8,63 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "figures/panel.hpp"
+#include "figures/quantities.hpp"
 #include "reference/scenes/frequency_brackets.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
-
-// --- What is read off a run -----------------------------------------------------------------
-
-// Events of a scene from rest, from time `from` to `until`.
-inline std::vector<Event> events_of(const Scene &scene, double until, double from = 0.0) {
-  EventRecorder recorder;
-  recorder.from = from;
-  require_complete(simulate(scene, until, recorder));
-  return recorder.events;
-}
-
-// Number of events of a kind, of one mass (0: of any mass).
-inline double count(const std::vector<Event> &events, EventKind kind, int mass = 0) {
-  return static_cast<double>(std::count_if(events.begin(), events.end(), [&](const Event &event) {
-    return event.kind == kind && (mass == 0 || event.mass == mass);
-  }));
-}
-
-// Time of the first event of this kind and mass at or after `from`; NaN if there is none.
-inline double first_time(const std::vector<Event> &events, EventKind kind, int mass, double from) {
-  for (const Event &event : events)
-    if (event.kind == kind && event.mass == mass && event.time >= from) return event.time;
-  return std::nan("");
-}
-
-// The same for the window of a panel.
-inline double first_time(const Scene &scene, EventKind kind, int mass, const paper::AxisBox &box) {
-  return first_time(events_of(scene, box.to), kind, mass, box.from);
-}
-
-// The displacements of a mass in the window of a panel, among samples every 1e-4.
-inline Range range_in(const Scene &scene, int mass, const paper::AxisBox &box) {
-  SampleRecorder samples = samples_across(box, 1e-4);
-  require_complete(simulate(scene, samples.to, samples));
-  return range_of(samples, mass);
-}
-
-// Number of times at which a mass comes to rest while the other one sticks.
-inline double dual_sticks(const Scene &scene, double until) {
-  const std::vector<Event> events = events_of(scene, until);
-  return static_cast<double>(std::count_if(events.begin(), events.end(), [](const Event &event) {
-    return event.kind == EventKind::stick && contact_mode_name(event.held) == "1+2";
-  }));
-}
-
-// Sticks of mass 1 in the last ten forcing periods before t = 750.
-inline double sticks_of_mass_1(const Scene &scene) {
-  const double from = 750.0 - 10.0 * Clock(scene.omega).period;
-  return count(events_of(scene, 750.0, from), EventKind::stick, 1);
-}
 
 // --- Section 3: modes and exit boundary ------------------------------------------------------
 

@@ -211,7 +211,7 @@ inline Parameters read_parameters(const std::string &table, const std::string &c
     const auto equals = word.find('=');
     if (equals == std::string::npos)
       throw std::runtime_error(fmt::format("{}: '{}' is not name=value", table, word));
-    values[word.substr(0, equals)] = figures::number_in(table, word.substr(equals + 1));
+    values[word.substr(0, equals)] = truth::number_in(table, word.substr(equals + 1));
   }
   return values;
 }
@@ -220,10 +220,10 @@ inline Parameters read_parameters(const std::string &table, const std::string &c
 inline std::vector<Result> results(const std::string &folder) {
   const std::string name = folder + "/published.csv";
   std::vector<Result> rows;
-  for (const auto &cells : figures::read_rows(name, 8))
+  for (const auto &cells : truth::read_rows(name, 8))
     rows.push_back({cells[0], cells[1], cells[2], cells[3], cells[4], cells[6],
-                    figures::number_in(name, cells[4]), figures::number_in(name, cells[5]),
-                    cells[7], read_parameters(name, cells[3])});
+                    truth::number_in(name, cells[4]), truth::number_in(name, cells[5]), cells[7],
+                    read_parameters(name, cells[3])});
   return rows;
 }
 

@@ -75,19 +75,19 @@ struct KeyNumber {
 // Throws std::runtime_error naming the table and what is wrong with it.
 inline std::vector<KeyNumber> read_key_numbers(const std::string &path) {
   std::vector<KeyNumber> numbers;
-  for (const auto &cells : read_rows(path, 11)) {
+  for (const auto &cells : truth::read_rows(path, 11)) {
     const auto bound = [&](const std::string &cell) {
-      return cell.empty() ? std::numeric_limits<double>::infinity() : number_in(path, cell);
+      return cell.empty() ? std::numeric_limits<double>::infinity() : truth::number_in(path, cell);
     };
     numbers.push_back(
         {.symbol = cells[0],
          .meaning = cells[3],
          .printed = {cells[4], claim_in(path, cells[5]), bound(cells[6]), bound(cells[7])},
-         .reference = number_in(path, cells[1]),
+         .reference = truth::number_in(path, cells[1]),
          .reference_digits = cells[1],
          .kind = cells[2],
          .format = cells[8],
-         .tolerance = number_in(path, cells[9])});
+         .tolerance = truth::number_in(path, cells[9])});
   }
   return numbers;
 }

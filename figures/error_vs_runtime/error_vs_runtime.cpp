@@ -81,9 +81,9 @@ Table table_of(const std::vector<Trial> &trials) {
   for (const Trial &trial : trials) {
     const auto [low, high] =
         std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
-    table.row(trial.problem->name, figures::in_quotes(trial.method->name), trial.setting,
+    table.row(trial.problem->name, truth::in_quotes(trial.method->name), trial.setting,
               trial.errors.time, trial.errors.state, trial.median(), *low, *high, trial.result.work,
-              trial.result.impacts, figures::in_quotes(trial.errors.failure));
+              trial.result.impacts, truth::in_quotes(trial.errors.failure));
   }
   return table;
 }

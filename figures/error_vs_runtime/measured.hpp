@@ -25,9 +25,9 @@ struct Measured {
 // std::runtime_error naming a table that cannot be read.
 inline std::vector<Measured> read_measured(const std::string &path) {
   std::vector<Measured> runs;
-  for (const auto &cells : figures::read_rows(path, 11)) {
+  for (const auto &cells : truth::read_rows(path, 11)) {
     if (!cells[10].empty()) continue;
-    const auto number = [&](std::size_t k) { return figures::number_in(path, cells[k]); };
+    const auto number = [&](std::size_t k) { return truth::number_in(path, cells[k]); };
     runs.push_back({cells[0], cells[1], number(2), number(3), number(5)});
   }
   return runs;
@@ -83,7 +83,7 @@ inline std::string three_digits(double value) {
 // The table of the page of the methods. Of ten periods of Figure 2 it has the most accurate run of
 // every method. Of one flight and one sticking phase it has the fastest runs of the library and of
 // runge_kutta_dopri5 with errors below 1e-7.
-inline figures::Rows rows_of_methods(const std::vector<Measured> &runs) {
+inline truth::Rows rows_of_methods(const std::vector<Measured> &runs) {
   struct Line {
     std::string motion;
     Measured run;
@@ -100,8 +100,8 @@ inline figures::Rows rows_of_methods(const std::vector<Measured> &runs) {
     for (const std::string method : {library, "odeint runge_kutta_dopri5"})
       lines.push_back({problem == "flight" ? "one flight" : "one sticking phase",
                        fastest(runs, problem, method, 1e-7)});
-  figures::Rows rows{{"motion", "method", "setting", "largest error of an event time", "us",
-                      "relative to the library"}};
+  truth::Rows rows{{"motion", "method", "setting", "largest error of an event time", "us",
+                    "relative to the library"}};
   double reference = 0.0;  // the time of the library, which comes first in each motion
   for (const auto &[motion, run] : lines) {
     if (run.method == library) reference = run.microseconds;

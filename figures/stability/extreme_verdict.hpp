@@ -13,10 +13,9 @@
 #include "vibro_impact/analysis/natural_modes.hpp"
 #include "vibro_impact/simulate.hpp"
 
-namespace vibro_impact::extremes {
+namespace vibro_impact::stability {
 
-using figures::Differences;
-using figures::EventTables;
+using truth::Case, truth::Truth, truth::TrueEvent, truth::Differences, truth::EventTables;
 
 // Samples of the motion between its events: the largest displacement and speed, and the deepest
 // penetration of a stop of `scene`.
@@ -91,7 +90,7 @@ inline std::vector<TrueEvent> events_of(const Scene &scene, double from, double 
   EventRecorder recorder{from};
   const Outcome result = require_complete(simulate(scene, until, recorder));
   if (outcome != nullptr) *outcome = result;
-  return figures::as_truth(recorder.events);
+  return truth::as_truth(recorder.events);
 }
 
 // The perturbations of a start, relative to the motion. The smaller one is tried where the larger
@@ -168,4 +167,4 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
           outcome.counters};
 }
 
-}  // namespace vibro_impact::extremes
+}  // namespace vibro_impact::stability

@@ -12,17 +12,17 @@ using namespace vibro_impact;
 
 // Throws std::runtime_error naming the cases that fail, once the table is written.
 void judge_all(const std::filesystem::path &output) {
-  const auto tables = figures::read_event_tables(REFERENCE_DIR "/extreme_events.csv");
-  const auto cases = extremes::all_cases();
+  const auto tables = truth::read_event_tables(REFERENCE_DIR "/extreme_events.csv");
+  const auto cases = truth::extreme_cases();
   Progress progress("stability", static_cast<double>(cases.size()));
   Table table(
       "case,group,truth,events,time_error,time_sensitivity,velocity_error,velocity_sensitivity,"
       "penetration,expansions,root_iterations,impacts,verdict");
   std::string failed;
-  for (const extremes::Case &extreme : cases) {
-    const extremes::Measured m = extremes::measure(extreme, tables);
-    const bool pass = extremes::passes(m, extreme.truth);
-    table.row(extreme.name, extreme.group, extremes::name(extreme.truth), m.events, m.error.time,
+  for (const truth::Case &extreme : cases) {
+    const stability::Measured m = stability::measure(extreme, tables);
+    const bool pass = stability::passes(m, extreme.truth);
+    table.row(extreme.name, extreme.group, truth::name(extreme.truth), m.events, m.error.time,
               m.sensitivity.time, m.error.velocity, m.sensitivity.velocity, m.penetration,
               m.counters.expansions, m.counters.root_iterations, m.counters.impacts,
               pass ? "pass" : "fail");

@@ -17,7 +17,7 @@ using Numbers = std::map<std::string, std::string>;
 /// values. All other cells stay as they are. Throws std::runtime_error if a number has no row, or a
 /// row no number.
 inline std::string filled_table(const std::string &name, Numbers numbers) {
-  std::ifstream file = vibro_impact::figures::opened(REFERENCE_DIR "/" + name);
+  std::ifstream file = vibro_impact::truth::opened(REFERENCE_DIR "/" + name);
   std::string table, line;
   std::getline(file, line);
   table = line + '\n';

@@ -23,10 +23,10 @@ namespace {
 using namespace vibro_impact_reference;
 
 /// The events of those of these cases whose truth is the generator's, one table.
-std::string cases_table(const std::vector<vibro_impact::extremes::Case> &cases) {
+std::string cases_table(const std::vector<vibro_impact::truth::Case> &cases) {
   std::string table = std::string("case,") + columns;
   for (const auto &extreme : cases) {
-    if (extreme.truth != vibro_impact::extremes::Truth::digits) continue;
+    if (extreme.truth != vibro_impact::truth::Truth::digits) continue;
     const Scene scene = in_digits(extreme.scene, extreme.until);
     const std::vector<Event> events =
         simulate(scene, {.speed_floor = Real(extreme.slowest_impact)}).events;
@@ -54,9 +54,9 @@ std::string work_precision_table(bool states) {
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
   if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
-  if (name == "extremes") return cases_table(vibro_impact::extremes::all_cases());
+  if (name == "extremes") return cases_table(vibro_impact::truth::extreme_cases());
   if (name == "one_impact") return one_impact_table();
-  if (name == "degenerate") return cases_table(vibro_impact::extremes::degenerate_cases());
+  if (name == "degenerate") return cases_table(vibro_impact::truth::degenerate_cases());
   if (name == "work_precision_states") return work_precision_table(true);
   if (name == "work_precision_events") return work_precision_table(false);
   const Scene scene = scene_named(name);

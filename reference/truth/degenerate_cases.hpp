@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "case.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 
-namespace vibro_impact::extremes {
+namespace vibro_impact::truth {
 
 // All masses at rest on stops at zero, the same forcing on each.
 inline Scene on_equal_stops(int masses, Side side, double beta, double r, double omega) {
-  Scene scene = chain(masses, beta);
+  Scene scene = extremes::chain(masses, beta);
   scene.amplitude.assign(scene.mass.size(), 0.5);
   scene.omega = omega;
   scene.restitution = r;
@@ -50,4 +51,4 @@ inline std::vector<Case> degenerate_cases() {
   return cases;
 }
 
-}  // namespace vibro_impact::extremes
+}  // namespace vibro_impact::truth

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/extreme_scenes.hpp"
+#include "case.hpp"
 #include "vibro_impact/simulate.hpp"
 
-namespace vibro_impact::figures {
+namespace vibro_impact::truth {
 
 struct Differences {
   std::string first;        // the first event without a counterpart; empty when all agree
@@ -139,4 +139,4 @@ inline Differences compare_grazing(const std::vector<TrueEvent> &events,
   return result;
 }
 
-}  // namespace vibro_impact::figures
+}  // namespace vibro_impact::truth

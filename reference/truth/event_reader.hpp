@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "reference/scenes/extreme_scenes.hpp"
+#include "case.hpp"
 #include "table_reader.hpp"
 #include "vibro_impact/record.hpp"
 
-namespace vibro_impact::figures {
+namespace vibro_impact::truth {
 
 // The event in the columns time, mass, event, velocity_before, velocity_after and contact_mode of a
 // row, of which `first` is the first. Throws std::runtime_error naming the table and the cell.
@@ -56,4 +56,4 @@ inline std::vector<TrueEvent> as_truth(const std::vector<Event> &events) {
   return rows;
 }
 
-}  // namespace vibro_impact::figures
+}  // namespace vibro_impact::truth

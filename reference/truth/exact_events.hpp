@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/scenes/extreme_scenes.hpp"
+#include "case.hpp"
 
-namespace vibro_impact::extremes {
+namespace vibro_impact::truth {
 
 using Extended = long double;
 
@@ -126,4 +126,4 @@ inline std::vector<TrueEvent> periodic_impacts(const PeriodicImpact &impact, lon
   return events;
 }
 
-}  // namespace vibro_impact::extremes
+}  // namespace vibro_impact::truth

@@ -10,7 +10,7 @@
 #include "exact_events.hpp"
 #include "table_reader.hpp"
 
-namespace vibro_impact::extremes {
+namespace vibro_impact::truth {
 
 namespace detail {
 
@@ -20,10 +20,9 @@ inline std::vector<double> numbers_in(const std::string &table, const std::strin
   std::istringstream words(cell);
   for (std::string word; words >> word;) {
     const auto star = word.find('*');
-    const double times =
-        star == std::string::npos ? 1.0 : figures::number_in(table, word.substr(star + 1));
+    const double times = star == std::string::npos ? 1.0 : number_in(table, word.substr(star + 1));
     numbers.insert(numbers.end(), static_cast<std::size_t>(times),
-                   figures::number_in(table, word.substr(0, star)));
+                   number_in(table, word.substr(0, star)));
   }
   return numbers;
 }
@@ -60,16 +59,14 @@ inline std::vector<TrueEvent> exact_events(const std::string &formula, const Cas
 }  // namespace detail
 
 // Throws std::runtime_error naming the table and what is wrong with it.
-inline std::vector<Case> all_cases() {
+inline std::vector<Case> extreme_cases() {
   const std::string table = REFERENCE_DIR "/extreme_cases.csv";
   std::vector<Case> cases;
-  for (const auto &cells : figures::read_rows(table, 16)) {
+  for (const auto &cells : read_rows(table, 16)) {
     const auto numbers = [&](std::size_t column) {
       return detail::numbers_in(table, cells[column]);
     };
-    const auto number = [&](std::size_t column) {
-      return figures::number_in(table, cells[column]);
-    };
+    const auto number = [&](std::size_t column) { return number_in(table, cells[column]); };
     Case &row = cases.emplace_back();
     row.name = cells[0];
     row.group = cells[1];
@@ -92,4 +89,4 @@ inline std::vector<Case> all_cases() {
   return cases;
 }
 
-}  // namespace vibro_impact::extremes
+}  // namespace vibro_impact::truth

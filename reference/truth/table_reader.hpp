@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace vibro_impact::figures {
+namespace vibro_impact::truth {
 
 // A table opened for reading. Throws std::runtime_error naming it.
 inline std::ifstream opened(const std::string &path) {
@@ -81,4 +81,4 @@ inline double number_in(const std::string &name, const std::string &cell) {
   return *value;
 }
 
-}  // namespace vibro_impact::figures
+}  // namespace vibro_impact::truth

@@ -38,7 +38,7 @@ std::vector<ReadmeRow> rows_of(const std::string &file) {
   const std::map<std::string, std::string> problems{{"ten periods of Figure 2", "figure2"},
                                                     {"one flight", "flight"},
                                                     {"one sticking phase", "sticking"}};
-  std::ifstream stream = figures::opened(SOURCE_DIR "/" + file);
+  std::ifstream stream = truth::opened(SOURCE_DIR "/" + file);
   const std::regex row(R"(\| (\S[^|]*?) +\| (\S[^|]*?) +\| (\S+) +\| (\S+) +\|.*)");
   std::vector<ReadmeRow> rows;
   std::smatch cells;

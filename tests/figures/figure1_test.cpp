@@ -14,7 +14,7 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::TrueEvent;
+using truth::TrueEvent;
 
 // What each mass is said to do is what the true events say. The last impacts of
 // a chatter, slower than 1e-4, are not resolved, so that only sticking is compared to the frame.
@@ -25,7 +25,7 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const std::vector<TrueEvent> events = true_events("figure2");
   std::set<std::string> actions[2];
   double last = paper::figure2a_box.to - 2 * Clock(scene.omega).period;
-  for (const auto &cells : figures::read_rows(folder + "/figure1_motion.csv", 5)) {
+  for (const auto &cells : truth::read_rows(folder + "/figure1_motion.csv", 5)) {
     const double time = std::stod(cells[0]);
     const auto next = std::find_if(events.begin(), events.end(),
                                    [time](const TrueEvent &event) { return event.time > time; });
@@ -83,7 +83,7 @@ TEST(Figure1, EveryFrameShowsTheWordsOfItsTableAndNoOthers) {
   run(std::string(PROGRAM_DIR "/figure1 --output ") + folder);
   draw_motion(folder, "frames");
   const Scene scene = paper::figure2();
-  const auto rows = figures::read_rows(folder + "/figure1_motion.csv", 5);
+  const auto rows = truth::read_rows(folder + "/figure1_motion.csv", 5);
   ASSERT_GT(rows.size(), 100u);
   const figures::Range window{std::stod(rows.front()[0]), std::stod(rows.back()[0])};
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -118,7 +118,7 @@ TEST(Figure1, MovesInAFileThatAPageCanShow) {
   const std::string folder = folder_of("figure1_gif");
   run(std::string(PROGRAM_DIR "/figure1 --output ") + folder);
   draw_motion(folder, "gif");
-  std::ifstream gif = figures::opened(folder + "/motion.gif");
+  std::ifstream gif = truth::opened(folder + "/motion.gif");
   const std::string bytes{std::istreambuf_iterator<char>(gif), {}};
   EXPECT_EQ(bytes.substr(0, 6), "GIF89a");
   EXPECT_LT(bytes.size(), 1000000u);

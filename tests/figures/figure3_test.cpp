@@ -15,8 +15,8 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::TrueEvent;
 using paper::AxisBox;
+using truth::TrueEvent;
 
 // The changes of sticking of one kind that a panel shows, against the 50 digits of the points with
 // this name.

@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace vibro_impact::figures;
+using namespace vibro_impact::truth;
 namespace reference = vibro_impact_reference;
 
 // The columns of an event table that hold a number of 30 digits: time and both velocities.

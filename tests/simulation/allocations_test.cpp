@@ -7,7 +7,7 @@
 #include <new>
 
 #include "reference/scenes/extreme_scenes.hpp"
-#include "reference/truth/extreme_cases.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reference/scenes/extreme_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "simulation/chain/mode_change.hpp"
 #include "simulation/chatter/limit.hpp"
 #include "tests/support/events.hpp"

@@ -38,21 +38,21 @@ inline void run(const std::string &command) {
 using Columns = std::map<std::string, std::vector<double>>;
 
 inline Columns columns_of(const std::string &path) {
-  std::ifstream file = figures::opened(path);
+  std::ifstream file = truth::opened(path);
   std::string header;
   std::getline(file, header);
-  const std::vector<std::string> names = figures::cells_of(header);
+  const std::vector<std::string> names = truth::cells_of(header);
   Columns columns;
-  for (const auto &cells : figures::read_rows(path, names.size()))
+  for (const auto &cells : truth::read_rows(path, names.size()))
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (const auto value = figures::as_number(cells[i])) columns[names[i]].push_back(*value);
+      if (const auto value = truth::as_number(cells[i])) columns[names[i]].push_back(*value);
   return columns;
 }
 
 // The curves as gnuplot's `set table` writes them: x, y, ... and `u` at the end for no point.
 inline std::vector<Panel> panels_in_table(const std::string &path) {
   std::vector<Panel> panels;
-  std::ifstream file = figures::opened(path);
+  std::ifstream file = truth::opened(path);
   for (std::string line; std::getline(file, line);) {
     const std::string title = "# Curve title: \"";
     if (line.starts_with("# Curve 0 of")) panels.emplace_back();
@@ -75,7 +75,7 @@ inline void add_picture(std::vector<Panel> &panels, const std::string &path) {
       colour("(?:stroke|color|fill) ?= ?'(rgb\\([^)]*\\))");
   std::vector<std::string> texts;  // since the last curve
   Curve *curve = nullptr;
-  std::ifstream file = figures::opened(path);
+  std::ifstream file = truth::opened(path);
   std::smatch found;
   for (std::string line; std::getline(file, line);) {
     if (std::regex_search(line, found, plot)) {
@@ -102,7 +102,7 @@ struct PlacedText {
 inline std::vector<PlacedText> texts_of(const std::string &path) {
   const std::regex place("translate\\(([-0-9.]+),"), tag("<[^>]*>");
   std::vector<PlacedText> texts;
-  std::ifstream file = figures::opened(path);
+  std::ifstream file = truth::opened(path);
   double x = 0.0;
   std::smatch found;
   for (std::string line; std::getline(file, line);) {
@@ -134,7 +134,7 @@ inline std::vector<Panel> drawn(const std::string &figure, const std::string &fo
 // The colour of a line type of style.gp, as SVG has it.
 inline std::string colour_of_line_type(int type) {
   const std::string rule = "set linetype " + std::to_string(type) + " linecolor rgb '#";
-  std::ifstream file = figures::opened(SOURCE_DIR "/figures/style.gp");
+  std::ifstream file = truth::opened(SOURCE_DIR "/figures/style.gp");
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with(rule)) continue;
     const int rgb = std::stoi(line.substr(rule.size(), 6), nullptr, 16);

@@ -21,15 +21,15 @@ inline std::string folder_of(const std::string &figure) {
   return ::testing::TempDir() + "vibro_impact_" + figure;
 }
 
-inline std::vector<figures::TrueEvent> true_events(const std::string &scene) {
-  return figures::read_event_table(REFERENCE_DIR "/" + scene + "_events.csv");
+inline std::vector<truth::TrueEvent> true_events(const std::string &scene) {
+  return truth::read_event_table(REFERENCE_DIR "/" + scene + "_events.csv");
 }
 
 // The stops at which these masses have an impact within the window, mostly between two samples.
 inline figures::Range stops_hit(const std::string &truth, const paper::AxisBox &box,
                                 const std::vector<int> &masses) {
   figures::Range stops;
-  for (const figures::TrueEvent &event : true_events(truth))
+  for (const truth::TrueEvent &event : true_events(truth))
     if (event.event == "impact" && event.time >= box.from && event.time <= box.to &&
         std::count(masses.begin(), masses.end(), event.mass) > 0)
       stops.include(
@@ -48,7 +48,7 @@ inline void expect_axes(const Panel &panel, char letter, const paper::AxisBox &b
                         std::size_t first, const figures::Range &reached = {}) {
   std::vector<double> printed, labels;
   for (const std::string &text : panel.texts)
-    if (const auto label = figures::as_number(text)) labels.push_back(*label);
+    if (const auto label = truth::as_number(text)) labels.push_back(*label);
   for (int k = 0; k <= std::lround((box.to - box.from) / box.tick_across); ++k)
     printed.push_back(box.from + k * box.tick_across);
   for (int k = 0; k <= std::lround((box.highest - box.lowest) / box.tick); ++k)

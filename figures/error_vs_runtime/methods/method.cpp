@@ -82,9 +82,9 @@ double Problem::periods() const {
 std::vector<Problem> problems(const std::filesystem::path &reference) {
   std::vector<Problem> all;
   const std::string states = reference / "work_precision_states.csv";
-  const auto events = figures::read_event_tables(reference / "work_precision_events.csv");
-  for (const auto &row : figures::read_rows(states, 14)) {
-    const auto number = [&](std::size_t i) { return figures::number_in(states, row[i]); };
+  const auto events = truth::read_event_tables(reference / "work_precision_events.csv");
+  for (const auto &row : truth::read_rows(states, 14)) {
+    const auto number = [&](std::size_t i) { return truth::number_in(states, row[i]); };
     Problem &problem = all.emplace_back();
     problem.name = row[0];
     problem.scene = paper::scene_named(row[1]).scene;
@@ -95,7 +95,7 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
         number(3), {number(10), number(11)}, {number(12), number(13)}, {false, false}};
     const auto events_of_it = events.find(row[0]);
     if (events_of_it == events.end()) continue;
-    for (const figures::TrueEvent &event : events_of_it->second)
+    for (const truth::TrueEvent &event : events_of_it->second)
       problem.reference_events.push_back(
           {event.time, event.mass, kind_named(event.event), event.velocity_before});
   }

@@ -8,16 +8,16 @@
 // digit of a double.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "reference/scenes/paper_scenes.hpp"
-#include "vibro_impact/analysis/event_pairs.hpp"
+#include "paper_scenes.hpp"
 
-namespace vibro_impact::figures {
+namespace vibro_impact::paper {
 
 // A scene, the pair of events that it shows, and the window of time in which it shows the pair.
 struct PairScene {
-  EventPair kind;
+  std::string pair;  // abbreviation of its events: D dual, G grazing, S sticking, I impact
   Scene scene;
   double from, to;
 };
@@ -31,9 +31,8 @@ inline Stop grazed_stop(int mass, Side side, double turning_point) {
 
 // All six, in the order of Table I. DG, DI and GI happen on the way from rest.
 inline std::vector<PairScene> table1_scenes() {
-  using paper::two_masses;
   constexpr Side lower = Side::lower, upper = Side::upper;
-  const Scene figure5a = paper::figure5a();
+  const Scene sticking_impact = figure5a();
   constexpr double omega = 0.2561;  // of DS and DI: printed in the caption of Figure 4(b)
 
   // The first minima of both masses coincide at this frequency.
@@ -47,7 +46,7 @@ inline std::vector<PairScene> table1_scenes() {
       two_masses({1, upper, 0.5}, {2, upper, 0.3248709293854069}, 0.7, omega);
   // Figure 5(b) from near its settled motion, in the middle of a sticking phase of mass 1. The stop
   // of mass 2 stands at the maximum of mass 2 in the next phase.
-  Scene grazing_sticking = paper::figure5b();
+  Scene grazing_sticking = figure5b();
   grazing_sticking.displacement = {grazing_sticking.stops[0].position, 0.17};
   grazing_sticking.velocity = {0.0, -0.003};
   grazing_sticking.stops[1] = grazed_stop(2, upper, 0.44910277073137423);
@@ -56,12 +55,12 @@ inline std::vector<PairScene> table1_scenes() {
   const Scene grazing_impact = two_masses(grazed_stop(1, upper, 0.43515458820109099),
                                           {2, upper, 0.31069573671990272}, 0.7, 0.5);
 
-  return {{EventPair::dual_grazing, dual_grazing, 0.0, 14.0},
-          {EventPair::dual_sticking, dual_sticking, 42.0, 56.0},
-          {EventPair::double_impact, double_impact, 0.0, 7.0},
-          {EventPair::grazing_sticking, grazing_sticking, 12.0, 26.0},
-          {EventPair::grazing_impact, grazing_impact, 0.0, 5.0},
-          {EventPair::sticking_impact, figure5a, paper::figure5a_box.from, paper::figure5a_box.to}};
+  return {{"DG", dual_grazing, 0.0, 14.0},
+          {"DS", dual_sticking, 42.0, 56.0},
+          {"DI", double_impact, 0.0, 7.0},
+          {"GS", grazing_sticking, 12.0, 26.0},
+          {"GI", grazing_impact, 0.0, 5.0},
+          {"SI", sticking_impact, figure5a_box.from, figure5a_box.to}};
 }
 
-}  // namespace vibro_impact::figures
+}  // namespace vibro_impact::paper
