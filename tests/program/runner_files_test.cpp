@@ -10,7 +10,7 @@ using namespace vibro_impact::testing;
 
 // r = 1 between two stops 2e-6 apart: an impact every 6.7e-6, some 1e6 a period.
 const std::string rattle =
-    "run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --initial-velocity 0.3,0 "
+    "run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --velocity 0.3,0 "
     "--max-impacts 1000 ";
 
 TEST_F(Runner, ARefusedRunSparesTheTableThatWasThere) {

@@ -78,9 +78,9 @@ TEST_F(Runner, OptionsOfTheSceneMeanWhatTheHelpSays) {
   const std::string own = "--stop 1:lower:-0.3:0 --stop 2:upper:0.1:1 ";
   EXPECT_EQ(table(own + "--restitution 0.3"), table(own)) << "no stop has that of the scene";
   EXPECT_NE(table(own), table(""));
-  EXPECT_EQ(table("--masses 1 --stop none --stiffness 0 --amplitude 0 --initial-velocity 0.25"),
-            table("--masses 1 --stop none --stiffness 0 --amplitude 0 --initial-velocity 0.25 "
-                  "--initial-displacement 0"));
+  EXPECT_EQ(table("--masses 1 --stop none --stiffness 0 --amplitude 0 --velocity 0.25"),
+            table("--masses 1 --stop none --stiffness 0 --amplitude 0 --velocity 0.25 "
+                  "--displacement 0"));
 }
 
 TEST_F(Runner, TheExamplesOfTheHelpWork) {
