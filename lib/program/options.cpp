@@ -46,11 +46,11 @@ std::string given(const CLI::App &app) {
   return text;
 }
 
-// The names and values of a scene, each between two texts.
-std::string text_of(const Scene &scene, const char *before, const char *after) {
+// The file of a scene, whose lines may begin with a mark.
+std::string scene_file(const Scene &scene, const char *mark = "") {
   std::string text;
   for (const auto &[name, value] : words_of(scene))
-    text += fmt::format("{}{} = {}{}", before, name, value, after);
+    text += fmt::format("{}{} = {}\n", mark, name, value);
   return text;
 }
 
@@ -295,11 +295,11 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
   if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
   const CLI::App &command = run.parsed() ? run : sweep;
   const Scene scene = scene_of(command, words.scene_file);
-  if (words.print_scene) return text_of(scene, "", "\n");
-  const std::string head =
-      !words.header ? ""
-                    : fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION,
-                                  command.get_name(), given(command), text_of(scene, "# ", "\n"));
+  if (words.print_scene) return scene_file(scene);
+  const std::string definition =
+      fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
+                  given(command), scene_file(scene, "# "));
+  const std::string head = words.header ? definition : "";
   if (run.parsed()) {
     run_request.scene = scene;
     run_request.until = time_of("--until", words.until, scene.omega);
@@ -317,9 +317,7 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
   sweep_request.follow = sweep_request.follow || sweep_request.back;
   sweep_request.records.impact_velocities = sweep_request.tables[1].wanted();
   sweep_request.records.section = sweep_request.tables[2].wanted();
-  sweep_request.definition = given(sweep) + text_of(scene, "; ", "");
-  for (const Output &table : sweep_request.tables)
-    if (table.wanted()) sweep_request.definition += " " + table.option;
+  sweep_request.definition = definition;
   sweep_request.scene_file = words.scene_file;
   sweep_request.head = head;
   return sweep_request;

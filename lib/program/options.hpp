@@ -24,7 +24,8 @@ struct RunRequest {
   std::string head;        // of the tables: lines of comments, or nothing
 };
 
-// A sweep. `definition` has in one line the options on which the rows of its tables depend.
+// A sweep. `definition` has the options on which the rows of its tables depend, in lines of
+// comments.
 struct SweepRequest {
   Grid grid;
   RecordOptions records;

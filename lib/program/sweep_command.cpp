@@ -102,9 +102,11 @@ void check_outputs_of(const SweepRequest &request) {
 Journal begin(const SweepRequest &request, const std::string &header) {
   check_outputs_of(request);
   const std::string path = journal_of(request).path;
-  const std::string head =
-      fmt::format("vibro-impact sweep, program {:08x},{}\n{}",
-                  checksum_of(contents("/proc/self/exe")), request.definition, header);
+  std::string head = fmt::format("vibro-impact sweep, program {:08x}, with",
+                                 checksum_of(contents("/proc/self/exe")));
+  for (const Output &table : request.tables)
+    if (table.wanted()) head += " " + table.option;
+  head += "\n" + header + request.definition;
   const auto rule = [&](std::size_t row, const std::string &line) -> std::string {
     if (row >= number_of_rows(request)) return "the sweep has no such row";
     Table cells = no_rows();
@@ -148,9 +150,11 @@ void finish(const SweepRequest &request, Journal &journal, std::size_t computed)
                journal_of(request).path);
   if (request.plot.wanted()) draw_plot(request);
   // All cells of a point without a record are empty behind its parameters.
-  const std::string empty(record_columns(request.grid.scene.masses(), request.records).size(), ',');
-  const auto without_record = std::ranges::count_if(
-      split(journal.rows()[0], '\n'), [&](const std::string &row) { return row.ends_with(empty); });
+  const auto columns = record_columns(request.grid.scene.masses(), request.records).size();
+  const std::string empty = std::string(columns, ',') + '\n', &table = journal.rows()[0];
+  std::size_t without_record = 0;
+  for (auto at = table.find(empty); at != std::string::npos; at = table.find(empty, at + 1))
+    ++without_record;
   fmt::print(stderr,
              "{} points, {} computed now; {} were refused or given up, and have empty cells\n",
              rows, computed, without_record);

@@ -107,4 +107,24 @@ TEST_F(Runner, AProgramWithoutMpiIsNotStartedAsSeveralProcesses) {
   EXPECT_EQ(run("--help").out.find("mpirun") != std::string::npos, with_mpi);
 }
 
+// The other programs of the project say their own name, every choice, and no folder of the machine
+// they were built on.
+TEST_F(Runner, OtherProgramsRefuseInTheSameWay) {
+  const Result unknown = run("figure9 t.csv", "true", "", PROGRAM_DIR "/reference-generate");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_TRUE(
+      unknown.err.starts_with("reference-generate: table 'figure9': must be one of figure2"))
+      << unknown.err;
+  const Result usage = run("", "true", "", PROGRAM_DIR "/reference-generate");
+  EXPECT_EQ(usage.status, 2);
+  for (const char *table : {"figure5c", "extremes", "one_impact", "work_precision_events"}) {
+    EXPECT_NE(unknown.err.find(table), std::string::npos) << unknown.err;
+    EXPECT_NE(usage.err.find(table), std::string::npos) << usage.err;
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+  const Result help = run("--help", "true", "", PROGRAM_DIR "/check");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.out.find(SOURCE_DIR), std::string::npos) << help.out;
+}
+
 }  // namespace
