@@ -83,6 +83,25 @@ TEST_F(Runner, OptionsOfTheSceneMeanWhatTheHelpSays) {
                   "--displacement 0"));
 }
 
+// A single value stands for all masses, also that of a force, and the summary says how many masses
+// are forced. The default forces mass 1, in chains of every length.
+TEST_F(Runner, ASingleAmplitudeForcesAllMasses) {
+  const struct {
+    std::string options, summary;
+  } cases[] = {{"", "2 masses, 1 of them forced, 2 stops; "},
+               {"--masses 1", "1 masses, 1 of them forced, 1 stops; "},
+               {"--masses 3", "3 masses, 1 of them forced, 2 stops; "},
+               {"--masses 3 --amplitude 0.5", "3 masses, 3 of them forced, 2 stops; "},
+               {"--masses 3 --amplitude 0.5,0,0 --sine 0,0.1,0 --stop none",
+                "3 masses, 2 of them forced, 0 stops; "},
+               {"--amplitude 0", "2 masses, 0 of them forced, 2 stops; "}};
+  for (const auto &[options, summary] : cases)
+    EXPECT_TRUE(run("run --until 10 " + options).err.starts_with(summary)) << options;
+  const std::string masses = "run --masses 3 --print-scene ";
+  EXPECT_EQ(run(masses + "--amplitude 0.5").out, run(masses + "--amplitude 0.5,0.5,0.5").out);
+  EXPECT_EQ(run(masses).out, run(masses + "--amplitude 0.5,0,0").out);
+}
+
 TEST_F(Runner, TheExamplesOfTheHelpWork) {
   if (!there_is_gnuplot()) GTEST_SKIP() << "gnuplot is not there";
   const Result help = run("--help");
