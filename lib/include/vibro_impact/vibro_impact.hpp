@@ -6,5 +6,6 @@
 #include "instant.hpp"
 #include "record.hpp"
 #include "scene.hpp"
+#include "scene_fields.hpp"
 #include "simulate.hpp"
 #include "table.hpp"
