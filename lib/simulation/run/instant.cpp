@@ -139,8 +139,7 @@ void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) 
     const bool zero =
         (root && evaluate(contact, run.motion) >= -row_rounding * terms_of(contact, run.motion)) ||
         (decided != nullptr && (decided->zeros > 0 || decided->none));
-    masses.push_back(
-        {contact.stop, contact.mass, contact.sigma, contact.held, &contact, zero && !pushed});
+    masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
 }
 
@@ -212,7 +211,7 @@ void hold_or_release(Run &run, const ContactsOfInstant &contacts, Recorders reco
   } else {
     state.held = run.motion.mode->held;
     set_chain(run.motion, run.scratch.chain);
-    rest.decide(run.scene(), run.scratch.chain, run.motion, rate);
+    rest.decide(run.scene(), state.held, run.scratch.chain, run.motion.now.phase, rate);
   }
   for (RestingMass &mass : rest.masses) {
     const std::optional<Instant> &changed = run.stops[mass.stop].changed;

@@ -21,15 +21,6 @@ std::size_t index_of(const Stop &stop) {
   return static_cast<std::size_t>(stop.mass - 1);
 }
 
-// The first derivative of (3) of a held mass.
-double slope_of(const Contact &contact, const Motion &motion, double omega) {
-  Pair sums{};
-  for (Eigen::Index j = 0; j < motion.y.size(); j += 2)
-    sums += pair(contact.row.data() + j) *
-            (pair(motion.dy.data() + j) + contact.damping * acceleration(motion, j));
-  return sum(sums) - omega * (contact.forcing * motion.turn).imag();
-}
-
 }  // namespace
 
 // The force of springs and dampers on a mass, in one order.
@@ -49,20 +40,9 @@ RestDecision::Bounded RestDecision::force_on(const Scene &scene, std::size_t mas
   return sum;
 }
 
-// True when both neighbours of a mass are at rest, or move, as they do in the contact mode `held`.
-bool RestDecision::has_neighbours_as_in(const Held &held, std::size_t mass) const {
-  const auto as_before = [&](std::size_t i) {
-    return (kind_[i] == Kind::moving) == (held[i] == 0);
-  };
-  return (mass == 0 || as_before(mass - 1)) && (mass + 1 == kind_.size() || as_before(mass + 1));
-}
-
 // Decides the masses still undecided, order by order; a force within its error bound counts as
-// zero. Returns how many are left. A stiff damped link turns the rounding of the force on a free
-// neighbour into any first derivative; that of a hold force follows from the modal coordinates of
-// `motion` where these are given and the neighbours go on as before.
-std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, double rate,
-                                          const Motion *motion) {
+// zero. Returns how many are left.
+std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, double rate) {
   const std::size_t n = scene.mass.size();
   const double angle = scene.omega * phase, c = std::cos(angle), s = std::sin(angle);
   const std::array<double, 5> cosine{c, -s, -c, s, c};  // and its derivatives
@@ -88,10 +68,7 @@ std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, doub
       acceleration_[i] = kind_[i] == Kind::moving ? acceleration(i, total_force(i)) : Bounded{};
     for (RestingMass &mass : masses) {
       if (kind_[mass.mass] != Kind::undecided) continue;
-      Bounded force = total_force(mass.mass);
-      if (order == 1 && motion != nullptr && mass.was_held &&
-          has_neighbours_as_in(motion->mode->held, mass.mass))
-        force = {mass.sigma * slope_of(*mass.contact, *motion, scene.omega) / rate, 0.0};
+      const Bounded force = total_force(mass.mass);
       if ((order == 0 && mass.force_is_zero) || std::abs(force.value) <= force.error) continue;
       mass.held = mass.sigma * force.value > 0.0;
       mass.force = {.zeros = order};
@@ -143,18 +120,25 @@ void RestDecision::set_exact_link(const Scene &scene, std::size_t i, double rate
   if (!scene.ground.empty()) set(scene.mass.size() + i, x, v);
 }
 
+void RestDecision::decide_from_start(const Scene &scene, double phase, double rate) {
+  if (decide_by_order(scene, phase, rate) == 0) return;
+  // Forces within their error bounds in all orders are decided by their rounded values.
+  for (std::vector<Bounded> *numbers : {&start_.force, &start_.rate})
+    for (Bounded &number : *numbers) number.error = 0.0;
+  decide_by_order(scene, phase, rate);
+}
+
 void RestDecision::decide(const Scene &scene, const MotionState &exact, double rate) {
   set_kinds(scene, exact.held);
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
     set_exact_link(scene, i, rate, i > 0 ? exact.displacement[i - 1] : 0.0,
                    i > 0 ? exact.velocity[i - 1] : 0.0, exact.displacement[i], exact.velocity[i]);
   }
-  decide_by_order(scene, exact.instant.phase, rate);
+  decide_from_start(scene, exact.instant.phase, rate);
 }
 
-void RestDecision::decide(const Scene &scene, const ChainMotion &chain, const Motion &motion,
-                          double rate) {
-  const Held &held = motion.mode->held;
+void RestDecision::decide(const Scene &scene, const Held &held, const ChainMotion &chain,
+                          double phase, double rate) {
   set_kinds(scene, held);
   const Real error = row_rounding * chain.tension.norm(),
              rate_error = row_rounding * chain.tension_rate.norm() / rate;
@@ -173,11 +157,7 @@ void RestDecision::decide(const Scene &scene, const ChainMotion &chain, const Mo
   for (std::size_t i = 0; i < held.size(); ++i)
     if (kind_[i] != Kind::moving && (i == 0 || kind_[i - 1] != Kind::moving))
       set_exact_link(scene, i, rate, i > 0 ? positions_[i - 1] : 0.0, 0.0, positions_[i], 0.0);
-  if (decide_by_order(scene, motion.now.phase, rate) == 0) return;
-  // Forces within their error bounds in all orders are decided by their rounded values.
-  for (std::vector<Bounded> *numbers : {&start_.force, &start_.rate})
-    for (Bounded &number : *numbers) number.error = 0.0;
-  decide_by_order(scene, motion.now.phase, rate, &motion);
+  decide_from_start(scene, phase, rate);
 }
 
 }  // namespace vibro_impact::detail

@@ -16,7 +16,6 @@ struct RestingMass {
   std::size_t stop = 0, mass = 0;  // indices from 0
   double sigma = 1.0;              // the sign of the side of the stop
   bool was_held = false;
-  const Contact *contact = nullptr;  // of the contact mode before
   bool force_is_zero = false;  // the force is exactly zero: the instant is a root of the force
   // The decision.
   bool held = false;
@@ -28,12 +27,14 @@ class RestDecision {
  public:
   std::vector<RestingMass> masses;
 
-  // Decides whether each of `masses` is held. The other masses are free or held as before. `rate`
-  // is the unit of time. A mass on which no force acts in the first 2 N + 4 orders is free and
-  // stays at rest: by these orders motion has passed along the chain. The motion is exact, as at
-  // the start of a run, or given by tensions, with their rounding, and by modal coordinates.
+  // Decides whether each of `masses` is held. The other masses are free or held as in `held`.
+  // `phase` is that of the forcing, and `rate` the unit of time. A mass on which no force acts in
+  // the first 2 N + 4 orders is free and stays at rest: by these orders motion has passed along the
+  // chain. The motion is exact, as at the start of a run, or given by tensions, with their
+  // rounding.
   void decide(const Scene &scene, const MotionState &exact, double rate);
-  void decide(const Scene &scene, const ChainMotion &chain, const Motion &motion, double rate);
+  void decide(const Scene &scene, const Held &held, const ChainMotion &chain, double phase,
+              double rate);
 
  private:
   enum class Kind : char { moving, held, undecided };
@@ -57,9 +58,8 @@ class RestDecision {
   void set_kinds(const Scene &scene, const Held &held);
   void set_exact_link(const Scene &scene, std::size_t i, double rate, double x_before,
                       double v_before, double x, double v);
-  std::size_t decide_by_order(const Scene &scene, double phase, double rate,
-                              const Motion *motion = nullptr);
-  bool has_neighbours_as_in(const Held &held, std::size_t mass) const;
+  void decide_from_start(const Scene &scene, double phase, double rate);
+  std::size_t decide_by_order(const Scene &scene, double phase, double rate);
   Bounded force_on(const Scene &scene, std::size_t mass, double rate) const;
 };
 
