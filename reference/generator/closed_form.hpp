@@ -257,7 +257,15 @@ inline Motion motion_at(const Flow &flow, const Real &tau) {
       s = sh / mode.nu;
       bend = mode.nu * mode.nu;
     }
-    const Real envelope = exp(-mode.decay * tau);
+    Real envelope = exp(-mode.decay * tau);
+    if (mode.damping == Mode::Damping::over && mode.nu * tau > 1) {
+      // The two decays one by one: e^(nu tau) may not be finite.
+      const Real slow = exp(-mode.lambda / (mode.decay + mode.nu) * tau),
+                 fast = exp(-(mode.decay + mode.nu) * tau);
+      c = (slow + fast) / 2;
+      s = (slow - fast) / (2 * mode.nu);
+      envelope = 1;
+    }
     const Real ringing = envelope * (mode.u * c + mode.w * s);
     const Real ringing_rate = envelope * (mode.u * bend * s + mode.w * c) - mode.decay * ringing;
     const Real q = ringing + mode.rest + mode.forced_cos * motion.cosine +

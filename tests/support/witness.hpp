@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -48,7 +49,8 @@ class Witness {
     } else if (event.kind == EventKind::stick) {  // its last speed counts as off
       note(off_the_stop, std::abs(gap(stop, flown_)));
     } else if (!event.by_a_jump) {
-      note(not_zero, std::abs(press(stop, flown_, event.instant.phase)));
+      note(not_zero, std::abs(press(stop, flown_, event.instant.phase)) -
+                         clock_rounding_[static_cast<std::size_t>(&stop - scene_.stops.data())]);
     }
     for (Eigen::Index k = 0; k < flown_.x.size(); ++k) {
       state_of_run_.x(k) = moment.displacement(static_cast<int>(k) + 1);
@@ -102,6 +104,9 @@ class Witness {
   Held held_;
   Motion flown_;         // the end of the latest flight, with the events recorded since
   Motion state_of_run_;  // the state of the run at the latest event
+  // The change of each hold force in the last rounding of the clock before the end of the latest
+  // flight. Beside a link of 1e9 it may be larger than the force that the links carry.
+  std::vector<Real> clock_rounding_ = std::vector<Real>(scene_.stops.size());
   Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
 
   static void note(Real &worst, Real value) {
@@ -205,6 +210,7 @@ class Witness {
     compare();
     const Flight flight = take_off(t);
     const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const auto watched = [&](std::size_t k, const Motion &at, Real s) {
       const Stop &stop = scene_.stops[k];
       return held_at(stop) ? press(stop, at, since_.phase + s) : gap(stop, at);
@@ -220,7 +226,12 @@ class Witness {
         Real &worst = held_at(scene_.stops[k]) ? weakest : deepest;
         auto &[first, second, third] = last[k];
         first = second, second = third, third = watched(k, flown_, s);
-        note(worst, -third);
+        Real &rounding = clock_rounding_[k] = 0;
+        if (n == steps && held_at(scene_.stops[k])) {
+          const Real before = std::max<Real>(0, t - epsilon * std::max(since_.phase, next.phase));
+          rounding = std::abs(third - watched(k, flight.after(before), before));
+        }
+        note(worst, -third - rounding);
         const Real bend = first - 2 * second + third;
         if (n < 2 || !(second <= first && second <= third && second < bend)) continue;
         Real from = s - 2 * t / steps, to = s;

@@ -108,6 +108,34 @@ void make_orthogonal(MatrixXd &tension, MatrixXd &vectors, Index first) {
   }
 }
 
+// Sets the tensions of stiff links in softer modes. Their rounding is epsilon sqrt(lambda), so that
+// the force k_i (x_i - x_(i-1)) errs by epsilon sqrt(k_i lambda). It also follows from the force of
+// the next link, with its error and epsilon lambda sqrt(m_i): the forces on a free mass add up to
+// -lambda m_i x_i.
+void balance_forces(const Scene &scene, const std::vector<std::size_t> &free, ModalBasis &basis) {
+  const std::size_t n = scene.mass.size();
+  std::vector<double> force(n + 1), error(n + 1);  // of the links; none beyond the last mass
+  for (Index j = 0; j < basis.lambda.size(); ++j) {
+    const double lambda = basis.lambda(j);
+    for (std::size_t i = 0; i < n; ++i) {
+      force[i] = std::sqrt(scene.stiffness[i]) * basis.tension(static_cast<Index>(i), j);
+      error[i] = std::sqrt(scene.stiffness[i] * lambda);
+    }
+    const auto balance = [&](std::size_t i, std::size_t to, std::size_t from, double sign) {
+      const double ground = entry_of(scene.ground, i),
+                   rounding =
+                       error[from] + lambda * std::sqrt(scene.mass[i]) + std::sqrt(ground * lambda);
+      if (!(rounding < error[to])) return;
+      error[to] = rounding;
+      force[to] = force[from] +
+                  sign * (lambda * scene.mass[i] - ground) * basis.shape(static_cast<Index>(i), j);
+      basis.tension(static_cast<Index>(to), j) = force[to] / std::sqrt(scene.stiffness[to]);
+    };
+    for (auto i = free.rbegin(); i != free.rend(); ++i) balance(*i, *i, *i + 1, 1.0);
+    for (const std::size_t i : free) balance(i, i + 1, i, -1.0);
+  }
+}
+
 }  // namespace
 
 Eigen::Index springs(const Scene &scene) {
@@ -184,6 +212,7 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
       basis.inverse(j, static_cast<Index>(i)) = u * root_m;
     }
   }
+  balance_forces(scene, free, basis);
   if (!floats) return basis;
   // The rigid-body mode is set without the rounding of roots, and the others are made orthogonal to
   // it.
