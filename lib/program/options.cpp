@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -96,8 +97,13 @@ std::string footer(bool with_mpi) {
 constexpr double any_count = 1e15;
 constexpr double most_numbers = 5e7;  // in a table of samples, which then has about 1 GB
 
-// By default a run, or a point of a sweep, of a few masses ends within ten seconds, or two.
-constexpr long long steps_of_run = 5'000'000, steps_of_point = 1'000'000;
+// With the default bound a run, or a point of a sweep, ends within some ten seconds, or two. A step
+// takes 2 microseconds with two masses and 22 with a hundred.
+constexpr long long steps_of_run = 5'000'000, steps_of_point = 1'000'000, least_steps = 20'000;
+
+long long default_steps(long long steps_of_two, int masses) {
+  return std::max(steps_of_two * 2 / std::max(masses, 2), least_steps);
+}
 
 // What both commands have in common, and the times and ranges as they were given.
 struct Words {
@@ -180,7 +186,8 @@ void add_limits(CLI::App &app, RunOptions &options) {
   option(app, "--max-impacts", options.max_impacts_per_period, "N",
          "Give up beyond this many impacts in one forcing period", any_count);
   option(app, "--max-steps", options.max_steps, "N",
-         "Give up beyond this many steps, which are as short as the stiffest link asks for",
+         "Give up beyond this many steps, which are as short as the stiffest link asks for;\n"
+         "the default is that of two masses, and falls with their number",
          any_count);
 }
 
@@ -296,6 +303,9 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
   const CLI::App &command = run.parsed() ? run : sweep;
   const Scene scene = scene_of(command, words.scene_file);
   if (words.print_scene) return scene_file(scene);
+  RunOptions &options = run.parsed() ? run_request.options : sweep_request.records.settle.run;
+  if (command.count("--max-steps") == 0)
+    options.max_steps = default_steps(options.max_steps, scene.masses());
   const std::string definition =
       fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
                   given(command), scene_file(scene, "# "));

@@ -109,7 +109,7 @@ void print_summary(const Scene &scene, const Outcome &outcome) {
   for (std::size_t i = 0; i < scene.mass.size(); ++i) forced_masses += forced(i) ? 1 : 0;
   const Counters &counters = outcome.counters;
   fmt::print(stderr,
-             "{} masses, {} of them forced, {} stops; t = {:.17g}: since t = 0, {} impacts "
+             "masses: {}, forced: {}, stops: {}; t = {:.17g}: since t = 0, {} impacts "
              "resolved, {} sticks, {} releases; chatter {} times carried to its limit, {} times "
              "incomplete\n",
              scene.masses(), forced_masses, scene.stops.size(), outcome.time, counters.impacts,

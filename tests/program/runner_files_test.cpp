@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "program/options.hpp"
 #include "tests/support/runner_program.hpp"
 
 namespace {
@@ -41,6 +42,16 @@ TEST_F(Runner, ARunOfTooManyStepsIsGivenUp) {
   EXPECT_TRUE(fs::is_empty(folder));
   EXPECT_NE(run("run --help").out.find("--max-steps N=5000000 "), std::string::npos);
   EXPECT_NE(run("sweep --help").out.find("--max-steps N=1000000 "), std::string::npos);
+  const auto steps = [](const char *masses, auto... more) {
+    const char *words[] = {"vibro-impact", "run", "--stop", "none", "--masses", masses, more...};
+    using namespace vibro_impact::runner;
+    return std::get<RunRequest>(parse(std::size(words), words)).options.max_steps;
+  };
+  EXPECT_EQ(steps("1"), 5'000'000);
+  EXPECT_EQ(steps("2"), 5'000'000);
+  EXPECT_EQ(steps("100"), 100'000);
+  EXPECT_EQ(steps("2000"), 20'000);
+  EXPECT_EQ(steps("100", "--max-steps", "7"), 7);
   const Result points = run("sweep --vary omega=0.3:0.4:2 --max-steps 100 --table t.csv " + stiff);
   EXPECT_EQ(points.status, 0);
   EXPECT_NE(points.err.find("2 were refused or given up"), std::string::npos) << points.err;

@@ -88,13 +88,13 @@ TEST_F(Runner, OptionsOfTheSceneMeanWhatTheHelpSays) {
 TEST_F(Runner, ASingleAmplitudeForcesAllMasses) {
   const struct {
     std::string options, summary;
-  } cases[] = {{"", "2 masses, 1 of them forced, 2 stops; "},
-               {"--masses 1", "1 masses, 1 of them forced, 1 stops; "},
-               {"--masses 3", "3 masses, 1 of them forced, 2 stops; "},
-               {"--masses 3 --amplitude 0.5", "3 masses, 3 of them forced, 2 stops; "},
+  } cases[] = {{"", "masses: 2, forced: 1, stops: 2; "},
+               {"--masses 1", "masses: 1, forced: 1, stops: 1; "},
+               {"--masses 3", "masses: 3, forced: 1, stops: 2; "},
+               {"--masses 3 --amplitude 0.5", "masses: 3, forced: 3, stops: 2; "},
                {"--masses 3 --amplitude 0.5,0,0 --sine 0,0.1,0 --stop none",
-                "3 masses, 2 of them forced, 0 stops; "},
-               {"--amplitude 0", "2 masses, 0 of them forced, 2 stops; "}};
+                "masses: 3, forced: 2, stops: 0; "},
+               {"--amplitude 0", "masses: 2, forced: 0, stops: 2; "}};
   for (const auto &[options, summary] : cases)
     EXPECT_TRUE(run("run --until 10 " + options).err.starts_with(summary)) << options;
   const std::string masses = "run --masses 3 --print-scene ";
