@@ -18,7 +18,7 @@ inline const RunOptions all_visible_chatter{.resolve_chatter = paper::slowest_im
 
 // Samples both masses across the window of a panel.
 inline SampleRecorder samples_across(const paper::AxisBox &box, double every) {
-  return {.from = box.from, .to = box.to, .every = every};
+  return {box.from, box.to, every};
 }
 
 struct Range {
@@ -75,7 +75,7 @@ inline Table parameters(const std::vector<Scene> &scenes) {
 
 // The sticking phases of one mass, counted from 1: at uniform times, at the stick and at the
 // release the hold force on it (F_p of Eqs. 12-13) and the motion of another mass.
-struct StickingPhaseRecorder {
+struct StickingPhaseRecorder : Recorder {
   struct Row {
     int phase;
     const char *kind;         // stick, release, or orbit between them
@@ -83,21 +83,25 @@ struct StickingPhaseRecorder {
     double force;             // zero at a release at a root of the force, NaN at any other release
     double x = 0.0, v = 0.0;  // of the other mass
   };
-  int mass = 1, other = 0;  // other = 0: none
-  double from = 0.0, to = 0.0, every = 0.0;
+  int mass, other;  // other = 0: none
+  double from, to, every;
   std::vector<Row> rows = {};
   int phase = 0;
   std::size_t asked = 0;
 
-  double next_time() const {
+  StickingPhaseRecorder(int of_mass, int other_mass, double from_time, double to_time,
+                        double every_time)
+      : mass(of_mass), other(other_mass), from(from_time), to(to_time), every(every_time) {
+  }
+  double next_time() const override {
     return sample_time(from, to, every, asked);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++asked;
     const double force = moment.hold_force(mass);
     if (!std::isnan(force)) add("orbit", force, moment);
   }
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     if (event.mass != mass || event.kind == EventKind::impact) return;
     if (event.time < from || event.time > to) return;
     if (event.kind == EventKind::stick) ++phase;
@@ -115,7 +119,7 @@ struct StickingPhaseRecorder {
 // The hold force on mass 1 in the sticking phases of a settled forcing period.
 inline Table hold_force(const Scene &scene) {
   const double period = Clock(scene.omega).period, from = paper::figure4_settling_periods * period;
-  StickingPhaseRecorder phases{.from = from, .to = from + period, .every = 0.001};
+  StickingPhaseRecorder phases(1, 0, from, from + period, 0.001);
   require_complete(simulate(scene, phases.to, phases));
   Table table("phase,t,F2");
   for (const auto &row : phases.rows)

@@ -27,7 +27,7 @@ Table table_of(const EventRecorder &recorder) {
 }
 
 // The table of samples, row by row.
-struct SampleTable {
+struct SampleTable : Recorder {
   const RunRequest &request;
   Table table;
   std::size_t taken = 0;
@@ -39,13 +39,13 @@ struct SampleTable {
         header += fmt::format(",{}{}", column, mass);
     table = Table(header);
   }
-  void check(const Scene &scene) const {
-    SampleRecorder{request.from, request.until, request.every}.check(scene);
+  void check(const Scene &scene) const override {
+    SampleRecorder(request.from, request.until, request.every).check(scene);
   }
-  double next_time() const {
+  double next_time() const override {
     return sample_time(request.from, request.until, request.every, taken);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++taken;
     table.cell(moment.time);
     for (int mass = 1; mass <= moment.masses(); ++mass) table.cell(moment.displacement(mass));
@@ -56,7 +56,7 @@ struct SampleTable {
 };
 
 // Shows how far a run is, at its events and at times between them.
-struct ProgressRecorder {
+struct ProgressRecorder : Recorder {
   static constexpr double shown_times = 1000.0;
 
   Progress progress;
@@ -68,14 +68,14 @@ struct ProgressRecorder {
     progress.advance(time - latest);
     latest = time;
   }
-  void event(const Event &event, const Moment &) {
+  void event(const Event &event, const Moment &) override {
     reach(event.time);
   }
-  double next_time() const {
+  double next_time() const override {
     const double next = until * ((taken + 1.0) / shown_times);
     return taken + 1.0 < shown_times && next > 0.0 ? next : std::numeric_limits<double>::infinity();
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++taken;
     reach(moment.time);
   }
@@ -111,15 +111,15 @@ void check_files_of(const RunRequest &request) {
 
 void run_scene(const RunRequest &request) {
   check_files_of(request);
-  EventRecorder events{request.from};
+  EventRecorder events(request.from);
   SampleTable samples(request);
-  RecorderGroup recorders;
-  if (!request.events.empty()) recorders.add(events);
-  if (!request.samples.empty()) recorders.add(samples);
+  std::vector<Recorder *> recorders;
+  if (!request.events.empty()) recorders.push_back(&events);
+  if (!request.samples.empty()) recorders.push_back(&samples);
   Outcome outcome;
   {
     ProgressRecorder progress(request.until);
-    if (isatty(STDERR_FILENO) != 0) recorders.add(progress);
+    if (isatty(STDERR_FILENO) != 0) recorders.push_back(&progress);
     Simulation simulation(request.scene, request.options);
     outcome = require_complete(simulation.advance(request.until, recorders));
   }

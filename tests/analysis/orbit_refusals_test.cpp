@@ -60,7 +60,7 @@ TEST(Refusals, OfOrbits) {
   const Stop none{5, Side::upper, 0.1}, on_no_side{1, Side{9}, 0.1}, nowhere{1, Side::upper, nan};
   const Scene stiff = with(scene, "stiffness1", 1e30);
   const Held too_few{0}, wrong{0, 9}, free{0, 0};
-  PressedEventRecorder without_stops{{}};
+  PressedEventRecorder without_stops({});
   expect_refused({
       {[&] { natural_modes(scene, too_few); }, "held: 1 values given, the chain has 2 masses"},
       {[&] { natural_modes(scene, wrong); }, "held = 9: must be -1, 0 or 1"},

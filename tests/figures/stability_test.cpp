@@ -138,7 +138,7 @@ TEST(Verdict, MeasuresAPenetration) {
   const Scene scene = one_mass(0.0, 0.0, 1.0, 1.0, 0.5, -1.0);
   Scene nearer = scene;
   nearer.stops[0].position = 0.49;
-  Samples samples{&nearer, 10.0};
+  Samples samples(nearer, 10.0);
   require_complete(simulate(scene, 10.0, samples));
   EXPECT_NEAR(samples.penetration, 0.01, 5e-3);  // half a spacing of the samples at speed 0.87
 }
@@ -147,7 +147,7 @@ TEST(Verdict, MeasuresAPenetration) {
 // d / sqrt(1 - s^2) slower. The perturbation of 1e-10 leaves six digits.
 TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
   const Scene scene = one_mass(0.0, 0.0, 1.0, 0.0, 0.5, -1.0);
-  Samples motion{&scene, 3.0};
+  Samples motion(scene, 3.0);
   require_complete(simulate(scene, 3.0, motion));
   const Relative sensitivity = extremes::detail::sensitivity_of(scene, 3.0, 1.0, motion);
   EXPECT_NEAR(sensitivity.time, 0.5 / std::sqrt(0.75), 1e-5);

@@ -57,12 +57,12 @@ Scene equal_chain(int masses, double beta) {
 TEST(AtRest, AMassThatAWaveReachesInAHighOrderKeepsItsStop) {
   Scene scene = equal_chain(13, 0.0);
   scene.velocity[0] = -1e-6;
-  struct Highest {
+  struct Highest : Recorder {
     double time = 0.0, highest = -1.0;
-    double next_time() const {
+    double next_time() const override {
       return time;
     }
-    void sample(const Moment &moment) {
+    void sample(const Moment &moment) override {
       highest = std::max(highest, moment.displacement(13));
       time += 0.05;
     }

@@ -110,7 +110,7 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
           std::max(worst.over_tolerance, (error - rounding(scene.restitution)) / tolerance);
       ++worst.limits;
     }
-    start = simulate(scene, start, 0.37 * period, resolved).state;
+    start = Simulation(scene, start, resolved).advance(0.37 * period).state;
     start.instant = {};
     for (std::size_t i = 0; i < start.held.size(); ++i)
       if (start.held[i] != 0) {  // let go inside the stop, and moving

@@ -54,7 +54,7 @@ TEST(Economy, AContactModeIsBuiltWhenItIsFirstEntered) {
   for (const Scene &scene : {paper::figure2(), paper::figure5a(), paper::figure5b(),
                              long_chain(10, 0.7), without_stops(paper::figure2())}) {
     EventRecorder events;
-    SampleRecorder samples{.from = 0.0, .to = 300.0, .every = 0.01};  // and so inside chatters
+    SampleRecorder samples(0.0, 300.0, 0.01);  // and so inside chatters
     const Outcome outcome = simulate(scene, 300.0, events, samples);
     EXPECT_EQ(outcome.counters.modes_built, modes_entered(events.events, scene.masses()));
   }
@@ -137,7 +137,7 @@ TEST(Economy, AMassThatRestsWithoutForceRefusesNoLimit) {
 TEST(Economy, TheCountersOfAModeDoNotDependOnSamples) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const Scene scene = chattering_scene(seed);
-    SampleRecorder samples{.from = 0.0, .to = 15.0, .every = 0.01};
+    SampleRecorder samples(0.0, 15.0, 0.01);
     const Counters plain = simulate(scene, 15.0).counters,
                    sampled = simulate(scene, 15.0, samples).counters;
     EXPECT_EQ(plain.forced_coordinates, sampled.forced_coordinates) << seed;
@@ -162,7 +162,7 @@ TEST(Economy, ASampleIsOneEvaluation) {
   clear.stops.push_back({1, Side::lower, -0.25});
   for (const Scene &scene :
        {without_stops(long_chain(2, 0.7)), without_stops(long_chain(50, 0.7)), clear}) {
-    SampleRecorder samples{.from = 1.0, .to = 90.0, .every = 0.37};
+    SampleRecorder samples(1.0, 90.0, 0.37);
     const Counters counters = simulate(scene, 1e6, samples).counters;
     EXPECT_EQ(samples.times.size(), 241u);
     EXPECT_EQ(counters.modal_evaluations, 242);

@@ -118,7 +118,7 @@ TEST(Refusals, OfTimesAndOptions) {
       {until(infinity), "until = inf: must be finite"},
       {until(-1.0), "until = -1: lies before the start at 0"},
       {until(1e300), "time 1e+300: more forcing periods than double precision can count"},
-      {[&] { require_complete(simulate(scene, at_fifty, 49.0)); },
+      {[&] { require_complete(Simulation(scene, at_fifty).advance(49.0)); },
        "until = 49: lies before the start"},
       {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
       {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
@@ -144,42 +144,46 @@ TEST(Refusals, OfMotionsBeyondTheRangeOfDoubles) {
 }
 
 // Asks for the same time over and over, an earlier one each time, or none that is one.
-struct Stuck {
+struct Stuck : Recorder {
   double at, step;
   std::size_t taken = 0;
-  double next_time() const {
+  Stuck(double time, double step_of_times) : at(time), step(step_of_times) {
+  }
+  double next_time() const override {
     return at + step * static_cast<double>(taken);
   }
-  void sample(const Moment &) {
+  void sample(const Moment &) override {
     ++taken;
   }
 };
 
 // Goes back at an event.
-struct GoesBack {
-  double to = 12.0;
+struct GoesBack : Recorder {
+  double to;
   double at = 10.0;
-  double next_time() const {
+  explicit GoesBack(double time) : to(time) {
+  }
+  double next_time() const override {
     return at;
   }
-  void sample(const Moment &) {
+  void sample(const Moment &) override {
     at += 1.0;
   }
-  void event(const Event &event, const Moment &) {
+  void event(const Event &event, const Moment &) override {
     if (event.time > 15.0) at = to;
   }
 };
 
-struct AsksForMassFive {
-  void event(const Event &, const Moment &moment) {
+struct AsksForMassFive : Recorder {
+  void event(const Event &, const Moment &moment) override {
     moment.hold_force(5);
   }
 };
 
-template <class Recorder>
-BadCall recorded_by(const Recorder &recorder, const char *says) {
+template <class OneRecorder>
+BadCall recorded_by(const OneRecorder &recorder, const char *says) {
   return {[recorder] {
-            Recorder mine = recorder;
+            OneRecorder mine = recorder;
             require_complete(simulate(paper::figure2(), 60.0, mine));
           },
           says};
@@ -197,11 +201,11 @@ TEST(Refusals, OfRecorders) {
       recorded_by(SampleRecorder{0.0, infinity, 1.0}, "samples from 0 to inf: must be finite"),
       recorded_by(SampleRecorder{-1.0, 10.0, 1.0}, "sample at t = -1: the run begins at 0"),
       recorded_by(SampleRecorder{0.1, 10.0, 1e-300}, "next_time = 0.1 after the sample at 0.1"),
-      recorded_by(Stuck{1.0, 0.0}, "next_time = 1 after the sample at 1: must be later"),
-      recorded_by(GoesBack{}, "next_time = 12: lies before the motion"),
-      recorded_by(GoesBack{nan}, "next_time = nan: must be a time"),
+      recorded_by(Stuck(1.0, 0.0), "next_time = 1 after the sample at 1: must be later"),
+      recorded_by(GoesBack(12.0), "next_time = 12: lies before the motion"),
+      recorded_by(GoesBack(nan), "next_time = nan: must be a time"),
       recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
-      {[&] { require_complete(simulate(scene, later, 60.0, early)); },
+      {[&] { require_complete(Simulation(scene, later).advance(60.0, early)); },
        "sample at t = 10: the run begins at 5"},
   });
   EXPECT_FALSE(std::is_copy_constructible_v<Moment>);

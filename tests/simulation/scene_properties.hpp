@@ -115,7 +115,7 @@ inline std::string broken_by_samples(const Run &run, SampleRecorder &samples) {
 // those of the whole, and so are the samples.
 inline std::string broken_by_a_split(const Run &run, double split, const SampleRecorder &samples) {
   EventRecorder events;
-  SampleRecorder others{samples.from, samples.to, samples.every};
+  SampleRecorder others(samples.from, samples.to, samples.every);
   Simulation simulation(run.scene, run.options);
   if (simulation.advance(split, events, others).ending != Ending::reached) return "";
   const Outcome outcome = simulation.advance(run.until, events, others);
@@ -147,7 +147,7 @@ inline Verdict try_scene(const Trial &trial, long long most_impacts, double shar
   RunOptions options;
   options.max_impacts_per_period = most_impacts;
   Verdict verdict;
-  EventRules rules{scene};
+  EventRules rules(scene);
   const Outcome outcome = simulate(scene, until, options, rules);
   const Run run{scene, until, options, rules.events, outcome};
   verdict.gave_up = outcome.ending == Ending::given_up;

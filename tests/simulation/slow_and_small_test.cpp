@@ -104,7 +104,7 @@ TEST(Clock, TurnsAFreeMotionByWholePeriodsExactly) {
   const Scene scene = scene_of({1.0, 1.0});
   for (const long long cycles : {1'000LL, 1'000'000LL, 1'000'000'000LL}) {
     const MotionState start{{1, 1.0}, {0.1}, {0.0}, {0}};
-    const Outcome end = simulate(scene, start, time_of({1 + cycles, 2.0}, Clock(1.0)));
+    const Outcome end = Simulation(scene, start).advance(time_of({1 + cycles, 2.0}, Clock(1.0)));
     EXPECT_NEAR(end.state.displacement[0], 0.1 * std::cos(end.state.instant.phase - 1.0), 4e-16);
   }
 }
@@ -116,7 +116,8 @@ TEST(Clock, OfALongQuietMotionIsNotRounded) {
   const double stiff = 1.0 - 0.28 * 0.28, drag = 0.1 * 0.28;
   for (const long long cycle : {0LL, 1LL, 1'000'000LL, 10'000'000'000LL}) {
     const MotionState start{{cycle, 1.0}, {0.1}, {0.0}, {0}};
-    const Outcome outcome = simulate(scene, start, time_of({cycle + 1'000'000, 2.0}, Clock(0.28)));
+    const Outcome outcome =
+        Simulation(scene, start).advance(time_of({cycle + 1'000'000, 2.0}, Clock(0.28)));
     const double angle = 0.28 * outcome.state.instant.phase;
     EXPECT_NEAR(
         outcome.state.displacement[0],
@@ -249,12 +250,12 @@ TEST(Clock, ResolvesAFastDecayLateInARun) {
 }
 
 // A recorder that is done at the impact at which the run is given up.
-struct Third {
+struct Third : Recorder {
   int seen = 0;
-  void event(const Event &, const Moment &) {
+  void event(const Event &, const Moment &) override {
     ++seen;
   }
-  bool done() const {
+  bool done() const override {
     return seen == 3;
   }
 };
@@ -266,17 +267,6 @@ TEST(Ending, OfARunGivenUpStaysSo) {
   EXPECT_EQ(outcome.ending, outcome.reason.empty() ? Ending::stopped : Ending::given_up);
 }
 
-// A member that does not fit is never called, so that its recorder is none.
-struct NoMoment {
-  void event(const Event &);
-  bool done();
-};
-struct NoTime {
-  void sample(const Moment &);
-  void event(const Event &, const Moment &);
-};
-static_assert(Recorder<EventRecorder> && Recorder<SampleRecorder> && Recorder<Third>);
-static_assert(!Recorder<NoMoment> && !Recorder<NoTime> && !Recorder<Scene>);
 static_assert(!std::is_reference_v<decltype(require_complete(simulate(Scene{}, 0.0)))>);
 
 TEST(Refusals, OfRatesBeyondTheRangeOfDoubles) {

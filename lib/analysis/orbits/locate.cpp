@@ -48,7 +48,7 @@ int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
   require_mass(mass, scene.masses());
   MotionState start = start_of(scene);
   start.instant.cycle = settling;
-  EventRecorder recorder{time_of(start.instant, Clock(scene.omega))};
+  EventRecorder recorder(time_of(start.instant, Clock(scene.omega)));
   require_complete(simulate(scene, time_after(scene, start, periods), recorder));
   return static_cast<int>(std::count_if(
       recorder.events.begin(), recorder.events.end(),

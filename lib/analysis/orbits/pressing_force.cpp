@@ -60,7 +60,7 @@ struct Bracket {
 
 // Finds the brackets between neighbouring nodes: the events, with the motion before and after each,
 // and uniform times that are close enough for the fastest mode.
-struct BracketRecorder {
+struct BracketRecorder : Recorder {
   const Scene &scene;
   const Quantity &quantity;
   Held held;
@@ -69,15 +69,24 @@ struct BracketRecorder {
   std::optional<MotionState> falling = {};
   std::vector<Bracket> brackets = {};
 
-  double next_time() const {
+  BracketRecorder(const Scene &of, const Quantity &searched, const MotionState &start,
+                  double distance)
+      : scene(of),
+        quantity(searched),
+        held(start.held),
+        from(start.instant.phase),
+        to(from + Clock(of.omega).period),
+        every(distance) {
+  }
+  double next_time() const override {
     return sample_time(from, to, every, taken);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++taken;
     const MotionState state = state_at(moment, held);
     node(state, state);
   }
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     MotionState before = state_at(moment, held);
     if (event.kind == EventKind::impact)
       before.velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
@@ -97,17 +106,17 @@ struct BracketRecorder {
 // The motion a time after the start of a bracket.
 MotionState moved(const Scene &scene, const MotionState &start, double time) {
   const double until = time_of(start.instant, Clock(scene.omega)) + time;
-  return require_complete(simulate(scene, start, until)).state;
+  return require_complete(Simulation(scene, start).advance(until)).state;
 }
 
 std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
                                         const Quantity &quantity) {
   start.instant.cycle = 0;  // times are then exact phases; the motion is the same in all periods
-  const double from = start.instant.phase, period = Clock(scene.omega).period;
+  const double period = Clock(scene.omega).period;
   const double every = std::min(period / fewest_nodes, node_distance / rate_bound(scene));
   require(period <= most_nodes * every, "rate = ", rate_bound(scene),
           ": too fast to look at a whole forcing period of ", period);
-  BracketRecorder nodes{scene, quantity, start.held, from, from + period, every};
+  BracketRecorder nodes(scene, quantity, start, every);
   stroboscopic_map(scene, start, 1, {}, nodes);
   std::optional<LeastValue> least;
   for (const Bracket &bracket : nodes.brackets) {

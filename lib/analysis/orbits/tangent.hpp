@@ -104,7 +104,7 @@ inline Eigen::MatrixXd extrapolate_chatter(const std::vector<Eigen::MatrixXd> &v
 // A recorder that carries the tangents from instant to instant, so that a run that does not ask for
 // them pays nothing. The events of one instant are gathered in `group_` until a later event, or the
 // end, shows that they are complete.
-class TangentRecorder {
+class TangentRecorder : public Recorder {
  public:
   // The tangents at the start of the run are the unit vectors of the free coordinates.
   TangentRecorder(const Scene &scene, const MotionState &start)
@@ -120,7 +120,7 @@ class TangentRecorder {
       tangents_(static_cast<Eigen::Index>(free[k]), static_cast<Eigen::Index>(k)) = 1.0;
   }
 
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     if (!group_.empty() && group_.front().instant < event.instant) apply_group();
     if (group_.empty()) carry_to(event.instant);
     state_ = state_at(moment, held_);

@@ -61,7 +61,7 @@ struct Section {
 };
 
 // A recorder that compares the sections.
-class Sections {
+class Sections : public Recorder {
  public:
   Sections(const Scene &scene, const MotionState &start, const SettleOptions &options)
       : scene_(scene), options_(options), clock_(scene.omega), first_(start.instant) {
@@ -79,16 +79,16 @@ class Sections {
     enter(start);
   }
 
-  void event(const Event &event, const Moment &) {
+  void event(const Event &event, const Moment &) override {
     held_ = event.held;
     events_.push_back(event);
   }
 
-  double next_time() const {
+  double next_time() const override {
     return taken_ > options_.longest ? infinity : time_of(section_at(taken_), clock_);
   }
 
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     MotionState at = state_at(moment, held_);
     bring_to_section(at);
     at.instant = section_at(taken_);
@@ -98,7 +98,7 @@ class Sections {
     judge();
   }
 
-  bool done() const {
+  bool done() const override {
     return period_ > 0 || taken_ > options_.longest;
   }
 

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <limits>
 #include <memory>
 #include <span>
 #include <string>
-#include <type_traits>
 
 #include "counters.hpp"
 #include "record.hpp"
@@ -53,16 +53,8 @@ struct Outcome {
 Outcome require_complete(Outcome outcome);
 
 namespace detail {
-
-// An argument that stands for a recorder. If it is none, `recorder_ref` says why.
-template <class R>
-concept Argument = !std::is_same_v<R, RunOptions> && !std::is_same_v<R, RecorderGroup>;
-
 struct Run;
-Outcome simulate(const Scene &scene, const MotionState *start, double until,
-                 const RunOptions &options, std::span<const RecorderRef> recorders);
-
-}  // namespace detail
+}
 
 // A run as a value. A copy goes on as the original would, bit for bit, also inside a chatter. It
 // shares nothing with the original that changes, so another thread may advance it.
@@ -89,49 +81,27 @@ class Simulation {
   // state of the simulation, for a sample before it, and if a recorder refuses the scene. Throws it
   // also if the largest rate of an undamped chain, times the time to run, exceeds 1e12: the phase
   // of its fastest mode then has a rounding of 1e-4. Passes on what a recorder throws.
-  template <detail::Argument... Recorders>
+  [[nodiscard]] Outcome advance(double until, std::span<Recorder *const> recorders);
+  template <std::derived_from<Recorder>... Recorders>
   [[nodiscard]] Outcome advance(double until, Recorders &...recorders) {
-    const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
-        detail::recorder_ref(recorders)...};
-    return advance_with(until, refs);
-  }
-  [[nodiscard]] Outcome advance(double until, const RecorderGroup &recorders) {
-    return advance_with(until, recorders.refs());
+    const std::array<Recorder *, sizeof...(Recorders)> pointers{&recorders...};
+    return advance(until, std::span<Recorder *const>(pointers));
   }
 
  private:
   std::unique_ptr<detail::Run> run_;
-
-  Outcome advance_with(double until, std::span<const detail::RecorderRef> recorders);
 };
 
-// `simulate` makes a simulation and calls `advance` once. It starts from the scene's own initial
-// state at t = 0, or from another motion of it. It throws what the constructor and `advance` throw.
-template <detail::Argument... Recorders>
-[[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
-                               const RunOptions &options, Recorders &...recorders) {
-  const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
-      detail::recorder_ref(recorders)...};
-  return detail::simulate(scene, &start, until, options, refs);
-}
-
-template <detail::Argument... Recorders>
-[[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
-                               Recorders &...recorders) {
-  return simulate(scene, start, until, RunOptions{}, recorders...);
-}
-
-template <detail::Argument... Recorders>
+// Makes a simulation from the scene's own initial state and calls `advance` once. Throws what the
+// constructor and `advance` throw.
+template <std::derived_from<Recorder>... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, double until, const RunOptions &options,
                                Recorders &...recorders) {
-  const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
-      detail::recorder_ref(recorders)...};
-  return detail::simulate(scene, nullptr, until, options, refs);
+  return Simulation(scene, options).advance(until, recorders...);
 }
-
-template <detail::Argument... Recorders>
+template <std::derived_from<Recorder>... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, double until, Recorders &...recorders) {
-  return simulate(scene, until, RunOptions{}, recorders...);
+  return Simulation(scene).advance(until, recorders...);
 }
 
 }  // namespace vibro_impact

@@ -21,6 +21,7 @@ void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
   if (run.progress.inside_chatter) return;
   if (report(run, kind, stop, velocities, by_a_jump, recorders, run.scratch.event))
     stop_run(run, Ending::stopped);
+  run.progress.next_sample = next_sample(recorders);
 }
 
 // The gap of a contact in the initial state.

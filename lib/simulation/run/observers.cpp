@@ -39,10 +39,6 @@ class MomentOfMotion final : public Moment {
   }
 };
 
-bool is_done(const RecorderRef &recorder) {
-  return recorder.done && recorder.done();
-}
-
 }  // namespace
 
 bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
@@ -62,19 +58,17 @@ bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
   const MomentOfMotion moment(run.motion, event.instant, run.problem.clock);
   event.time = moment.time;
   bool done = false;
-  for (const RecorderRef &recorder : recorders) {
-    if (!recorder.event) continue;
-    recorder.event(event, moment);
-    done = is_done(recorder) || done;
+  for (Recorder *recorder : recorders) {
+    recorder->event(event, moment);
+    done = recorder->done() || done;
   }
   return done;
 }
 
 double next_sample(Recorders recorders) {
   double next = std::numeric_limits<double>::infinity();
-  for (const RecorderRef &recorder : recorders) {
-    if (!recorder.sample) continue;
-    const double time = recorder.next_time();
+  for (const Recorder *recorder : recorders) {
+    const double time = recorder->next_time();
     require(!std::isnan(time), "next_time = ", time, ": must be a time");
     next = std::min(next, time);
   }
@@ -84,23 +78,17 @@ double next_sample(Recorders recorders) {
 bool report_sample(const Motion &motion, double time, const Clock &clock, Recorders recorders) {
   const MomentOfMotion moment(motion, instant_at(time, clock), clock);
   bool done = false;
-  for (const RecorderRef &recorder : recorders) {
-    if (!recorder.sample || recorder.next_time() > time) continue;
-    recorder.sample(moment);
-    if (is_done(recorder)) {
+  for (Recorder *recorder : recorders) {
+    if (recorder->next_time() > time) continue;
+    recorder->sample(moment);
+    if (recorder->done()) {
       done = true;
       continue;
     }
-    const double next = recorder.next_time();
+    const double next = recorder->next_time();
     require(next > time, "next_time = ", next, " after the sample at ", time, ": must be later");
   }
   return done;
-}
-
-bool is_done(Recorders recorders) {
-  return std::any_of(recorders.begin(), recorders.end(), [](const RecorderRef &recorder) {
-    return !recorder.event && !recorder.sample && is_done(recorder);
-  });
 }
 
 }  // namespace vibro_impact::detail

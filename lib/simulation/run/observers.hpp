@@ -20,7 +20,4 @@ double next_sample(Recorders recorders);
 // Reports the sample at `time`, at which `motion` stands. Returns true when a recorder is done.
 bool report_sample(const Motion &motion, double time, const Clock &clock, Recorders recorders);
 
-// True when a recorder that takes neither events nor samples is done.
-bool is_done(Recorders recorders);
-
 }  // namespace vibro_impact::detail

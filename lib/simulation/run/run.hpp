@@ -17,7 +17,7 @@
 
 namespace vibro_impact::detail {
 
-using Recorders = std::span<const RecorderRef>;
+using Recorders = std::span<Recorder *const>;
 
 // The scene and the options of a run, with the constants that follow from them.
 struct Problem {
@@ -79,6 +79,8 @@ struct Progress {
   // True of the copy of a run that resolves the impacts of a chatter before its limit, because a
   // sample or the end lies there. The copy reports samples only and takes no limit.
   bool inside_chatter = false;
+  // The time of the next sample. It changes when a recorder has been called.
+  double next_sample = std::numeric_limits<double>::infinity();
   MotionState last = {};  // the state at the end; empty before
 };
 

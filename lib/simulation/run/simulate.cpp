@@ -85,10 +85,9 @@ Outcome advance_to(Run &run, double until, Recorders recorders) {
   require(run.scene().beta > 0.0 || rate * (until - begin_time) <= most_radians, "rate = ", rate,
           " of an undamped chain: times the time ", until - begin_time, " it must not exceed ",
           most_radians);
-  for (const RecorderRef &recorder : recorders) {
-    if (recorder.check) recorder.check(run.scene());
-    if (!recorder.sample) continue;
-    const double first = recorder.next_time();
+  for (const Recorder *recorder : recorders) {
+    recorder->check(run.scene());
+    const double first = recorder->next_time();
     require(first >= begin_time, "sample at t = ", first, ": the run begins at ", begin_time);
   }
   run.counters = {};
@@ -107,14 +106,6 @@ Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &op
       rate_bound(detail::rate_bound(*scene)),
       forced(scene->forced()),
       orders(options.flight_tolerance) {
-}
-
-Outcome simulate(const Scene &scene, const MotionState *start, double until,
-                 const RunOptions &options, Recorders recorders) {
-  // The run does not outlive this call, so that it may refer to the caller's scene.
-  const std::shared_ptr<const Scene> borrowed(std::shared_ptr<void>(), &scene);
-  Run run = start_run(borrowed, start, options);
-  return advance_to(run, until, recorders);
 }
 
 }  // namespace detail
@@ -151,7 +142,7 @@ void Simulation::set_options(const RunOptions &options) {
   run_->problem = detail::Problem(run_->problem.scene, options);
 }
 
-Outcome Simulation::advance_with(double until, std::span<const detail::RecorderRef> recorders) {
+Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) {
   return detail::advance_to(*run_, until, recorders);
 }
 

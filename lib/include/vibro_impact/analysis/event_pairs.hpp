@@ -45,12 +45,15 @@ struct PressedEvent {
 };
 
 // Every event from time `from` on, with the pressing force of each contact.
-struct PressedEventRecorder {
+struct PressedEventRecorder : Recorder {
   Scene scene;
-  double from = 0.0;
+  double from;
   std::vector<PressedEvent> events = {};
 
-  void event(const Event &event, const Moment &moment);
+  explicit PressedEventRecorder(const Scene &of, double from_time = 0.0)
+      : scene(of), from(from_time) {
+  }
+  void event(const Event &event, const Moment &moment) override;
 };
 
 // One pair. In a mixed pair `mass` (from 1) has the event named first and `other` the second (GS:
