@@ -93,10 +93,9 @@ struct RunTimes {
 };
 
 void add_limits(CLI::App &app, RunOptions &options) {
-  count_option(app, "--max-impacts", options.max_impacts_per_period, any_count,
-               "Give up beyond this many impacts in one forcing period");
   count_option(app, "--max-steps", options.max_steps, any_count,
-               "Give up beyond this many steps, which are as short as the stiffest link asks for");
+               "Give up beyond this many steps: one or more a flight, as short as the stiffest "
+               "link asks for");
 }
 
 void add_flag(CLI::App &app, const char *name, bool &value, const char *what) {

@@ -11,7 +11,7 @@ using namespace vibro_impact::testing;
 // r = 1 between two stops 2e-6 apart: an impact every 6.7e-6, some 1e6 a period.
 const std::string rattle =
     "run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --initial-velocity 0.3,0 "
-    "--max-impacts 1000 ";
+    "--max-steps 10000 ";
 
 TEST_F(Runner, ARefusedRunSparesTheTableThatWasThere) {
   std::ofstream(folder / "e.csv") << "old";

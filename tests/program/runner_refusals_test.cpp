@@ -26,7 +26,7 @@ const std::vector<BadCase> bad_cases = {
     {run_files + "--omega ''", "--omega"},
     {run_files + "--omega 1 --omega 2", "--omega"},
     {run_files + "--until 1e", "--until"},
-    {run_files + "--max-impacts 2.5", "--max-impacts"},
+    {run_files + "--max-steps 2.5", "--max-steps"},
     {"sweep --table t.csv", "--vary"},
     {"sweep " + omega, "--table"},
     {sweep + omega + "--longest 0", "--longest"},

@@ -27,14 +27,9 @@ struct RunOptions {
   // Largest remainder of the Taylor series of a step, relative to its second-order term, from 1e-21
   // to below 1. The order of the series follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
-  // A run is given up after more impacts than this in one forcing period, or in a thousand periods
-  // of the slowest mode if these are shorter. Without a forcing, or with Omega = 0, they are
-  // counted in one period of that mode, whose frequency is bounded from above by Rayleigh's
-  // quotient. Impacts that continue a chatter do not count if r > 0.999 and 0.03 / (1 - r) is below
-  // this number.
-  long long max_impacts_per_period = 1'000'000;
-  // A run is given up after more steps than this in one call of `advance`. An undamped mode of
-  // frequency w takes at least w/2 steps per unit of time while an impact is near.
+  // A run is given up after this many steps in one call of `advance`. Every impact ends a step, so
+  // that this number bounds the impacts, too. An undamped mode of frequency w takes at least w/2
+  // steps per unit of time while an impact is near.
   long long max_steps = 10'000'000;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "impact_budget.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chain/tolerances.hpp"
@@ -70,6 +69,18 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
     if (placed.size() > 1) place_alone(*contact, gap_before(*contact)->value, run.motion);
 }
 
+// Counts an impact at a stop, at this closing speed, among those of its chatter.
+void count_impact(Run &run, StopState &stop, double speed) {
+  ++run.counters.impacts;
+  const bool falls = speed < stop.last_speed;
+  if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
+  stop.falling = falls ? stop.falling + 1 : 0;
+  stop.last_speed = speed;
+  const double flight = elapsed(stop.left, run.motion.now, run.problem.clock);
+  stop.duration = std::max(falls ? stop.duration : 0.0, flight);
+  stop.left = run.motion.now;
+}
+
 // Applies the impacts at the contacts hit, then reports them. Simultaneous impacts act on different
 // masses, so that their order matters to rounding only. A mass comes to rest at once when the time
 // left to the limit of its chatter, or its rebound speed, lies below rounding.
@@ -81,7 +92,7 @@ void apply_impacts(Run &run, std::span<const std::size_t> hits, Recorders record
     const Contact &contact = mode.contacts[k];
     StopState &stop = run.stops[contact.stop];
     const double closing = std::max(0.0, -speed_at_stop(stop).value_or(0.0));
-    count_impact(run, hits, stop, closing);
+    count_impact(run, stop, closing);
     const ImpactLaw law = law_of(run.scene(), run.scene().stops[contact.stop]);
     leave_stop(contact, law.after(closing), motion, run.stops);
   }
@@ -253,7 +264,7 @@ void handle_start(Run &run, Recorders recorders) {
   Scratch &scratch = run.scratch;
   MotionState &state = scratch.state;
   state = *std::exchange(run.start, std::nullopt);
-  run.motion.now = run.budget.start = state.instant;
+  run.motion.now = state.instant;
   enter_mode(run, state, true);
   const std::vector<Stop> &stops = run.scene().stops;
   run.stops.resize(stops.size());

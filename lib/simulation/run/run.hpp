@@ -44,14 +44,6 @@ struct StepHint {
   bool postponed = false;
 };
 
-// The impacts since the start of a window of time. A run is given up when these are more than
-// `max_impacts_per_period`.
-struct ImpactBudget {
-  double window;  // its length
-  Instant start = {};
-  long long impacts = 0;
-};
-
 // Storage that is reused from event to event. No value passes from one event to the next.
 struct Scratch {
   Flight flight;
@@ -92,7 +84,6 @@ struct Run {
   std::vector<StopState> stops = {};  // one for each stop of the scene
   Chatter chatter = {};
   StepHint hint = {};
-  ImpactBudget budget;
   Counters counters = {};
   Progress progress = {};
   Scratch scratch = {};

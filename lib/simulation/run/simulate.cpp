@@ -29,27 +29,7 @@ void check_options(const RunOptions &options) {
           least_flight_tolerance, ", the remainder of the highest order");
   require(options.resolve_chatter >= 0.0, "resolve_chatter = ", options.resolve_chatter,
           ": must be non-negative");
-  require(options.max_impacts_per_period > 0,
-          "max_impacts_per_period = ", options.max_impacts_per_period, ": must be positive");
   require(options.max_steps > 0, "max_steps = ", options.max_steps, ": must be positive");
-}
-
-// An upper bound of the frequency of the slowest mode that vibrates: the least quotient of Rayleigh
-// among the motions of one mass alone and that of all masses alike. It is 1 where none vibrates.
-double slow_rate(const Scene &scene) {
-  double springs = scene.stiffness.front(), mass = 0.0, least = infinity;
-  const auto try_quotient = [&least](double stiffness, double inertia) {
-    if (stiffness > 0.0) least = std::min(least, stiffness / inertia);
-  };
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double ground = entry_of(scene.ground, i),
-                 right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    try_quotient(scene.stiffness[i] + right + ground, scene.mass[i]);
-    springs += ground;
-    mass += scene.mass[i];
-  }
-  try_quotient(springs, mass);
-  return least < infinity ? std::sqrt(least) : 1.0;
 }
 
 // A run before its first step.
@@ -61,13 +41,7 @@ Run start_run(std::shared_ptr<const Scene> scene, const MotionState *start,
     state = *start;
   }
   check_options(options);
-  Problem problem(std::move(scene), options);
-  // The number of impacts in a period of a slow forcing has no bound of use.
-  const double rate = slow_rate(*problem.scene);
-  const double window = problem.forced && problem.clock.omega > 0.0
-                            ? std::min(problem.clock.period, budget_window / rate)
-                            : 6.3 / rate;
-  Run run{.problem = std::move(problem), .start = std::move(state), .budget = {.window = window}};
+  Run run{.problem = Problem(std::move(scene), options), .start = std::move(state)};
   run.motion.now = run.start->instant;
   return run;
 }
