@@ -132,25 +132,15 @@ TEST(Economy, AMassThatRestsWithoutForceRefusesNoLimit) {
   EXPECT_LT(counters.impacts, 20);  // 90 when each is resolved until the rest lies below rounding
 }
 
-// The number of forced coordinates does not depend on the samples, as modes are built inside
-// chatters also.
-TEST(Economy, TheCountersOfAModeDoNotDependOnSamples) {
+// Modes are also built inside chatters.
+TEST(Economy, TheModesBuiltDoNotDependOnSamples) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const Scene scene = chattering_scene(seed);
     SampleRecorder samples(0.0, 15.0, 0.01);
     const Counters plain = simulate(scene, 15.0).counters,
                    sampled = simulate(scene, 15.0, samples).counters;
-    EXPECT_EQ(plain.forced_coordinates, sampled.forced_coordinates) << seed;
     EXPECT_EQ(plain.modes_built, sampled.modes_built) << seed;
   }
-}
-
-// Only modal coordinates that a forcing moves carry it: none without one.
-TEST(Economy, NoForcingIsCarriedWhereThereIsNone) {
-  Scene scene = paper::figure2();
-  EXPECT_GT(simulate(scene, 60.0).counters.forced_coordinates, 0);
-  scene.amplitude = {0.0, 0.0};
-  EXPECT_EQ(simulate(scene, 60.0).counters.forced_coordinates, 0);
 }
 
 // If nothing can happen, without stops or out of their reach for ever, there is one closed-form

@@ -68,7 +68,6 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.modal_evaluations = inside.counters.modal_evaluations;
   run.counters.modes_built = inside.counters.modes_built;
-  run.counters.forced_coordinates = inside.counters.forced_coordinates;
   run.progress.next_sample = inside.progress.next_sample;
   if (run.progress.end < limit || inside.progress.ending != Ending::reached) {
     run.progress = std::move(inside.progress);

@@ -43,10 +43,7 @@ void set_gaps(Run &run) {
 void enter_mode(Run &run, const MotionState &state, bool at_start) {
   bool built = false;
   const ContactMode &mode = run.modes.enter(run.scene(), state.held, built);
-  if (built) {
-    ++run.counters.modes_built;
-    run.counters.forced_coordinates = (mode.coordinates.force > 0.0).count();
-  }
+  if (built) ++run.counters.modes_built;
   if (at_start) {
     express(run.scene(), state, mode, run.problem.clock, run.scratch.chain, run.motion);
   } else {
