@@ -9,6 +9,7 @@
 
 #include "reference/paper_scenes.hpp"
 #include "vibro_impact/analysis/locate.hpp"
+#include "vibro_impact/analysis/table.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {

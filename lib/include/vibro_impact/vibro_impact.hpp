@@ -7,4 +7,3 @@
 #include "record.hpp"
 #include "scene.hpp"
 #include "simulate.hpp"
-#include "table.hpp"
