@@ -124,7 +124,6 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 }
 
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options) {
-  check(scene);
   return stroboscopic_map(scene, start_of(scene), periods, options);
 }
 

@@ -26,7 +26,6 @@
 #include "tolerances.hpp"
 #include "vibro_impact/analysis/natural_modes.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
@@ -178,7 +177,7 @@ class TangentRecorder : public Recorder {
   // (x', x'') where the masses are now, in a contact mode and at velocities of its own.
   Eigen::VectorXd vector_field(const Held &held, const std::vector<double> &velocity) const {
     const MotionState state{state_.instant, state_.displacement, velocity, held};
-    const std::vector<double> a = acceleration(scene_, state);
+    const std::vector<double> a = acceleration_of(scene_, state);
     Eigen::VectorXd field(2 * static_cast<Eigen::Index>(a.size()));
     field << view(velocity), view(a);
     return field;

@@ -109,7 +109,6 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
 }
 
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
-  check(scene);
   return record_of(scene, start_of(scene), options);
 }
 

@@ -8,7 +8,6 @@
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/tolerances.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
@@ -147,7 +146,7 @@ class Sections : public Recorder {
   void bring_to_section(MotionState &at) const {
     const double tau = elapsed(at.instant, section_at(taken_), clock_);
     if (tau == 0.0) return;
-    const std::vector<double> a = acceleration(scene_, at);
+    const std::vector<double> a = acceleration_of(scene_, at);
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (held_[i] != 0) continue;
       at.displacement[i] += tau * at.velocity[i];
@@ -257,10 +256,9 @@ EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
   require(options.longest >= 1 && options.longest <= most_periods_run,
           "longest = ", options.longest, ": must lie from 1 to ", most_periods_run);
-  check(scene);
+  SettledMotion motion{.simulation = Simulation(scene, start, options.run)};
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
-  SettledMotion motion{.simulation = Simulation(scene, start, options.run)};
   require_complete(motion.simulation.advance(until, sections));
   sections.tell(motion);
   return motion;

@@ -44,7 +44,8 @@ struct PressedEvent {
   double press = 0.0;
 };
 
-// Every event from time `from` on, with the pressing force of each contact.
+// Every event from time `from` on, with the pressing force of each contact. A run refuses the
+// recorder if its scene has another number of masses or stops.
 struct PressedEventRecorder : Recorder {
   Scene scene;
   double from;
@@ -53,6 +54,7 @@ struct PressedEventRecorder : Recorder {
   explicit PressedEventRecorder(const Scene &of, double from_time = 0.0)
       : scene(of), from(from_time) {
   }
+  void check(const Scene &of_run) const override;
   void event(const Event &event, const Moment &moment) override;
 };
 
