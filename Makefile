@@ -1,5 +1,5 @@
 # make figures        install what is missing, build, and draw the paper into build/figures: Figure 1, still
-#                     (chain) and moving (motion.gif), Figures 2 to 5, Table I, exit boundaries, the inferred
+#                     and moving (motion.gif), Figures 2 to 5, Table I, exit boundaries, the inferred
 #                     frequencies, what other procedures give, error against run time; then check every key
 #                     number
 # make test           install what is missing, build, and run every test
@@ -11,7 +11,7 @@
 # make readme         write the generated tables and counts of the documents
 # make build          build the library and the program only
 # make test-sanitize  run the tests under the address and undefined-behaviour sanitizers
-# make reference      recompute the 50-digit tables in reference/ (about an hour)
+# make reference      recompute the 50-digit tables in reference/tables/ (about an hour)
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
 # make clean          remove build/
 #
@@ -19,7 +19,7 @@
 
 paper  := $(basename $(notdir $(wildcard figures/*.gp)))
 paper  := $(filter-out style,$(paper))
-beyond := $(filter-out error_vs_runtime,$(basename $(notdir $(wildcard figures/methods/*.gp figures/beyond/*.gp))))
+beyond := $(basename $(notdir $(wildcard figures/stability/*.gp figures/beyond/*.gp)))
 jobs   := $(shell nproc 2>/dev/null || echo 1)
 folder := build
 compiler :=
@@ -68,8 +68,8 @@ $(tables)/%.tables: $(folder)/bin/%
 $(tables)/%.png: $(tables)/%.tables $$(wildcard figures/%.gp figures/*/%.gp) figures/style.gp
 	@for kind in pdf png; do LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='$$kind'" $(wildcard figures/$*.gp figures/*/$*.gp) || exit; done
 	@echo "drawn: $@"
-$(tables)/motion.gif: $(tables)/chain.png
-	@LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='gif'" figures/chain.gp
+$(tables)/motion.gif: $(tables)/figure1.png
+	@LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='gif'" figures/figure1.gp
 	@echo "drawn: $@"
 .PRECIOUS: $(tables)/%.tables
 $(folder)/bin/%: ;
@@ -103,13 +103,13 @@ test-sanitize:
 reference: configured-figures
 	$(make_target) reference-generate
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
-	  $(folder)/bin/reference-generate $$scene reference/$${scene}_events.csv || exit 2; done
-	@$(folder)/bin/reference-generate key_numbers reference/key_numbers.csv || exit 2
-	@$(folder)/bin/reference-generate extremes reference/extreme_events.csv || exit 2
-	@$(folder)/bin/reference-generate degenerate reference/degenerate_events.csv || exit 2
-	@$(folder)/bin/reference-generate one_impact reference/one_impact_orbits.csv || exit 2
+	  $(folder)/bin/reference-generate $$scene reference/tables/$${scene}_events.csv || exit 2; done
+	@$(folder)/bin/reference-generate key_numbers reference/tables/key_numbers.csv || exit 2
+	@$(folder)/bin/reference-generate extremes reference/tables/extreme_events.csv || exit 2
+	@$(folder)/bin/reference-generate degenerate reference/tables/degenerate_events.csv || exit 2
+	@$(folder)/bin/reference-generate one_impact reference/tables/one_impact_orbits.csv || exit 2
 	@for part in states events; do \
-	  $(folder)/bin/reference-generate work_precision_$$part reference/work_precision_$$part.csv || exit 2; done
+	  $(folder)/bin/reference-generate work_precision_$$part reference/tables/work_precision_$$part.csv || exit 2; done
 
 docs:
 	@.ci/packages docs

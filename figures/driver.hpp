@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "program/progress.hpp"
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/table.hpp"
 
 namespace vibro_impact::figures {

@@ -1,6 +1,6 @@
 // Figure 3: impact velocities of both masses against the forcing frequency, each from rest; and the
 // border orbits and multi-sliding bifurcations of the region of sticking motions.
-#include "figure3.hpp"
+#include "frequency_diagram.hpp"
 
 #include "driver.hpp"
 #include "panel.hpp"

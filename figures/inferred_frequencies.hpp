@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "figures/panel.hpp"
-#include "reference/paper_scenes.hpp"
+#include "panel.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

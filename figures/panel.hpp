@@ -2,13 +2,11 @@
 // mass 1 (the paper's F2, Eq. 20) over one settled forcing period.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
-#include "vibro_impact/analysis/locate.hpp"
+#include "quantities.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/table.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -16,29 +14,6 @@ namespace vibro_impact::figures {
 
 // A run shown as displacement against time resolves all chatter that can be seen.
 inline const RunOptions all_visible_chatter{.resolve_chatter = paper::slowest_impact_shown};
-
-// Samples both masses across the window of a panel.
-inline SampleRecorder samples_across(const paper::AxisBox &box, double every) {
-  return {box.from, box.to, every};
-}
-
-struct Range {
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
-
-  void include(double value) {
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
-};
-
-// The displacements of the given mass, or of both (0).
-inline Range range_of(const SampleRecorder &samples, int mass = 0) {
-  Range range;
-  for (std::size_t i = 0; i < samples.displacements.size(); ++i)
-    if (mass == 0 || static_cast<int>(i % 2) == mass - 1) range.include(samples.displacements[i]);
-  return range;
-}
 
 // The samples of both masses as a table t, x1, x2.
 inline Table displacement_table(const SampleRecorder &samples) {
@@ -126,21 +101,6 @@ inline Table hold_force(const Scene &scene) {
   for (const auto &row : phases.rows)
     if (!std::isnan(row.force)) table.row(row.phase, row.time, row.force);
   return table;
-}
-
-// The sticking phases of a mass in four forcing periods of the motion that a scene settles to.
-// Motions of period 1, 2 and 4 give the same count in every window.
-inline int settled_sticking_phases(const Scene &scene, int mass) {
-  return sticking_phases(scene, mass, paper::figure4_settling_periods, 4);
-}
-
-// The same at the stops of Figures 2 to 4, of the motion followed to this frequency from the motion
-// that settles at another one.
-inline int followed_sticking_phases(double omega, int mass, const MotionState &settled) {
-  Scene scene = paper::figure3(omega);
-  scene.displacement = settled.displacement;
-  scene.velocity = settled.velocity;
-  return settled_sticking_phases(scene, mass);
 }
 
 }  // namespace vibro_impact::figures

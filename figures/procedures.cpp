@@ -10,7 +10,6 @@
 #include <string>
 
 #include "driver.hpp"
-#include "key_numbers.hpp"
 #include "panel.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 # Shared by the figures. Run a figure from the top of the repository:
 #   gnuplot -e "data='build/figures'; kind='png'" figures/figure2.gp
-# It reads the tables in `data` and writes the picture, png, pdf or svg, beside them; chain.gp also
+# It reads the tables in `data` and writes the picture, png, pdf or svg, beside them; figure1.gp also
 # has the kinds gif and frames. With the kind table it writes the points of every curve as text instead: the
 # tests read these.
 if (!exists("data")) { data = 'build/figures' }

@@ -1,10 +1,10 @@
 // Table I: one motion for each pair of events on the two masses.
-#include "table1_scenes.hpp"
-
 #include <fmt/format.h>
 
 #include "driver.hpp"
 #include "panel.hpp"
+#include "reference/scenes/table1_scenes.hpp"
+#include "vibro_impact/analysis/event_pairs.hpp"
 
 namespace {
 
@@ -24,15 +24,14 @@ const char *event_in(const PairedEvents &pair, int mass) {
 void draw(const std::filesystem::path &output) {
   Table pairs("pair,t,until,x1,x2,event1,event2,at_rest");
   std::vector<Scene> scenes;
-  for (const auto &[kind, scene, from, to] : figures::table1_scenes()) {
-    const char *name = abbreviation(kind);
+  for (const auto &[name, scene, from, to] : paper::table1_scenes()) {
     scenes.push_back(scene);
     SampleRecorder samples(from, to, (to - from) / 4000);
     PressedEventRecorder events(scene, from);
     require_complete(simulate(scene, to, figures::all_visible_chatter, samples, events));
     write(figures::displacement_table(samples), output / fmt::format("table1_{}.csv", name));
     for (const PairedEvents &pair : event_pairs(events.events)) {
-      if (pair.kind != kind) continue;
+      if (abbreviation(pair.kind) != name) continue;
       const MotionState state = require_complete(simulate(scene, pair.from)).state;
       pairs.row(name, pair.from, pair.to, state.displacement[0], state.displacement[1],
                 event_in(pair, 1), event_in(pair, 2), int{scene.displacement.empty()});

@@ -1,15 +1,23 @@
 # The layers, read off the includes: who may include whom. cmake -D source=... -P arrows.cmake
 #
-#   reference/scenes <- the generator, figures, tests     public headers of the simulation alone
+#   reference/scenes <- reference/truth <- reference/generator   public headers of the simulation
+#   reference/truth  <- figures, tests
+#   figures/error_vs_runtime <- figures/check: the measured times; no other folder of figures
+#                               includes another one
 #   lib/simulation   <- lib/analysis, through for_analysis.hpp alone
 #   lib/analysis     <- lib/program   <- figures (its progress line)
 # Inside the simulation a folder includes only folders before it: chain, flight, stops, chatter, run.
 cmake_minimum_required(VERSION 3.21)
 set(folders chain flight stops chatter run)
 
-# refuse(where pattern): no file of `where` includes what `pattern` describes.
+# refuse(where pattern): no file of `where` includes what `pattern` describes. With `where` ending in
+# a slash, the files of its subfolders may.
 function(refuse where pattern)
-  file(GLOB_RECURSE files ${source}/${where}/*.hpp ${source}/${where}/*.cpp)
+  if(where MATCHES "/$")
+    file(GLOB files ${source}/${where}*.hpp ${source}/${where}*.cpp)
+  else()
+    file(GLOB_RECURSE files ${source}/${where}/*.hpp ${source}/${where}/*.cpp)
+  endif()
   if(NOT files)
     message(SEND_ERROR "${where}: no files")
   endif()
@@ -33,6 +41,15 @@ refuse(lib/include "(\\.\\./|lib/|figures/|reference/|tests/|program/|simulation
 refuse(lib/examples "(\\.\\./|lib/|figures/|reference/|tests/|program/|simulation/|analysis/)")
 refuse(figures "(\\.\\./|lib/|tests/|simulation/|analysis/|program/[a-oq-z])")
 refuse(reference "(\\.\\./|lib/|figures/|tests/|program/|simulation/|analysis/|vibro_impact/analysis/)")
+refuse(reference/scenes "(figures|reference/(truth|generator))/")
+refuse(reference/truth "reference/generator/")
+# The generator takes scenes and cases from the project, and reads tables. It shares no events.
+refuse(reference/generator "(vibro_impact/|reference/truth/event)")
+# A folder of figures may include the files that all drivers share.
+refuse(figures "(figures/)?(check|stability|beyond)/")
+foreach(folder / /stability /beyond)
+  refuse(figures${folder} "(figures/)?error_vs_runtime/")
+endforeach()
 
 # A public header of the simulation includes none of the analysis.
 file(GLOB headers ${source}/lib/include/vibro_impact/*.hpp)

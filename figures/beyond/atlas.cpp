@@ -1,7 +1,7 @@
 // The settled motions from rest in the plane of forcing frequency and restitution, at the stops of
 // Figures 2 to 4, and the borders of the regions in which a mass sticks.
 #include "figures/driver.hpp"
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "figures/driver.hpp"
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
 namespace {

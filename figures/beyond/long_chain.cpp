@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "figures/driver.hpp"
-#include "figures/figure3.hpp"
+#include "figures/frequency_diagram.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // bifurcation diagrams. The library and the 50-digit generator bisect them, each by itself.
 #pragma once
 
-#include "reference/paper_scenes.hpp"
+#include "paper_scenes.hpp"
 
 #include <vector>
 

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
-#include "figures/table1_scenes.hpp"
+#include "reference/scenes/table1_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-using namespace vibro_impact::figures;
 
 std::vector<PairedEvents> pairs_of(const Scene &scene, double until, double from = 0.0) {
   PressedEventRecorder recorder(scene, from);
@@ -27,19 +26,23 @@ int count(const std::vector<PairedEvents> &pairs, EventPair kind) {
 // sticking-impacts of a chatter next to a sticking mass. The pairs are of codimension one to three:
 // a stop moved by 1e-4 undoes those with a condition.
 TEST(TableI, EachSceneShowsItsPairAndNoOther) {
-  EXPECT_EQ(table1_scenes().size(), all_event_pairs.size());
-  for (const PairScene &shown : table1_scenes()) {
+  const std::vector<paper::PairScene> scenes = paper::table1_scenes();
+  ASSERT_EQ(scenes.size(), all_event_pairs.size());
+  for (std::size_t row = 0; row < scenes.size(); ++row) {
+    const paper::PairScene &shown = scenes[row];
+    const EventPair kind = all_event_pairs[row];
+    EXPECT_EQ(shown.pair, abbreviation(kind));
     const auto pairs = pairs_of(shown.scene, shown.to, shown.from);
-    EXPECT_GT(count(pairs, shown.kind), 0) << abbreviation(shown.kind);
+    EXPECT_GT(count(pairs, kind), 0) << shown.pair;
     for (EventPair other : all_event_pairs)
-      if (other != shown.kind && other != EventPair::sticking_impact) {
-        EXPECT_EQ(count(pairs, other), 0) << abbreviation(shown.kind) << abbreviation(other);
+      if (other != kind && other != EventPair::sticking_impact) {
+        EXPECT_EQ(count(pairs, other), 0) << shown.pair << abbreviation(other);
       }
     Scene moved = shown.scene;
     moved.stops[1].position -= 1e-4;
-    EXPECT_EQ(count(pairs_of(moved, shown.to, shown.from), shown.kind) > 0,
-              shown.kind == EventPair::dual_sticking || shown.kind == EventPair::sticking_impact)
-        << abbreviation(shown.kind);
+    EXPECT_EQ(count(pairs_of(moved, shown.to, shown.from), kind) > 0,
+              kind == EventPair::dual_sticking || kind == EventPair::sticking_impact)
+        << shown.pair;
   }
 }
 

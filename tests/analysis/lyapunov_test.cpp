@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
-#include "tests/simulation/random_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

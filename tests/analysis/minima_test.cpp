@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/paper_scenes.hpp"
-#include "tests/refusals.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

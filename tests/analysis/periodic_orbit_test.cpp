@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

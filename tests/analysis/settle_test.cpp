@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "figures/figure3.hpp"
-#include "reference/paper_scenes.hpp"
+#include "figures/frequency_diagram.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

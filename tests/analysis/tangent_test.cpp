@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/orbits/tangent.hpp"
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

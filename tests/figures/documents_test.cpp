@@ -1,6 +1,6 @@
 // The comparison of the documents with what `check` computes: an edited number is found, a computed
 // part is written anew, and nothing else changes.
-#include "figures/documents.hpp"
+#include "figures/check/documents.hpp"
 
 #include <gtest/gtest.h>
 

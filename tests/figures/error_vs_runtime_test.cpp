@@ -8,8 +8,8 @@
 #include <regex>
 #include <string>
 
-#include "figures/methods/error_vs_runtime/method.hpp"
-#include "reference/table_reader.hpp"
+#include "figures/error_vs_runtime/methods/method.hpp"
+#include "reference/truth/table_reader.hpp"
 
 namespace {
 
@@ -38,7 +38,7 @@ std::vector<ReadmeRow> rows_of(const std::string &file) {
   const std::map<std::string, std::string> problems{{"ten periods of Figure 2", "figure2"},
                                                     {"one flight", "flight"},
                                                     {"one sticking phase", "sticking"}};
-  std::ifstream stream = figures::opened(SOURCE_DIR "/" + file);
+  std::ifstream stream = truth::opened(SOURCE_DIR "/" + file);
   const std::regex row(R"(\| (\S[^|]*?) +\| (\S[^|]*?) +\| (\S+) +\| (\S+) +\|.*)");
   std::vector<ReadmeRow> rows;
   std::smatch cells;
@@ -77,7 +77,7 @@ class OfMethod : public ::testing::TestWithParam<const char *> {
 // t = 200. Speeds are below one, so that the state at the end is off by about as much as a time.
 TEST_P(OfMethod, HasTheErrorsThatTheReadmesShow) {
   int shown = 0;
-  for (const char *file : {"figures/methods/README.md", "README.md"})
+  for (const char *file : {"figures/error_vs_runtime/README.md", "README.md"})
     for (const ReadmeRow &row : rows_of(file)) {
       if (row.method != method.name) continue;
       ++shown;

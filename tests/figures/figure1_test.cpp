@@ -8,24 +8,24 @@
 #include <string>
 #include <vector>
 
-#include "tests/figures/panels.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::TrueEvent;
+using truth::TrueEvent;
 
 // What each mass is said to do is what the true events say. The last impacts of
 // a chatter, slower than 1e-4, are not resolved, so that only sticking is compared to the frame.
 TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const std::string folder = folder_of("figure1_table");
-  run(std::string(PROGRAM_DIR "/chain --output ") + folder);
+  run(std::string(PROGRAM_DIR "/figure1 --output ") + folder);
   const Scene scene = paper::figure2();
   const std::vector<TrueEvent> events = true_events("figure2");
   std::set<std::string> actions[2];
   double last = paper::figure2a_box.to - 2 * Clock(scene.omega).period;
-  for (const auto &cells : figures::read_rows(folder + "/chain_motion.csv", 5)) {
+  for (const auto &cells : truth::read_rows(folder + "/figure1_motion.csv", 5)) {
     const double time = std::stod(cells[0]);
     const auto next = std::find_if(events.begin(), events.end(),
                                    [time](const TrueEvent &event) { return event.time > time; });
@@ -49,7 +49,7 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
 
 void draw_motion(const std::string &folder, const std::string &kind) {
   run("cd " SOURCE_DIR " && gnuplot -e \"data='" + folder + "'; kind='" + kind +
-      "'\" figures/chain.gp 2>/dev/null");
+      "'\" figures/figure1.gp 2>/dev/null");
 }
 
 // All that a frame says beside what the masses do: the scene, the time, the names of masses and
@@ -80,10 +80,10 @@ std::multiset<std::string> words_of_every_frame(const Scene &scene, const figure
 // A mass that does nothing has no word above it.
 TEST(Figure1, EveryFrameShowsTheWordsOfItsTableAndNoOthers) {
   const std::string folder = folder_of("figure1_frames");
-  run(std::string(PROGRAM_DIR "/chain --output ") + folder);
+  run(std::string(PROGRAM_DIR "/figure1 --output ") + folder);
   draw_motion(folder, "frames");
   const Scene scene = paper::figure2();
-  const auto rows = figures::read_rows(folder + "/chain_motion.csv", 5);
+  const auto rows = truth::read_rows(folder + "/figure1_motion.csv", 5);
   ASSERT_GT(rows.size(), 100u);
   const figures::Range window{std::stod(rows.front()[0]), std::stod(rows.back()[0])};
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -116,9 +116,9 @@ TEST(Figure1, EveryFrameShowsTheWordsOfItsTableAndNoOthers) {
 
 TEST(Figure1, MovesInAFileThatAPageCanShow) {
   const std::string folder = folder_of("figure1_gif");
-  run(std::string(PROGRAM_DIR "/chain --output ") + folder);
+  run(std::string(PROGRAM_DIR "/figure1 --output ") + folder);
   draw_motion(folder, "gif");
-  std::ifstream gif = figures::opened(folder + "/motion.gif");
+  std::ifstream gif = truth::opened(folder + "/motion.gif");
   const std::string bytes{std::istreambuf_iterator<char>(gif), {}};
   EXPECT_EQ(bytes.substr(0, 6), "GIF89a");
   EXPECT_LT(bytes.size(), 1000000u);

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "figures/figure3.hpp"
-#include "figures/printed.hpp"
-#include "tests/figures/panels.hpp"
+#include "figures/check/verdict.hpp"
+#include "figures/frequency_diagram.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::TrueEvent;
 using paper::AxisBox;
+using truth::TrueEvent;
 
 // The changes of sticking of one kind that a panel shows, against the 50 digits of the points with
 // this name.

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "figures/printed.hpp"
-#include "tests/figures/panels.hpp"
+#include "figures/check/verdict.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::TrueEvent;
 using paper::AxisBox;
+using truth::TrueEvent;
 
 // The samples of both masses in a window are the motion with the true events: at an impact a mass
 // is where its stop is, to within how far it moves between samples, and while it sticks, exactly.

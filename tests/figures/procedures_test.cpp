@@ -9,29 +9,29 @@
 #include <string>
 #include <vector>
 
-#include "figures/methods/error_vs_runtime/method.hpp"
+#include "figures/error_vs_runtime/methods/method.hpp"
 #include "figures/procedures.hpp"
-#include "reference/table_reader.hpp"
-#include "tests/events.hpp"
-#include "tests/figures/drawn.hpp"
-#include "tests/figures/panels.hpp"
+#include "reference/truth/table_reader.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/events.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::follow, figures::Procedure, figures::number_in;
+using figures::follow, figures::Procedure, truth::number_in;
 
 using Rows = std::vector<std::vector<std::string>>;
 
 Rows table(const std::string &name, std::size_t columns) {
-  return figures::read_rows(folder_of("procedures") + "/procedures_" + name + ".csv", columns);
+  return truth::read_rows(folder_of("procedures") + "/procedures_" + name + ".csv", columns);
 }
 
 // The rows of a table of Markdown with so many cells, without blanks around the cells.
 Rows rows_in_document(std::size_t cells) {
   Rows rows;
-  std::ifstream document = figures::opened(SOURCE_DIR "/figures/README.md");
+  std::ifstream document = truth::opened(SOURCE_DIR "/figures/README.md");
   for (std::string line; std::getline(document, line);) {
     if (!line.starts_with("| ")) continue;
     std::vector<std::string> row;
@@ -118,7 +118,7 @@ void expect_figure5c(const Rows &rows) {
   int chattering = 0;
   for (const auto &row : rows) {
     const double restitution = std::stod(row[1]), difference = std::stod(row[2]);
-    const bool sticks = figures::as_number(row[4]) && !std::isnan(std::stod(row[4]));
+    const bool sticks = truth::as_number(row[4]) && !std::isnan(std::stod(row[4]));
     EXPECT_EQ(sticks, difference > 5e-9) << difference;
     if (difference != 0.0) continue;
     ++chattering;

@@ -4,18 +4,21 @@
 #include <algorithm>
 #include <cctype>
 
-#include "figures/methods/extreme_verdict.hpp"
-#include "tests/rates.hpp"
+#include "figures/stability/extreme_verdict.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
+#include "tests/support/rates.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-using namespace vibro_impact::extremes;
+using namespace vibro_impact::stability;
+using namespace vibro_impact::truth;
+using extremes::one_mass;
 
 const EventTables &reference() {
-  static const EventTables tables = figures::read_event_tables(REFERENCE_DIR "/extreme_events.csv");
+  static const EventTables tables = truth::read_event_tables(REFERENCE_DIR "/extreme_events.csv");
   return tables;
 }
 
@@ -46,16 +49,16 @@ void expect_bounded_work(const Case &extreme, const Counters &counters) {
 
 std::vector<std::string> groups() {
   std::vector<std::string> names;
-  for (const Case &extreme : all_cases())
+  for (const Case &extreme : extreme_cases())
     if (names.empty() || names.back() != extreme.group) names.push_back(extreme.group);
   return names;
 }
 
 class Group : public ::testing::TestWithParam<std::string> {};
 
-// The verdict is that of figures/methods/extreme_verdict.hpp, which says what it allows.
+// The verdict is that of figures/stability/extreme_verdict.hpp, which says what it allows.
 TEST_P(Group, AgreesWithTheTruthWithinRounding) {
-  for (const Case &extreme : all_cases()) {
+  for (const Case &extreme : extreme_cases()) {
     if (extreme.group != GetParam()) continue;
     const Measured measured = measure(extreme, reference());
     EXPECT_TRUE(passes(measured, extreme.truth))
@@ -79,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Extremes, Group, ::testing::ValuesIn(groups()), [](cons
 });
 
 Case case_named(const std::string &name) {
-  for (const Case &extreme : all_cases())
+  for (const Case &extreme : extreme_cases())
     if (extreme.name == name) return extreme;
   throw std::invalid_argument(name);
 }
@@ -149,7 +152,7 @@ TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
   const Scene scene = one_mass(0.0, 0.0, 1.0, 0.0, 0.5, -1.0);
   Samples motion(scene, 3.0);
   require_complete(simulate(scene, 3.0, motion));
-  const Relative sensitivity = extremes::detail::sensitivity_of(scene, 3.0, 1.0, motion);
+  const Relative sensitivity = stability::detail::sensitivity_of(scene, 3.0, 1.0, motion);
   EXPECT_NEAR(sensitivity.time, 0.5 / std::sqrt(0.75), 1e-5);
   EXPECT_NEAR(sensitivity.velocity, 1.0 / std::sqrt(0.75), 1e-5);
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "figures/table1_scenes.hpp"
-#include "tests/figures/panels.hpp"
+#include "reference/scenes/table1_scenes.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 
@@ -21,14 +21,14 @@ TEST(Table1, EveryPanelSaysItsParametersAndMarksItsEvents) {
   const std::string folder = folder_of("table1");
   const auto panels = drawn("table1", folder);
   const auto texts = texts_of(folder + "/table1.svg");
-  const auto scenes = figures::table1_scenes();
-  const auto pairs = figures::read_rows(folder + "/table1_pairs.csv", 8);
+  const auto scenes = paper::table1_scenes();
+  const auto pairs = truth::read_rows(folder + "/table1_pairs.csv", 8);
   ASSERT_EQ(panels.size(), scenes.size());
   const std::string events[][2] = {{"G", "G"}, {"S", "S"}, {"I", "I"},
                                    {"S", "G"}, {"G", "I"}, {"S", "I"}};  // of masses 1 and 2
   for (std::size_t n = 0; n < scenes.size(); ++n) {
-    const auto &[kind, scene, from, to] = scenes[n];
-    SCOPED_TRACE(abbreviation(kind));
+    const auto &[name, scene, from, to] = scenes[n];
+    SCOPED_TRACE(name);
     const double s1 = scene.stops[0].position, s2 = scene.stops[1].position;
     const std::string stops = s1 == s2 ? fmt::format("s₁ = s₂ = {:.5g}", s1)
                                        : fmt::format("s₁ = {:.5g},  s₂ = {:.5g}", s1, s2);
@@ -44,7 +44,7 @@ TEST(Table1, EveryPanelSaysItsParametersAndMarksItsEvents) {
                                           std::pair{"I", panels[n].curves[7 + mass]}}) {
         std::vector<double> times, heights;
         for (const auto &pair : pairs) {
-          if (pair[0] != abbreviation(kind) || events[n][mass - 1] != letter) continue;
+          if (pair[0] != name || events[n][mass - 1] != letter) continue;
           times.push_back(std::stod(pair[1]));
           heights.push_back(std::stod(pair[2 + mass]));
           EXPECT_NEAR(heights.back(), scene.stops[mass - 1].position, 1e-6)
@@ -67,7 +67,7 @@ TEST(ExitBoundary, TheLastStickingPhaseIsBold) {
   std::vector<double> x, v;
   int phase = 0;
   std::vector<int> released;
-  const auto rows = figures::read_rows(folder + "/exit_boundary2.csv", 5);
+  const auto rows = truth::read_rows(folder + "/exit_boundary2.csv", 5);
   for (const auto &row : rows)
     if (row[1] == "release") released.push_back(std::stoi(row[0]));
   ASSERT_GT(released.size(), 5u);

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "figures/figure3.hpp"
-#include "runner_program.hpp"
+#include "figures/frequency_diagram.hpp"
+#include "tests/support/runner_program.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "program/files.hpp"
-#include "runner_program.hpp"
+#include "tests/support/runner_program.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "runner_program.hpp"
+#include "tests/support/runner_program.hpp"
 
 namespace {
 

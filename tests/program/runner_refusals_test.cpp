@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runner_program.hpp"
+#include "tests/support/runner_program.hpp"
 
 namespace {
 

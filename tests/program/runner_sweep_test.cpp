@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "program/files.hpp"
-#include "reference/paper_scenes.hpp"
-#include "runner_program.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/runner_program.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
-#include "runner_program.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/runner_program.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace {

@@ -2,10 +2,10 @@
 // where forces tie by trying every assignment.
 #include <gtest/gtest.h>
 
-#include "figures/event_tables.hpp"
-#include "reference/event_comparison.hpp"
-#include "reference/scenes/degenerate_cases.hpp"
-#include "tests/events.hpp"
+#include "reference/truth/degenerate_cases.hpp"
+#include "reference/truth/event_comparison.hpp"
+#include "reference/truth/event_reader.hpp"
+#include "tests/support/events.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
@@ -19,13 +19,13 @@ namespace testing = vibro_impact::testing;
 constexpr double time_tolerance = 1e-11, velocity_tolerance = 1e-12;
 
 TEST(DegenerateScenes, AgreeEventForEventHoweverChatterIsResolved) {
-  const auto truth = figures::read_event_tables(REFERENCE_DIR "/degenerate_events.csv");
-  for (const extremes::Case &degenerate : extremes::degenerate_cases())
+  const auto truth = truth::read_event_tables(REFERENCE_DIR "/degenerate_events.csv");
+  for (const truth::Case &degenerate : truth::degenerate_cases())
     for (const RunOptions &options : {RunOptions{}, testing::all_impacts}) {
       const auto events = testing::events_of(degenerate.scene, 0.0, degenerate.until, options);
       const auto differences =
-          figures::compare(figures::as_truth(events), truth.at(degenerate.name), degenerate.scene,
-                           {.period = Clock(degenerate.scene.omega).period});
+          truth::compare(truth::as_truth(events), truth.at(degenerate.name), degenerate.scene,
+                         {.period = Clock(degenerate.scene.omega).period});
       EXPECT_EQ(differences.first, "") << degenerate.name;
       EXPECT_LT(differences.time, time_tolerance) << degenerate.name;
       EXPECT_LT(differences.velocity, velocity_tolerance) << degenerate.name;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "reference/event_driven.hpp"
-#include "reference/paper_scenes.hpp"
+#include "reference/generator/event_driven.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

@@ -1,12 +1,12 @@
-// The library against orbits of one impact in closed form (reference/one_impact_orbits.csv).
-#include "reference/one_impact.hpp"
+// The library against orbits of one impact in closed form (reference/tables/one_impact_orbits.csv).
+#include "reference/generator/one_impact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "figures/published.hpp"
-#include "tests/events.hpp"
+#include "figures/check/results_of_others.hpp"
+#include "tests/support/events.hpp"
 
 namespace {
 
@@ -20,11 +20,11 @@ struct KnownOrbit {
 
 std::vector<KnownOrbit> known_orbits() {
   std::vector<KnownOrbit> known;
-  const auto rows = figures::read_rows(REFERENCE_DIR "/one_impact_orbits.csv", 7);
+  const auto rows = truth::read_rows(REFERENCE_DIR "/one_impact_orbits.csv", 7);
   for (auto &given : vibro_impact_reference::one_impact_cases()) {
     std::vector<double> row;
     for (const std::string &cell : rows.at(known.size()))
-      if (cell != given.name) row.push_back(figures::number_in(given.name, cell));
+      if (cell != given.name) row.push_back(truth::number_in(given.name, cell));
     const auto computed = vibro_impact_reference::one_impact_orbit(given);
     EXPECT_DOUBLE_EQ(row[2], static_cast<double>(computed.velocity_before)) << given.name;
     given.scene.stops[given.stop].position = row[0];

@@ -1,5 +1,5 @@
-// The paper's scenes stand in reference/paper_scenes.hpp. The defaults of the program and the
-// examples, which users copy, repeat them and must be the same.
+// The paper's scenes stand in reference/scenes/paper_scenes.hpp. The defaults of the program and
+// the examples, which users copy, repeat them and must be the same.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
 // The generator still makes what is stored: it computes the shortest event table again.
 #include <gtest/gtest.h>
 
-#include "reference/event_table.hpp"
-#include "reference/table_reader.hpp"
+#include "reference/generator/event_table.hpp"
+#include "reference/truth/table_reader.hpp"
 
 namespace {
 
-using namespace vibro_impact::figures;
+using namespace vibro_impact::truth;
 namespace reference = vibro_impact_reference;
 
 // The columns of an event table that hold a number of 30 digits: time and both velocities.

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "figures/event_tables.hpp"
-#include "reference/event_comparison.hpp"
-#include "reference/paper_scenes.hpp"
-#include "tests/events.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/event_comparison.hpp"
+#include "reference/truth/event_reader.hpp"
+#include "tests/support/events.hpp"
 
 namespace {
 
@@ -22,11 +22,11 @@ constexpr double time_tolerance = 1e-10;
 
 // The tables end a chatter at a speed of 1e-6; the fastest impact of a mass that chatters lies
 // between 0.1 and 1.
-figures::Differences differences(const PaperRun &run, const std::vector<Event> &events) {
-  const auto reference = figures::read_event_table(REFERENCE_DIR "/" + run.name + "_events.csv");
+truth::Differences differences(const PaperRun &run, const std::vector<Event> &events) {
+  const auto reference = truth::read_event_table(REFERENCE_DIR "/" + run.name + "_events.csv");
   EXPECT_GT(reference.size(), 100u);
   return compare(
-      figures::as_truth(events), reference, run.scene,
+      truth::as_truth(events), reference, run.scene,
       {.period = Clock(run.scene.omega).period, .slow_impact = 1e-5, .contact_modes = true});
 }
 
@@ -38,7 +38,7 @@ TEST_P(PaperScenes, AgreeEventForEventHoweverChatterIsResolved) {
   for (const double resolved : {RunOptions{}.resolve_chatter, 1e-6, 0.0}) {
     const auto events =
         vibro_impact::testing::events_of(run.scene, 0.0, run.until, {.resolve_chatter = resolved});
-    const figures::Differences result = differences(run, events);
+    const truth::Differences result = differences(run, events);
     EXPECT_EQ(result.first, "") << run.name;
     EXPECT_LT(result.time, time_tolerance) << run.name;
     EXPECT_LT(result.velocity, time_tolerance) << run.name;

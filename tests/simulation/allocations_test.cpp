@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "reference/scenes/extreme_cases.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace {

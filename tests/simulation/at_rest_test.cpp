@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "random_scenes.hpp"
-#include "reference/paper_scenes.hpp"
-#include "tests/events.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/events.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

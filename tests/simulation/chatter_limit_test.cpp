@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
-#include "random_scenes.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "simulation/chain/mode_change.hpp"
 #include "simulation/chatter/limit.hpp"
-#include "tests/events.hpp"
+#include "tests/support/events.hpp"
+#include "tests/support/random_scenes.hpp"
 
 namespace {
 

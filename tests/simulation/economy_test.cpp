@@ -5,8 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "random_scenes.hpp"
-#include "reference/scenes/extreme_cases.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

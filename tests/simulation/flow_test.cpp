@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/witness.hpp"
 #include "vibro_impact/vibro_impact.hpp"
-#include "witness.hpp"
 
 namespace {
 

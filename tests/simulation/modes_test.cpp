@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "random_scenes.hpp"
-#include "reference/closed_form.hpp"
+#include "reference/generator/closed_form.hpp"
+#include "tests/support/random_scenes.hpp"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "reference/scenes/extreme_scenes.hpp"
-#include "scene_properties.hpp"
-#include "tests/events.hpp"
-#include "wide_scenes.hpp"
+#include "tests/support/events.hpp"
+#include "tests/support/scene_properties.hpp"
+#include "tests/support/wide_scenes.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <type_traits>
 
-#include "reference/paper_scenes.hpp"
-#include "tests/refusals.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/refusals.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "reference/paper_scenes.hpp"
-#include "tests/events.hpp"
-#include "tests/refusals.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/events.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/events.hpp"
+#include "tests/support/events.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

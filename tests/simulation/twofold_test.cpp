@@ -4,8 +4,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "random_scenes.hpp"
 #include "simulation/chain/pair.hpp"
+#include "tests/support/random_scenes.hpp"
 
 namespace {
 

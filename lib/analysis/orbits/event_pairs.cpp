@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "motion_state.hpp"
-#include "tolerances.hpp"
+#include "orbit_tolerances.hpp"
 
 namespace vibro_impact {
 

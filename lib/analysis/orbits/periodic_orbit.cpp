@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "motion_state.hpp"
+#include "orbit_tolerances.hpp"
 #include "tangent.hpp"
-#include "tolerances.hpp"
 
 namespace vibro_impact {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "motion_state.hpp"
-#include "tolerances.hpp"
+#include "orbit_tolerances.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 

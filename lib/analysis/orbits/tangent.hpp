@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "motion_state.hpp"
-#include "tolerances.hpp"
+#include "orbit_tolerances.hpp"
 #include "vibro_impact/analysis/natural_modes.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "analysis/orbits/tolerances.hpp"
+#include "analysis/orbits/orbit_tolerances.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "analysis/orbits/tolerances.hpp"
+#include "analysis/orbits/orbit_tolerances.hpp"
 #include "vibro_impact/analysis/lyapunov.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 

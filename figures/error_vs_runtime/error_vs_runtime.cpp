@@ -1,0 +1,125 @@
+// Error against run time of this library and of the methods that one would otherwise pick, each
+// method swept over its own tolerance or step. README.md and error_vs_runtime/ say how each is
+// used.
+#include "figures/error_vs_runtime/methods/method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "figures/driver.hpp"
+#include "reference/truth/table_reader.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+using namespace vibro_impact::comparison;
+
+// One method at one setting on one problem.
+struct Trial {
+  const Problem *problem;
+  const Method *method;
+  double setting;
+  Result result = {};
+  Errors errors = {};
+  long long runs_per_sample = 1;
+  std::vector<double> microseconds = {};  // one entry per repeat
+
+  double median() const {
+    std::vector<double> sorted = microseconds;
+    return boost::math::statistics::median(sorted);
+  }
+};
+
+// A sample lasts at least this long, in seconds. The methods take turns, and the first run after
+// another method pays some 0.1 ms for cold caches, which should not count for any of them.
+constexpr double shortest_sample = 5e-3;
+
+// Processor time of this thread, in which all methods run. It leaves out other programs, and the
+// idle threads of OpenBLAS behind Siconos, which spin.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double seconds_of(const Trial &trial) {
+  const double begin = processor_seconds();
+  for (long long i = 0; i < trial.runs_per_sample; ++i)
+    trial.method->run(*trial.problem, trial.setting);
+  return processor_seconds() - begin;
+}
+
+std::vector<Trial> trials_of(const std::vector<Problem> &problems,
+                             const std::vector<Method> &methods) {
+  std::vector<Trial> trials;
+  for (const Problem &problem : problems)
+    for (const Method &method : methods)
+      for (const double setting : method.settings) trials.push_back({&problem, &method, setting});
+  return trials;
+}
+
+// The first run of a trial gives its errors; further ones give how many runs make a sample.
+void run_first(Trial &trial) {
+  trial.result = trial.method->run(*trial.problem, trial.setting);
+  trial.errors = errors_of(trial.result, *trial.problem);
+  double seconds = seconds_of(trial);
+  while (seconds < shortest_sample) {
+    trial.runs_per_sample *= 2;
+    seconds = seconds_of(trial);
+  }
+}
+
+Table table_of(const std::vector<Trial> &trials) {
+  Table table(
+      "problem,method,setting,error_time,error_state,median_us,low,high,"
+      "rhs_or_expansions,impacts,failure");
+  for (const Trial &trial : trials) {
+    const auto [low, high] =
+        std::minmax_element(trial.microseconds.begin(), trial.microseconds.end());
+    table.row(trial.problem->name, truth::in_quotes(trial.method->name), trial.setting,
+              trial.errors.time, trial.errors.state, trial.median(), *low, *high, trial.result.work,
+              trial.result.impacts, truth::in_quotes(trial.errors.failure));
+  }
+  return table;
+}
+
+// Run times are per forcing period, and for less than a period, per run.
+double runs_counted(const Problem &problem) {
+  return std::max(1.0, problem.periods());
+}
+
+constexpr int repeats = 5;  // of every trial; their median is the run time
+
+void compare(const std::filesystem::path &output) {
+  const std::vector<Problem> cases = problems(REFERENCE_DIR);
+  const Methods all = all_methods();
+  for (const std::string &line : all.left_out)
+    fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
+  std::vector<Trial> trials = trials_of(cases, all.methods);
+  Progress progress("error_vs_runtime", static_cast<double>(trials.size()) * (repeats + 1));
+  for (Trial &trial : trials) {
+    run_first(trial);
+    progress.advance();
+  }
+  // The methods take turns, so that a busy machine disturbs all of them alike.
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    for (Trial &trial : trials) {
+      trial.microseconds.push_back(1e6 * seconds_of(trial) /
+                                   static_cast<double>(trial.runs_per_sample) /
+                                   runs_counted(*trial.problem));
+      progress.advance();
+    }
+  write(table_of(trials), output / "error_vs_runtime.csv");
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  return figures::drive(argc, argv, "Error against run time of this library and other methods",
+                        compare);
+}

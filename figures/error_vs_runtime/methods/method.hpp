@@ -1,0 +1,97 @@
+// The methods that are compared by error against run time: what each is given, what it returns, and
+// how far that is from the 50-digit reference.
+//
+// This header is C++17, because Siconos does not compile as C++20 (siconos.cpp).
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "vibro_impact/event_kind.hpp"
+#include "vibro_impact/scene.hpp"
+
+namespace vibro_impact::comparison {
+
+// Displacement and velocity of both masses, and which of them sticks at its stop.
+struct TwoMassState {
+  double time = 0.0;
+  std::array<double, 2> displacement = {}, velocity = {};
+  std::array<bool, 2> held = {};
+};
+
+// One event of one mass, counted from 1. The velocity before it is known for the impacts of the
+// reference; a method may leave it out.
+struct MassEvent {
+  double time = 0.0;
+  int mass = 1;
+  EventKind kind = EventKind::impact;
+  double velocity_before = 0.0;
+};
+
+// A stretch of the motion of a scene with two masses and one stop each, with its events and its end
+// as the 50-digit generator has them.
+struct Problem {
+  std::string name;
+  Scene scene;
+  TwoMassState start;
+  double until = 0.0;
+  std::vector<MassEvent> reference_events = {};
+  TwoMassState reference_end = {};
+
+  double periods() const;  // of the forcing
+};
+
+// Reads work_precision_states.csv and work_precision_events.csv from `reference`. Throws
+// std::runtime_error naming the file that cannot be read or the scene that is not known.
+std::vector<Problem> problems(const std::filesystem::path &reference);
+
+// The result of a run of a method. `failure` is empty if the run reached its end. Otherwise it says
+// in one line where and why the run stopped.
+struct Result {
+  std::vector<MassEvent> events = {};
+  TwoMassState end = {};
+  long long work = 0;  // right-hand sides, closed forms, time steps or expansions
+  long long impacts = 0;
+  std::string failure = {};
+};
+
+// The impacts from the start or a release to the first slower impact are compared. Every method has
+// to resolve these, however it ends a chatter, because the flights between them last longer than
+// 0.05.
+constexpr double slowest_impact_compared = 1e-2;
+
+// Largest error in the time of a stick, a release or such an impact, and in the displacements and
+// velocities at the end. Both are NaN if `failure` names a missing event, a
+// spurious event or the reason why the method gave up.
+struct Errors {
+  double time, state;
+  std::string failure = {};
+};
+Errors errors_of(const Result &result, const Problem &problem);
+
+// A method and the settings it is swept over: tolerances, time steps, thresholds or stiffnesses.
+// Settings are the same on every machine, and so is the work done.
+struct Method {
+  std::string name;
+  std::vector<double> settings;
+  Result (*run)(const Problem &problem, double setting);
+};
+
+// The families, one file each. cvode and siconos are built where their packages are found.
+std::vector<Method> this_library();
+std::vector<Method> plain_event_driven();
+std::vector<Method> odeint();
+std::vector<Method> cvode();
+std::vector<Method> siconos();
+std::vector<Method> stiff_spring();
+
+// All methods that are built, and the names of the families that are not.
+struct Methods {
+  std::vector<Method> methods;
+  std::vector<std::string> left_out;
+};
+Methods all_methods();
+
+}  // namespace vibro_impact::comparison

@@ -1,0 +1,101 @@
+// What is read off a run: events, counts, times, extremes and sticking phases.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/locate.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace vibro_impact::figures {
+
+// Samples both masses across the window of a panel.
+inline SampleRecorder samples_across(const paper::AxisBox &box, double every) {
+  return {box.from, box.to, every};
+}
+
+struct Range {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+};
+
+// The displacements of the given mass, or of both (0).
+inline Range range_of(const SampleRecorder &samples, int mass = 0) {
+  Range range;
+  for (std::size_t i = 0; i < samples.displacements.size(); ++i)
+    if (mass == 0 || static_cast<int>(i % 2) == mass - 1) range.include(samples.displacements[i]);
+  return range;
+}
+
+// Events of a scene from rest, from time `from` to `until`.
+inline std::vector<Event> events_of(const Scene &scene, double until, double from = 0.0) {
+  EventRecorder recorder;
+  recorder.from = from;
+  require_complete(simulate(scene, until, recorder));
+  return recorder.events;
+}
+
+// Number of events of a kind, of one mass (0: of any mass).
+inline double count(const std::vector<Event> &events, EventKind kind, int mass = 0) {
+  return static_cast<double>(std::count_if(events.begin(), events.end(), [&](const Event &event) {
+    return event.kind == kind && (mass == 0 || event.mass == mass);
+  }));
+}
+
+// Time of the first event of this kind and mass at or after `from`; NaN if there is none.
+inline double first_time(const std::vector<Event> &events, EventKind kind, int mass, double from) {
+  for (const Event &event : events)
+    if (event.kind == kind && event.mass == mass && event.time >= from) return event.time;
+  return std::nan("");
+}
+
+// The same for the window of a panel.
+inline double first_time(const Scene &scene, EventKind kind, int mass, const paper::AxisBox &box) {
+  return first_time(events_of(scene, box.to), kind, mass, box.from);
+}
+
+// The displacements of a mass in the window of a panel, among samples every 1e-4.
+inline Range range_in(const Scene &scene, int mass, const paper::AxisBox &box) {
+  SampleRecorder samples = samples_across(box, 1e-4);
+  require_complete(simulate(scene, samples.to, samples));
+  return range_of(samples, mass);
+}
+
+// Number of times at which a mass comes to rest while the other one sticks.
+inline double dual_sticks(const Scene &scene, double until) {
+  const std::vector<Event> events = events_of(scene, until);
+  return static_cast<double>(std::count_if(events.begin(), events.end(), [](const Event &event) {
+    return event.kind == EventKind::stick && contact_mode_name(event.held) == "1+2";
+  }));
+}
+
+// Sticks of mass 1 in the last ten forcing periods before t = 750.
+inline double sticks_of_mass_1(const Scene &scene) {
+  const double from = 750.0 - 10.0 * Clock(scene.omega).period;
+  return count(events_of(scene, 750.0, from), EventKind::stick, 1);
+}
+
+// The sticking phases of a mass in four forcing periods of the motion that a scene settles to.
+// Motions of period 1, 2 and 4 give the same count in every window.
+inline int settled_sticking_phases(const Scene &scene, int mass) {
+  return sticking_phases(scene, mass, paper::figure4_settling_periods, 4);
+}
+
+// The same at the stops of Figures 2 to 4, of the motion followed to this frequency from the motion
+// that settles at another one.
+inline int followed_sticking_phases(double omega, int mass, const MotionState &settled) {
+  Scene scene = paper::figure3(omega);
+  scene.displacement = settled.displacement;
+  scene.velocity = settled.velocity;
+  return settled_sticking_phases(scene, mass);
+}
+
+}  // namespace vibro_impact::figures

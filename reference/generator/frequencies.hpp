@@ -1,0 +1,156 @@
+// Frequencies at which a settled motion changes, by bisection on what is counted in it.
+#pragma once
+
+#include "event_driven.hpp"
+#include "reference/scenes/frequency_brackets.hpp"
+#include "turning_points.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace vibro_impact_reference {
+
+/// A whole number read off a run, such as the number of its sticking phases.
+using Count = std::function<std::size_t(const Run &)>;
+
+/// Two frequencies at which a count differs.
+struct Bracket {
+  Real near, far;
+};
+
+/// Forcing periods: for the motion from rest to settle, for the motion to settle that begins near
+/// the settled one, and counted over. The slowest motion to settle is that at border_mass_2_3.
+constexpr int settling_from_rest = 300, settling_from_near = 10, counted = 4;
+
+/// Both motions at the jump are reached within 60 periods from rest, to the same frequency in
+/// double precision as after 800.
+constexpr int settling_of_a_jump = 100;
+
+/// A chatter followed down to a speed v tells whether it is complete where the frequency is farther
+/// from the change than some 500 v (measured at border_mass_2_4).
+inline const Real chatter_floor = Real("1e-22");
+
+/// A bracket is bisected until it is narrower than this. A double has 17 digits.
+inline const Real bracket_width = Real("1e-18");
+
+/// The motion that goes on from `state`, at phase zero of the forcing, for some forcing periods.
+/// Brings the state to their end, where the phase is zero again and the time is counted anew.
+inline Run carried_on(Scene scene, State &state, int periods, const Resolution &resolution) {
+  Run run;
+  scene.end_time = periods * 2 * acos(Real(-1)) / scene.chain.frequency;
+  advance(scene, state, run, resolution);
+  state.time = 0;
+  return run;
+}
+
+/// A settled motion at phase zero of the forcing.
+struct Settled {
+  Real frequency;
+  State state;
+};
+
+/// The state at another frequency on the line through two settled motions, up to the square of the
+/// distance.
+inline State extrapolated(const Settled &one, const Settled &other, const Real &frequency) {
+  const Real part = (frequency - one.frequency) / (other.frequency - one.frequency);
+  State state = one.state;
+  for (std::size_t i = 0; i < state.x.size(); ++i) {
+    state.x[i] += part * (other.state.x[i] - one.state.x[i]);
+    state.v[i] += part * (other.state.v[i] - one.state.v[i]);
+  }
+  return state;
+}
+
+/// Throws std::logic_error if the counts at the ends of the bracket agree.
+inline void require_change(const Bracket &bracket, std::size_t near, std::size_t far) {
+  if (near == far)
+    throw std::logic_error("the counts at " + bracket.near.str(10) + " and " + bracket.far.str(10) +
+                           " agree");
+}
+
+/// The frequency between the ends of the bracket at which the count changes. The settled motion is
+/// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
+/// known to have the same count as `near`, so that the unsettled part of a trial is small beside
+/// the bracket. Throws std::logic_error if the counts at the ends agree.
+inline Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
+  const Resolution resolution = resolution_down_to(chatter_floor);
+  const auto count_at = [&](const Real &frequency, State &state) {
+    scene.chain.frequency = frequency;
+    carried_on(scene, state, settling_from_near, resolution);
+    return count(carried_on(scene, state, counted, resolution));
+  };
+  const auto settled_at = [&](const Real &frequency) {
+    scene.chain.frequency = frequency;
+    Run run;
+    State state = initial_state(scene, resolution, run);
+    carried_on(scene, state, settling_from_rest, resolution);
+    return Settled{frequency, state};
+  };
+  Settled before = settled_at(2 * bracket.near - bracket.far), last = settled_at(bracket.near),
+          beyond = settled_at(bracket.far);
+  const std::size_t count_near = count_at(bracket.near, last.state);
+  require_change(bracket, count_near, count_at(bracket.far, beyond.state));
+  while (abs(bracket.far - bracket.near) > bracket_width) {
+    const Real middle = (bracket.near + bracket.far) / 2;
+    Settled trial{middle, extrapolated(before, last, middle)};
+    if (count_at(middle, trial.state) == count_near) {
+      bracket.near = middle;
+      before = last;
+      last = trial;
+    } else {
+      bracket.far = middle;
+    }
+  }
+  return bracket.far;
+}
+
+/// The frequency between the ends of the bracket at which the count of the motion from rest jumps.
+/// Every trial starts at rest and settles for `settling` periods.
+inline Real jumping_frequency(Scene scene, Bracket bracket, int settling, const Count &count) {
+  const Resolution resolution = resolution_down_to(chatter_floor);
+  const auto count_at = [&](const Real &frequency) {
+    scene.chain.frequency = frequency;
+    Run run;
+    State state = initial_state(scene, resolution, run);
+    carried_on(scene, state, settling, resolution);
+    return count(carried_on(scene, state, counted, resolution));
+  };
+  const std::size_t count_near = count_at(bracket.near);
+  require_change(bracket, count_near, count_at(bracket.far));
+  while (abs(bracket.far - bracket.near) > bracket_width) {
+    const Real middle = (bracket.near + bracket.far) / 2;
+    (count_at(middle) == count_near ? bracket.near : bracket.far) = middle;
+  }
+  return bracket.far;
+}
+
+/// Of a change in the number of sticking phases of a mass.
+inline Real changing_frequency(const vibro_impact::paper::StickingChange &change) {
+  const auto sticks = [mass = static_cast<std::size_t>(change.mass - 1)](const Run &run) {
+    return static_cast<std::size_t>(
+        std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
+          return event.kind == Event::Kind::stick && event.mass == mass;
+        }));
+  };
+  const Scene scene = in_digits(vibro_impact::paper::figure3(change.near), 0.0);
+  const Bracket bracket{Real(change.near), Real(change.far)};
+  return change.jump ? jumping_frequency(scene, bracket, settling_of_a_jump, sticks)
+                     : changing_frequency(scene, bracket, sticks);
+}
+
+/// Of Figure 5(b): where the greatest displacement of mass 2, its stop taken away, reaches that
+/// stop.
+inline Real grazing_frequency() {
+  using namespace vibro_impact::paper;
+  const Real place = Real(figure5b().stops[1].position);
+  const auto reaches = [&](const Run &run) -> std::size_t {
+    return extremes(run, Real(0), Real("1e9")).highest[1] >= place ? 1 : 0;
+  };
+  return changing_frequency(in_digits(figure5b_without_second_stop(grazing_below), 0.0),
+                            {Real(grazing_below), Real(grazing_above)}, reaches);
+}
+
+}  // namespace vibro_impact_reference
