@@ -13,7 +13,7 @@
 namespace vibro_impact::figures {
 
 // A run shown as displacement against time resolves all chatter that can be seen.
-inline const RunOptions all_visible_chatter{.resolve_chatter = paper::slowest_impact_shown};
+inline const RunOptions all_visible_chatter{.limit_below_speed = paper::slowest_impact_shown};
 
 // The samples of both masses as a table t, x1, x2.
 inline Table displacement_table(const SampleRecorder &samples) {

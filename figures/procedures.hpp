@@ -67,8 +67,8 @@ inline FollowedMotion follow(Scene scene, MotionState state, double until,
   // this speed lasts some 2e-4, less than any cut-off that is tried.
   constexpr double slower_than_all = 1e-5;
   const bool cuts_off = procedure.shortest_flight > 0.0 || procedure.slowest_impact > 0.0;
-  const RunOptions options{.resolve_chatter =
-                               cuts_off ? slower_than_all : RunOptions{}.resolve_chatter};
+  const RunOptions options{.limit_below_speed =
+                               cuts_off ? slower_than_all : RunOptions{}.limit_below_speed};
   ProcedureRecorder recorder(procedure);
   std::optional<Simulation> run;
   for (;;) {

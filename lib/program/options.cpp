@@ -112,7 +112,7 @@ void add_run_options(CLI::App &run, RunRequest &request, RunTimes &times, bool &
   option(run, "--from", times.from, "TIME", "Start of both tables; the run itself starts at t = 0");
   option(run, "--every", times.every, "TIME", "Interval between samples, > 0, counted from --from");
   add_flag(run, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
-  option(run, "--resolve-chatter", request.options.resolve_chatter, "SPEED",
+  option(run, "--resolve-chatter", request.options.limit_below_speed, "SPEED",
          "Resolve and record every chatter impact faster than this; below it a\n"
          "complete chatter may be carried to its limit. Default: as soon as the\n"
          "limit is certain; 0: resolve until below rounding");

@@ -97,7 +97,7 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
   const double period = Clock(scene.omega).period;
   const double fastest = std::sqrt(largest_eigenvalue_bound(scene));
   RunOptions resolved, options;
-  resolved.resolve_chatter = 1e-9;
+  resolved.limit_below_speed = 1e-9;
   options.chatter_tolerance = tolerance;
   Worst worst;
   MotionState start = start_of(scene);

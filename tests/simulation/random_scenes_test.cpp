@@ -173,7 +173,7 @@ TEST(Witness, NoticesALinkOffByABillionth) {
     other.stiffness[0] *= 1.0 + 1e-9;
     const double until = run_length(scene, 100.0);
     Witness witness = witness_of(scene, until);
-    witness.close(simulate(other, until, {.resolve_chatter = 0.0}, witness).state);
+    witness.close(simulate(other, until, {.limit_below_speed = 0.0}, witness).state);
     noticed += witness.apart() > 1e-11 * witness.size();
   }
   EXPECT_GE(noticed, 15);

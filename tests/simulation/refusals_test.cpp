@@ -120,7 +120,7 @@ TEST(Refusals, OfTimesAndOptions) {
       {until(1e300), "time 1e+300: more forcing periods than double precision can count"},
       {[&] { require_complete(Simulation(scene, at_fifty).advance(49.0)); },
        "until = 49: lies before the start"},
-      {with({.resolve_chatter = nan}), "resolve_chatter = nan: must be non-negative"},
+      {with({.limit_below_speed = nan}), "limit_below_speed = nan: must be non-negative"},
       {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
       {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},
       {with({.flight_tolerance = 1e-22}), "flight_tolerance = 1e-22: must be at least 1e-21"},

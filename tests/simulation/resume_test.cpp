@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
@@ -92,9 +93,9 @@ TEST(Resume, ASampleReachesEveryRecorderBeforeTheRunEnds) {
   for (const bool first : {false, true}) {
     FirstSample stopper(1.0);
     SampleRecorder samples(1.0, 1.0, 1.0);
-    Simulation simulation(paper::figure2());
-    const Outcome outcome = first ? simulation.advance(10.0, stopper, samples)
-                                  : simulation.advance(10.0, samples, stopper);
+    std::vector<Recorder *> recorders{&stopper, &samples};
+    if (!first) std::swap(recorders[0], recorders[1]);
+    const Outcome outcome = Simulation(paper::figure2()).advance(10.0, recorders);
     EXPECT_EQ(outcome.ending, Ending::stopped);
     EXPECT_EQ(samples.times.size(), 1u) << first;
   }

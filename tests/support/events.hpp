@@ -10,7 +10,7 @@
 namespace vibro_impact::testing {
 
 // Chatter is resolved until what is left of it lies below rounding.
-inline const RunOptions all_impacts{.resolve_chatter = 0.0};
+inline const RunOptions all_impacts{.limit_below_speed = 0.0};
 
 // The events of a run that comes to its end, from a start on.
 inline std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,

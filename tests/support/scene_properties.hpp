@@ -26,7 +26,7 @@ namespace vibro_impact::testing {
 inline std::string seen_by_a_witness(const Trial &trial, double share, Witness &witness) {
   const auto &[scene, until, units, completes] = trial;
   const Outcome outcome =
-      simulate(scene, until, {.resolve_chatter = 0.0, .max_steps = 5000}, witness);
+      simulate(scene, until, {.limit_below_speed = 0.0, .max_steps = 5000}, witness);
   // If a run is given up, all properties hold up to its last event.
   if (outcome.ending == Ending::reached) witness.close(outcome.state);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();

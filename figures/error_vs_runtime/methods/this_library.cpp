@@ -58,7 +58,7 @@ std::vector<Method> this_library() {
           // Every impact is made until the rest of a chatter lies below rounding. There is nothing
           // to sweep, because flow and roots are exact to rounding.
           {"this library (every impact)", {rounding}, [](const Problem &problem, double) {
-             return run_with(problem, {.resolve_chatter = 0.0});
+             return run_with(problem, {.limit_below_speed = 0.0});
            }}};
 }
 

@@ -46,7 +46,7 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   std::vector<Recorder *> recorders{&events};
   if (options.section) recorders.push_back(&section);
   if (options.impact_velocities)
-    run.resolve_chatter = std::min(run.resolve_chatter, options.slowest);
+    run.limit_below_speed = std::min(run.limit_below_speed, options.slowest);
   Simulation simulation = motion.simulation;
   simulation.set_options(run);
   require_complete(simulation.advance(until, recorders));

@@ -94,14 +94,14 @@ class Sections : public Recorder {
     enter(std::move(at));
     const double scale = amplitude(latest(0).state, rest_);
     for (int p = 1; p <= most_periods_of_orbit && p < taken_; ++p) compare(p, repeats * scale);
-    judge();
+    find_period();
   }
 
   bool done() const override {
     return period_ > 0 || taken_ > options_.longest;
   }
 
-  void tell(SettledMotion &motion) const {
+  void report_to(SettledMotion &motion) const {
     motion.period = period_;
     motion.periods_run = taken_ - 1;
     motion.state = latest(0).state;
@@ -208,7 +208,7 @@ class Sections : public Recorder {
                               without_chatters(scene_, events_of(p, p)), same);
   }
 
-  void judge() {
+  void find_period() {
     for (int p = 1; p <= most_periods_of_orbit && 2 * p < taken_; ++p) {
       if (!(contractions_[index(p - 1)].to_come <= settle_tolerance) || !same_events(p)) continue;
       // A motion of period q, a divisor of p, has settled after p periods, too.
@@ -260,7 +260,7 @@ SettledMotion settle(const Scene &scene, const MotionState &start, const SettleO
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
   require_complete(motion.simulation.advance(until, sections));
-  sections.tell(motion);
+  sections.report_to(motion);
   return motion;
 }
 

@@ -18,9 +18,9 @@
 namespace vibro_impact {
 
 struct RunOptions {
-  // Chatter is carried to its limit only from impacts slower than this speed. Every faster impact
-  // is resolved and reported. With 0, chatter is resolved until the rest of it lies below rounding.
-  double resolve_chatter = std::numeric_limits<double>::infinity();
+  // A chatter of impacts slower than this ends at its limit. Every faster impact is resolved and
+  // reported. With 0, all impacts are resolved until the remaining ones lie below rounding.
+  double limit_below_speed = std::numeric_limits<double>::infinity();
   // Largest estimated error of the time of a chatter limit, times the rate of the fastest mode, at
   // which the limit is accepted. It lies in (0, 1).
   double chatter_tolerance = 1e-13;

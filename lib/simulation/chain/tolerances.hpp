@@ -91,8 +91,8 @@ constexpr double impact_rounding = 0x1p-52;
 constexpr double prediction_share = 1.0 / 16.0;
 // Bound of the sum of the jumps to come, relative to the geometric series J r / (1 - r).
 constexpr double jump_sum_factor = 1.5;
-// Bound of the next closing speed, relative to the latest rebound speed. `resolve_chatter` reports
-// every faster impact.
+// Bound of the next closing speed, relative to the latest rebound speed. `limit_below_speed`
+// reports every faster impact.
 constexpr double next_speed_factor = 1.125;
 // Number of falling impacts from which the counter of incomplete chatters takes them for a chatter.
 constexpr int chatter_impacts = 5;

@@ -38,7 +38,7 @@ bool find_limit(Run &run) {
     const StopState &stop = run.stops[mode.contacts[k].stop];
     // The closing speed of the next impact may be a little above the latest rebound speed.
     const double speed = speed_at_stop(stop).value_or(0.0);
-    if (!(next_speed_factor * speed < options.resolve_chatter)) return false;
+    if (!(next_speed_factor * speed < options.limit_below_speed)) return false;
     unit = std::max(unit, unit_of_time(mode, stop));
   }
   // The impact speed falls to a third over 1 / (1 - r) impacts and has the rounding of these.
@@ -158,9 +158,7 @@ void sample(Run &run, double tau, bool in_closed_form, Recorders recorders) {
             ": lies before the motion, which is at t = ", time_of(run.motion.now, clock));
     set_sampled(run, instant, std::max(0.0, since), in_closed_form);
     ++run.counters.modal_evaluations;
-    const bool done = report_sample(run.scratch.sampled, next, clock, recorders);
-    run.progress.next_sample = next_sample(recorders);
-    if (!done) continue;
+    if (!report_sample(run, next, recorders)) continue;
     set_last(run, instant);
     return stop_run(run, Ending::stopped);
   }

@@ -13,16 +13,6 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// Reports an event and ends the call when a recorder is done. Events inside a chatter, before the
-// limit that the run takes, are not reported.
-void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
-                  bool by_a_jump, Recorders recorders) {
-  if (run.progress.inside_chatter) return;
-  if (report(run, kind, stop, velocities, by_a_jump, recorders, run.scratch.event))
-    stop_run(run, Ending::stopped);
-  run.progress.next_sample = next_sample(recorders);
-}
-
 // The gap of a contact in the initial state.
 Gap start_gap(const Scene &scene, const Contact &contact, const MotionState &state) {
   const double position = scene.stops[contact.stop].position;

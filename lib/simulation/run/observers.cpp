@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "instant.hpp"
 #include "simulation/chain/require.hpp"
 
 namespace vibro_impact::detail {
@@ -41,10 +42,11 @@ class MomentOfMotion final : public Moment {
 
 }  // namespace
 
-bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
-            bool by_a_jump, Recorders recorders, Event &event) {
-  if (recorders.empty()) return false;
+void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
+                  bool by_a_jump, Recorders recorders) {
+  if (run.progress.inside_chatter || recorders.empty()) return;
   const Stop &stop_of_event = run.scene().stops[stop];
+  Event &event = run.scratch.event;
   event.kind = kind;
   event.stop = static_cast<int>(stop) + 1;
   event.mass = stop_of_event.mass;
@@ -57,12 +59,11 @@ bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
   event.held = run.motion.mode->held;
   const MomentOfMotion moment(run.motion, event.instant, run.problem.clock);
   event.time = moment.time;
-  bool done = false;
   for (Recorder *recorder : recorders) {
     recorder->event(event, moment);
-    done = recorder->done() || done;
+    if (recorder->done()) stop_run(run, Ending::stopped);
   }
-  return done;
+  run.progress.next_sample = next_sample(recorders);
 }
 
 double next_sample(Recorders recorders) {
@@ -75,8 +76,9 @@ double next_sample(Recorders recorders) {
   return next;
 }
 
-bool report_sample(const Motion &motion, double time, const Clock &clock, Recorders recorders) {
-  const MomentOfMotion moment(motion, instant_at(time, clock), clock);
+bool report_sample(Run &run, double time, Recorders recorders) {
+  const Clock &clock = run.problem.clock;
+  const MomentOfMotion moment(run.scratch.sampled, instant_at(time, clock), clock);
   bool done = false;
   for (Recorder *recorder : recorders) {
     if (recorder->next_time() > time) continue;
@@ -88,6 +90,7 @@ bool report_sample(const Motion &motion, double time, const Clock &clock, Record
     const double next = recorder->next_time();
     require(next > time, "next_time = ", next, " after the sample at ", time, ": must be later");
   }
+  run.progress.next_sample = next_sample(recorders);
   return done;
 }
 
