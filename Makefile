@@ -15,15 +15,14 @@
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
 # make clean          remove build/
 #
-# Variables: folder=build, compiler= (that of CMake), werror=OFF, ctest_options=
+# Variable: preset=release, a preset of CMakePresets.json (release, werror, clang, sanitize)
 
 paper  := $(basename $(notdir $(wildcard figures/*.gp)))
 paper  := $(filter-out style,$(paper))
 beyond := $(basename $(notdir $(wildcard figures/stability/*.gp figures/beyond/*.gp)))
 jobs   := $(shell nproc 2>/dev/null || echo 1)
-folder := build
-compiler :=
-werror := OFF
+preset := release
+folder := build$(addprefix /,$(filter clang sanitize,$(preset)))
 tables := $(folder)/figures
 
 .PHONY: help figures beyond $(paper) $(beyond) error_vs_runtime peers check readme build test test-sanitize reference docs clean
@@ -37,10 +36,9 @@ help:
 configured-%:
 	@mkdir -p $(folder)
 	@.ci/packages $*
-	@cmake -S . -B $(folder) -DCMAKE_BUILD_TYPE=Release -DVIBRO_IMPACT_QUICK_BUILD=ON -DVIBRO_IMPACT_WERROR=$(werror) \
-	  $(if $(compiler),-DCMAKE_CXX_COMPILER=$(compiler)) >$(folder)/configure.log 2>&1 || { cat $(folder)/configure.log; exit 2; }
+	@cmake --preset $(preset) >$(folder)/configure.log 2>&1 || { cat $(folder)/configure.log; exit 2; }
 
-make_target = @cmake --build $(folder) -j $(jobs) --target
+make_target = @cmake --build --preset $(preset) -j $(jobs) --target
 
 build: configured-runner
 	$(make_target) vibro-impact
@@ -82,7 +80,7 @@ peers:
 
 test: configured-tests
 	$(make_target) test_programs
-	@ctest --test-dir $(folder) --output-on-failure -j $(jobs) $(ctest_options)
+	@ctest --preset $(preset) -j $(jobs)
 
 check: configured-figures
 	$(make_target) check
@@ -94,11 +92,7 @@ readme: configured-figures
 	@$(folder)/bin/check --write . >$(folder)/check.log || { cat $(folder)/check.log; exit 1; }
 
 test-sanitize:
-	@.ci/packages tests
-	@mkdir -p build
-	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DVIBRO_IMPACT_SANITIZE=ON >build/sanitize.log 2>&1 || { cat build/sanitize.log; exit 2; }
-	@cmake --build build/sanitize --target test_programs -j $(jobs)
-	@ctest --test-dir build/sanitize --output-on-failure -j $(jobs)
+	@$(MAKE) test preset=sanitize
 
 reference: configured-figures
 	$(make_target) reference-generate

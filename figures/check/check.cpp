@@ -101,14 +101,16 @@ int conclude(const Findings &findings, const std::vector<std::string> &faults) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string reference = REFERENCE_DIR, compared, written;
+  std::string reference, compared, written;
   const std::string measured = SOURCE_DIR "/figures/error_vs_runtime/measured.csv";
   return command(argc, argv,
                  "Computes every key number and every published result and compares them",
-                 {{"--reference", "Folder of the tables of references", &reference},
+                 {{"--reference", "Folder of the tables of references, if not that of the project",
+                   &reference},
                   {"--documents", "Folder of the project, whose documents are compared", &compared},
                   {"--write", "Folder of the project, whose documents are written", &written}},
                  [&] {
+                   if (reference.empty()) reference = REFERENCE_DIR;
                    const Findings findings{checked_numbers(reference), checked_results(reference),
                                            comparison::read_measured(measured)};
                    fmt::print("{}{}\n**Published by others**\n\n{}\n{}", explanation,

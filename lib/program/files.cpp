@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
+#include <utility>
 
 namespace vibro_impact::runner {
 
@@ -18,43 +18,42 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string contents(const std::string &path) {
-  std::ifstream file(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-// The file that a path names, behind links.
-fs::path target_of(const std::string &option, const std::string &path) {
+// The file that an output names, behind links.
+fs::path target_of(const Output &output) {
   std::error_code error;
-  const fs::path name = fs::weakly_canonical(fs::absolute(path), error);
+  const fs::path name = fs::weakly_canonical(fs::absolute(output.path), error);
   const fs::file_status there = error ? fs::file_status() : fs::status(name, error);
   if (error && there.type() != fs::file_type::not_found)
-    refuse("{} {}: {}", option, path, error.message());
+    refuse("{}: {}", output.given(), error.message());
   if (fs::is_symlink(fs::symlink_status(name, error)))
-    refuse("{} {}: is a link to a file that is not there", option, path);
+    refuse("{}: is a link to a file that is not there", output.given());
   if (fs::exists(there) && !fs::is_regular_file(there))
-    refuse("{} {}: is no file, and cannot be replaced by one", option, path);
+    refuse("{}: is no file, and cannot be replaced by one", output.given());
   return name;
 }
 
 }  // namespace
 
-void check_files(const std::vector<std::pair<std::string, std::string>> &files,
-                 const std::string &read) {
+void check_outputs(const std::vector<Output> &outputs, const std::string &read) {
   std::vector<fs::path> names;
-  if (!read.empty()) names.push_back(target_of("--scene", read));
-  for (const auto &[option, path] : files) {
-    if (path.empty()) continue;
-    const fs::path name = path == "-" ? fs::path(path) : target_of(option, path);
-    if (path != "-" && !fs::is_directory(name.parent_path()))
-      refuse("{} {}: {} is no folder", option, path, name.parent_path().string());
-    if (path != "-" && access(name.parent_path().c_str(), W_OK | X_OK) != 0)
-      refuse("{} {}: {} is write-protected", option, path, name.parent_path().string());
-    const bool taken = std::find(names.begin(), names.end(), name) != names.end();
-    if (taken && path == "-") refuse("{} -: standard output takes one table", option);
-    if (taken) refuse("{} {}: another file of the command has that name", option, path);
+  if (!read.empty()) names.push_back(target_of({"--scene", read}));
+  for (const Output &output : outputs) {
+    if (!output.wanted()) continue;
+    const fs::path name = output.is_file() ? target_of(output) : "-", folder = name.parent_path();
+    const bool taken = std::ranges::find(names, name) != names.end();
+    if (taken && !output.is_file()) refuse("{}: standard output takes one table", output.given());
+    if (taken) refuse("{}: another file of the command has that name", output.given());
     names.push_back(name);
+    if (!output.is_file()) continue;
+    if (!fs::is_directory(folder)) refuse("{}: {} is no folder", output.given(), folder.string());
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+      refuse("{}: {} is write-protected", output.given(), folder.string());
   }
+}
+
+std::string contents(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 void write_text(std::string text, const std::string &path) {
@@ -64,6 +63,16 @@ void write_text(std::string text, const std::string &path) {
   const std::size_t size = table.text.size();
   if (std::fwrite(table.text.data(), 1, size, stdout) != size || std::fflush(stdout) != 0)
     throw std::runtime_error("standard output cannot be written");
+}
+
+std::uint32_t checksum_of(const std::string &bytes) {
+  boost::crc_32_type checksum;
+  checksum.process_bytes(bytes.data(), bytes.size());
+  return checksum.checksum();
+}
+
+std::string path_of(std::FILE *file) {
+  return fmt::format("/proc/self/fd/{}", fileno(file));
 }
 
 Journal::Journal(const std::string &path, const std::string &head, bool resume, const RowRule &rule)
@@ -78,84 +87,71 @@ Journal::Journal(const std::string &path, const std::string &head, bool resume, 
   const bool in_head = head.starts_with(text);  // a new file, or the sweep was killed at once
   if (!in_head && !text.starts_with(head))
     refuse("{}: not the rows of this sweep: its options and its program must be the same", path);
-  if (!in_head) checksum_.process_bytes(head.data(), head.size());
+  checksum_.process_bytes(head.data(), head.size());
   const std::size_t whole = in_head ? 0 : read(text, head.size(), rule);
   if (ftruncate(fileno(file_.get()), static_cast<off_t>(whole)) != 0)
     refuse("{}: cannot be written: {}", path, std::strerror(errno));
-  fstat(fileno(file_.get()), &latest_);
   if (in_head) append(head);
 }
 
 // Reads the blocks behind the head, and returns where the last whole block ends.
 std::size_t Journal::read(const std::string &text, std::size_t head, const RowRule &rule) {
-  std::size_t whole = head, number = static_cast<std::size_t>(std::count(
-                                text.begin(), text.begin() + static_cast<long>(head), '\n'));
-  boost::crc_32_type checksum_of_blocks = checksum_;
-  std::size_t rows = 0, table = 0;
+  const auto lines_of_head = std::ranges::count(text.substr(0, head), '\n');
+  std::size_t whole = head, row = 0, table = 0, number = static_cast<std::size_t>(lines_of_head);
   Texts block;
   for (std::size_t begin = head, end; (end = text.find('\n', begin)) != std::string::npos;
        begin = end + 1) {
-    ++number;
     const std::string line = text.substr(begin, end - begin);
-    const bool closes = line.starts_with("# ");
     std::string wrong;
-    if (closes && line != closing_line()) wrong = "the rows above do not fit their checksum";
-    if (line == "#" && ++table == block.size()) wrong = "a block has too many tables";
-    if (!line.starts_with("#") && table == 0) wrong = rule(rows++, line);
+    if (line.starts_with("# ")) {
+      if (take(std::exchange(block, {})) != text.substr(whole, end + 1 - whole))
+        wrong = "the rows above do not fit their checksum";
+      whole = end + 1;
+      table = 0;
+    } else if (line == "#") {
+      table = (table + 1) % block.size();
+    } else {
+      if (table == 0) wrong = rule(row++, line);
+      block[table] += line + '\n';
+    }
+    ++number;
     if (!wrong.empty()) refuse("{}: line {}: {}; remove the file", path_, number, wrong);
-    checksum_.process_bytes(text.data() + begin, end + 1 - begin);
-    if (!line.starts_with("#")) block[table] += line + '\n';
-    if (!closes) continue;
-    for (std::size_t k = 0; k < block.size(); ++k) rows_[k] += std::exchange(block[k], "");
-    table = 0;
-    whole = end + 1;
-    checksum_of_blocks = checksum_;
   }
-  checksum_ = checksum_of_blocks;
   return whole;
 }
 
-std::string Journal::closing_line() const {
-  return fmt::format("# crc {:08x}", checksum_.checksum());
-}
-
 std::size_t Journal::size() const {
-  return static_cast<std::size_t>(std::count(rows_[0].begin(), rows_[0].end(), '\n'));
+  return static_cast<std::size_t>(std::ranges::count(rows_[0], '\n'));
 }
 
 bool Journal::is_at_path() const {
-  struct stat own = {}, there = {};
-  return fstat(fileno(file_.get()), &own) == 0 && stat(path_.c_str(), &there) == 0 &&
-         own.st_dev == there.st_dev && own.st_ino == there.st_ino;
-}
-
-void Journal::note_changes() {
-  struct stat now = {};
-  fstat(fileno(file_.get()), &now);
-  changed_ = changed_ || !is_at_path() || now.st_size != latest_.st_size ||
-             now.st_mtim.tv_sec != latest_.st_mtim.tv_sec ||
-             now.st_mtim.tv_nsec != latest_.st_mtim.tv_nsec;
+  std::error_code error;
+  return fs::equivalent(path_, path_of(file_.get()), error);
 }
 
 void Journal::append(const std::string &text) {
-  note_changes();
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0)
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
-  checksum_.process_bytes(text.data(), text.size());
-  fstat(fileno(file_.get()), &latest_);
+}
+
+std::string Journal::take(const Texts &block) {
+  for (std::size_t k = 0; k < block.size(); ++k) rows_[k] += block[k];
+  const std::string rows = fmt::format("{}", fmt::join(block, "#\n"));
+  checksum_.process_bytes(rows.data(), rows.size());
+  const std::string closing_line = fmt::format("# crc {:08x}\n", checksum_.checksum());
+  checksum_.process_bytes(closing_line.data(), closing_line.size());
+  return rows + closing_line;
 }
 
 void Journal::add(const Texts &block) {
-  for (std::size_t k = 0; k < block.size(); ++k) rows_[k] += block[k];
-  append(fmt::format("{}", fmt::join(block, "#\n")));
-  append(closing_line() + "\n");
+  append(take(block));
 }
 
 bool Journal::remove() {
-  note_changes();
-  if (is_at_path()) fs::remove(path_);
-  return !changed_;
+  const bool ours = is_at_path(), same = checksum_of(contents(path_)) == checksum_.checksum();
+  if (ours) fs::remove(path_);
+  return ours && same;
 }
 
 }  // namespace vibro_impact::runner

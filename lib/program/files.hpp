@@ -3,10 +3,10 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <array>
 #include <boost/crc.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -26,11 +26,34 @@ template <class... Values>
   throw std::invalid_argument(fmt::format(line, std::forward<Values>(values)...));
 }
 
-// Refuses these files, each with the option that names it, unless all can be written: in a folder
-// that exists and is not write-protected, in place of nothing but a file, and each under another
-// name, which is not that of the file `read`. An empty path is no file.
-void check_files(const std::vector<std::pair<std::string, std::string>> &files,
-                 const std::string &read);
+// A file that a command writes, and the option that names it. An empty path means that the file is
+// not wanted; `-` is standard output.
+struct Output {
+  std::string option, path = {};
+
+  bool wanted() const {
+    return !path.empty();
+  }
+  bool is_file() const {
+    return wanted() && path != "-";
+  }
+  std::string given() const {
+    return option + " " + path;
+  }
+};
+
+// Refuses these outputs unless all can be written: in a folder that exists and is not
+// write-protected, in place of nothing but a file, and each under another name, which is not that
+// of the file `read`.
+void check_outputs(const std::vector<Output> &outputs, const std::string &read);
+
+// The bytes of a file. A file that cannot be read has none.
+std::string contents(const std::string &path);
+
+std::uint32_t checksum_of(const std::string &bytes);
+
+// A path of the open file or pipe itself, whatever has become of its name (in Linux).
+std::string path_of(std::FILE *file);
 
 // Writes the text to the file, or for `-` to standard output. Throws std::runtime_error with one
 // line, and leaves no file, when that fails.
@@ -73,15 +96,13 @@ class Journal {
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
   Texts rows_ = {};
-  boost::crc_32_type checksum_;  // of the file
-  struct stat latest_ = {};      // of the file after it was written last
-  bool changed_ = false;
+  boost::crc_32_type checksum_;  // of the head and of all blocks
 
   bool is_at_path() const;
-  void note_changes();
   void append(const std::string &text);
   std::size_t read(const std::string &text, std::size_t head, const RowRule &rule);
-  std::string closing_line() const;
+  // Keeps the rows of a block in memory, and returns the block as it stands in the file.
+  std::string take(const Texts &block);
 };
 
 }  // namespace vibro_impact::runner

@@ -2,14 +2,17 @@
 
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
+#include <type_traits>
 
-#include "files.hpp"
-#include "scene_options.hpp"
+#include "scene_text.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
+
+constexpr const char *scene_group = "Scene";
 
 // The values of a parameter, given as parameter=from:to:count.
 Axis axis_of(const std::string &text) {
@@ -32,13 +35,22 @@ double time_of(const std::string &option, const std::string &word, double omega)
   return number(given, word.substr(0, word.size() - 1)) * Clock(omega).period;
 }
 
-// The options of a command that were given and on which its rows depend (those that are
-// configurable, as CLI11 has it), as words --name=value in one line.
+// The options of a command on which its rows depend (CLI11 calls these configurable), as far as
+// they were given, but for those of the scene: words --name=value in one line.
 std::string given(const CLI::App &app) {
   std::string text;
   for (const CLI::Option *option : app.get_options())
     for (const std::string &value : option->results())
-      if (option->get_configurable()) text += fmt::format(" {}={}", option->get_name(), value);
+      if (option->get_configurable() && option->get_group() != scene_group)
+        text += fmt::format(" {}={}", option->get_name(), value);
+  return text;
+}
+
+// The file of a scene, whose lines may begin with a mark.
+std::string scene_file(const Scene &scene, const char *mark = "") {
+  std::string text;
+  for (const auto &[name, value] : words_of(scene))
+    text += fmt::format("{}{} = {}\n", mark, name, value);
   return text;
 }
 
@@ -87,53 +99,115 @@ constexpr double most_numbers = 5e7;  // in a table of samples, which then has a
 // By default a run, or a point of a sweep, of a few masses ends within ten seconds, or two.
 constexpr long long steps_of_run = 5'000'000, steps_of_point = 1'000'000;
 
-// The times of a run as they were given.
-struct RunTimes {
-  std::string until = "750", from = "0", every = "0.01";
+// What both commands have in common, and the times and ranges as they were given.
+struct Words {
+  std::string scene_file, until = "750", from = "0", every = "0.01";
+  std::vector<std::string> ranges;
+  bool print_scene = false, header = false;
 };
 
-void add_limits(CLI::App &app, RunOptions &options) {
-  count_option(app, "--max-steps", options.max_steps, any_count,
-               "Give up beyond this many steps: one or more a flight, as short as the stiffest "
-               "link asks for");
+// An option with one value: a word, a number, or a whole number from 1 to `most`.
+template <class Value>
+CLI::Option *option(CLI::App &app, const std::string &name, Value &value, const char *type,
+                    const std::string &what, double most = 0.0) {
+  const auto read = [name, &value, most](const std::string &word) {
+    const std::string given = name + " " + shown(word);
+    if (word.empty()) refuse("{}: needs a value", name);
+    if constexpr (std::is_same_v<Value, std::string>)
+      value = word;
+    else if constexpr (std::is_same_v<Value, double>)
+      value = number(given, word);
+    else
+      value = static_cast<Value>(whole_number(given, word, most));
+  };
+  return app.add_option_function<std::string>(name, read, what)
+      ->type_name(type)
+      ->default_str(fmt::format("{}", value));
 }
 
-void add_flag(CLI::App &app, const char *name, bool &value, const char *what) {
+void option(CLI::App &app, Output &output, const char *what) {
+  option(app, output.option, output.path, "FILE", what);
+}
+
+void flag(CLI::App &app, const char *name, bool &value, const char *what) {
   app.add_flag(name, value, what)->disable_flag_override();
 }
 
-void add_header_option(CLI::App &app, bool &header) {
-  add_flag(app, "--header", header,
-           "Begin each table with the options, in lines # name = value, which --scene reads");
+// The options of a scene have its names and the default scene as defaults.
+void add_scene_options(CLI::App &app, Words &words) {
+  const auto defaults = words_of(default_scene(2));
+  auto add = [&, next = defaults.begin()](const char *type, const std::string &what) mutable {
+    const auto &[name, value] = *next++;
+    return app.add_option("--" + name, what)->type_name(type)->default_str(value);
+  };
+  app.option_defaults()->group(scene_group);
+  add("N", "Number of masses");
+  for (const auto &field : list_fields) add("LIST", field.meaning);
+  for (const auto &field : scalar_fields) add("NUMBER", field.meaning);
+  add("STOP",
+      "mass:side:position or mass:side:position:restitution, with side lower or upper,\n"
+      "repeatable; none: a chain without stops. A stop of the default that is on a mass\n"
+      "which the chain does not have is left out")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.option_defaults()->group("Options");
+  // The rows of a sweep depend on the scene, not on the name of its file.
+  option(app, "--scene", words.scene_file, "FILE",
+         "Options of the scene, a line name = value each, or a table that was written with\n"
+         "--header; options given here replace them")
+      ->configurable(false);
+  app.option_defaults()->configurable(false);
+  flag(app, "--print-scene", words.print_scene, "Write the options of the scene as such a file");
+  flag(app, "--header", words.header,
+       "Begin each table with the options, in lines # name = value, which --scene reads");
+  app.option_defaults()->configurable(true);
 }
 
-void add_run_options(CLI::App &run, RunRequest &request, RunTimes &times, bool &header) {
+// The scene of a command: its options, and the lines of its file where no option replaces them.
+Scene scene_of(const CLI::App &command, const std::string &file) {
+  std::vector<SceneLine> lines;
+  if (!file.empty()) lines = scene_lines(file);
+  for (const CLI::Option *option : command.get_options()) {
+    if (option->get_group() != scene_group || option->empty()) continue;
+    const std::string name = option->get_single_name();
+    const std::string value = fmt::format("{}", fmt::join(option->results(), ","));
+    std::erase_if(lines, [&](const SceneLine &line) { return line.name == name; });
+    lines.push_back({name, "--" + name + " " + shown(value), split(value, ',')});
+  }
+  return runner::scene_of(lines);
+}
+
+void add_limits(CLI::App &app, RunOptions &options) {
+  option(app, "--max-steps", options.max_steps, "N",
+         "Give up beyond this many steps: one or more a flight, as short as the stiffest link asks "
+         "for",
+         any_count);
+}
+
+void add_run_options(CLI::App &run, RunRequest &request, Words &times) {
   option(run, "--until", times.until, "TIME", "End of the run; with a P behind it, in periods");
   option(run, "--from", times.from, "TIME", "Start of both tables; the run itself starts at t = 0");
   option(run, "--every", times.every, "TIME", "Interval between samples, > 0, counted from --from");
-  add_flag(run, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
+  flag(run, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
   option(run, "--resolve-chatter", request.options.limit_below_speed, "SPEED",
          "Resolve and record every chatter impact faster than this; below it a\n"
          "complete chatter may be carried to its limit. Default: as soon as the\n"
          "limit is certain; 0: resolve until below rounding");
   add_limits(run, request.options);
   run.option_defaults()->configurable(false);  // the rows do not depend on these
-  option(run, "--events", request.events, "FILE", "Event table; - for standard output");
-  option(run, "--samples", request.samples, "FILE",
-         "Displacements time,x1,x2,...; - for standard output");
-  option(run, "--plot", request.plot, "FILE",
+  option(run, request.events, "Event table; - for standard output");
+  option(run, request.samples, "Displacements time,x1,x2,...; - for standard output");
+  option(run, request.plot,
          "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
          "impacts of --events; .png, .pdf or .svg. --from and --until zoom");
-  option(run, "--portrait", request.portrait, "FILE",
+  option(run, request.portrait,
          "Picture of the velocities of --samples against the displacements: a phase\n"
          "portrait, or with --every 1P and more a Poincare section");
-  add_header_option(run, header);
 }
 
 void check_times(const RunRequest &request) {
   if (!(request.from >= 0.0 && request.from <= request.until))
     refuse("--from {}: must lie between 0 and --until {}", request.from, request.until);
-  if (request.samples.empty() || !(request.every > 0.0)) return;
+  if (!request.samples.wanted() || !(request.every > 0.0)) return;
   // Sample times that rounding makes equal would never come to an end.
   if (request.until + request.every == request.until)
     refuse("--every {}: too short for double precision to tell samples at --until {} apart",
@@ -143,59 +217,53 @@ void check_times(const RunRequest &request) {
   if (samples * columns > most_numbers)
     refuse("--every {}: {} samples of {} numbers, and a table has at most {} numbers",
            request.every, samples, columns, most_numbers);
-  for (const auto &[option, path] :
-       {std::pair{"--plot", &request.plot}, {"--portrait", &request.portrait}})
-    if (!path->empty() && samples < 2.0)
-      refuse("{} {}: needs at least two samples, and --every {} gives one", option, *path,
+  for (const Output &picture : {request.plot, request.portrait})
+    if (picture.wanted() && samples < 2.0)
+      refuse("{}: needs at least two samples, and --every {} gives one", picture.given(),
              request.every);
 }
 
-void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::string> &ranges,
-                       bool &header) {
+void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::string> &ranges) {
   RecordOptions &records = request.records;
-  option(sweep, "--vary", ranges, "RANGE",
-         "parameter=from:to:count, repeatable; parameter is omega, beta,\n"
-         "restitution, or restitution2 (of a stop), stop1 (its position),\n"
-         "amplitude2, sine1, constant1, ground1, mass1, stiffness1,\n"
-         "displacement1, velocity1")
-      ->default_str("")
+  sweep
+      .add_option("--vary", ranges,
+                  "parameter=from:to:count, repeatable; a parameter is an option of the scene\n"
+                  "that takes a NUMBER, one that takes a LIST with the number of a mass, as\n"
+                  "amplitude2, or stop1 (the position of the first stop), restitution1 (its own)")
+      ->type_name("RANGE")
       ->required();
-  count_option(sweep, "--longest", records.settle.longest, 1e6,
-               "Forcing periods after which a motion counts as not settling");
+  option(sweep, "--longest", records.settle.longest, "N",
+         "Forcing periods after which a motion counts as not settling", 1e6);
   add_limits(sweep, records.settle.run);
   option(sweep, "--slowest", records.slowest, "SPEED",
          "Write the impacts of a chatter down to this speed to --impacts");
-  add_flag(sweep, "--lyapunov", records.lyapunov, "Add the greatest Lyapunov exponent");
-  add_flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");
-  add_flag(sweep, "--follow", request.follow,
-           "Start each point at the settled state of its neighbour along the last range,\n"
-           "which goes down where `from` lies above `to`");
-  add_flag(sweep, "--back", request.back, "Follow the last range to its end and back");
+  flag(sweep, "--lyapunov", records.lyapunov, "Add the greatest Lyapunov exponent");
+  flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");
+  flag(sweep, "--follow", request.follow,
+       "Start each point at the settled state of its neighbour along the last range,\n"
+       "which goes down where `from` lies above `to`");
+  flag(sweep, "--back", request.back, "Follow the last range to its end and back");
   sweep.option_defaults()->configurable(false);  // the rows do not depend on these
-  option(sweep, "--table", request.files[0], "FILE", "Periods and counts of the settled motions");
-  option(sweep, "--impacts", request.files[1], "FILE",
+  option(sweep, request.tables[0], "Periods and counts of the settled motions");
+  option(sweep, request.tables[1],
          "Their impacts: parameters,mass,velocity, the velocity before the impact; over\n"
          "one period, or 40 forcing periods of a motion that has not settled");
-  option(sweep, "--section", request.files[2], "FILE",
+  option(sweep, request.tables[2],
          "Their states at the phase of the start: parameters,x1,x2,...,v1,v2,...");
-  option(sweep, "--plot", request.plot, "FILE",
+  option(sweep, request.plot,
          "Picture by gnuplot: --impacts against the parameter, or with two ranges a map of\n"
          "--column of --table; .png, .pdf or .svg");
   option(sweep, "--column", request.column, "NAME", "Column of the map");
-  add_header_option(sweep, header);
-  add_flag(sweep, "--resume", request.resume,
-           "Go on with the rows that a sweep that was ended has left in FILE.partial");
+  flag(sweep, "--resume", request.resume,
+       "Go on with the rows that a sweep that was ended has left in FILE.partial");
 }
 
 }  // namespace
 
 Request parse(int argc, const char *const *argv, bool with_mpi) {
-  SceneOptions scene;
+  Words words;
   RunRequest run_request;
-  RunTimes times;
   SweepRequest sweep_request;
-  std::vector<std::string> ranges;
-  bool header = false;
   CLI::App app("Simulates a chain of masses with rigid stops under harmonic forcing",
                "vibro-impact");
   app.footer(footer(with_mpi));
@@ -206,12 +274,12 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
       *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
   run_request.options.max_steps = steps_of_run;
   sweep_request.records.settle.run.max_steps = steps_of_point;
-  add_scene_options(run, scene);
-  add_run_options(run, run_request, times, header);
-  add_scene_options(sweep, scene);
-  add_sweep_options(sweep, sweep_request, ranges, header);
+  add_scene_options(run, words);
+  add_run_options(run, run_request, words);
+  add_scene_options(sweep, words);
+  add_sweep_options(sweep, sweep_request, words.ranges);
   try {
-    app.parse(reversed_arguments(argc, argv, run));
+    app.parse(argc, argv);
   } catch (const CLI::CallForVersion &version) {
     return fmt::format("{}\n", version.what());
   } catch (const CLI::CallForHelp &) {
@@ -225,36 +293,31 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
   }
   if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
   const CLI::App &command = run.parsed() ? run : sweep;
-  const Scene of_command = scene_of(scene);  // refuses one that cannot be run
-  if (scene.print) return scene_file(command, scene);
-  std::string head;
-  if (header) {
-    head = fmt::format("{}{} {}{}\n", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
-                       given(command));
-    for (const std::string &line : split(scene_file(command, scene), '\n'))
-      if (!line.empty()) head += "# " + line + "\n";
-  }
+  const Scene scene = scene_of(command, words.scene_file);
+  if (words.print_scene) return scene_file(scene);
+  const std::string definition =
+      fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
+                  given(command), scene_file(scene, "# "));
+  const std::string head = words.header ? definition : "";
   if (run.parsed()) {
-    run_request.scene = of_command;
-    run_request.until = time_of("--until", times.until, scene.omega);
-    run_request.from = time_of("--from", times.from, scene.omega);
-    run_request.every = time_of("--every", times.every, scene.omega);
+    run_request.scene = scene;
+    run_request.until = time_of("--until", words.until, scene.omega);
+    run_request.from = time_of("--from", words.from, scene.omega);
+    run_request.every = time_of("--every", words.every, scene.omega);
     run_request.points = scene.omega > 0.0 && run_request.every > 0.4 * Clock(scene.omega).period;
-    run_request.scene_file = scene.file;
+    run_request.scene_file = words.scene_file;
     run_request.head = head;
     check_times(run_request);
     return run_request;
   }
-  sweep_request.grid.scene = of_command;
-  for (const std::string &range : ranges) sweep_request.grid.axes.push_back(axis_of(range));
+  sweep_request.grid.scene = scene;
+  for (const std::string &range : words.ranges) sweep_request.grid.axes.push_back(axis_of(range));
   check(sweep_request.grid);
   sweep_request.follow = sweep_request.follow || sweep_request.back;
-  sweep_request.records.impact_velocities = !sweep_request.files[1].empty();
-  sweep_request.records.section = !sweep_request.files[2].empty();
-  sweep_request.definition =
-      fmt::format("{}{}{}", given(sweep), sweep_request.files[1].empty() ? "" : " impacts",
-                  sweep_request.files[2].empty() ? "" : " sections");
-  sweep_request.scene_file = scene.file;
+  sweep_request.records.impact_velocities = sweep_request.tables[1].wanted();
+  sweep_request.records.section = sweep_request.tables[2].wanted();
+  sweep_request.definition = definition;
+  sweep_request.scene_file = words.scene_file;
   sweep_request.head = head;
   return sweep_request;
 }

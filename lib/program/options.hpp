@@ -5,31 +5,33 @@
 #include <string>
 #include <variant>
 
+#include "files.hpp"
 #include "processes.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::runner {
 
-// One run. An empty path means that the file is not wanted; `-` is standard output. All times are
-// non-dimensional.
+// One run. All times are non-dimensional.
 struct RunRequest {
   Scene scene;
   RunOptions options;
   double until = 0.0, from = 0.0, every = 0.0;
   bool velocities = false;  // beside the displacements of the samples
   bool points = false;      // of the portrait, which samples so far apart do not join to lines
-  std::string events, samples, plot, portrait;
-  std::string scene_file;  // which no other file may replace
+  Output events{"--events"}, samples{"--samples"}, plot{"--plot"}, portrait{"--portrait"};
+  std::string scene_file;  // which no output may replace
   std::string head;        // of the tables: lines of comments, or nothing
 };
 
-// A sweep. `definition` has in one line the options on which the rows of its tables depend.
+// A sweep. `definition` has the options on which the rows of its tables depend, in lines of
+// comments.
 struct SweepRequest {
   Grid grid;
   RecordOptions records;
-  std::array<std::string, 3> files;  // the records, the impacts and the sections
-  std::string plot, column = "period";
+  std::array<Output, 3> tables{{{"--table"}, {"--impacts"}, {"--section"}}};
+  Output plot{"--plot"};
+  std::string column = "period";  // of the table, drawn in a map
   bool resume = false;
   bool follow = false;  // each point from the settled state of the one before, ...
   bool back = false;    // ... along the innermost range and back again

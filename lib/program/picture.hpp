@@ -4,20 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "files.hpp"
+
 namespace vibro_impact::runner {
 
-// The option that asks for a picture, with its file.
-struct Picture {
-  std::string option, path;
-};
-
 // Refuses a picture if its table is no file, if gnuplot is not installed or cannot write this
-// format, or if the script of the picture is missing. `table` is the file given with `of`.
-void check_picture(const Picture &picture, const std::string &of, const std::string &table);
+// format, or if the script of the picture is missing.
+void check_picture(const Output &picture, const Output &table);
 
-// Draws a picture from its tables, which are written by now. `kind` names the picture in plot.gp,
-// and `arguments` are those of this kind. Throws std::runtime_error with the last line of gnuplot.
-void draw(const Picture &picture, const std::string &kind,
-          const std::vector<std::string> &arguments);
+// Draws a picture of this kind from its tables, which are written by now, and with further words;
+// plot.gp says which. Throws std::runtime_error with the last line of gnuplot.
+void draw(const Output &picture, const std::string &kind, const std::vector<Output> &tables,
+          const std::vector<std::string> &words);
 
 }  // namespace vibro_impact::runner

@@ -1,7 +1,7 @@
 # The pictures of the program, drawn from its tables to standard output. Called by it, or by hand:
 #   gnuplot -c plot.gp terminal motion samples.csv events.csv lower upper >picture
 #   gnuplot -c plot.gp terminal portrait samples.csv masses lines|points >picture
-#   gnuplot -c plot.gp terminal diagram impacts.csv masses parameter none|rising|falling >picture
+#   gnuplot -c plot.gp terminal diagram impacts.csv masses parameter points|branches >picture
 #   gnuplot -c plot.gp terminal map table.csv parameter parameter column >picture
 # where lower and upper are the positions of the stops of each mass, in words (NaN: no stop), a
 # diagram has two more arguments, from and to, and a map the two widths of a point.
@@ -68,21 +68,23 @@ if (kind eq 'portrait') {
   unset multiplot
 }
 if (kind eq 'diagram') {
-  # Where a branch was followed, ARG6 is the direction in which the parameter began to change.
+  # A branch was followed from ARG7 to ARG8, and perhaps back.
   parameter = ARG5
-  followed = ARG6 ne 'none'
+  followed = ARG6 eq 'branches'
+  from = real(ARG7)
+  to = real(ARG8)
   # Whether the parameter falls, from one row to the next.
   fell(x) = (falls = x < latest ? 1 : x > latest ? 0 : falls, latest = x, falls)
   velocity(k, x, mass, v, side) = fell(x) == side && mass == k ? v : NaN
-  set xrange [real(ARG7):real(ARG8)]
+  set xrange [(from < to ? from : to):(from < to ? to : from)]
   set multiplot layout masses,1
   do for [k = 1:masses] {
     set ylabel sprintf('impact velocity of mass %d', k)
     if (k == masses) { set xlabel parameter noenhanced }
-    plot falls = (ARG6 eq 'falling'), latest = NaN, \
+    plot falls = (from > to), latest = NaN, \
          data using 1:(velocity(k, $1, int($2), $3, 0)) with points linestyle 1 pointtype 7 \
            pointsize followed ? 0.5 : 0.2 title followed ? key(k, 'rising ') : '', \
-         falls = (ARG6 eq 'falling'), latest = NaN, \
+         falls = (from > to), latest = NaN, \
          data using 1:(velocity(k, $1, int($2), $3, 1)) with points linestyle 2 \
            pointsize 1.2 title followed ? key(k, 'falling ') : ''
   }

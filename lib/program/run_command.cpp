@@ -1,13 +1,12 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "files.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
@@ -15,8 +14,6 @@
 namespace vibro_impact::runner {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 Table table_of(const EventRecorder &recorder) {
   Table table("time,mass,event,velocity_before,velocity_after,contact_mode");
@@ -55,67 +52,80 @@ struct SampleTable : Recorder {
   }
 };
 
-// Shows how far a run is, at its events and at times between them.
+// Shows a thousand times how far a run is.
 struct ProgressRecorder : Recorder {
   static constexpr double shown_times = 1000.0;
 
   Progress progress;
-  double until, latest = 0.0, taken = 0.0;
+  double until, taken = 0.0;
 
   explicit ProgressRecorder(double end) : progress("time", end), until(end) {
-  }
-  void reach(double time) {
-    progress.advance(time - latest);
-    latest = time;
-  }
-  void event(const Event &event, const Moment &) override {
-    reach(event.time);
   }
   double next_time() const override {
     const double next = until * ((taken + 1.0) / shown_times);
     return taken + 1.0 < shown_times && next > 0.0 ? next : std::numeric_limits<double>::infinity();
   }
-  void sample(const Moment &moment) override {
+  void sample(const Moment &) override {
     ++taken;
-    reach(moment.time);
+    progress.advance(until / shown_times);
   }
 };
 
-// Draws the motion over time, with the positions of the stops of each mass in words.
-void draw_motion(const RunRequest &request) {
-  std::vector<std::string> lower(static_cast<std::size_t>(request.scene.masses()), "NaN");
-  std::vector<std::string> upper = lower;
-  for (const Stop &stop : request.scene.stops)
-    (stop.side == Side::lower ? lower : upper)[static_cast<std::size_t>(stop.mass) - 1] =
-        fmt::format("{:.17g}", stop.position);
-  const bool events = !request.events.empty() && request.events != "-";
-  draw({"--plot", request.plot}, "motion",
-       {fs::absolute(request.samples).string(),
-        events ? fs::absolute(request.events).string() : "/dev/null",
-        fmt::format("{}", fmt::join(lower, " ")), fmt::format("{}", fmt::join(upper, " "))});
+// The positions of the stops of each mass on one side, in words for gnuplot.
+std::string positions_of(const Scene &scene, Side side) {
+  std::vector<std::string> positions(static_cast<std::size_t>(scene.masses()), "NaN");
+  for (const Stop &stop : scene.stops)
+    if (stop.side == side)
+      positions[static_cast<std::size_t>(stop.mass) - 1] = fmt::format("{}", stop.position);
+  return fmt::format("{}", fmt::join(positions, " "));
 }
 
-void check_files_of(const RunRequest &request) {
-  check_files({{"--events", request.events},
-               {"--samples", request.samples},
-               {"--plot", request.plot},
-               {"--portrait", request.portrait}},
-              request.scene_file);
-  if (!request.plot.empty()) check_picture({"--plot", request.plot}, "--samples", request.samples);
-  if (request.portrait.empty()) return;
-  if (!request.velocities) refuse("--portrait {}: needs --velocities", request.portrait);
-  check_picture({"--portrait", request.portrait}, "--samples", request.samples);
+void check_outputs_of(const RunRequest &request) {
+  check_outputs({request.events, request.samples, request.plot, request.portrait},
+                request.scene_file);
+  for (const Output &picture : {request.plot, request.portrait})
+    if (picture.wanted()) check_picture(picture, request.samples);
+  if (request.portrait.wanted() && !request.velocities)
+    refuse("{}: needs --velocities", request.portrait.given());
+}
+
+void draw_pictures(const RunRequest &request) {
+  const Scene &scene = request.scene;
+  if (request.plot.wanted())
+    draw(request.plot, "motion", {request.samples, request.events},
+         {positions_of(scene, Side::lower), positions_of(scene, Side::upper)});
+  if (request.portrait.wanted())
+    draw(request.portrait, "portrait", {request.samples},
+         {std::to_string(scene.masses()), request.points ? "points" : "lines"});
+}
+
+// The chain, of which the user may have given little, and what happened to it.
+void print_summary(const Scene &scene, const Outcome &outcome) {
+  const auto forced = [&](std::size_t i) {
+    return (!scene.amplitude.empty() && scene.amplitude[i] != 0.0) ||
+           (!scene.sine.empty() && scene.sine[i] != 0.0);
+  };
+  std::size_t forced_masses = 0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) forced_masses += forced(i) ? 1 : 0;
+  const Counters &counters = outcome.counters;
+  fmt::print(stderr,
+             "{} masses, {} of them forced, {} stops; t = {:.17g}: since t = 0, {} impacts "
+             "resolved, {} sticks, {} releases; chatter {} times carried to its limit, {} times "
+             "incomplete\n",
+             scene.masses(), forced_masses, scene.stops.size(), outcome.time, counters.impacts,
+             counters.sticks, counters.releases, counters.chatter_limits,
+             counters.chatter_incomplete);
 }
 
 }  // namespace
 
 void run_scene(const RunRequest &request) {
-  check_files_of(request);
+  check_outputs_of(request);
   EventRecorder events(request.from);
   SampleTable samples(request);
   std::vector<Recorder *> recorders;
-  if (!request.events.empty()) recorders.push_back(&events);
-  if (!request.samples.empty()) recorders.push_back(&samples);
+  if (request.events.wanted()) recorders.push_back(&events);
+  if (request.samples.wanted()) recorders.push_back(&samples);
   Outcome outcome;
   {
     ProgressRecorder progress(request.until);
@@ -123,20 +133,11 @@ void run_scene(const RunRequest &request) {
     Simulation simulation(request.scene, request.options);
     outcome = require_complete(simulation.advance(request.until, recorders));
   }
-  if (!request.events.empty()) write_text(request.head + table_of(events).text, request.events);
-  if (!request.samples.empty()) write_text(request.head + samples.table.text, request.samples);
-  if (!request.plot.empty()) draw_motion(request);
-  if (!request.portrait.empty())
-    draw({"--portrait", request.portrait}, "portrait",
-         {fs::absolute(request.samples).string(), std::to_string(request.scene.masses()),
-          request.points ? "points" : "lines"});
-  const Counters &counters = outcome.counters;
-  fmt::print(
-      stderr,
-      "t = {:.17g}: since t = 0, {} impacts resolved, {} sticks, {} releases; chatter {} times "
-      "carried to its limit, {} times incomplete\n",
-      outcome.time, counters.impacts, counters.sticks, counters.releases, counters.chatter_limits,
-      counters.chatter_incomplete);
+  if (request.events.wanted())
+    write_text(request.head + table_of(events).text, request.events.path);
+  if (request.samples.wanted()) write_text(request.head + samples.table.text, request.samples.path);
+  draw_pictures(request);
+  print_summary(request.scene, outcome);
 }
 
 }  // namespace vibro_impact::runner

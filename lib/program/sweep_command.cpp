@@ -2,35 +2,21 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/crc.hpp>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
-#include <string_view>
 
-#include "files.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
+#include "scene_text.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
 
 constexpr std::size_t points_per_thread = 32;  // of a block, so that the wait for the last is short
-
-// A number for this very program: rows that another build of it has computed may differ.
-std::string checksum_of_program() {
-  std::ifstream program("/proc/self/exe", std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(program), {});
-  boost::crc_32_type checksum;
-  checksum.process_bytes(bytes.data(), bytes.size());
-  return fmt::format("{:08x}", checksum.checksum());
-}
 
 // The rows of a sweep form chains. Each point of a chain but the first starts where the motion of
 // the point before has settled. A sweep that follows no branch has chains of one point.
@@ -65,11 +51,16 @@ std::optional<OrbitRecord> record_at(const SweepRequest &request, std::size_t po
   }
 }
 
+Table no_rows() {
+  Table table("");
+  table.text.clear();
+  return table;
+}
+
 // The rows of a chain in each table.
 Texts rows_of_chain(const SweepRequest &request, std::size_t chain, Progress *progress,
                     int processes) {
-  Table records(""), impacts(""), sections("");
-  for (Table *table : {&records, &impacts, &sections}) table->text.clear();
+  Table records = no_rows(), impacts = no_rows(), sections = no_rows();
   std::optional<OrbitRecord> record;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
@@ -83,46 +74,46 @@ Texts rows_of_chain(const SweepRequest &request, std::size_t chain, Progress *pr
   return {records.text, impacts.text, sections.text};
 }
 
-// The journal of the rows stands beside the first table that is asked for.
-std::string path_of_journal(const SweepRequest &request) {
-  for (const std::string &file : request.files)
-    if (!file.empty()) return file + ".partial";
-  refuse("needs --table, --impacts or --section: the file that it writes");
+// The rows are kept beside the first table that is asked for.
+Output journal_of(const SweepRequest &request) {
+  const auto first = std::ranges::find_if(request.tables, &Output::wanted);
+  if (first == request.tables.end())
+    refuse("needs --table, --impacts or --section: the file that it writes");
+  return {"rows in", first->path + ".partial"};
 }
 
-void check_plot_of(const SweepRequest &request) {
-  const Picture picture{"--plot", request.plot};
+void check_outputs_of(const SweepRequest &request) {
+  std::vector<Output> outputs(request.tables.begin(), request.tables.end());
+  outputs.insert(outputs.end(), {request.plot, journal_of(request)});
+  for (const Output &output : outputs)
+    if (output.path == "-")
+      refuse("{}: must be a file, beside which the rows are kept", output.given());
+  check_outputs(outputs, request.scene_file);
+  if (!request.plot.wanted()) return;
   const std::size_t ranges = request.grid.axes.size();
-  if (ranges == 1) return check_picture(picture, "--impacts", request.files[1]);
-  if (ranges > 2) refuse("--plot {}: draws one or two ranges, not {}", request.plot, ranges);
-  check_picture(picture, "--table", request.files[0]);
+  if (ranges > 2) refuse("{}: draws one or two ranges, not {}", request.plot.given(), ranges);
+  check_picture(request.plot, request.tables[ranges == 1 ? 1 : 0]);
   const auto columns = record_columns(request.grid.scene.masses(), request.records);
-  if (std::none_of(columns.begin(), columns.end(),
-                   [&](const Column &column) { return column.name == request.column; }))
+  if (ranges == 2 && std::ranges::find(columns, request.column, &Column::name) == columns.end())
     refuse("--column {}: is no column of the table", request.column);
 }
 
+// The journal names this very program: rows that another build of it has computed may differ.
 Journal begin(const SweepRequest &request, const std::string &header) {
-  const std::string path = path_of_journal(request);
-  const std::vector<std::pair<std::string, std::string>> files = {{"--table", request.files[0]},
-                                                                  {"--impacts", request.files[1]},
-                                                                  {"--section", request.files[2]},
-                                                                  {"--plot", request.plot},
-                                                                  {"rows in", path}};
-  for (const auto &[name, file] : files)
-    if (file == "-") refuse("{} -: must be a file, beside which the rows are kept", name);
-  check_files(files, request.scene_file);
-  if (!request.plot.empty()) check_plot_of(request);
-  const std::string head = fmt::format("vibro-impact sweep, program {},{}\n{}",
-                                       checksum_of_program(), request.definition, header);
-  const auto commas = std::count(header.begin(), header.end(), ',');
+  check_outputs_of(request);
+  const std::string path = journal_of(request).path;
+  std::string head = fmt::format("vibro-impact sweep, program {:08x}, with",
+                                 checksum_of(contents("/proc/self/exe")));
+  for (const Output &table : request.tables)
+    if (table.wanted()) head += " " + table.option;
+  head += "\n" + header + request.definition;
   const auto rule = [&](std::size_t row, const std::string &line) -> std::string {
     if (row >= number_of_rows(request)) return "the sweep has no such row";
-    Table cells("");
-    cells.text.clear();
+    Table cells = no_rows();
     for (const double value : request.grid.values(point_of(request, row))) cells.cell(value);
     if (!line.starts_with(cells.text)) return "not the row of its point";
-    return std::count(line.begin(), line.end(), ',') == commas ? "" : "not all columns";
+    return std::ranges::count(line, ',') == std::ranges::count(header, ',') ? ""
+                                                                            : "not all columns";
   };
   Journal journal(path, head, request.resume, rule);
   if (isatty(STDERR_FILENO) != 0)
@@ -130,56 +121,43 @@ Journal begin(const SweepRequest &request, const std::string &header) {
   return journal;
 }
 
-// The number of points without a record: all cells behind their parameters are empty.
-std::size_t empty_rows(const SweepRequest &request, const std::string &table) {
-  const std::string empty(record_columns(request.grid.scene.masses(), request.records).size(), ',');
-  std::size_t count = 0;
-  for (std::size_t end = table.find('\n'); end != std::string::npos;
-       end = table.find('\n', end + 1))
-    count += std::string_view(table).substr(0, end).ends_with(empty) ? 1 : 0;
-  return count;
-}
-
 void draw_plot(const SweepRequest &request) {
   const auto &axes = request.grid.axes;
-  const std::string masses = std::to_string(request.grid.scene.masses());
-  const auto absolute = [](const std::string &path) {
-    return std::filesystem::absolute(path).string();
-  };
-  const auto text = [](double number) { return fmt::format("{:.17g}", number); };
-  const auto width = [&text](const Axis &axis) {
+  const auto text = [](double number) { return fmt::format("{}", number); };
+  const auto width = [&](const Axis &axis) {
     return text(axis.count > 1 ? std::abs(axis.value(1) - axis.from) : 1.0);
   };
-  const char *direction = !request.follow             ? "none"
-                          : axes[0].from < axes[0].to ? "rising"
-                                                      : "falling";
-  if (axes.size() == 1)
-    draw({"--plot", request.plot}, "diagram",
-         {absolute(request.files[1]), masses, axes[0].parameter, direction,
-          text(std::min(axes[0].from, axes[0].to)), text(std::max(axes[0].from, axes[0].to))});
-  else
-    draw({"--plot", request.plot}, "map",
-         {absolute(request.files[0]), axes[0].parameter, axes[1].parameter, request.column,
-          width(axes[0]), width(axes[1])});
+  if (axes.size() == 2)
+    return draw(
+        request.plot, "map", {request.tables[0]},
+        {axes[0].parameter, axes[1].parameter, request.column, width(axes[0]), width(axes[1])});
+  draw(request.plot, "diagram", {request.tables[1]},
+       {std::to_string(request.grid.scene.masses()), axes[0].parameter,
+        request.follow ? "branches" : "points", text(axes[0].from), text(axes[0].to)});
 }
 
 void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {
   const std::size_t rows = number_of_rows(request);
   if (journal.size() != rows)
     throw std::runtime_error(fmt::format("{} rows of {} points", journal.size(), rows));
-  const Grid &grid = request.grid;
-  const std::array<Table, 3> headers{sweep_table(grid, request.records), impact_table(grid),
-                                     section_table(grid)};
-  for (std::size_t k = 0; k < headers.size(); ++k)
-    if (!request.files[k].empty())
-      write_text(request.head + headers[k].text + journal.rows()[k], request.files[k]);
+  const Table headers[] = {sweep_table(request.grid, request.records), impact_table(request.grid),
+                           section_table(request.grid)};
+  for (std::size_t k = 0; k < request.tables.size(); ++k)
+    if (request.tables[k].wanted())
+      write_text(request.head + headers[k].text + journal.rows()[k], request.tables[k].path);
   if (!journal.remove())
     fmt::print(stderr, "{} was changed by another program; the tables do not depend on it\n",
-               path_of_journal(request));
-  if (!request.plot.empty()) draw_plot(request);
+               journal_of(request).path);
+  if (request.plot.wanted()) draw_plot(request);
+  // All cells of a point without a record are empty behind its parameters.
+  const auto columns = record_columns(request.grid.scene.masses(), request.records).size();
+  const std::string empty = std::string(columns, ',') + '\n', &table = journal.rows()[0];
+  std::size_t without_record = 0;
+  for (auto at = table.find(empty); at != std::string::npos; at = table.find(empty, at + 1))
+    ++without_record;
   fmt::print(stderr,
              "{} points, {} computed now; {} were refused or given up, and have empty cells\n",
-             rows, computed, empty_rows(request, journal.rows()[0]));
+             rows, computed, without_record);
 }
 
 }  // namespace
@@ -195,8 +173,8 @@ void run_sweep(const SweepRequest &request, const Processes &processes) {
   const std::size_t first =
       std::stoull(processes.joined(journal ? std::to_string(journal->size()) : ""));
   const int threads = processes.size() > 1 ? 1 : available_threads();
-  const auto rank = static_cast<std::size_t>(processes.rank()),
-             size = static_cast<std::size_t>(processes.size());
+  const auto rank = static_cast<std::size_t>(processes.rank());
+  const auto size = static_cast<std::size_t>(processes.size());
   const std::size_t share =
       std::max<std::size_t>(points_per_thread / length, 1) * static_cast<std::size_t>(threads);
   const std::size_t chains = rows / length;

@@ -51,6 +51,10 @@ std::string work_precision_table(bool states) {
   return table;
 }
 
+constexpr const char *tables =
+    "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, key_numbers, extremes, degenerate, "
+    "one_impact, work_precision_states, work_precision_events";
+
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
   if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
@@ -59,20 +63,19 @@ std::string table_named(const std::string &name) {
   if (name == "degenerate") return cases_table(vibro_impact::truth::degenerate_cases());
   if (name == "work_precision_states") return work_precision_table(true);
   if (name == "work_precision_events") return work_precision_table(false);
-  const Scene scene = scene_named(name);
-  return events_table(simulate(scene).events, scene.chain.masses.size());
+  for (const auto &[scene_name, scene, until] : vibro_impact::paper::named_scenes())
+    if (name == scene_name)
+      return events_table(simulate(in_digits(scene, until)).events, scene.mass.size());
+  throw std::invalid_argument("table '" + name + "': must be one of " + tables);
 }
 
 }  // namespace
 
 int main(int argc, char **argv) try {
-  if (argc != 3) {
-    std::cerr
-        << "usage: generate <table> <out.csv>   with table one of figure2, figure4a, figure4b, "
-           "figure5a, figure5b, figure5c, key_numbers, extremes, degenerate, one_impact, "
-           "work_precision_states, work_precision_events\n";
-    return 2;
-  }
+  if (argc != 3)
+    throw std::invalid_argument(std::string("usage: reference-generate <table> <out.csv>, with "
+                                            "table one of ") +
+                                tables);
   const std::string table = table_named(argv[1]);
   std::ofstream file(argv[2]);
   file << table;
@@ -80,6 +83,6 @@ int main(int argc, char **argv) try {
   if (!file) throw std::runtime_error(std::string("output '") + argv[2] + "': cannot be written");
   return 0;
 } catch (const std::exception &error) {
-  std::cerr << "generate: " << error.what() << '\n';
+  std::cerr << "reference-generate: " << error.what() << '\n';
   return 2;
 }

@@ -12,6 +12,11 @@ namespace {
 
 using namespace vibro_impact;
 
+// No field of a scene is left out of the list: vectors and doubles alone have no gaps between them.
+static_assert(sizeof(Scene) == std::size(list_fields) * sizeof(std::vector<double>) +
+                                   std::size(scalar_fields) * sizeof(double) +
+                                   sizeof(Scene::stops));
+
 const std::string names[] = {
     "omega",      "beta",          "restitution",   "restitution1", "restitution2", "stop1",
     "stop2",      "mass1",         "mass2",         "stiffness1",   "stiffness2",   "amplitude1",

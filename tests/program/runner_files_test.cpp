@@ -10,7 +10,7 @@ using namespace vibro_impact::testing;
 
 // r = 1 between two stops 2e-6 apart: an impact every 6.7e-6, some 1e6 a period.
 const std::string rattle =
-    "run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --initial-velocity 0.3,0 "
+    "run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --velocity 0.3,0 "
     "--max-steps 10000 ";
 
 TEST_F(Runner, ARefusedRunSparesTheTableThatWasThere) {
@@ -29,6 +29,21 @@ TEST_F(Runner, ARunThatIsGivenUpLeavesNoFile) {
   EXPECT_TRUE(is_one_message(result.err)) << result.err;
   EXPECT_NE(result.err.find("more than 1000 impacts"), std::string::npos) << result.err;
   EXPECT_TRUE(fs::is_empty(folder));
+}
+
+// A run ends by its work, too. The default bounds are those that the help shows.
+TEST_F(Runner, ARunOfTooManyStepsIsGivenUp) {
+  const std::string stiff = "--beta 0 --stiffness 1,1e6 --stop 1:upper:0.1 ";
+  const Result result = run("run --max-steps 100 --events e.csv " + stiff);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("more than 100 steps, given up at t = "), std::string::npos)
+      << result.err;
+  EXPECT_TRUE(fs::is_empty(folder));
+  EXPECT_NE(run("run --help").out.find("--max-steps N=5000000 "), std::string::npos);
+  EXPECT_NE(run("sweep --help").out.find("--max-steps N=1000000 "), std::string::npos);
+  const Result points = run("sweep --vary omega=0.3:0.4:2 --max-steps 100 --table t.csv " + stiff);
+  EXPECT_EQ(points.status, 0);
+  EXPECT_NE(points.err.find("2 were refused or given up"), std::string::npos) << points.err;
 }
 
 TEST_F(Runner, ADashIsStandardOutput) {

@@ -30,6 +30,16 @@ const std::vector<BadCase> bad_cases = {
     {"sweep --table t.csv", "--vary"},
     {"sweep " + omega, "--table"},
     {sweep + omega + "--longest 0", "--longest"},
+    // Bounds, just beyond each.
+    {"run --masses 2001", "--masses 2001: '2001' must be a whole number from 1 to 2000"},
+    {run_files + "--stop 2001:upper:1", "'2001' must be a whole number from 1 to 2000"},
+    {run_files + "--max-steps 1.1e15",
+     "'1.1e15' must be a whole number from 1 to 1000000000000000"},
+    {sweep + omega + "--longest 1000001", "'1000001' must be a whole number from 1 to 1000000"},
+    {sweep + "--vary omega=0.3:0.5:1000000001", "must be a whole number from 1 to 1000000000"},
+    {"run --until 50000 --every 0.003 --samples s.csv", "samples of 3 numbers, and a table has"},
+    {"run --until 30000 --every 0.003 --samples s.csv --velocities", "samples of 5 numbers, and"},
+    {run_files + "--beta 1,2", "--beta 1,2: 2 values given, it takes one"},
     // Numbers, lists, stops and ranges.
     {run_files + "--omega 0.28x", "--omega"},
     {run_files + "--omega 1e400", "--omega 1e400: '1e400' is not a number in double precision"},
@@ -43,6 +53,7 @@ const std::vector<BadCase> bad_cases = {
     {sweep + "--vary colour=0.1:0.2:3", "colour"},
     // Times.
     {run_files + "--from 800", "--from 800: must lie between 0 and --until 750"},
+    {run_files + "--from -1", "--from -1: must lie between 0 and --until 750"},
     {run_files + "--every 1e-14", "--every 1e-14: too short"},
     // Refusals of the library: the scene, the run and the grid as a whole.
     {run_files + "--stiffness 1,0", "stiffness of link 2 = 0"},
@@ -64,6 +75,10 @@ const std::vector<BadCase> bad_cases = {
     {"run --samples s.csv --portrait p.png", "--portrait p.png: needs --velocities"},
     {sweep + omega + "--plot p.png", "is drawn from the table of --impacts"},
     {sweep + omega + "--vary beta=0:1:2 --plot p.png --column x", "--column x: is no column"},
+    {sweep + omega + "--vary beta=0:1:2 --vary restitution=0:1:2 --plot p.png",
+     "draws one or two ranges, not 3"},
+    {"sweep --impacts i.csv " + omega + "--vary beta=0:1:2 --plot p.png",
+     "is drawn from the table of --table"},
     {"sweep --table missing/t.csv " + omega, "missing is no folder"},
     {"sweep --table - " + omega, "--table -: must be a file"},
     {"run --samples s.csv --plot p.jpg", "--plot p.jpg: must end in .png, .pdf or .svg"},
@@ -105,6 +120,26 @@ TEST_F(Runner, AProgramWithoutMpiIsNotStartedAsSeveralProcesses) {
   EXPECT_EQ(run(arguments, "true", "", alone).status, 0);
   EXPECT_EQ(run("--help", "true", "", alone).out.find("mpirun"), std::string::npos);
   EXPECT_EQ(run("--help").out.find("mpirun") != std::string::npos, with_mpi);
+}
+
+// The other programs of the project say their own name, every choice, and no folder of the machine
+// they were built on.
+TEST_F(Runner, OtherProgramsRefuseInTheSameWay) {
+  const Result unknown = run("figure9 t.csv", "true", "", PROGRAM_DIR "/reference-generate");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_TRUE(
+      unknown.err.starts_with("reference-generate: table 'figure9': must be one of figure2"))
+      << unknown.err;
+  const Result usage = run("", "true", "", PROGRAM_DIR "/reference-generate");
+  EXPECT_EQ(usage.status, 2);
+  for (const char *table : {"figure5c", "extremes", "one_impact", "work_precision_events"}) {
+    EXPECT_NE(unknown.err.find(table), std::string::npos) << unknown.err;
+    EXPECT_NE(usage.err.find(table), std::string::npos) << usage.err;
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+  const Result help = run("--help", "true", "", PROGRAM_DIR "/check");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.out.find(SOURCE_DIR), std::string::npos) << help.out;
 }
 
 }  // namespace

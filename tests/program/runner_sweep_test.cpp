@@ -156,6 +156,31 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   fs::remove(scene);
 }
 
+// A block with the right checksum and wrong rows, as another program could write it.
+TEST_F(KilledSweep, RowsOfOtherPointsAreRefused) {
+  while (!start_and_kill()) fs::remove(folder / "t.csv");
+  const fs::path path = folder / "t.csv.partial";
+  const std::string partial = contents(path);
+  const std::string head = partial.substr(0, partial.find(rows_in(partial)));
+  const std::string first = "0.25,0.59999999999999998,1,1,1,1,1,1\n";
+  const struct {
+    std::string rows, line, rule;
+  } refused[] = {{"0.26" + first.substr(4), "1", "not the row of its point"},
+                 {first + first, "2", "not the row of its point"},
+                 {first.substr(0, first.size() - 3) + "\n", "1", "not all columns"},
+                 {first.substr(0, first.size() - 1) + ",\n", "1", "not all columns"}};
+  const auto lines_of_head = std::count(head.begin(), head.end(), '\n');
+  for (const auto &[rows, line, rule] : refused) {
+    fs::remove(path);
+    runner::Journal(path.string(), head, false, {}).add({rows, "", ""});
+    const Result result = run(sweep + "--resume");
+    EXPECT_EQ(result.status, 2);
+    const std::string number = std::to_string(lines_of_head + std::stol(line));
+    EXPECT_NE(result.err.find("line " + number + ": " + rule), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(folder / "t.csv"));
+  }
+}
+
 TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {
   const runner::Journal held(folder / "t.csv.partial", "a head\n", false,
                              [](std::size_t, const std::string &) { return ""; });

@@ -78,9 +78,28 @@ TEST_F(Runner, OptionsOfTheSceneMeanWhatTheHelpSays) {
   const std::string own = "--stop 1:lower:-0.3:0 --stop 2:upper:0.1:1 ";
   EXPECT_EQ(table(own + "--restitution 0.3"), table(own)) << "no stop has that of the scene";
   EXPECT_NE(table(own), table(""));
-  EXPECT_EQ(table("--masses 1 --stop none --stiffness 0 --amplitude 0 --initial-velocity 0.25"),
-            table("--masses 1 --stop none --stiffness 0 --amplitude 0 --initial-velocity 0.25 "
-                  "--initial-displacement 0"));
+  EXPECT_EQ(table("--masses 1 --stop none --stiffness 0 --amplitude 0 --velocity 0.25"),
+            table("--masses 1 --stop none --stiffness 0 --amplitude 0 --velocity 0.25 "
+                  "--displacement 0"));
+}
+
+// A single value stands for all masses, also that of a force, and the summary says how many masses
+// are forced. The default forces mass 1, in chains of every length.
+TEST_F(Runner, ASingleAmplitudeForcesAllMasses) {
+  const struct {
+    std::string options, summary;
+  } cases[] = {{"", "2 masses, 1 of them forced, 2 stops; "},
+               {"--masses 1", "1 masses, 1 of them forced, 1 stops; "},
+               {"--masses 3", "3 masses, 1 of them forced, 2 stops; "},
+               {"--masses 3 --amplitude 0.5", "3 masses, 3 of them forced, 2 stops; "},
+               {"--masses 3 --amplitude 0.5,0,0 --sine 0,0.1,0 --stop none",
+                "3 masses, 2 of them forced, 0 stops; "},
+               {"--amplitude 0", "2 masses, 0 of them forced, 2 stops; "}};
+  for (const auto &[options, summary] : cases)
+    EXPECT_TRUE(run("run --until 10 " + options).err.starts_with(summary)) << options;
+  const std::string masses = "run --masses 3 --print-scene ";
+  EXPECT_EQ(run(masses + "--amplitude 0.5").out, run(masses + "--amplitude 0.5,0.5,0.5").out);
+  EXPECT_EQ(run(masses).out, run(masses + "--amplitude 0.5,0,0").out);
 }
 
 TEST_F(Runner, TheExamplesOfTheHelpWork) {

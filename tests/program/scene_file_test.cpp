@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/support/runner_program.hpp"
+#include "vibro_impact/scene_fields.hpp"
 
 namespace {
 
@@ -88,14 +89,32 @@ TEST_F(Runner, NumbersAreReadInOneWay) {
   EXPECT_EQ(run("run --until 5e0 --max-steps 1e10 --masses 2e0").status, 0);
 }
 
+// What the list of fields has, the options, the files and the parameters have.
+TEST_F(SceneFile, EveryFieldOfASceneIsAnOptionALineAndAParameter) {
+  std::vector<std::pair<std::string, std::string>> fields;  // and the parameter of mass 2
+  for (const auto &field : vibro_impact::scalar_fields) fields.emplace_back(field.name, field.name);
+  for (const auto &field : vibro_impact::list_fields)
+    fields.emplace_back(field.name, std::string(field.name) + "2");
+  const std::string help = run("run --help").out, scene = run("run --print-scene").out;
+  for (const auto &[name, parameter] : fields) {
+    EXPECT_NE(help.find("  --" + name + " "), std::string::npos) << name;
+    EXPECT_NE(scene.find("\n" + name + " = "), std::string::npos) << name;
+    const Result option = run("run --print-scene --" + name + " 0.0625"),
+                 line = read(name + " = 0.0625\n");
+    EXPECT_NE(option.out.find("\n" + name + " = 0.0625\n"), std::string::npos) << option.err;
+    EXPECT_EQ(line.out, option.out) << line.err;
+    const Result sweep =
+        run("sweep --stop none --longest 1 --table t.csv --vary " + parameter + "=0.0625:0.07:2");
+    EXPECT_EQ(sweep.status, 0) << sweep.err;
+  }
+}
+
 TEST_F(Runner, ATableSaysWhatMadeIt) {
   const std::string scene = "--masses 2 --beta 0.2 --stop 1:upper:0.3:0.5 --amplitude 0.5,0.1 ";
   ASSERT_EQ(run("run --until 20 --header --events e.csv " + scene).status, 0);
   ASSERT_EQ(run("sweep --vary omega=0.3:0.4:2 --header --table t.csv " + scene).status, 0);
   EXPECT_EQ(lines(contents(folder / "t.csv"))[0],
-            "# vibro-impact " VIBRO_IMPACT_VERSION
-            " sweep --masses=2 --beta=0.2 --amplitude=0.5,0.1 --stop=1:upper:0.3:0.5 "
-            "--vary=omega=0.3:0.4:2");
+            "# vibro-impact " VIBRO_IMPACT_VERSION " sweep --vary=omega=0.3:0.4:2");
   for (const char *table : {"e.csv", "t.csv"})
     EXPECT_EQ(run(std::string("run --print-scene --scene ") + table).out,
               run("run --print-scene " + scene).out);

@@ -34,6 +34,8 @@ struct Stop {
   Side side = Side::upper;
   double position = 0.0;
   std::optional<double> restitution = {};  // r in [0, 1]; if empty, that of the scene
+
+  bool operator==(const Stop &) const = default;
 };
 
 // The contact mode, per mass: 0 free, +1 held at its upper stop, -1 held at its lower stop.
@@ -55,6 +57,8 @@ struct Scene {
   std::vector<Stop> stops = {};           // at most one lower and one upper stop per mass
   std::vector<double> displacement = {};  // x_i at t = 0
   std::vector<double> velocity = {};      // x_i' at t = 0
+
+  bool operator==(const Scene &) const = default;
 
   int masses() const {
     return static_cast<int>(mass.size());

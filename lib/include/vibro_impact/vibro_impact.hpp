@@ -6,4 +6,5 @@
 #include "instant.hpp"
 #include "record.hpp"
 #include "scene.hpp"
+#include "scene_fields.hpp"
 #include "simulate.hpp"

@@ -100,12 +100,8 @@ namespace {
 
 // Adds factor a_j to y_j + low_j.
 void add(double factor, const PerCoordinate &a, PerCoordinate &y, PerCoordinate &low) {
-  for (Eigen::Index j = 0; j < y.size(); j += 2) {
-    const Twofold<Pair> before{pair(y.data() + j), pair(low.data() + j)},
-        after = before + factor * pair(a.data() + j);
-    store(after.value, y.data() + j);
-    store(after.low, low.data() + j);
-  }
+  for (Eigen::Index j = 0; j < y.size(); j += 2)
+    store(twofold(y, low, j) + factor * pair(a.data() + j), y, low, j);
 }
 
 }  // namespace

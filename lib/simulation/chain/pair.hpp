@@ -71,6 +71,17 @@ struct Twofold {
   Number value{}, low{};
 };
 
+// Two coordinates of value + low.
+inline Twofold<Pair> twofold(const PerCoordinate &value, const PerCoordinate &low, Eigen::Index j) {
+  return {pair(value.data() + j), pair(low.data() + j)};
+}
+
+inline void store(const Twofold<Pair> &two, PerCoordinate &value, PerCoordinate &low,
+                  Eigen::Index j) {
+  store(two.value, value.data() + j);
+  store(two.low, low.data() + j);
+}
+
 template <class Number>
 Twofold<Number> exact_sum(Number a, Number b) {
   const Number sum = a + b, added = sum - a;

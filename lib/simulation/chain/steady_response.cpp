@@ -19,11 +19,28 @@ OscillatorState steady_state(const ModalCoordinates &all, Index j, Complex turn,
   return {steady.real(), -omega * steady.imag()};
 }
 
+Coordinate coordinate_of(const Motion &motion, Index j) {
+  return {{motion.y(j), motion.y_low(j)}, {motion.dy(j), motion.dy_low(j)}};
+}
+
+void set_coordinate(Motion &motion, Index j, const Coordinate &moved) {
+  motion.y(j) = moved.y.value;
+  motion.y_low(j) = moved.y.low;
+  motion.dy(j) = moved.dy.value;
+  motion.dy_low(j) = moved.dy.low;
+}
+
 void follow(Motion &motion, Index j, double omega) {
   const OscillatorState steady = steady_state(motion.mode->coordinates, j, motion.turn, omega);
-  motion.y(j) = motion.mode->coordinates.static_value(j) + steady.value;
-  motion.dy(j) = steady.slope;
-  motion.y_low(j) = motion.dy_low(j) = 0.0;
+  set_coordinate(motion, j,
+                 {{motion.mode->coordinates.static_value(j) + steady.value}, {steady.slope}});
+}
+
+// The deviation of coordinate j at `place` from this steady response and its constant part.
+OscillatorState deviation_from(const OscillatorState &steady, const ModalCoordinates &all, Index j,
+                               const Coordinate &place) {
+  return {(place.y.value - all.static_value(j) - steady.value) + place.y.low,
+          (place.dy.value - steady.slope) + place.dy.low};
 }
 
 // The change of the deviation z of a coordinate from its steady response.
@@ -52,30 +69,20 @@ Twofold<double> duration_of(const Motion &motion, const Instant &target, const C
 
 OscillatorState deviation_of(const Motion &motion, Index j, double omega) {
   const ModalCoordinates &all = motion.mode->coordinates;
-  const OscillatorState steady = steady_state(all, j, motion.turn, omega);
-  return {(motion.y(j) - all.static_value(j) - steady.value) + motion.y_low(j),
-          (motion.dy(j) - steady.slope) + motion.dy_low(j)};
+  return deviation_from(steady_state(all, j, motion.turn, omega), all, j, coordinate_of(motion, j));
 }
 
-void move_by_deviation(Motion &motion, Index j, const CoordinateBefore &before, double omega,
-                       double tau, double tau_low) {
+void move_by_deviation(Motion &motion, Index j, const Coordinate &before, Complex turn,
+                       double omega, double tau, double tau_low) {
   if (motion.following[static_cast<std::size_t>(j)]) return follow(motion, j, omega);
   const ModalCoordinates &all = motion.mode->coordinates;
-  const OscillatorState from = steady_state(all, j, before.turn, omega),
+  const OscillatorState from = steady_state(all, j, turn, omega),
                         to = steady_state(all, j, motion.turn, omega);
-  const OscillatorState deviation{
-      (before.y.value - all.static_value(j) - from.value) + before.y.low,
-      (before.dy.value - from.slope) + before.dy.low};
-  const OscillatorState change = free_change(all, j, deviation, tau, tau_low);
-  const auto moved = [](const Twofold<double> &value, double minus, double plus, double added) {
-    return value + -minus + plus + added;
-  };
-  const Twofold<double> y = moved(before.y, from.value, to.value, change.value),
-                        dy = moved(before.dy, from.slope, to.slope, change.slope);
-  motion.y(j) = y.value;
-  motion.y_low(j) = y.low;
-  motion.dy(j) = dy.value;
-  motion.dy_low(j) = dy.low;
+  const OscillatorState change =
+      free_change(all, j, deviation_from(from, all, j, before), tau, tau_low);
+  set_coordinate(motion, j,
+                 {before.y + -from.value + to.value + change.value,
+                  before.dy + -from.slope + to.slope + change.slope});
 }
 
 void let_dead_coordinates_follow(Motion &motion, double omega) {
@@ -114,12 +121,11 @@ void fly(Motion &motion, const Clock &clock, const Instant &target) {
   set_clock(motion, clock, target);
   motion.now_low = 0.0;
   for (Index j = 0; j < static_cast<Index>(all.size); ++j) {
-    const CoordinateBefore before{
-        {motion.y(j), motion.y_low(j)}, {motion.dy(j), motion.dy_low(j)}, turn};
+    const Coordinate before = coordinate_of(motion, j);
     const bool follows = motion.following[static_cast<std::size_t>(j)];
     const bool slow = all.rate(j) * tau <= max_step_radians;
     if (follows || !slow || clock.omega * tau > max_step_radians) {
-      move_by_deviation(motion, j, before, clock.omega, tau, tau_low);
+      move_by_deviation(motion, j, before, turn, clock.omega, tau, tau_low);
       continue;
     }
     // Over a time that is short against the forcing and the mode, the steady response cancels
@@ -127,11 +133,7 @@ void fly(Motion &motion, const Clock &clock, const Instant &target) {
     const OscillatorState change =
         change_by_series(all.kappa(j), all.lambda(j), {motion.y(j), motion.dy(j)},
                          all.force_of(j) * turn, all.constant(j), clock.omega, tau);
-    const Twofold<double> y = before.y + change.value, dy = before.dy + change.slope;
-    motion.y(j) = y.value;
-    motion.y_low(j) = y.low;
-    motion.dy(j) = dy.value;
-    motion.dy_low(j) = dy.low;
+    set_coordinate(motion, j, {before.y + change.value, before.dy + change.slope});
   }
   tie_decays(motion);
 }

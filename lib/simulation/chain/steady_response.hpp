@@ -1,4 +1,5 @@
-// Motions represented by their deviation from the steady response S, which has no rounding that adds up:
+// Motions represented by their deviation from the steady response S, which has no rounding that
+// adds up:
 //   y(t + tau) = y(t) + S(t + tau) - S(t) + (the free motion of y - S in tau).
 // Coordinates that follow S, slow coordinates and long flights move in this way. A scene whose
 // rates are of the order of Omega, with stops within reach, does without.
@@ -24,16 +25,15 @@ inline bool moves_by_deviation(const Motion &motion, Eigen::Index j, double omeg
 // response to a constant force.
 OscillatorState deviation_of(const Motion &motion, Eigen::Index j, double omega);
 
-// A coordinate before a move, and the forcing then.
-struct CoordinateBefore {
+// One coordinate and its velocity.
+struct Coordinate {
   Twofold<double> y, dy;
-  std::complex<double> turn;
 };
 
 // Moves coordinate j by its deviation from the steady response, over tau + tau_low, to the clock of
-// the motion.
-void move_by_deviation(Motion &motion, Eigen::Index j, const CoordinateBefore &before, double omega,
-                       double tau, double tau_low);
+// the motion. It stood at `before`, with the forcing at `turn`.
+void move_by_deviation(Motion &motion, Eigen::Index j, const Coordinate &before,
+                       std::complex<double> turn, double omega, double tau, double tau_low);
 
 // Lets damped coordinates, the fastest first, follow their steady response once the deviation d =
 // y - S has died out: in displacement and acceleration, d lies below the rounding of the whole

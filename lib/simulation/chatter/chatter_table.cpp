@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace vibro_impact::detail {
 
@@ -27,78 +30,38 @@ void predict(const Motion &motion, const Chatter &chatter, double time_left,
       if (contact.impulse_value.size() > 0)
         value += to_come * pair(contact.impulse_value.data() + j);
     }
-    const Twofold<Pair> y{pair(motion.y.data() + j), pair(motion.y_low.data() + j)},
-        dy{pair(motion.dy.data() + j), pair(motion.dy_low.data() + j)}, y_at_limit = y + value,
-                                                                        dy_at_limit = dy + slope;
-    store(y_at_limit.value, state.y.data() + j);
-    store(y_at_limit.low, state.y_low.data() + j);
-    store(dy_at_limit.value, state.dy.data() + j);
-    store(dy_at_limit.low, state.dy_low.data() + j);
+    store(twofold(motion.y, motion.y_low, j) + value, state.y, state.y_low, j);
+    store(twofold(motion.dy, motion.dy_low, j) + slope, state.dy, state.dy_low, j);
   }
+}
+
+// Computes the row of Neville's scheme that ends with the latest node.
+void extrapolate(Chatter &chatter) {
+  const std::size_t last = chatter.size - 1;
+  const ChatterNode &latest = chatter.node(last);
+  chatter.error = std::numeric_limits<double>::infinity();
+  chatter.best = 0;
+  ExtrapolatedLimit entry{latest.predicted / latest.x, 1.0 / latest.x};
+  double error_before = 0.0, time_before = entry.time();
+  for (std::size_t column = 1; column <= last; ++column) {
+    const ExtrapolatedLimit without_latest = std::exchange(chatter.row[column - 1], entry);
+    const double share = latest.x / (chatter.node(last - column).x - latest.x);
+    entry.predicted += (entry.predicted - without_latest.predicted) * share;
+    entry.reciprocal += (entry.reciprocal - without_latest.reciprocal) * share;
+    const double time = entry.time(), error = std::abs(time - time_before);
+    // Two limits may agree by chance: the estimate is not much below that with one node less.
+    const double estimate = std::max(error, min_error_decay * error_before);
+    if (estimate <= chatter.error) {
+      chatter.error = estimate;
+      chatter.best = column;
+    }
+    error_before = error;
+    time_before = time;
+  }
+  chatter.row[last] = entry;
 }
 
 }  // namespace
-
-// Lagrange's weights at x = 0, divided by x_i and by the sum of these quotients.
-PerNode node_weights(const ChatterTable &table, std::size_t first) {
-  PerNode weights{};
-  double sum = 0.0;
-  for (std::size_t i = first; i < table.size; ++i) {
-    weights[i] = 1.0 / table.x[i];
-    for (std::size_t j = first; j < table.size; ++j)
-      if (j != i) weights[i] *= table.x[j] / (table.x[j] - table.x[i]);
-    sum += weights[i];
-  }
-  for (double &weight : weights) weight /= sum;
-  return weights;
-}
-
-// The factor x / (x - x_i) of the node is taken out of the others.
-PerNode without_node(const ChatterTable &table, std::size_t first, PerNode weights) {
-  double sum = 0.0;
-  weights[first] = 0.0;
-  for (std::size_t i = first + 1; i < table.size; ++i) {
-    weights[i] *= 1.0 - table.x[i] / table.x[first];
-    sum += weights[i];
-  }
-  for (double &weight : weights) weight /= sum;
-  return weights;
-}
-
-PredictedState &extend(ChatterTable &table, double x, double predicted, double jump) {
-  table.error = std::numeric_limits<double>::infinity();
-  table.best = 0;
-  if (table.size == max_chatter_nodes) {
-    for (PerNode *numbers : {&table.x, &table.predicted, &table.jump})
-      std::copy(numbers->begin() + 1, numbers->end(), numbers->begin());
-    table.oldest_state = (table.oldest_state + 1) % max_chatter_nodes;
-    --table.size;
-  }
-  const std::size_t last = table.size++;
-  table.x[last] = x;
-  table.predicted[last] = predicted;
-  table.jump[last] = jump;
-  ChatterTable::Entry entry{predicted / x, 1.0 / x};
-  double error_before = 0.0, limit_before = entry.limit();
-  for (std::size_t column = 1; column <= last; ++column) {
-    const ChatterTable::Entry without_newest = table.row[column - 1];
-    table.row[column - 1] = entry;
-    const double share = x / (table.x[last - column] - x);
-    entry.predicted += (entry.predicted - without_newest.predicted) * share;
-    entry.reciprocal += (entry.reciprocal - without_newest.reciprocal) * share;
-    const double limit = entry.limit(), error = std::abs(limit - limit_before);
-    // Two limits may agree by chance: the estimate is not much below that with one node less.
-    const double estimate = std::max(error, min_error_decay * error_before);
-    if (estimate <= table.error) {
-      table.error = estimate;
-      table.best = column;
-    }
-    error_before = error;
-    limit_before = limit;
-  }
-  table.row[last] = entry;
-  return table.states[(table.oldest_state + last) % max_chatter_nodes];
-}
 
 bool Chatter::hits(std::size_t contact) const {
   return std::find(contacts.begin(), contacts.end(), contact) != contacts.end();
@@ -106,7 +69,7 @@ bool Chatter::hits(std::size_t contact) const {
 
 void end_chatter(Chatter &chatter) {
   chatter.contacts.clear();
-  chatter.impacts = chatter.table.size = chatter.table.oldest_state = 0;
+  chatter.impacts = chatter.size = chatter.oldest = 0;
   chatter.flight_time = chatter.since = chatter.time = 0.0;
 }
 
@@ -125,21 +88,46 @@ bool add_impact(Chatter &chatter, double flight_time, const std::vector<double> 
   chatter.since = 0.0;
   chatter.jumps = jumps;
   if (chatter.impacts++ % chatter.stride != 0) return false;
+  if (chatter.size < max_chatter_nodes)
+    ++chatter.size;
+  else  // the oldest node goes
+    chatter.oldest = (chatter.oldest + 1) % max_chatter_nodes;
+  ChatterNode &node = chatter.ring[(chatter.oldest + chatter.size - 1) % max_chatter_nodes];
   const double left = flight_time / (1.0 - chatter.restitution);
-  predict(motion, chatter, left,
-          extend(chatter.table, flight_time, chatter.time + left,
-                 *std::max_element(jumps.begin(), jumps.end())));
+  node.x = flight_time;
+  node.predicted = chatter.time + left;
+  node.jump = *std::max_element(jumps.begin(), jumps.end());
+  predict(motion, chatter, left, node.state);
+  extrapolate(chatter);
   return true;
 }
 
+NodeWeights weights_of(const Chatter &chatter, std::size_t oldest) {
+  NodeWeights weights;
+  for (std::size_t i = chatter.size; i-- > oldest;) {
+    weights.without_oldest = weights.all;
+    const double x = chatter.node(i).x;
+    weights.all[i] = 1.0 / x;
+    for (std::size_t j = i + 1; j < chatter.size; ++j) {
+      const double later = chatter.node(j).x, inverse = 1.0 / (later - x);
+      weights.all[i] *= later * inverse;
+      weights.all[j] *= -x * inverse;
+    }
+  }
+  for (PerNode *scaled : {&weights.all, &weights.without_oldest}) {
+    const double sum = std::accumulate(scaled->begin(), scaled->end(), 0.0);
+    for (double &weight : *scaled) weight /= sum;
+  }
+  return weights;
+}
+
 std::optional<ChatterLimit> extrapolate_limit(const Chatter &chatter, double tolerance) {
-  const ChatterTable &table = chatter.table;
-  if (table.size < fewest_chatter_nodes || !(table.error <= tolerance)) return std::nullopt;
-  const std::size_t last = table.size - 1;
-  const double predicted = table.predicted[last] - chatter.time,
-               time_left = table.row[table.best].limit() - chatter.time;
+  if (chatter.size < fewest_chatter_nodes || !(chatter.error <= tolerance)) return std::nullopt;
+  const std::size_t last = chatter.size - 1;
+  const double predicted = chatter.node(last).predicted - chatter.time,
+               time_left = chatter.row[chatter.best].time() - chatter.time;
   if (!(std::abs(time_left - predicted) < prediction_share * predicted)) return std::nullopt;
-  return ChatterLimit{time_left, table.error, last - table.best};
+  return ChatterLimit{time_left, chatter.error, last - chatter.best};
 }
 
 }  // namespace vibro_impact::detail

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,47 +19,28 @@ struct PredictedState {
   PerCoordinate y, dy, y_low, dy_low;
 };
 
+// A node is an impact from which the limit is extrapolated.
+struct ChatterNode {
+  double x = 0.0;          // flight time after the impact
+  double predicted = 0.0;  // time of the limit, counted from the first impact
+  double jump = 0.0;       // the largest jump of a gap speed
+  PredictedState state = {};
+};
+
 using PerNode = std::array<double, max_chatter_nodes>;
 
-// P(x) = T + c x^2 + ... has no linear term, which a plain extrapolation would not use. P / x - T /
-// x is zero at x = 0, so T = lim (P / x) / lim (1 / x), where both limits are extrapolated with the
-// same weights, by Neville's scheme. A node is an impact that is entered into the table.
-struct ChatterTable {
-  struct Entry {
-    double predicted = 0.0, reciprocal = 0.0;
-    double limit() const {
-      return predicted / reciprocal;
-    }
-  };
-  std::size_t size = 0;  // nodes, oldest first
-  // Flight time, predicted limit counted from the first impact, and the largest jump of a gap
-  // speed.
-  PerNode x{}, predicted{}, jump{};
-  std::array<PredictedState, max_chatter_nodes> states{};  // a ring: see state_of
-  std::size_t oldest_state = 0;
-  // Entry k is extrapolated from the last k + 1 nodes.
-  std::array<Entry, max_chatter_nodes> row{};
-  // The entry with the smallest estimated error of its limit, and that error.
-  std::size_t best = 0;
-  double error = std::numeric_limits<double>::infinity();
-
-  const PredictedState &state_of(std::size_t node) const {
-    return states[(oldest_state + node) % max_chatter_nodes];
+// The prediction P(x) = T + c x^2 + ... has no linear term, which a plain extrapolation would not
+// use. P / x - T / x is zero at x = 0, so T = lim (P / x) / lim (1 / x), where both limits are
+// extrapolated with the same weights, by Neville's scheme.
+struct ExtrapolatedLimit {
+  double predicted = 0.0, reciprocal = 0.0;
+  double time() const {
+    return predicted / reciprocal;
   }
 };
 
-// Adds a node and computes the row of the table that ends with it. Returns the place of its state.
-PredictedState &extend(ChatterTable &table, double x, double predicted, double jump);
-
-// The weights w_i of the nodes from `first` on, by which times and states are extrapolated.
-PerNode node_weights(const ChatterTable &table, std::size_t first);
-
-// The same without the node `first`.
-PerNode without_node(const ChatterTable &table, std::size_t first, PerNode weights);
-
 // A chatter is a sequence of impacts at the same contacts in one contact mode, each flight shorter
-// than the one before. Without impacts no chatter is under way. At most `max_chatter_nodes` nodes
-// are kept.
+// than the one before. Without impacts no chatter is under way.
 struct Chatter {
   std::vector<std::size_t> contacts = {};  // indices, in the mode, of the contacts hit
   double restitution = 0.0;                // of the first contact, at speed zero
@@ -70,8 +50,19 @@ struct Chatter {
   double since = 0.0;              // time since the latest impact
   double flight_time = 0.0;        // x of the latest impact
   std::vector<double> jumps = {};  // of the gap speeds at the latest impact, one for each contact
-  ChatterTable table = {};
+  std::array<ChatterNode, max_chatter_nodes> ring = {};  // the latest nodes: see node
+  std::size_t size = 0, oldest = 0;                      // their number, and where they begin
+  // Entry k is extrapolated from the latest k + 1 nodes.
+  std::array<ExtrapolatedLimit, max_chatter_nodes> row = {};
+  // The entry with the smallest estimated error of its limit, and that error.
+  std::size_t best = 0;
+  double error = 0.0;
 
+  // Node k, from 0 for the oldest to size - 1.
+  const ChatterNode &node(std::size_t k) const {
+    k += oldest;
+    return ring[k < max_chatter_nodes ? k : k - max_chatter_nodes];
+  }
   bool under_way() const {
     return impacts > 0;
   }
@@ -88,7 +79,7 @@ void begin_chatter(Chatter &chatter, const std::vector<std::size_t> &contacts, d
 void end_chatter(Chatter &chatter);
 
 // Adds an impact with these jumps, one for each contact, and the expected time of the flight after
-// it. The motion stands just after the impact. Returns true when the impact is a node of the table.
+// it. The motion stands just after the impact. Returns true when the impact is a node.
 bool add_impact(Chatter &chatter, double flight_time, const std::vector<double> &jumps,
                 const Motion &motion);
 
@@ -97,6 +88,14 @@ struct ChatterLimit {
   double error = 0.0;      // estimated error of this time
   std::size_t oldest = 0;  // index of the oldest node of the extrapolation
 };
+
+// The weights w_i of the nodes from `oldest` on, by which times and states are extrapolated, and
+// those without the oldest node: Lagrange's weights at x = 0, divided by x_i. Both add up to 1.
+struct NodeWeights {
+  PerNode all = {}, without_oldest = {};
+};
+
+NodeWeights weights_of(const Chatter &chatter, std::size_t oldest);
 
 // The limit, if its estimated error is at most `tolerance` and the extrapolated time left differs
 // little from the time left that the latest impact predicts. The second condition excludes an error

@@ -15,25 +15,24 @@ using Eigen::Index;
 
 // Adds sum_i w_i (z_i - z) to a state, where z is that of the latest node, and sets what its oldest
 // node adds to the sum. All differences are small, and so is the rounding of the sum.
-void extrapolate_states(const ChatterTable &table, std::size_t oldest, LimitState &state) {
-  const PerNode weights = node_weights(table, oldest), fewer = without_node(table, oldest, weights);
-  const PredictedState &latest = table.state_of(table.size - 1);
+void extrapolate_states(const Chatter &chatter, const ChatterLimit &limit, LimitState &state) {
+  const NodeWeights weights = weights_of(chatter, limit.oldest);
+  const std::size_t last = chatter.size - 1;
+  const PredictedState &latest = chatter.node(last).state;
   const auto extrapolate = [&](PerCoordinate PredictedState::*value,
                                PerCoordinate PredictedState::*low, PerCoordinate &y,
                                PerCoordinate &y_low, PerCoordinate &difference) {
     for (Index j = 0; j < y.size(); j += 2) {
-      const Pair z = pair((latest.*value).data() + j), z_low = pair((latest.*low).data() + j);
+      const Twofold<Pair> z = twofold(latest.*value, latest.*low, j);
       Pair change{}, from_oldest{};
-      for (std::size_t i = oldest; i + 1 < table.size; ++i) {
-        const PredictedState &node = table.state_of(i);
-        const Pair distance =
-            (pair((node.*value).data() + j) - z) + (pair((node.*low).data() + j) - z_low);
-        change += weights[i] * distance;
-        from_oldest += (weights[i] - fewer[i]) * distance;
+      for (std::size_t i = limit.oldest; i < last; ++i) {
+        const PredictedState &node = chatter.node(i).state;
+        const Twofold<Pair> other = twofold(node.*value, node.*low, j);
+        const Pair distance = (other.value - z.value) + (other.low - z.low);
+        change += weights.all[i] * distance;
+        from_oldest += (weights.all[i] - weights.without_oldest[i]) * distance;
       }
-      const Twofold<Pair> sum = Twofold<Pair>{z, z_low} + change;
-      store(sum.value, y.data() + j);
-      store(sum.low, y_low.data() + j);
+      store(z + change, y, y_low, j);
       store(from_oldest, difference.data() + j);
     }
   };
@@ -106,8 +105,8 @@ void set_limit_state(const Chatter &chatter, const ChatterLimit &limit, const Cl
   const ContactMode &mode = *motion.mode;
   state.motion = motion;
   state.stops = stops;
-  extrapolate_states(chatter.table, limit.oldest, state);
-  state.error = error_of_state(mode, chatter, chatter.table.jump[limit.oldest], state);
+  extrapolate_states(chatter, limit, state);
+  state.error = error_of_state(mode, chatter, chatter.node(limit.oldest).jump, state);
   pass_time(state.motion, clock, limit.time_left);
   complete_change(state.motion);
   for (const std::size_t k : chatter.contacts) place(mode.contacts[k], {0.0, 0.0}, state.motion);

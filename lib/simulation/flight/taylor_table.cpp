@@ -13,7 +13,6 @@ namespace vibro_impact::detail {
 namespace {
 
 using Eigen::Index;
-using TwofoldPair = Twofold<Pair>;
 
 // Factors of the recurrences for both coordinates of a pair: 1 / (n + 1), 1 / ((n + 1) (n + 2)),
 // and n.
@@ -200,20 +199,16 @@ void move_coordinates(const TaylorTable &table, double u, const Clock &clock, Mo
       value = value * u + coefficient;
       slope = slope * u + factors.order[n] * coefficient;
     }
-    const TwofoldPair y{pair(motion.y.data() + j), pair(motion.y_low.data() + j)},
-        dy{pair(motion.dy.data() + j), pair(motion.dy_low.data() + j)};
-    const TwofoldPair travel = exact_product(dy.value, Pair{} + tau);
-    const TwofoldPair sum = exact_sum(y.value, travel.value),
-                      moved = exact_sum(sum.value, sum.low + ((u * u) * value + tau * dy.low +
-                                                              travel.low + y.low)),
-                      changed = dy + (u / table.length) * slope;
-    store(moved.value, motion.y.data() + j);
-    store(moved.low, motion.y_low.data() + j);
-    store(changed.value, motion.dy.data() + j);
-    store(changed.low, motion.dy_low.data() + j);
+    const Twofold<Pair> y = twofold(motion.y, motion.y_low, j),
+                        dy = twofold(motion.dy, motion.dy_low, j),
+                        travel = exact_product(dy.value, Pair{} + tau),
+                        sum = exact_sum(y.value, travel.value);
+    const Pair rest = (u * u) * value + tau * dy.low + travel.low + y.low;
+    store(exact_sum(sum.value, sum.low + rest), motion.y, motion.y_low, j);
+    store(dy + (u / table.length) * slope, motion.dy, motion.dy_low, j);
     for (Index i = 0; i < 2 && by_deviation; ++i)
       if (moves_by_deviation(motion, j + i, clock.omega, tau))
-        move_by_deviation(motion, j + i, {{y.value[i], y.low[i]}, {dy.value[i], dy.low[i]}, turn},
+        move_by_deviation(motion, j + i, {{y.value[i], y.low[i]}, {dy.value[i], dy.low[i]}}, turn,
                           clock.omega, tau, 0.0);
   }
   tie_decays(motion);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "instant.hpp"
+#include "events_at_an_instant.hpp"
 #include "observers.hpp"
 #include "simulation/chain/pair.hpp"
 #include "simulation/chain/require.hpp"

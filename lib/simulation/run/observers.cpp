@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "instant.hpp"
+#include "events_at_an_instant.hpp"
 #include "simulation/chain/require.hpp"
 
 namespace vibro_impact::detail {

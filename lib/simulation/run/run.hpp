@@ -1,5 +1,5 @@
-// A run: everything that it carries from event to event. Only event_loop.cpp and instant.cpp change
-// it.
+// A run: everything that it carries from event to event. Only event_loop.cpp and
+// events_at_an_instant.cpp change it.
 #pragma once
 
 #include <limits>

@@ -1,9 +1,9 @@
 // The numbers of a scene by name, as sweeps vary them. All are non-dimensional.
 //
-// The names are omega, beta and restitution (of every stop that has none of its own), and, with an
-// index from 1, amplitude2, sine1, constant1 (force), ground1 (stiffness of a spring to the
-// ground), mass1, stiffness1 (of a link), displacement1 and velocity1 (at t = 0), stop1 (the
-// position of a stop, in the order of Scene::stops) and restitution2 (of a stop).
+// A parameter has the name of its field in scene_fields.hpp. Where the field is a list, an index
+// from 1 follows: amplitude2 is the force on mass 2. Also stop1 is the position of a stop, in the
+// order of Scene::stops, and restitution2 the coefficient of a stop. `restitution` is that of every
+// stop that has none of its own.
 //
 // Both functions throw std::invalid_argument for any other name, and for an index that the scene
 // does not have.

@@ -1,4 +1,4 @@
-#include "instant.hpp"
+#include "events_at_an_instant.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,40 +20,34 @@ Gap start_gap(const Scene &scene, const Contact &contact, const MotionState &sta
           -contact.sigma * state.velocity[contact.mass]};
 }
 
-// Sets scratch.gaps to the gaps before a mode change, at the stops that have a contact.
-void set_gaps(Run &run) {
-  std::vector<std::optional<Gap>> &gaps = run.scratch.gaps;
-  gaps.assign(run.stops.size(), std::nullopt);
-  for (const Contact &contact : run.motion.mode->contacts)
-    gaps[contact.stop] = gap_of(contact, run.stops[contact.stop], run.motion);
-}
-
 // Enters the contact mode state.held. At the start of a run `state` is exact and gives the modal
-// coordinates; later the coordinates of the mode before give them.
+// coordinates; later the coordinates of the mode before give them. A small gap is more accurate
+// than the coordinates of the new mode, and is placed.
 void enter_mode(Run &run, const MotionState &state, bool at_start) {
   bool built = false;
   const ContactMode &mode = run.modes.enter(run.scene(), state.held, built);
   if (built) ++run.counters.modes_built;
+  std::vector<std::optional<Gap>> &gaps = run.scratch.gaps;
+  gaps.assign(run.scene().stops.size(), std::nullopt);
   if (at_start) {
     express(run.scene(), state, mode, run.problem.clock, run.scratch.chain, run.motion);
+    for (const Contact &contact : mode.contacts)
+      gaps[contact.stop] = start_gap(run.scene(), contact, state);
   } else {
-    set_gaps(run);
+    for (const Contact &contact : run.motion.mode->contacts)
+      gaps[contact.stop] = gap_of(contact, run.stops[contact.stop], run.motion);
     change_mode(mode, run.scratch.chain, run.motion);
   }
-  // A small gap is more accurate than the coordinates of the new mode.
   std::vector<const Contact *> &placed = run.scratch.placed;
   placed.clear();
-  const auto gap_before = [&](const Contact &contact) {
-    return at_start ? start_gap(run.scene(), contact, state) : run.scratch.gaps[contact.stop];
-  };
   for (const Contact &contact : mode.contacts) {
-    const std::optional<Gap> gap = gap_before(contact);
+    const std::optional<Gap> &gap = gaps[contact.stop];
     if (!gap || contact.held || is_resolved(contact, run.motion)) continue;
     place(contact, *gap, run.motion);
     placed.push_back(&contact);
   }
   for (const Contact *contact : placed)
-    if (placed.size() > 1) place_alone(*contact, gap_before(*contact)->value, run.motion);
+    if (placed.size() > 1) place_alone(*contact, gaps[contact->stop]->value, run.motion);
 }
 
 // Counts an impact at a stop, at this closing speed, among those of its chatter.
@@ -264,7 +258,7 @@ void handle_start(Run &run, Recorders recorders) {
   scratch.hits.clear();
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact &contact = mode.contacts[k];
-    const Gap gap = start_gap(run.scene(), contact, state);
+    const Gap gap = *scratch.gaps[contact.stop];
     if (contact.held || gap.value != 0.0) continue;
     run.stops[contact.stop].contact = InFlight{gap.speed};
     if (gap.speed < 0.0) scratch.hits.push_back(k);

@@ -1,0 +1,15 @@
+# One version in CMakeLists.txt, CITATION.cff, codemeta.json and CHANGELOG.md.
+# cmake -D source=... -D version=... -P versions.cmake
+file(READ ${source}/CITATION.cff citation)
+file(READ ${source}/codemeta.json metadata)
+file(READ ${source}/CHANGELOG.md changes)
+string(REGEX MATCH "\nversion: ([^\n]+)" found "${citation}")
+set(in_citation "${CMAKE_MATCH_1}")
+string(JSON in_metadata GET "${metadata}" version)
+string(REGEX MATCH "\n## ([^\n]+)" found "${changes}")
+set(in_changes "${CMAKE_MATCH_1}")
+foreach(place citation metadata changes)
+  if(NOT in_${place} STREQUAL version)
+    message(FATAL_ERROR "version = '${in_${place}}' in the ${place}: CMakeLists.txt has ${version}")
+  endif()
+endforeach()
