@@ -27,7 +27,7 @@ TEST_F(Runner, ARunThatIsGivenUpLeavesNoFile) {
   const Result result = run(rattle + "--until 100 --events e.csv --samples s.csv --every 1e-5");
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(is_one_message(result.err)) << result.err;
-  EXPECT_NE(result.err.find("more than 1000 impacts"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("more than 10000 steps"), std::string::npos) << result.err;
   EXPECT_TRUE(fs::is_empty(folder));
 }
 

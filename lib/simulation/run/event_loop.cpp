@@ -37,7 +37,7 @@ bool find_limit(Run &run) {
   for (const std::size_t k : chatter.contacts) {
     const StopState &stop = run.stops[mode.contacts[k].stop];
     // The closing speed of the next impact may be a little above the latest rebound speed.
-    const double speed = speed_at_stop(stop).value_or(0.0);
+    const double speed = stop.contact.speed.value_or(0.0);
     if (!(next_speed_factor * speed < options.limit_below_speed)) return false;
     unit = std::max(unit, unit_of_time(mode, stop));
   }
