@@ -8,7 +8,7 @@
 
 #include "program/progress.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "vibro_impact/vibro_impact.hpp"
+#include "vibro_impact/analysis/table.hpp"
 
 namespace vibro_impact::figures {
 

@@ -22,8 +22,8 @@ constexpr int periods = 12;  // from rest: the motion settles within them, as th
 void draw(const std::filesystem::path &output) {
   const Scene scene = paper::figure2();
   const double until = periods * Clock(scene.omega).period;
-  figures::StickingPhaseRecorder first{.mass = 1, .other = 2, .to = until, .every = 0.005};
-  figures::StickingPhaseRecorder second{.mass = 2, .other = 1, .to = until, .every = 0.005};
+  figures::StickingPhaseRecorder first(1, 2, 0.0, until, 0.005);
+  figures::StickingPhaseRecorder second(2, 1, 0.0, until, 0.005);
   require_complete(simulate(scene, until, first, second));
   write(orbit_of(first), output / "exit_boundary1.csv");
   write(orbit_of(second), output / "exit_boundary2.csv");

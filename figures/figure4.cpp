@@ -13,7 +13,7 @@ using namespace vibro_impact;
 
 // The right-hand side of Eq. 20, c x2' + k x2 + A1 cos(Omega t) - 2 k s1, along the motion while
 // mass 1 is free. `gap` is the number of sticking phases of mass 1 so far.
-struct ForceAsIfHeld {
+struct ForceAsIfHeld : Recorder {
   struct Row {
     int gap;
     double phase, force;
@@ -24,10 +24,13 @@ struct ForceAsIfHeld {
   int gap = 0;
   std::size_t asked = 0;
 
-  double next_time() const {
+  ForceAsIfHeld(const Scene &of, double from_time, double to_time, double every_time)
+      : scene(of), from(from_time), to(to_time), every(every_time) {
+  }
+  double next_time() const override {
     return sample_time(from, to, every, asked);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++asked;
     if (gap == 0 || !std::isnan(moment.hold_force(1))) return;
     const double k = scene.stiffness[0], c = scene.beta * k, s1 = scene.stops[0].position;
@@ -36,7 +39,7 @@ struct ForceAsIfHeld {
         c * moment.velocity(2) + k * moment.displacement(2) + forcing - 2.0 * k * s1;
     rows.push_back({gap, moment.instant.phase, force});
   }
-  void event(const Event &event, const Moment &) {
+  void event(const Event &event, const Moment &) override {
     if (event.mass == 1 && event.kind == EventKind::stick && event.time >= from) ++gap;
   }
 };
@@ -44,7 +47,7 @@ struct ForceAsIfHeld {
 // The force as if held between the sticking phases of the forcing period that `hold_force` shows.
 Table force_between_phases(const Scene &scene) {
   const double period = Clock(scene.omega).period, from = paper::figure4_settling_periods * period;
-  ForceAsIfHeld force{.scene = scene, .from = from, .to = from + period, .every = 0.001};
+  ForceAsIfHeld force(scene, from, from + period, 0.001);
   require_complete(simulate(scene, force.to, force));
   Table table("gap,t,F2");
   for (const auto &row : force.rows)

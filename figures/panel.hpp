@@ -7,12 +7,13 @@
 
 #include "quantities.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/table.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
 
 // A run shown as displacement against time resolves all chatter that can be seen.
-inline const RunOptions all_visible_chatter{.resolve_chatter = paper::slowest_impact_shown};
+inline const RunOptions all_visible_chatter{.limit_below_speed = paper::slowest_impact_shown};
 
 // The samples of both masses as a table t, x1, x2.
 inline Table displacement_table(const SampleRecorder &samples) {
@@ -50,7 +51,7 @@ inline Table parameters(const std::vector<Scene> &scenes) {
 
 // The sticking phases of one mass, counted from 1: at uniform times, at the stick and at the
 // release the hold force on it (F_p of Eqs. 12-13) and the motion of another mass.
-struct StickingPhaseRecorder {
+struct StickingPhaseRecorder : Recorder {
   struct Row {
     int phase;
     const char *kind;         // stick, release, or orbit between them
@@ -58,21 +59,25 @@ struct StickingPhaseRecorder {
     double force;             // zero at a release at a root of the force, NaN at any other release
     double x = 0.0, v = 0.0;  // of the other mass
   };
-  int mass = 1, other = 0;  // other = 0: none
-  double from = 0.0, to = 0.0, every = 0.0;
+  int mass, other;  // other = 0: none
+  double from, to, every;
   std::vector<Row> rows = {};
   int phase = 0;
   std::size_t asked = 0;
 
-  double next_time() const {
+  StickingPhaseRecorder(int of_mass, int other_mass, double from_time, double to_time,
+                        double every_time)
+      : mass(of_mass), other(other_mass), from(from_time), to(to_time), every(every_time) {
+  }
+  double next_time() const override {
     return sample_time(from, to, every, asked);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++asked;
     const double force = moment.hold_force(mass);
     if (!std::isnan(force)) add("orbit", force, moment);
   }
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     if (event.mass != mass || event.kind == EventKind::impact) return;
     if (event.time < from || event.time > to) return;
     if (event.kind == EventKind::stick) ++phase;
@@ -90,7 +95,7 @@ struct StickingPhaseRecorder {
 // The hold force on mass 1 in the sticking phases of a settled forcing period.
 inline Table hold_force(const Scene &scene) {
   const double period = Clock(scene.omega).period, from = paper::figure4_settling_periods * period;
-  StickingPhaseRecorder phases{.from = from, .to = from + period, .every = 0.001};
+  StickingPhaseRecorder phases(1, 0, from, from + period, 0.001);
   require_complete(simulate(scene, phases.to, phases));
   Table table("phase,t,F2");
   for (const auto &row : phases.rows)

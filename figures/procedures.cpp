@@ -107,7 +107,7 @@ Incomplete by_visible_speed(double threshold) {
     const Scene scene = paper::figure3(omega_of(i));
     const double period = Clock(scene.omega).period;
     ImpactVelocityRecorder impacts{1, 60 * period};
-    const RunOptions all_visible{.resolve_chatter = threshold / 10};
+    const RunOptions all_visible{.limit_below_speed = threshold / 10};
     require_complete(simulate(scene, 64 * period, all_visible, impacts));
     return static_cast<char>(std::all_of(impacts.velocities.begin(), impacts.velocities.end(),
                                          [=](double v) { return std::abs(v) > threshold; }));

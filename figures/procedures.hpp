@@ -26,14 +26,17 @@ struct Procedure {
 };
 
 // Records events, and ends a run where the procedure has to act. `follow` uses it.
-struct ProcedureRecorder {
+struct ProcedureRecorder : Recorder {
   Procedure procedure;
   std::array<double, 2> last_impact;  // of each mass, its time
   std::vector<Event> events = {};
   int cut_off = 0;                  // the mass whose chatter the procedure ends, 0: none
   bool mass_2_has_changed = false;  // it sticks, or is released
 
-  void event(const Event &event, const Moment &) {
+  explicit ProcedureRecorder(const Procedure &followed) : procedure(followed) {
+    last_impact.fill(-std::numeric_limits<double>::infinity());
+  }
+  void event(const Event &event, const Moment &) override {
     events.push_back(event);
     mass_2_has_changed = event.mass == 2 && event.kind != EventKind::impact;
     cut_off = 0;
@@ -44,7 +47,7 @@ struct ProcedureRecorder {
       cut_off = event.mass;
     last = event.time;
   }
-  bool done() const {
+  bool done() const override {
     return cut_off != 0 || (mass_2_has_changed && procedure.printed_equation24);
   }
 };
@@ -59,15 +62,14 @@ struct FollowedMotion {
 // std::invalid_argument as `simulate` does, and std::runtime_error when a run is given up.
 inline FollowedMotion follow(Scene scene, MotionState state, double until,
                              const Procedure &procedure) {
-  constexpr double long_ago = -std::numeric_limits<double>::infinity();
   // Impacts faster than this are resolved, so that a cut-off acts before the limit of a chatter is
   // computed. The forces at the stops are of the order of 0.1, and the flight behind an impact at
   // this speed lasts some 2e-4, less than any cut-off that is tried.
   constexpr double slower_than_all = 1e-5;
   const bool cuts_off = procedure.shortest_flight > 0.0 || procedure.slowest_impact > 0.0;
-  const RunOptions options{.resolve_chatter =
-                               cuts_off ? slower_than_all : RunOptions{}.resolve_chatter};
-  ProcedureRecorder recorder{procedure, {long_ago, long_ago}};
+  const RunOptions options{.limit_below_speed =
+                               cuts_off ? slower_than_all : RunOptions{}.limit_below_speed};
+  ProcedureRecorder recorder(procedure);
   std::optional<Simulation> run;
   for (;;) {
     if (!run) {

@@ -14,7 +14,7 @@ namespace vibro_impact::figures {
 
 // Samples both masses across the window of a panel.
 inline SampleRecorder samples_across(const paper::AxisBox &box, double every) {
-  return {.from = box.from, .to = box.to, .every = every};
+  return {box.from, box.to, every};
 }
 
 struct Range {

@@ -26,8 +26,8 @@ void draw(const std::filesystem::path &output) {
   std::vector<Scene> scenes;
   for (const auto &[name, scene, from, to] : paper::table1_scenes()) {
     scenes.push_back(scene);
-    SampleRecorder samples{.from = from, .to = to, .every = (to - from) / 4000};
-    PressedEventRecorder events{scene, from};
+    SampleRecorder samples(from, to, (to - from) / 4000);
+    PressedEventRecorder events(scene, from);
     require_complete(simulate(scene, to, figures::all_visible_chatter, samples, events));
     write(figures::displacement_table(samples), output / fmt::format("table1_{}.csv", name));
     for (const PairedEvents &pair : event_pairs(events.events)) {

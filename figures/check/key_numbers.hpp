@@ -23,10 +23,10 @@ inline NaturalModes free_modes() {
 }
 
 // The release points (x1, x1') of mass 2 at roots of its hold force.
-struct ReleasePoints {
+struct ReleasePoints : Recorder {
   std::vector<double> x = {}, v = {};
 
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     if (event.kind != EventKind::release || event.mass != 2 || event.by_a_jump) return;
     x.push_back(moment.displacement(1));
     v.push_back(moment.velocity(1));

@@ -89,7 +89,7 @@ inline Event event_of(const Scene &scene, double until, EventKind kind, double c
                       bool every_impact = false) {
   EventRecorder recorder;
   RunOptions options;
-  if (every_impact) options.resolve_chatter = 0.0;
+  if (every_impact) options.limit_below_speed = 0.0;
   require_complete(simulate(scene, until, options, recorder));
   for (const Event &event : recorder.events)
     if (event.kind == kind && --count == 0.0) return event;

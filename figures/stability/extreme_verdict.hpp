@@ -19,17 +19,19 @@ using truth::Case, truth::Truth, truth::TrueEvent, truth::Differences, truth::Ev
 
 // Samples of the motion between its events: the largest displacement and speed, and the deepest
 // penetration of a stop of `scene`.
-struct Samples {
+struct Samples : Recorder {
   const Scene *scene;
   double until;
   std::size_t taken = 0;
   double penetration = 0.0, size = 0.0, speed = 0.0;
   bool finite = true;
 
-  double next_time() const {
+  Samples(const Scene &of, double end) : scene(&of), until(end) {
+  }
+  double next_time() const override {
     return sample_time(0.0, until, until / 1000, taken);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++taken;
     for (int mass = 1; mass <= scene->masses(); ++mass) {
       const double x = moment.displacement(mass), v = moment.velocity(mass);
@@ -151,7 +153,7 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
   // A long run is sampled and perturbed over its first 1000 periods only.
   const double until =
       extreme.from > 0.0 ? std::min(extreme.until, 1000.0 * period) : extreme.until;
-  Samples motion{&scene, until};
+  Samples motion(scene, until);
   require_complete(simulate(scene, until, motion));
   for (const TrueEvent &event : truth)
     motion.speed = std::max(motion.speed, std::abs(event.velocity_before));

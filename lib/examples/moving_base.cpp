@@ -25,7 +25,7 @@ int main() {
 
   bool reached = true;
   for (const Scene &chain : {scene, shaken}) {
-    EventRecorder recorder{.from = 90.0};
+    EventRecorder recorder(90.0);
     const Outcome outcome = simulate(chain, 100.0, recorder);
     reached = reached && outcome.ending == Ending::reached;
     for (const Event &event : recorder.events)

@@ -15,7 +15,7 @@ int main() {
   scene.restitution = 0.7;
   scene.stops = {{1, Side::lower, -0.3}, {1, Side::upper, 0.4}, {3, Side::upper, 0.2, 0.0}};
 
-  EventRecorder recorder{.from = 90.0};
+  EventRecorder recorder(90.0);
   const Outcome outcome = simulate(scene, 100.0, recorder);
   for (const Event &event : recorder.events)
     std::printf("t = %.12f  mass %d  %-7s  v = %+.6f  stuck: %s\n", event.time, event.mass,

@@ -18,7 +18,7 @@ std::vector<double> observed(const Scene &scene) {
   if (motion.period == 0) return {0.0, NAN, NAN, NAN};
   const double p = motion.period, T = Clock(scene.omega).period,
                begin = time_of(motion.state.instant, Clock(scene.omega));
-  ImpactVelocityRecorder speeds{1, begin};
+  ImpactVelocityRecorder speeds(1, begin);
   require_complete(motion.simulation.advance(begin + p * T, speeds));
   double fastest = 0.0;
   for (const double v : speeds.velocities) fastest = std::max(fastest, std::abs(v));

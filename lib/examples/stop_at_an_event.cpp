@@ -8,15 +8,15 @@
 using namespace vibro_impact;
 
 // Ends the run when mass 1 is let go.
-struct StickingPhase {
+struct StickingPhase : Recorder {
   double begun = 0.0, ended = 0.0;
 
-  void event(const Event &event, const Moment &) {
+  void event(const Event &event, const Moment &) override {
     if (event.mass != 1) return;
     if (event.kind == EventKind::stick) begun = event.time;
     if (event.kind == EventKind::release) ended = event.time;
   }
-  bool done() const {
+  bool done() const override {
     return ended > 0.0;
   }
 };

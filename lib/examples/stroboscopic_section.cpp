@@ -11,26 +11,30 @@
 using namespace vibro_impact;
 
 // The section at `phase` (a part of the period, in [0, 1)) from period `first` on.
-struct StroboscopicSection {
+struct StroboscopicSection : Recorder {
   struct Point {
     double displacement, velocity;
   };
-  double period, phase = 0.0;
-  int first = 0;
+  double period, phase;
+  int first;
   std::vector<Point> points = {};
 
+  StroboscopicSection(double forcing_period, double phase_of_section, int first_period)
+      : period(forcing_period), phase(phase_of_section), first(first_period) {
+  }
+
   // The next time at which this recorder asks for a sample.
-  double next_time() const {
+  double next_time() const override {
     return (first + static_cast<double>(points.size()) + phase) * period;
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     points.push_back({moment.displacement(1), moment.velocity(1)});
   }
 };
 
 int main() {
   const Scene scene = paper_scene(0.69);
-  StroboscopicSection section{.period = Clock(scene.omega).period, .phase = 0.25, .first = 200};
+  StroboscopicSection section(Clock(scene.omega).period, 0.25, 200);
   require_complete(simulate(scene, 1200 * section.period, section));
   std::printf("x1,v1\n");
   for (const auto &point : section.points)

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "vibro_impact/table.hpp"
+#include "vibro_impact/analysis/table.hpp"
 
 namespace vibro_impact::runner {
 

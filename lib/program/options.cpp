@@ -183,11 +183,10 @@ Scene scene_of(const CLI::App &command, const std::string &file) {
 }
 
 void add_limits(CLI::App &app, RunOptions &options) {
-  option(app, "--max-impacts", options.max_impacts_per_period, "N",
-         "Give up beyond this many impacts in one forcing period", any_count);
   option(app, "--max-steps", options.max_steps, "N",
-         "Give up beyond this many steps, which are as short as the stiffest link asks for;\n"
-         "the default is that of two masses, and falls with their number",
+         "Give up beyond this many steps: one or more a flight, as short as the stiffest link asks
+         "
+         "for; the default is that of two masses, and falls with their number",
          any_count);
 }
 
@@ -196,7 +195,7 @@ void add_run_options(CLI::App &run, RunRequest &request, Words &times) {
   option(run, "--from", times.from, "TIME", "Start of both tables; the run itself starts at t = 0");
   option(run, "--every", times.every, "TIME", "Interval between samples, > 0, counted from --from");
   flag(run, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
-  option(run, "--resolve-chatter", request.options.resolve_chatter, "SPEED",
+  option(run, "--resolve-chatter", request.options.limit_below_speed, "SPEED",
          "Resolve and record every chatter impact faster than this; below it a\n"
          "complete chatter may be carried to its limit. Default: as soon as the\n"
          "limit is certain; 0: resolve until below rounding");

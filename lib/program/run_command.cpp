@@ -24,7 +24,7 @@ Table table_of(const EventRecorder &recorder) {
 }
 
 // The table of samples, row by row.
-struct SampleTable {
+struct SampleTable : Recorder {
   const RunRequest &request;
   Table table;
   std::size_t taken = 0;
@@ -36,13 +36,13 @@ struct SampleTable {
         header += fmt::format(",{}{}", column, mass);
     table = Table(header);
   }
-  void check(const Scene &scene) const {
-    SampleRecorder{request.from, request.until, request.every}.check(scene);
+  void check(const Scene &scene) const override {
+    SampleRecorder(request.from, request.until, request.every).check(scene);
   }
-  double next_time() const {
+  double next_time() const override {
     return sample_time(request.from, request.until, request.every, taken);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++taken;
     table.cell(moment.time);
     for (int mass = 1; mass <= moment.masses(); ++mass) table.cell(moment.displacement(mass));
@@ -53,7 +53,7 @@ struct SampleTable {
 };
 
 // Shows a thousand times how far a run is.
-struct ProgressRecorder {
+struct ProgressRecorder : Recorder {
   static constexpr double shown_times = 1000.0;
 
   Progress progress;
@@ -61,11 +61,11 @@ struct ProgressRecorder {
 
   explicit ProgressRecorder(double end) : progress("time", end), until(end) {
   }
-  double next_time() const {
+  double next_time() const override {
     const double next = until * ((taken + 1.0) / shown_times);
     return taken + 1.0 < shown_times && next > 0.0 ? next : std::numeric_limits<double>::infinity();
   }
-  void sample(const Moment &) {
+  void sample(const Moment &) override {
     ++taken;
     progress.advance(until / shown_times);
   }
@@ -121,15 +121,15 @@ void print_summary(const Scene &scene, const Outcome &outcome) {
 
 void run_scene(const RunRequest &request) {
   check_outputs_of(request);
-  EventRecorder events{request.from};
+  EventRecorder events(request.from);
   SampleTable samples(request);
-  RecorderGroup recorders;
-  if (request.events.wanted()) recorders.add(events);
-  if (request.samples.wanted()) recorders.add(samples);
+  std::vector<Recorder *> recorders;
+  if (request.events.wanted()) recorders.push_back(&events);
+  if (request.samples.wanted()) recorders.push_back(&samples);
   Outcome outcome;
   {
     ProgressRecorder progress(request.until);
-    if (isatty(STDERR_FILENO) != 0) recorders.add(progress);
+    if (isatty(STDERR_FILENO) != 0) recorders.push_back(&progress);
     Simulation simulation(request.scene, request.options);
     outcome = require_complete(simulation.advance(request.until, recorders));
   }

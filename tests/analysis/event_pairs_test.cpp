@@ -12,7 +12,7 @@ namespace {
 using namespace vibro_impact;
 
 std::vector<PairedEvents> pairs_of(const Scene &scene, double until, double from = 0.0) {
-  PressedEventRecorder recorder{scene, from};
+  PressedEventRecorder recorder(scene, from);
   require_complete(simulate(scene, until, recorder));
   return event_pairs(recorder.events);
 }

@@ -78,7 +78,7 @@ TEST(LeastPressingForce, IsTheLeastOfManySamples) {
   const double time = time_of(least->at.instant, Clock(scene.omega));
   double smallest = INFINITY;
   for (int k = -50; k <= 50; ++k) {
-    const Outcome end = simulate(scene, start, time + 1e-4 * k);
+    const Outcome end = Simulation(scene, start).advance(time + 1e-4 * k);
     ASSERT_EQ(end.state.held[0], -1);
     smallest = std::min(smallest, pressing_force(scene, scene.stops[0], end.state));
   }

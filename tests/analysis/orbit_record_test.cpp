@@ -61,7 +61,7 @@ TEST(StartNear, BringsAStateIntoTheScene) {
   EXPECT_EQ(start.velocity, state.velocity);
   EXPECT_EQ(start.held, state.held);
   EXPECT_LT(start.instant.phase, Clock(scene.omega).period);
-  EXPECT_NO_THROW(require_complete(simulate(scene, start, time_after(scene, start, 1))));
+  EXPECT_NO_THROW(require_complete(Simulation(scene, start).advance(time_after(scene, start, 1))));
 }
 
 }  // namespace

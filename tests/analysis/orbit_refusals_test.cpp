@@ -60,7 +60,9 @@ TEST(Refusals, OfOrbits) {
   const Stop none{5, Side::upper, 0.1}, on_no_side{1, Side{9}, 0.1}, nowhere{1, Side::upper, nan};
   const Scene stiff = with(scene, "stiffness1", 1e30);
   const Held too_few{0}, wrong{0, 9}, free{0, 0};
-  PressedEventRecorder without_stops{{}};
+  Scene free_chain = scene;
+  free_chain.stops.clear();
+  PressedEventRecorder without_stops(free_chain), of_no_chain({});
   expect_refused({
       {[&] { natural_modes(scene, too_few); }, "held: 1 values given, the chain has 2 masses"},
       {[&] { natural_modes(scene, wrong); }, "held = 9: must be -1, 0 or 1"},
@@ -108,7 +110,9 @@ TEST(Refusals, OfOrbits) {
        },
        "derivative: 0 values of 3 x 4"},
       {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
-      {[&] { require_complete(simulate(scene, 60.0, without_stops)); }, "has 0 stops"},
+      {[&] { require_complete(simulate(scene, 60.0, without_stops)); },
+       "recorder: its scene has 2 masses and 0 stops, that of the run 2 and 2"},
+      {[&] { require_complete(simulate(scene, 60.0, of_no_chain)); }, "masses = 0"},
   });
 }
 

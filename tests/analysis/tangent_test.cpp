@@ -127,7 +127,7 @@ TEST(Tangents, DoNotDependOnWhereChatterIsCarriedToItsLimit) {
                          case_of("slow chatter", slow_chatter())}) {
     const StroboscopicImage early = stroboscopic_map_and_derivative(of.scene, of.at, 1);
     const StroboscopicImage late =
-        stroboscopic_map_and_derivative(of.scene, of.at, 1, {.resolve_chatter = 1e-6});
+        stroboscopic_map_and_derivative(of.scene, of.at, 1, {.limit_below_speed = 1e-6});
     const double tolerance = of.name == "slow chatter" ? 1e-10 : 1e-12;
     const Values &a = early.derivative.values, &b = late.derivative.values;
     double largest = 0.0, difference = 0.0;

@@ -29,7 +29,7 @@ TEST(AxisRule, AnAxisEndsAtTheFirstTickBeyondTheData) {
 // A mass that hits its stop between two samples reaches it, although no sample is there.
 TEST(AxisRule, AnImpactReachesTheStop) {
   const Scene scene = paper::figure2();
-  SampleRecorder samples{.from = 716.0, .to = 716.02, .every = 0.015};
+  SampleRecorder samples(716.0, 716.02, 0.015);
   EventRecorder events{samples.from};
   require_complete(simulate(scene, samples.to, samples, events));
   ASSERT_EQ(std::count_if(events.events.begin(), events.events.end(),

@@ -106,11 +106,13 @@ TEST(Corrections, Equations17And18NeedTheSquareOfTheNaturalFrequency) {
 
 // The force of Eq. 20, printed as F2, acts on mass 1, and the force of Eq. 23, printed as F1, on
 // mass 2. At a release the force on the released mass is zero and the other one is not.
-struct Releases {
+struct Releases : Recorder {
   double omega;
   std::vector<std::array<double, 3>> values = {};  // mass, Eq. 20, Eq. 23
 
-  void event(const Event &event, const Moment &moment) {
+  explicit Releases(double omega_of_forcing) : omega(omega_of_forcing) {
+  }
+  void event(const Event &event, const Moment &moment) override {
     if (event.kind != EventKind::release || event.by_a_jump || event.mass > 2) return;
     const double x1 = moment.displacement(1), x2 = moment.displacement(2), v1 = moment.velocity(1),
                  v2 = moment.velocity(2);
@@ -122,7 +124,7 @@ struct Releases {
 
 TEST(Corrections, Equation20IsTheForceOnMass1AndEquation23ThatOnMass2) {
   const Scene scene = paper::figure2();
-  Releases releases{scene.omega};
+  Releases releases(scene.omega);
   require_complete(simulate(scene, 750.0, releases));
   ASSERT_FALSE(releases.values.empty());
   for (const auto &[mass, equation20, equation23] : releases.values) {
@@ -143,7 +145,7 @@ TEST(Generalisations, TheSideOfAStopIsNotTheSignOfItsPosition) {
                       .restitution = 0.5,
                       .stops = {{1, Side::lower, place}},
                       .displacement = {place}};
-    figures::StickingPhaseRecorder force{.to = 5.0, .every = 0.5};
+    figures::StickingPhaseRecorder force(1, 0, 0.0, 5.0, 0.5);
     EXPECT_EQ(simulate(scene, 5.0, force).state.held, Held{-1});
     ASSERT_GT(force.rows.size(), 5u);
     for (const auto &row : force.rows) EXPECT_LT(row.force, 0.0);  // presses downwards

@@ -12,7 +12,7 @@ using namespace vibro_impact::testing;
 // r = 1 between two stops 2e-6 apart: an impact every 6.7e-6, some 1e6 a period.
 const std::string rattle =
     "run --restitution 1 --stop 1:lower:-1e-6 --stop 1:upper:1e-6 --velocity 0.3,0 "
-    "--max-impacts 1000 ";
+    "--max-steps 10000 ";
 
 TEST_F(Runner, ARefusedRunSparesTheTableThatWasThere) {
   std::ofstream(folder / "e.csv") << "old";
@@ -28,7 +28,7 @@ TEST_F(Runner, ARunThatIsGivenUpLeavesNoFile) {
   const Result result = run(rattle + "--until 100 --events e.csv --samples s.csv --every 1e-5");
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(is_one_message(result.err)) << result.err;
-  EXPECT_NE(result.err.find("more than 1000 impacts"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("more than 10000 steps"), std::string::npos) << result.err;
   EXPECT_TRUE(fs::is_empty(folder));
 }
 

@@ -44,7 +44,7 @@ TEST_F(Runner, ASweepGivesTheTableOfTheLibrary) {
 }
 
 // At the first frequency a forcing period is longer than double precision can count, and the scene
-// is refused there; with few impacts allowed, r = 0.9 is given up.
+// is refused there; with few steps allowed, r = 0.9 is given up.
 TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
   ASSERT_EQ(run("sweep --vary omega=1e-307:0.6:2 --table t.csv").status, 0);
   auto rows = lines(contents(folder / "t.csv"));
@@ -53,7 +53,7 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
   EXPECT_GT(std::stod(cells(rows[2])[1]), 0.0);
 
   const Result result =
-      run("sweep --vary restitution=0:0.9:2 --max-impacts 6 --longest 20 --omega 0.3 "
+      run("sweep --vary restitution=0:0.9:2 --max-steps 400 --longest 20 --omega 0.3 "
           "--table t.csv");
   ASSERT_EQ(result.status, 0);
   rows = lines(contents(folder / "t.csv"));

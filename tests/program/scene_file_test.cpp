@@ -81,12 +81,12 @@ TEST_F(SceneFile, RefusesWhatIsNoFile) {
 // Numbers are read in one way, in options as in lists and files.
 TEST_F(Runner, NumbersAreReadInOneWay) {
   for (const char *word : {"+1", "0x10", "' 1'", "1,5", "1e400", "1e", "''"})
-    for (const char *name : {"--beta", "--mass", "--masses", "--until", "--max-impacts"}) {
+    for (const char *name : {"--beta", "--mass", "--masses", "--until", "--max-steps"}) {
       const Result result = run(std::string("run --events - ") + name + "=" + word);
       const bool is_list = std::string(word) == "1,5" && std::string(name) == "--mass";
       EXPECT_EQ(result.status, is_list ? 0 : 2) << name << word;
     }
-  EXPECT_EQ(run("run --until 5e0 --max-impacts 1e10 --masses 2e0").status, 0);
+  EXPECT_EQ(run("run --until 5e0 --max-steps 1e10 --masses 2e0").status, 0);
 }
 
 // What the list of fields has, the options, the files and the parameters have.

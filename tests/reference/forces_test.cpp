@@ -51,7 +51,7 @@ TEST(Forces, OfCoupledMassesAgreeWith50Digits) {
     const auto truth = vibro_impact_reference::simulate(
         vibro_impact_reference::in_digits(scene, until), vibro_impact_reference::Resolution{});
     EventRecorder ours;
-    ASSERT_EQ(simulate(scene, until, RunOptions{.resolve_chatter = 1e-4}, ours).ending,
+    ASSERT_EQ(simulate(scene, until, RunOptions{.limit_below_speed = 1e-4}, ours).ending,
               Ending::reached);
     std::size_t sticks = 0, compared = 0;
     for (const auto &event : truth.events) {

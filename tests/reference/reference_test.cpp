@@ -35,9 +35,9 @@ class PaperScenes : public ::testing::TestWithParam<PaperRun> {};
 // With limits of chatter, with every impact down to a speed of 1e-6, and down to rounding.
 TEST_P(PaperScenes, AgreeEventForEventHoweverChatterIsResolved) {
   const PaperRun &run = GetParam();
-  for (const double resolved : {RunOptions{}.resolve_chatter, 1e-6, 0.0}) {
-    const auto events =
-        vibro_impact::testing::events_of(run.scene, 0.0, run.until, {.resolve_chatter = resolved});
+  for (const double resolved : {RunOptions{}.limit_below_speed, 1e-6, 0.0}) {
+    const auto events = vibro_impact::testing::events_of(run.scene, 0.0, run.until,
+                                                         {.limit_below_speed = resolved});
     const truth::Differences result = differences(run, events);
     EXPECT_EQ(result.first, "") << run.name;
     EXPECT_LT(result.time, time_tolerance) << run.name;

@@ -46,14 +46,16 @@ using namespace vibro_impact;
 
 // Allocations between events from time `from` on; unless `all`, not up to the first event in
 // another contact mode, for which the stores get another size.
-struct Allocations {
+struct Allocations : Recorder {
   double from;
   bool all;
   long long found = 0, at_latest = -1;
   int events = 0, in_this_mode = 0;
   Held held = {};
 
-  void event(const Event &event, const Moment &) {
+  Allocations(double from_time, bool of_all) : from(from_time), all(of_all) {
+  }
+  void event(const Event &event, const Moment &) override {
     if (event.time < from) return;
     ++events;
     in_this_mode = event.held == held ? in_this_mode + 1 : 0;
@@ -73,7 +75,7 @@ TEST(Allocations, NoneFromTheFirstEventToTheLast) {
     // Every contact mode has been entered, and every store has its size. Two masses have two modal
     // coordinates in every contact mode, with padding, unless they are strongly damped. Other
     // chains have as many as the contact mode needs.
-    Allocations counted{.from = 200.0, .all = scene.masses() == 2 && scene.beta < 1.0};
+    Allocations counted(200.0, scene.masses() == 2 && scene.beta < 1.0);
     require_complete(simulate(scene, 1000.0, counted));
     EXPECT_GT(counted.events, 100);
     EXPECT_EQ(counted.found, 0);

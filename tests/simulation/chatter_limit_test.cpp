@@ -97,7 +97,7 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
   const double period = Clock(scene.omega).period;
   const double fastest = std::sqrt(largest_eigenvalue_bound(scene));
   RunOptions resolved, options;
-  resolved.resolve_chatter = 1e-9;
+  resolved.limit_below_speed = 1e-9;
   options.chatter_tolerance = tolerance;
   Worst worst;
   MotionState start = start_of(scene);
@@ -111,7 +111,7 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
           std::max(worst.over_tolerance, (error - rounding(scene.restitution)) / tolerance);
       ++worst.limits;
     }
-    start = simulate(scene, start, 0.37 * period, resolved).state;
+    start = Simulation(scene, start, resolved).advance(0.37 * period).state;
     start.instant = {};
     for (std::size_t i = 0; i < start.held.size(); ++i)
       if (start.held[i] != 0) {  // let go inside the stop, and moving

@@ -59,7 +59,7 @@ TEST(Flow, TheCentreOfMassOfAFreeChainIsExactForever) {
   scene.amplitude = {0.5, 0.0};
   scene.omega = 0.05;
   scene.stops = {{1, Side::upper, 1e4}};
-  SampleRecorder samples{.from = 0.0, .to = 125300.0, .every = 313.25};
+  SampleRecorder samples(0.0, 125300.0, 313.25);
   require_complete(simulate(scene, 125300.0, samples));
   ASSERT_EQ(samples.times.size(), 401u);
   for (std::size_t k = 0; k < samples.times.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
@@ -15,12 +16,14 @@ using namespace vibro_impact;
 using namespace vibro_impact::testing;
 
 // Asks for the end at the event with this number.
-struct UntilEvent {
+struct UntilEvent : Recorder {
   std::size_t number, met = 0;
-  void event(const Event &, const Moment &) {
+  explicit UntilEvent(std::size_t last) : number(last) {
+  }
+  void event(const Event &, const Moment &) override {
     ++met;
   }
-  bool done() const {
+  bool done() const override {
     return met == number;
   }
 };
@@ -30,7 +33,7 @@ TEST(Resume, ARunEndsAtTheEventThatARecorderNamesAndGoesOnFromThere) {
   const Scene scene = paper::figure2();
   const std::vector<Event> whole = events_of(scene, 0.0, 100.0);
   for (std::size_t number = 1; number < whole.size(); ++number) {
-    UntilEvent until{number};
+    UntilEvent until(number);
     Simulation simulation(scene);
     const Outcome part = simulation.advance(100.0, until);
     EXPECT_EQ(part.ending, Ending::stopped);
@@ -55,16 +58,18 @@ TEST(Resume, ACopyGoesOnAsTheOriginalAndDoesNotMoveIt) {
 }
 
 // Keeps the first sample from a time on, and asks for the end there.
-struct FirstSample {
-  double at = 0.0;
+struct FirstSample : Recorder {
+  double at;
   std::vector<double> displacement = {};
-  double next_time() const {
+  explicit FirstSample(double time) : at(time) {
+  }
+  double next_time() const override {
     return displacement.empty() ? at : std::numeric_limits<double>::infinity();
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     displacement = {moment.displacement(1), moment.displacement(2)};
   }
-  bool done() const {
+  bool done() const override {
     return !displacement.empty();
   }
 };
@@ -73,7 +78,7 @@ struct FirstSample {
 // at the sample, to the rounding of a gap that is carried in addition to the displacement.
 TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
   for (int k = 0; k < 800; ++k) {
-    FirstSample sample{700.0 + 0.0617 * (k / 2)};
+    FirstSample sample(700.0 + 0.0617 * (k / 2));
     const double until = k % 2 == 0 ? 750.0 : sample.at;
     const Outcome outcome = simulate(paper::figure2(), until, sample);
     ASSERT_EQ(outcome.ending, Ending::stopped);
@@ -86,11 +91,11 @@ TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
 // Two recorders ask for the same sample: each gets it, whichever is done there.
 TEST(Resume, ASampleReachesEveryRecorderBeforeTheRunEnds) {
   for (const bool first : {false, true}) {
-    FirstSample stopper{1.0};
-    SampleRecorder samples{.from = 1.0, .to = 1.0, .every = 1.0};
-    Simulation simulation(paper::figure2());
-    const Outcome outcome = first ? simulation.advance(10.0, stopper, samples)
-                                  : simulation.advance(10.0, samples, stopper);
+    FirstSample stopper(1.0);
+    SampleRecorder samples(1.0, 1.0, 1.0);
+    std::vector<Recorder *> recorders{&stopper, &samples};
+    if (!first) std::swap(recorders[0], recorders[1]);
+    const Outcome outcome = Simulation(paper::figure2()).advance(10.0, recorders);
     EXPECT_EQ(outcome.ending, Ending::stopped);
     EXPECT_EQ(samples.times.size(), 1u) << first;
   }
@@ -101,11 +106,11 @@ TEST(Resume, ASampleReachesEveryRecorderBeforeTheRunEnds) {
 TEST(Resume, ARunToTheTimeOfItsStartEndsAsItStarts) {
   Scene scene = paper::figure2();
   const MotionState left{{7, 1.0}, {0.0, 0.1}, {0.1, -0.5}, {0, 0}};
-  const Outcome same = simulate(scene, left, time_of(left.instant, Clock(scene.omega)));
+  const Outcome same = Simulation(scene, left).advance(time_of(left.instant, Clock(scene.omega)));
   EXPECT_NEAR(same.state.velocity[1], -0.5, 1e-15);
   scene.omega = 1.4456159370241128;
   const double until = 61.0 * Clock(scene.omega).period;
-  EXPECT_EQ(simulate(scene, simulate(scene, until).state, until).ending, Ending::reached);
+  EXPECT_EQ(Simulation(scene, simulate(scene, until).state).advance(until).ending, Ending::reached);
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(Clock, TurnsAFreeMotionByWholePeriodsExactly) {
   const Scene scene = scene_of({1.0, 1.0});
   for (const long long cycles : {1'000LL, 1'000'000LL, 1'000'000'000LL}) {
     const MotionState start{{1, 1.0}, {0.1}, {0.0}, {0}};
-    const Outcome end = simulate(scene, start, time_of({1 + cycles, 2.0}, Clock(1.0)));
+    const Outcome end = Simulation(scene, start).advance(time_of({1 + cycles, 2.0}, Clock(1.0)));
     EXPECT_NEAR(end.state.displacement[0], 0.1 * std::cos(end.state.instant.phase - 1.0), 4e-16);
   }
 }
@@ -116,7 +116,8 @@ TEST(Clock, OfALongQuietMotionIsNotRounded) {
   const double stiff = 1.0 - 0.28 * 0.28, drag = 0.1 * 0.28;
   for (const long long cycle : {0LL, 1LL, 1'000'000LL, 10'000'000'000LL}) {
     const MotionState start{{cycle, 1.0}, {0.1}, {0.0}, {0}};
-    const Outcome outcome = simulate(scene, start, time_of({cycle + 1'000'000, 2.0}, Clock(0.28)));
+    const Outcome outcome =
+        Simulation(scene, start).advance(time_of({cycle + 1'000'000, 2.0}, Clock(0.28)));
     const double angle = 0.28 * outcome.state.instant.phase;
     EXPECT_NEAR(
         outcome.state.displacement[0],
@@ -137,15 +138,6 @@ TEST(SlowChatter, EndsInItsLimit) {
   EXPECT_EQ(outcome.counters.sticks, 1);
   EXPECT_LT(outcome.counters.impacts, 1'000'000);
   EXPECT_NEAR(events.events.back().time, rest, 1e-12 * rest);
-}
-
-// Its thousands of impacts in one period do not count against a budget of a thousand.
-TEST(SlowChatter, IsNotGivenUp) {
-  const Scene scene = scene_of({1.0, 1.0, 1.0, 0.0, 0.9995, 0.0, -0.1});
-  const RunOptions options{.max_impacts_per_period = 1000};
-  const Outcome outcome = require_complete(simulate(scene, 5000.0, options));
-  EXPECT_EQ(outcome.counters.sticks, 1);
-  EXPECT_GT(outcome.counters.impacts, 4000);
 }
 
 // A free mass that drifts to its stop, and away from it: steps as long as the motion is slow.
@@ -188,29 +180,6 @@ TEST(SmallMotion, KeepsShortFlightsApart) {
   EXPECT_NEAR(events.events[1].time, 1e-15 / 0.7, 1e-29);  // ten roundings
 }
 
-// One impact in half a period of the mode, 1e6 of them in a period of the forcing.
-TEST(ImpactBudget, IsNotThatOfASlowForcing) {
-  const Scene scene = scene_of({1.0, 1.0, 1e-300, 1e-6, 1.0, 0.0, -1.0});
-  EXPECT_EQ(simulate(scene, 4e4, {.max_impacts_per_period = 2000}).ending, Ending::reached);
-}
-
-// A spring that holds the other mass does not lengthen the budget of a rattling one.
-TEST(ImpactBudget, IsNotWeakenedByAStiffSpring) {
-  for (const double ground : {1.0, 1e4, 1e6}) {
-    Scene scene;
-    scene.mass = {1.0, 1.0};
-    scene.stiffness = {1.0, 1.0};
-    scene.beta = 0.1;
-    scene.constant = {1.0, 0.0};
-    scene.ground = {0.0, ground};
-    scene.omega = 0.0;
-    scene.stops = {{1, Side::upper, 0.1}};
-    const Outcome outcome = simulate(scene, 1000.0, {.max_impacts_per_period = 2000});
-    EXPECT_EQ(outcome.ending, Ending::given_up) << ground;
-    EXPECT_NE(outcome.reason.find("more than 2000 impacts"), std::string::npos) << outcome.reason;
-  }
-}
-
 // An undamped stiff mode takes two radians a step at most. A damped one dies out.
 TEST(Work, OfARunIsBounded) {
   Scene scene;
@@ -248,35 +217,6 @@ TEST(Clock, ResolvesAFastDecayLateInARun) {
   EXPECT_GT(outcome.counters.impacts, 0);
 }
 
-// A recorder that is done at the impact at which the run is given up.
-struct Third {
-  int seen = 0;
-  void event(const Event &, const Moment &) {
-    ++seen;
-  }
-  bool done() const {
-    return seen == 3;
-  }
-};
-
-TEST(Ending, OfARunGivenUpStaysSo) {
-  Third third;
-  const Scene scene = scene_of({1.0, 1.0, 0.0, 1.0, 1.0, 0.5, -1.0});
-  const Outcome outcome = simulate(scene, 100.0, {.max_impacts_per_period = 2}, third);
-  EXPECT_EQ(outcome.ending, outcome.reason.empty() ? Ending::stopped : Ending::given_up);
-}
-
-// A member that does not fit is never called, so that its recorder is none.
-struct NoMoment {
-  void event(const Event &);
-  bool done();
-};
-struct NoTime {
-  void sample(const Moment &);
-  void event(const Event &, const Moment &);
-};
-static_assert(Recorder<EventRecorder> && Recorder<SampleRecorder> && Recorder<Third>);
-static_assert(!Recorder<NoMoment> && !Recorder<NoTime> && !Recorder<Scene>);
 static_assert(!std::is_reference_v<decltype(require_complete(simulate(Scene{}, 0.0)))>);
 
 TEST(Refusals, OfRatesBeyondTheRangeOfDoubles) {

@@ -25,12 +25,12 @@ TEST(StiffLink, StaysAtRestOverAChangeOfTheContactMode) {
                     .restitution = 0.0,
                     .stops = {{3, Side::upper, 0.0}, {4, Side::upper, 0.2}},
                     .displacement = {0.1, 0.1, 0.0, 0.0}};
-  struct {
+  struct Stretch : Recorder {
     double time = 0.0, largest = 0.0;
-    double next_time() const {
+    double next_time() const override {
       return time;
     }
-    void sample(const Moment &moment) {
+    void sample(const Moment &moment) override {
       largest = std::max(largest, std::abs(moment.velocity(2) - moment.velocity(1)));
       time += 0.37;
     }
@@ -54,9 +54,9 @@ TEST(StiffLink, KeepsItsForceOverAChangeOfTheContactMode) {
                     .restitution = 0.0,
                     .stops = {{2, Side::upper, 0.1}, {3, Side::upper, 0.3}},
                     .displacement = {0.1, 0.1, 0.0}};
-  struct {
+  struct Releases : Recorder {
     std::vector<double> forces;
-    void event(const Event &event, const Moment &moment) {
+    void event(const Event &event, const Moment &moment) override {
       if (event.mass == 3 && event.kind == EventKind::release)
         forces.push_back(moment.hold_force(2));
     }

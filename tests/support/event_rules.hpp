@@ -17,7 +17,7 @@ namespace vibro_impact::testing {
 // held. A mass is neither held nor free for no time. The recorded contact mode follows from all
 // events up to an instant, at which several masses may stick or be released. An impact obeys the
 // law of the stop, which has the mass and the side of the event.
-struct EventRules {
+struct EventRules : Recorder {
   const Scene &scene;
   Held held = Held(scene.mass.size(), 0);
   std::vector<std::optional<Instant>> changed = std::vector<std::optional<Instant>>(held.size());
@@ -27,7 +27,9 @@ struct EventRules {
   std::vector<Event> events = {};
   std::string broken = {};
 
-  void event(const Event &event, const Moment &moment) {
+  explicit EventRules(const Scene &of) : scene(of) {
+  }
+  void event(const Event &event, const Moment &moment) override {
     events.push_back(event);
     if (!broken.empty()) return;
     if (const char *fault = fault_of(event))

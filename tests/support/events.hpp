@@ -10,20 +10,20 @@
 namespace vibro_impact::testing {
 
 // Chatter is resolved until what is left of it lies below rounding.
-inline const RunOptions all_impacts{.resolve_chatter = 0.0};
+inline const RunOptions all_impacts{.limit_below_speed = 0.0};
 
 // The events of a run that comes to its end, from a start on.
 inline std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,
                                       const RunOptions &options = {}) {
-  EventRecorder recorder{-std::numeric_limits<double>::infinity()};
-  require_complete(simulate(scene, start, until, options, recorder));
+  EventRecorder recorder(-std::numeric_limits<double>::infinity());
+  require_complete(Simulation(scene, start, options).advance(until, recorder));
   return recorder.events;
 }
 
 // From the scene's own start; those from time `from` on.
 inline std::vector<Event> events_of(const Scene &scene, double from, double until,
                                     const RunOptions &options = {}) {
-  EventRecorder recorder{from};
+  EventRecorder recorder(from);
   require_complete(simulate(scene, until, options, recorder));
   return recorder.events;
 }

@@ -19,7 +19,7 @@ namespace vibro_impact::testing {
 // next event and its state with those of the run. If every flight is right and every impact obeys
 // its law, so does the energy of the run. `scene` must outlive it. The run must resolve all
 // impacts, because the witness does not see those that a chatter limit leaves out.
-class Witness {
+class Witness : public Recorder {
  public:
   // The worst that was seen; infinite where a number was none.
   Real deepest = 0;       // beyond a stop, between events
@@ -38,7 +38,7 @@ class Witness {
     greatest_ = energy(state_of_run_);
   }
 
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     fly_to(event.instant);
     const auto i = static_cast<Eigen::Index>(event.mass - 1);
     const Stop &stop = stop_of(scene_, event);

@@ -1,6 +1,7 @@
 // This library, with chatter carried to its limit and without.
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "method.hpp"
 #include "vibro_impact/simulate.hpp"
@@ -10,10 +11,11 @@ namespace vibro_impact::comparison {
 namespace {
 
 // Records of an event what is compared.
-struct MassEventRecorder {
-  std::vector<MassEvent> *events;
-  void event(const Event &event, const Moment &) {
-    events->push_back({event.time, event.mass, event.kind, event.velocity_before});
+struct MassEventRecorder : Recorder {
+  std::vector<MassEvent> events = {};
+
+  void event(const Event &event, const Moment &) override {
+    events.push_back({event.time, event.mass, event.kind, event.velocity_before});
   }
 };
 
@@ -25,8 +27,10 @@ Result run_with(const Problem &problem, const RunOptions &options) {
   for (std::size_t i = 0; i < 2; ++i)
     if (problem.start.held[i])
       start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
-  MassEventRecorder recorder{&result.events};
-  const Outcome outcome = simulate(problem.scene, start, problem.until, options, recorder);
+  MassEventRecorder recorder;
+  const Outcome outcome =
+      Simulation(problem.scene, start, options).advance(problem.until, recorder);
+  result.events = std::move(recorder.events);
   result.end.time = outcome.time;
   for (std::size_t i = 0; i < 2; ++i) {
     result.end.displacement[i] = outcome.state.displacement[i];
@@ -54,7 +58,7 @@ std::vector<Method> this_library() {
           // Every impact is made until the rest of a chatter lies below rounding. There is nothing
           // to sweep, because flow and roots are exact to rounding.
           {"this library (every impact)", {rounding}, [](const Problem &problem, double) {
-             return run_with(problem, {.resolve_chatter = 0.0});
+             return run_with(problem, {.limit_below_speed = 0.0});
            }}};
 }
 

@@ -8,7 +8,6 @@
 
 #include "motion_state.hpp"
 #include "orbit_tolerances.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
@@ -115,13 +114,18 @@ const char *abbreviation(EventPair kind) {
   return names[k];
 }
 
+void PressedEventRecorder::check(const Scene &of_run) const {
+  vibro_impact::check(scene);
+  require(scene.mass.size() == of_run.mass.size() && scene.stops.size() == of_run.stops.size(),
+          "recorder: its scene has ", scene.masses(), " masses and ", scene.stops.size(),
+          " stops, that of the run ", of_run.masses(), " and ", of_run.stops.size());
+}
+
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.time < from) return;
   if (event.kind != EventKind::impact) return events.push_back({event, 0.0});
-  require(event.stop >= 1 && static_cast<std::size_t>(event.stop) <= scene.stops.size(), "stop ",
-          event.stop, ": the scene has ", scene.stops.size(), " stops");
   events.push_back(
-      {event, pressing_force(scene, stop_of(scene, event), state_at(moment, event.held))});
+      {event, pressing_force_of(scene, stop_of(scene, event), state_at(moment, event.held))});
 }
 
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {

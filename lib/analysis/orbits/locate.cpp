@@ -44,11 +44,10 @@ CountJump bisect(const std::function<int(double)> &count, double below, double a
 }
 
 int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
-  check(scene);
-  require_mass(mass, scene.masses());
   MotionState start = start_of(scene);
+  require_mass(mass, scene.masses());
   start.instant.cycle = settling;
-  EventRecorder recorder{time_of(start.instant, Clock(scene.omega))};
+  EventRecorder recorder(time_of(start.instant, Clock(scene.omega)));
   require_complete(simulate(scene, time_after(scene, start, periods), recorder));
   return static_cast<int>(std::count_if(
       recorder.events.begin(), recorder.events.end(),

@@ -72,6 +72,10 @@ inline MotionState state_at(const Moment &moment, const Held &held) {
   return at;
 }
 
+// The functions of pressing_force.hpp, of a scene, a stop and a state that have been checked.
+std::vector<double> acceleration_of(const Scene &scene, const MotionState &state);
+double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state);
+
 // True where the contact mode holds a mass at this stop.
 inline bool holds(const Stop &stop, const Held &held) {
   return held[static_cast<std::size_t>(stop.mass - 1)] == static_cast<signed char>(stop.side);

@@ -89,7 +89,8 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options) {
   TangentRecorder recorder(scene, start);
-  const Outcome end = simulate(scene, start, time_after(scene, start, periods), options, recorder);
+  const Outcome end =
+      Simulation(scene, start, options).advance(time_after(scene, start, periods), recorder);
   const Eigen::MatrixXd tangents = recorder.finish(require_complete(end).state.instant);
   Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(tangents.rows(), tangents.rows());
   Eigen::Index column = 0;
@@ -103,7 +104,7 @@ StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const Moti
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options) {
   const Clock clock(scene.omega);
-  EventRecorder recorder{-std::numeric_limits<double>::infinity()};
+  EventRecorder recorder(-std::numeric_limits<double>::infinity());
   stroboscopic_map(scene, start, 1, options, recorder);
   double after = 0.0, widest = 0.0, last = 0.0;
   const auto end_interval = [&](double time) {
@@ -117,13 +118,12 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
     end_interval(elapsed(start.instant, event.instant, clock));
   end_interval(clock.period);  // the motion need not be periodic: the period ends the last interval
   const double until = time_of(start.instant, clock) + after;
-  MotionState state = require_complete(simulate(scene, start, until, options)).state;
+  MotionState state = require_complete(Simulation(scene, start, options).advance(until)).state;
   state.instant.cycle = 0;
   return state;
 }
 
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options) {
-  check(scene);
   return stroboscopic_map(scene, start_of(scene), periods, options);
 }
 

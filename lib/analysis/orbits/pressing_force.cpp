@@ -18,29 +18,26 @@ std::size_t index_of(const Stop &stop) {
   return static_cast<std::size_t>(stop.mass - 1);
 }
 
+// Puts the mass of this stop at rest on the stop.
+void rest_on(const Stop &stop, MotionState &state) {
+  state.displacement[index_of(stop)] = stop.position;
+  state.velocity[index_of(stop)] = 0.0;
+}
+
 // The coordinate j (from 0) that link_force asks for.
 auto of(const std::vector<double> &values) {
   return [&values](std::size_t j) { return values[j]; };
 }
 
-// The state with the mass of this stop at rest on the stop.
-MotionState resting(const Scene &scene, const Stop &stop, MotionState state) {
-  require_stop(scene, stop);
-  require_fits(scene, state);
-  state.displacement[index_of(stop)] = stop.position;
-  state.velocity[index_of(stop)] = 0.0;
-  return state;
-}
-
 // The force depends linearly on the displacements and velocities of the neighbours: its derivative
 // is the same function of their velocities and accelerations. The mass and its stop stand.
-double pressing_force_rate(const Scene &scene, const Stop &stop, const MotionState &state) {
-  const MotionState rest = resting(scene, stop, state);
+double pressing_force_rate(const Scene &scene, const Stop &stop, MotionState state) {
+  rest_on(stop, state);
   const std::size_t p = index_of(stop);
-  const std::vector<double> a = acceleration(scene, rest);
-  const double links = link_force(scene, p, 0.0, of(rest.velocity));
+  const std::vector<double> a = acceleration_of(scene, state);
+  const double links = link_force(scene, p, 0.0, of(state.velocity));
   const double dampers = scene.beta * link_force(scene, p, 0.0, of(a));
-  const double angle = scene.omega * rest.instant.phase;
+  const double angle = scene.omega * state.instant.phase;
   const double forcing = external_force(
       scene, p, {-scene.omega * std::sin(angle), scene.omega * std::cos(angle), 0.0});
   return sign(stop.side) * (links + dampers + forcing);
@@ -60,7 +57,7 @@ struct Bracket {
 
 // Finds the brackets between neighbouring nodes: the events, with the motion before and after each,
 // and uniform times that are close enough for the fastest mode.
-struct BracketRecorder {
+struct BracketRecorder : Recorder {
   const Scene &scene;
   const Quantity &quantity;
   Held held;
@@ -69,15 +66,24 @@ struct BracketRecorder {
   std::optional<MotionState> falling = {};
   std::vector<Bracket> brackets = {};
 
-  double next_time() const {
+  BracketRecorder(const Scene &of, const Quantity &searched, const MotionState &start,
+                  double distance)
+      : scene(of),
+        quantity(searched),
+        held(start.held),
+        from(start.instant.phase),
+        to(from + Clock(of.omega).period),
+        every(distance) {
+  }
+  double next_time() const override {
     return sample_time(from, to, every, taken);
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     ++taken;
     const MotionState state = state_at(moment, held);
     node(state, state);
   }
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     MotionState before = state_at(moment, held);
     if (event.kind == EventKind::impact)
       before.velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
@@ -94,29 +100,29 @@ struct BracketRecorder {
   }
 };
 
-// The motion a time after the start of a bracket.
-MotionState moved(const Scene &scene, const MotionState &start, double time) {
-  const double until = time_of(start.instant, Clock(scene.omega)) + time;
-  return require_complete(simulate(scene, start, until)).state;
-}
-
 std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
                                         const Quantity &quantity) {
   start.instant.cycle = 0;  // times are then exact phases; the motion is the same in all periods
-  const double from = start.instant.phase, period = Clock(scene.omega).period;
+  const double period = Clock(scene.omega).period;
   const double every = std::min(period / fewest_nodes, node_distance / rate_bound(scene));
   require(period <= most_nodes * every, "rate = ", rate_bound(scene),
           ": too fast to look at a whole forcing period of ", period);
-  BracketRecorder nodes{scene, quantity, start.held, from, from + period, every};
+  BracketRecorder nodes(scene, quantity, start, every);
   stroboscopic_map(scene, start, 1, {}, nodes);
   std::optional<LeastValue> least;
   for (const Bracket &bracket : nodes.brackets) {
+    const Simulation from(scene, bracket.start);
+    const double begin = time_of(bracket.start.instant, Clock(scene.omega));
+    const auto state_after = [&](double time) {
+      Simulation simulation = from;
+      return require_complete(simulation.advance(begin + time)).state;
+    };
     const auto rate = [&](double time) {
       if (time <= 0.0) return quantity.rate(bracket.start);
       if (time >= bracket.length) return bracket.rate_at_end;
-      return quantity.rate(moved(scene, bracket.start, time));
+      return quantity.rate(state_after(time));
     };
-    MotionState lowest = moved(scene, bracket.start, zero(rate, 0.0, bracket.length));
+    MotionState lowest = state_after(zero(rate, 0.0, bracket.length));
     const double value = quantity.value(lowest);
     if (!least || value < least->value) least = {value, std::move(lowest)};
   }
@@ -125,9 +131,7 @@ std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
 
 }  // namespace
 
-std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
-  check(scene);
-  require_fits(scene, state);
+std::vector<double> acceleration_of(const Scene &scene, const MotionState &state) {
   const double angle = scene.omega * state.instant.phase;
   const auto forcing = forcing_at(std::cos(angle), std::sin(angle));
   std::vector<double> a(scene.mass.size(), 0.0);
@@ -138,11 +142,24 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
   return a;
 }
 
-double pressing_force(const Scene &scene, const Stop &stop, const MotionState &state) {
-  const MotionState rest = resting(scene, stop, state);
-  const double angle = scene.omega * rest.instant.phase;
-  return sign(stop.side) * force_on(scene, index_of(stop), of(rest.displacement), of(rest.velocity),
+double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state) {
+  rest_on(stop, state);
+  const double angle = scene.omega * state.instant.phase;
+  return sign(stop.side) * force_on(scene, index_of(stop), of(state.displacement),
+                                    of(state.velocity),
                                     forcing_at(std::cos(angle), std::sin(angle)));
+}
+
+std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
+  check(scene);
+  require_fits(scene, state);
+  return acceleration_of(scene, state);
+}
+
+double pressing_force(const Scene &scene, const Stop &stop, const MotionState &state) {
+  require_stop(scene, stop);
+  require_fits(scene, state);
+  return pressing_force_of(scene, stop, state);
 }
 
 std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionState &start,
@@ -151,7 +168,7 @@ std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionS
   return least_minimum(
       scene, start,
       {[&](const MotionState &at) { return holds(stop, at.held); },
-       [&](const MotionState &at) { return pressing_force(scene, stop, at); },
+       [&](const MotionState &at) { return pressing_force_of(scene, stop, at); },
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
 }
 

@@ -26,7 +26,6 @@
 #include "orbit_tolerances.hpp"
 #include "vibro_impact/analysis/natural_modes.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
@@ -104,7 +103,7 @@ inline Eigen::MatrixXd extrapolate_chatter(const std::vector<Eigen::MatrixXd> &v
 // A recorder that carries the tangents from instant to instant, so that a run that does not ask for
 // them pays nothing. The events of one instant are gathered in `group_` until a later event, or the
 // end, shows that they are complete.
-class TangentRecorder {
+class TangentRecorder : public Recorder {
  public:
   // The tangents at the start of the run are the unit vectors of the free coordinates.
   TangentRecorder(const Scene &scene, const MotionState &start)
@@ -120,7 +119,7 @@ class TangentRecorder {
       tangents_(static_cast<Eigen::Index>(free[k]), static_cast<Eigen::Index>(k)) = 1.0;
   }
 
-  void event(const Event &event, const Moment &moment) {
+  void event(const Event &event, const Moment &moment) override {
     if (!group_.empty() && group_.front().instant < event.instant) apply_group();
     if (group_.empty()) carry_to(event.instant);
     state_ = state_at(moment, held_);
@@ -178,7 +177,7 @@ class TangentRecorder {
   // (x', x'') where the masses are now, in a contact mode and at velocities of its own.
   Eigen::VectorXd vector_field(const Held &held, const std::vector<double> &velocity) const {
     const MotionState state{state_.instant, state_.displacement, velocity, held};
-    const std::vector<double> a = acceleration(scene_, state);
+    const std::vector<double> a = acceleration_of(scene_, state);
     Eigen::VectorXd field(2 * static_cast<Eigen::Index>(a.size()));
     field << view(velocity), view(a);
     return field;

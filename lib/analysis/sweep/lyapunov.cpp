@@ -1,9 +1,9 @@
 #include "vibro_impact/analysis/lyapunov.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "analysis/orbits/motion_state.hpp"
@@ -17,11 +17,8 @@ namespace {
 // Whether the sign of the mean growth is certain, from the growth in each block.
 bool is_certain(const std::vector<double> &blocks) {
   if (blocks.size() < least_blocks) return false;
-  const auto count = static_cast<double>(blocks.size());
-  const double mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) / count;
-  double squares = 0.0;
-  for (const double growth : blocks) squares += (growth - mean) * (growth - mean);
-  return std::abs(mean) > least_ratio * std::sqrt(squares / ((count - 1.0) * count));
+  const auto [mean, variance] = boost::math::statistics::mean_and_sample_variance(blocks);
+  return std::abs(mean) > least_ratio * std::sqrt(variance / static_cast<double>(blocks.size()));
 }
 
 }  // namespace

@@ -15,18 +15,22 @@ namespace vibro_impact {
 namespace {
 
 // The states at the beginnings of some forcing periods from `start`.
-struct SectionRecorder {
+struct SectionRecorder : Recorder {
   const Scene &scene;
   const MotionState &start;
   int periods;
   std::vector<std::vector<double>> section;
 
-  double next_time() const {
+  SectionRecorder(const Scene &of, const MotionState &from, int count)
+      : scene(of), start(from), periods(count), section{coordinates(from)} {
+  }
+
+  double next_time() const override {
     const auto taken = static_cast<int>(section.size());
     return taken < periods ? time_after(scene, start, taken)
                            : std::numeric_limits<double>::infinity();
   }
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     section.push_back(coordinates(state_at(moment, {})));
   }
 };
@@ -37,13 +41,12 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   const double begin = time_of(motion.state.instant, Clock(scene.omega)),
                until = time_after(scene, motion.state, periods);
   RunOptions run = options.settle.run;
-  EventRecorder events{begin};
-  SectionRecorder section{scene, motion.state, periods, {coordinates(motion.state)}};
-  RecorderGroup recorders;
-  recorders.add(events);
-  if (options.section) recorders.add(section);
+  EventRecorder events(begin);
+  SectionRecorder section(scene, motion.state, periods);
+  std::vector<Recorder *> recorders{&events};
+  if (options.section) recorders.push_back(&section);
   if (options.impact_velocities)
-    run.resolve_chatter = std::min(run.resolve_chatter, options.slowest);
+    run.limit_below_speed = std::min(run.limit_below_speed, options.slowest);
   Simulation simulation = motion.simulation;
   simulation.set_options(run);
   require_complete(simulation.advance(until, recorders));
@@ -77,7 +80,7 @@ std::optional<double> exponent_of(const Scene &scene, const RecordOptions &optio
 std::vector<EventPair> pairs_of(const Scene &scene, const RecordOptions &options,
                                 OrbitRecord &record) {
   const int periods = 2 * (record.period > 0 ? record.period : periods_counted);
-  PressedEventRecorder recorder{scene};
+  PressedEventRecorder recorder(scene);
   stroboscopic_map(scene, record.state, periods, options.settle.run, recorder);
   const std::vector<PairedEvents> pairs = event_pairs(recorder.events);
   std::vector<EventPair> found;
@@ -106,7 +109,6 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
 }
 
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
-  check(scene);
   return record_of(scene, start_of(scene), options);
 }
 

@@ -8,7 +8,6 @@
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
-#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact {
 
@@ -61,7 +60,7 @@ struct Section {
 };
 
 // A recorder that compares the sections.
-class Sections {
+class Sections : public Recorder {
  public:
   Sections(const Scene &scene, const MotionState &start, const SettleOptions &options)
       : scene_(scene), options_(options), clock_(scene.omega), first_(start.instant) {
@@ -79,30 +78,30 @@ class Sections {
     enter(start);
   }
 
-  void event(const Event &event, const Moment &) {
+  void event(const Event &event, const Moment &) override {
     held_ = event.held;
     events_.push_back(event);
   }
 
-  double next_time() const {
+  double next_time() const override {
     return taken_ > options_.longest ? infinity : time_of(section_at(taken_), clock_);
   }
 
-  void sample(const Moment &moment) {
+  void sample(const Moment &moment) override {
     MotionState at = state_at(moment, held_);
     bring_to_section(at);
     at.instant = section_at(taken_);
     enter(std::move(at));
     const double scale = amplitude(latest(0).state, rest_);
     for (int p = 1; p <= most_periods_of_orbit && p < taken_; ++p) compare(p, repeats * scale);
-    judge();
+    find_period();
   }
 
-  bool done() const {
+  bool done() const override {
     return period_ > 0 || taken_ > options_.longest;
   }
 
-  void tell(SettledMotion &motion) const {
+  void report_to(SettledMotion &motion) const {
     motion.period = period_;
     motion.periods_run = taken_ - 1;
     motion.state = latest(0).state;
@@ -147,7 +146,7 @@ class Sections {
   void bring_to_section(MotionState &at) const {
     const double tau = elapsed(at.instant, section_at(taken_), clock_);
     if (tau == 0.0) return;
-    const std::vector<double> a = acceleration(scene_, at);
+    const std::vector<double> a = acceleration_of(scene_, at);
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (held_[i] != 0) continue;
       at.displacement[i] += tau * at.velocity[i];
@@ -209,7 +208,7 @@ class Sections {
                               without_chatters(scene_, events_of(p, p)), same);
   }
 
-  void judge() {
+  void find_period() {
     for (int p = 1; p <= most_periods_of_orbit && 2 * p < taken_; ++p) {
       if (!(contractions_[index(p - 1)].to_come <= settle_tolerance) || !same_events(p)) continue;
       // A motion of period q, a divisor of p, has settled after p periods, too.
@@ -257,12 +256,11 @@ EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
   require(options.longest >= 1 && options.longest <= most_periods_run,
           "longest = ", options.longest, ": must lie from 1 to ", most_periods_run);
-  check(scene);
+  SettledMotion motion{.simulation = Simulation(scene, start, options.run)};
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
-  SettledMotion motion{.simulation = Simulation(scene, start, options.run)};
   require_complete(motion.simulation.advance(until, sections));
-  sections.tell(motion);
+  sections.report_to(motion);
   return motion;
 }
 

@@ -19,7 +19,6 @@ struct Counters {
   long long chatter_incomplete = 0;  // five or more falling impacts at a stop that ended in flight
   long long modes_built = 0;         // contact modes decomposed
   long long modal_evaluations = 0;   // states at samples, and at ends in closed form
-  long long forced_coordinates = 0;  // coordinates with a force, in the mode built last
 };
 
 }  // namespace vibro_impact

@@ -1,17 +1,14 @@
-// The events and moments that a run reports, and small recorders that collect them.
-//
-// The concept `Recorder` in recorder.hpp says which members a recorder has. A run calls only these
-// members, and computes and stores nothing that no recorder asks for. All quantities are
-// non-dimensional.
+// The events and moments that a run reports, and small recorders that collect them. A run computes
+// and stores nothing that no recorder asks for. All quantities are non-dimensional.
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "event_kind.hpp"
 #include "instant.hpp"
-#include "recorder.hpp"
 #include "scene.hpp"
 
 namespace vibro_impact {
@@ -63,23 +60,55 @@ class Moment {
   virtual double hold_force(int mass) const = 0;
 };
 
+// A recorder is an object of a class that derives from Recorder and overrides some of its members,
+// which a run calls. An exception that a member throws ends the run and reaches the caller. The
+// state of the simulation is then unspecified.
+struct Recorder {
+  virtual ~Recorder() = default;
+
+  // A run calls `check` before it begins. It throws std::invalid_argument to refuse the scene.
+  virtual void check(const Scene &) const {
+  }
+  // A run calls `event` at every event.
+  virtual void event(const Event &, const Moment &) {
+  }
+  // A run calls `sample` at the time that `next_time` returns, and asks for the next time as it
+  // begins, after every event and after every sample. Each time must be later than the latest
+  // sample. Infinity asks for no sample.
+  virtual double next_time() const {
+    return std::numeric_limits<double>::infinity();
+  }
+  virtual void sample(const Moment &) {
+  }
+  // A run calls `done` after every event, and after every sample of this recorder. It ends at that
+  // time if `done` returns true.
+  virtual bool done() const {
+    return false;
+  }
+};
+
 // Records every event from time `from` on.
-struct EventRecorder {
-  double from = 0.0;
+struct EventRecorder : Recorder {
+  double from;
   std::vector<Event> events = {};
 
-  void event(const Event &event, const Moment &);
-  void check(const Scene &scene) const;
+  explicit EventRecorder(double from_time = 0.0) : from(from_time) {
+  }
+  void check(const Scene &scene) const override;
+  void event(const Event &event, const Moment &) override;
 };
 
 // Records the velocities (towards +x) of one mass just before its impacts, from time `from` on.
-struct ImpactVelocityRecorder {
-  int mass = 1;
-  double from = 0.0;
+struct ImpactVelocityRecorder : Recorder {
+  int mass;
+  double from;
   std::vector<double> velocities = {};
 
-  void event(const Event &event, const Moment &);
-  void check(const Scene &scene) const;
+  explicit ImpactVelocityRecorder(int of_mass, double from_time = 0.0)
+      : mass(of_mass), from(from_time) {
+  }
+  void check(const Scene &scene) const override;
+  void event(const Event &event, const Moment &) override;
 };
 
 // The time of sample number `taken`, counted from 0, of the times from, from + every, ... up to
@@ -88,13 +117,16 @@ double sample_time(double from, double to, double every, std::size_t taken);
 
 // Records the displacements of all masses at from, from + every, ... up to `to`. `displacements`
 // has N numbers for each time, one time after another.
-struct SampleRecorder {
-  double from = 0.0, to = 0.0, every = 0.0;
+struct SampleRecorder : Recorder {
+  double from, to, every;
   std::vector<double> times = {}, displacements = {};
 
-  double next_time() const;
-  void sample(const Moment &moment);
-  void check(const Scene &scene) const;
+  SampleRecorder(double from_time, double to_time, double every_time)
+      : from(from_time), to(to_time), every(every_time) {
+  }
+  void check(const Scene &scene) const override;
+  double next_time() const override;
+  void sample(const Moment &moment) override;
 };
 
 }  // namespace vibro_impact

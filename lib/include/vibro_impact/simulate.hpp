@@ -5,11 +5,11 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <limits>
 #include <memory>
 #include <span>
 #include <string>
-#include <type_traits>
 
 #include "counters.hpp"
 #include "record.hpp"
@@ -18,23 +18,18 @@
 namespace vibro_impact {
 
 struct RunOptions {
-  // Chatter is carried to its limit only from impacts slower than this speed. Every faster impact
-  // is resolved and reported. With 0, chatter is resolved until the rest of it lies below rounding.
-  double resolve_chatter = std::numeric_limits<double>::infinity();
+  // A chatter of impacts slower than this ends at its limit. Every faster impact is resolved and
+  // reported. With 0, all impacts are resolved until the remaining ones lie below rounding.
+  double limit_below_speed = std::numeric_limits<double>::infinity();
   // Largest estimated error of the time of a chatter limit, times the rate of the fastest mode, at
   // which the limit is accepted. It lies in (0, 1).
   double chatter_tolerance = 1e-13;
   // Largest remainder of the Taylor series of a step, relative to its second-order term, from 1e-21
   // to below 1. The order of the series follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
-  // A run is given up after more impacts than this in one forcing period, or in a thousand periods
-  // of the slowest mode if these are shorter. Without a forcing, or with Omega = 0, they are
-  // counted in one period of that mode, whose frequency is bounded from above by Rayleigh's
-  // quotient. Impacts that continue a chatter do not count if r > 0.999 and 0.03 / (1 - r) is below
-  // this number.
-  long long max_impacts_per_period = 1'000'000;
-  // A run is given up after more steps than this in one call of `advance`. An undamped mode of
-  // frequency w takes at least w/2 steps per unit of time while an impact is near.
+  // A run is given up after this many steps in one call of `advance`. Every impact ends a step, so
+  // that this number bounds the impacts, too. An undamped mode of frequency w takes at least w/2
+  // steps per unit of time while an impact is near.
   long long max_steps = 10'000'000;
 };
 
@@ -53,16 +48,8 @@ struct Outcome {
 Outcome require_complete(Outcome outcome);
 
 namespace detail {
-
-// An argument that stands for a recorder. If it is none, `recorder_ref` says why.
-template <class R>
-concept Argument = !std::is_same_v<R, RunOptions> && !std::is_same_v<R, RecorderGroup>;
-
 struct Run;
-Outcome simulate(const Scene &scene, const MotionState *start, double until,
-                 const RunOptions &options, std::span<const RecorderRef> recorders);
-
-}  // namespace detail
+}
 
 // A run as a value. A copy goes on as the original would, bit for bit, also inside a chatter. It
 // shares nothing with the original that changes, so another thread may advance it.
@@ -89,49 +76,27 @@ class Simulation {
   // state of the simulation, for a sample before it, and if a recorder refuses the scene. Throws it
   // also if the largest rate of an undamped chain, times the time to run, exceeds 1e12: the phase
   // of its fastest mode then has a rounding of 1e-4. Passes on what a recorder throws.
-  template <detail::Argument... Recorders>
+  [[nodiscard]] Outcome advance(double until, std::span<Recorder *const> recorders);
+  template <std::derived_from<Recorder>... Recorders>
   [[nodiscard]] Outcome advance(double until, Recorders &...recorders) {
-    const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
-        detail::recorder_ref(recorders)...};
-    return advance_with(until, refs);
-  }
-  [[nodiscard]] Outcome advance(double until, const RecorderGroup &recorders) {
-    return advance_with(until, recorders.refs());
+    const std::array<Recorder *, sizeof...(Recorders)> pointers{&recorders...};
+    return advance(until, std::span<Recorder *const>(pointers));
   }
 
  private:
   std::unique_ptr<detail::Run> run_;
-
-  Outcome advance_with(double until, std::span<const detail::RecorderRef> recorders);
 };
 
-// `simulate` makes a simulation and calls `advance` once. It starts from the scene's own initial
-// state at t = 0, or from another motion of it. It throws what the constructor and `advance` throw.
-template <detail::Argument... Recorders>
-[[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
-                               const RunOptions &options, Recorders &...recorders) {
-  const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
-      detail::recorder_ref(recorders)...};
-  return detail::simulate(scene, &start, until, options, refs);
-}
-
-template <detail::Argument... Recorders>
-[[nodiscard]] Outcome simulate(const Scene &scene, const MotionState &start, double until,
-                               Recorders &...recorders) {
-  return simulate(scene, start, until, RunOptions{}, recorders...);
-}
-
-template <detail::Argument... Recorders>
+// Makes a simulation from the scene's own initial state and calls `advance` once. Throws what the
+// constructor and `advance` throw.
+template <std::derived_from<Recorder>... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, double until, const RunOptions &options,
                                Recorders &...recorders) {
-  const std::array<detail::RecorderRef, sizeof...(Recorders)> refs{
-      detail::recorder_ref(recorders)...};
-  return detail::simulate(scene, nullptr, until, options, refs);
+  return Simulation(scene, options).advance(until, recorders...);
 }
-
-template <detail::Argument... Recorders>
+template <std::derived_from<Recorder>... Recorders>
 [[nodiscard]] Outcome simulate(const Scene &scene, double until, Recorders &...recorders) {
-  return simulate(scene, until, RunOptions{}, recorders...);
+  return Simulation(scene).advance(until, recorders...);
 }
 
 }  // namespace vibro_impact

@@ -8,4 +8,3 @@
 #include "scene.hpp"
 #include "scene_fields.hpp"
 #include "simulate.hpp"
-#include "table.hpp"

@@ -79,8 +79,8 @@ inline Gap gap_at(const Contact &contact, const Motion &motion) {
 // The same, or exact values where they are known: those of a mass at rest at the stop, or at an
 // impact.
 inline Gap gap_of(const Contact &contact, const StopState &stop, const Motion &motion) {
-  if (is_at_rest(stop)) return {};
-  if (const auto speed = speed_at_stop(stop)) return {0.0, *speed};
+  if (stop.contact.at_rest) return {};
+  if (stop.contact.speed) return {0.0, *stop.contact.speed};
   return gap_at(contact, motion);
 }
 

@@ -2,18 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 
 #include "vibro_impact/instant.hpp"
 
 namespace vibro_impact::detail {
-
-// A mass in flight before its stop. At an impact its gap g = sigma (s - x) is exactly 0, and its
-// gap speed g' is known, just before the impact and then just after. At other times both are
-// evaluated from the modal coordinates.
-struct InFlight {
-  std::optional<double> speed_at_stop = {};
-};
 
 // The decision about a mass at rest: the derivatives of order 0, ..., zeros - 1 of the hold force
 // of a held mass, or of the acceleration g'' of the gap of a released mass, are exactly zero, and
@@ -24,18 +16,24 @@ struct DecidedForce {
   bool none = false;
 };
 
-// A mass at rest at its stop: held, or released at this instant, or free without any force.
-struct AtRest {
-  // The force decided at this instant. It is reset when time passes, unless no force acts.
+// A mass in flight before its stop, or at rest at the stop: held, or released at this instant, or
+// free without any force.
+struct AtStop {
+  bool at_rest = false;
+  // The gap speed g' of a mass in flight whose gap g = sigma (s - x) is exactly 0, just before an
+  // impact and then just after. At other times both are evaluated from the modal coordinates.
+  std::optional<double> speed = {};
+  // The force decided at this instant on a mass at rest. It is reset when time passes, unless no
+  // force acts.
   std::optional<DecidedForce> decided = {};
-  bool released = false;  // the mass leaves when time passes
+  bool released = false;  // the mass at rest leaves when time passes
   // A mass cannot stick and be released at one instant of the clock. The second of two such
   // decisions is made again one rounding of the clock later.
   bool postponed = false;
 };
 
 struct StopState {
-  std::variant<InFlight, AtRest> contact = {};
+  AtStop contact = {};
   double last_speed = 0.0;              // closing speed of the latest impact
   int falling = 0;                      // see Event::falling
   std::optional<Instant> changed = {};  // instant of the latest stick or release
@@ -45,30 +43,9 @@ struct StopState {
   double duration = 0.0;
 };
 
-inline bool is_postponed(const StopState &stop) {
-  const auto *rest = std::get_if<AtRest>(&stop.contact);
-  return rest != nullptr && rest->postponed;
-}
-
-// The force decided at this instant on a mass at rest, or nullptr.
-inline const DecidedForce *decided_force(const StopState &stop) {
-  const auto *rest = std::get_if<AtRest>(&stop.contact);
-  return rest != nullptr && rest->decided ? &*rest->decided : nullptr;
-}
-
 // True when no force acts on the mass, to all orders.
 inline bool rests_without_force(const StopState &stop) {
-  const DecidedForce *force = decided_force(stop);
-  return force != nullptr && force->none;
-}
-
-inline std::optional<double> speed_at_stop(const StopState &stop) {
-  const auto *flight = std::get_if<InFlight>(&stop.contact);
-  return flight != nullptr ? flight->speed_at_stop : std::nullopt;
-}
-
-inline bool is_at_rest(const StopState &stop) {
-  return std::holds_alternative<AtRest>(stop.contact);
+  return stop.contact.decided && stop.contact.decided->none;
 }
 
 }  // namespace vibro_impact::detail

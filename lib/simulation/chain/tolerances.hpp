@@ -68,8 +68,6 @@ constexpr double least_flight_tolerance = 1e-21;
 constexpr double expected_flight_margin = 1.2;
 // Least length of a flight in closed form, in longest steps. Shorter flights save no work.
 constexpr double quiet_steps = 4.0;
-// Window in which impacts are counted, times the fastest rate: a thousand periods of that mode.
-constexpr double budget_window = 6283.0;
 
 // Chatter, with x the flight time after an impact.
 
@@ -93,15 +91,9 @@ constexpr double impact_rounding = 0x1p-52;
 constexpr double prediction_share = 1.0 / 16.0;
 // Bound of the sum of the jumps to come, relative to the geometric series J r / (1 - r).
 constexpr double jump_sum_factor = 1.5;
-// Bound of the next closing speed, relative to the latest rebound speed. `resolve_chatter` reports
-// every faster impact.
+// Bound of the next closing speed, relative to the latest rebound speed. `limit_below_speed`
+// reports every faster impact.
 constexpr double next_speed_factor = 1.125;
-// Least distance in impacts of the nodes of a slow chatter, which the impact budget does not count.
-// A chatter with fewer impacts ends within any sensible budget.
-constexpr std::size_t slow_chatter_stride = 256;
-// Largest distance of these nodes, in impact budgets. It allows r up to 0.9999999 by default; for a
-// larger r all impacts count.
-constexpr std::size_t longest_stride = 10;
 // Number of falling impacts from which the counter of incomplete chatters takes them for a chatter.
 constexpr int chatter_impacts = 5;
 

@@ -114,7 +114,7 @@ void set_limit_state(const Chatter &chatter, const ChatterLimit &limit, const Cl
     if (chatter.contacts.size() > 1) place_alone(mode.contacts[k], 0.0, state.motion);
   forget_instant(state.stops);
   for (const std::size_t k : chatter.contacts)
-    state.stops[mode.contacts[k].stop].contact = AtRest{};
+    state.stops[mode.contacts[k].stop].contact = {.at_rest = true};
 }
 
 }  // namespace vibro_impact::detail

@@ -90,7 +90,7 @@ void insert_decided_force(const DecidedForce &force, const Contact &contact,
 // a small gap and its speed, or the zeros of a decided force.
 void insert_exact_coefficients(const Motion &motion, const Contact &contact, const StopState &stop,
                                const TaylorTable &table, Polynomial &p) {
-  if (const DecidedForce *force = decided_force(stop)) {
+  if (const auto &force = stop.contact.decided) {
     insert_decided_force(*force, contact, table, p);
   } else if (!contact.held && !(p.coefficient[0] > resolved_ratio * terms_of(contact, motion))) {
     const Gap gap = gap_of(contact, stop, motion);
@@ -132,8 +132,7 @@ void drop_later_roots(const Motion &motion, double tolerance, Flight &flight) {
 void place_released(const Flight &flight, const std::vector<StopState> &stops, Motion &motion) {
   const std::vector<Contact> &contacts = motion.mode->contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const auto *rest = std::get_if<AtRest>(&stops[contacts[k].stop].contact);
-    if (rest == nullptr || !rest->released || flight.approaches[k].root) continue;
+    if (!stops[contacts[k].stop].contact.released || flight.approaches[k].root) continue;
     if (is_resolved(contacts[k], motion)) continue;
     const Jet jet = jet_at(flight.approaches[k].polynomial, 0, flight.u);
     place(contacts[k], {jet.value, jet.slope / flight.step.length}, motion);
@@ -163,11 +162,11 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     const StopState &stop = stops[contact.stop];
     Approach &approach = flight.approaches[k];
     approach.root.reset();
-    if (is_postponed(stop)) {  // decided at the end of the step
+    if (stop.contact.postponed) {  // decided at the end of the step
       flight.any_near = flight.event = true;
       continue;
     }
-    const bool decided = decided_force(stop) != nullptr;
+    const bool decided = stop.contact.decided.has_value();
     flight.any_released = flight.any_released || (decided && !contact.held);
     const double travel = travel_of(contact, clock.omega, flight);
     if (!decided && evaluate(contact, motion) > travel) {
@@ -199,18 +198,17 @@ void move_along(const Flight &flight, double u, const Clock &clock, Motion &moti
   const std::vector<Contact> &contacts = motion.mode->contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k)
     if (const auto &root = flight.approaches[k].root; root && !contacts[k].held)
-      stops[contacts[k].stop].contact = InFlight{root->slope / flight.step.length};
+      stops[contacts[k].stop].contact = {.speed = root->slope / flight.step.length};
 }
 
 void forget_instant(std::vector<StopState> &stops) {
   for (StopState &stop : stops) {
-    if (auto *flight = std::get_if<InFlight>(&stop.contact)) flight->speed_at_stop.reset();
-    auto *rest = std::get_if<AtRest>(&stop.contact);
-    if (rest == nullptr || rest->postponed || !rest->decided || rest->decided->none) continue;
-    if (rest->released)
-      stop.contact = InFlight{};
-    else
-      rest->decided.reset();
+    AtStop &contact = stop.contact;
+    contact.speed.reset();
+    if (contact.released)
+      contact = {};
+    else if (!rests_without_force(stop))
+      contact.decided.reset();
   }
 }
 

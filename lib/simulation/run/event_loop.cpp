@@ -37,8 +37,8 @@ bool find_limit(Run &run) {
   for (const std::size_t k : chatter.contacts) {
     const StopState &stop = run.stops[mode.contacts[k].stop];
     // The closing speed of the next impact may be a little above the latest rebound speed.
-    const double speed = speed_at_stop(stop).value_or(0.0);
-    if (!(next_speed_factor * speed < options.resolve_chatter)) return false;
+    const double speed = stop.contact.speed.value_or(0.0);
+    if (!(next_speed_factor * speed < options.limit_below_speed)) return false;
     unit = std::max(unit, unit_of_time(mode, stop));
   }
   // The impact speed falls to a third over 1 / (1 - r) impacts and has the rounding of these.
@@ -68,7 +68,7 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.modal_evaluations = inside.counters.modal_evaluations;
   run.counters.modes_built = inside.counters.modes_built;
-  run.counters.forced_coordinates = inside.counters.forced_coordinates;
+  run.progress.next_sample = inside.progress.next_sample;
   if (run.progress.end < limit || inside.progress.ending != Ending::reached) {
     run.progress = std::move(inside.progress);
     run.progress.inside_chatter = false;
@@ -82,7 +82,7 @@ void take_limit(Run &run, Recorders recorders) {
       !find_limit(run))
     return;
   const Instant limit = run.scratch.limit.motion.now;
-  if (run.progress.end < limit || next_sample(recorders) <= time_of(limit, run.problem.clock)) {
+  if (run.progress.end < limit || run.progress.next_sample <= time_of(limit, run.problem.clock)) {
     look_inside(run, limit, recorders);
     if (run.progress.over) return;
   }
@@ -149,7 +149,8 @@ void set_last(Run &run, const Instant &instant) {
 // Reports the samples up to `tau` after the motion.
 void sample(Run &run, double tau, bool in_closed_form, Recorders recorders) {
   const Clock &clock = run.problem.clock;
-  for (double next = next_sample(recorders); next < infinity; next = next_sample(recorders)) {
+  while (run.progress.next_sample < infinity) {
+    const double next = run.progress.next_sample;
     const Instant instant = instant_at(next, clock);
     const double since = time_until(run.motion, instant, clock);
     if (std::max(0.0, since) > tau) return;
@@ -157,7 +158,7 @@ void sample(Run &run, double tau, bool in_closed_form, Recorders recorders) {
             ": lies before the motion, which is at t = ", time_of(run.motion.now, clock));
     set_sampled(run, instant, std::max(0.0, since), in_closed_form);
     ++run.counters.modal_evaluations;
-    if (!report_sample(run.scratch.sampled, next, clock, recorders)) continue;
+    if (!report_sample(run, next, recorders)) continue;
     set_last(run, instant);
     return stop_run(run, Ending::stopped);
   }
@@ -220,13 +221,13 @@ void run_step(Run &run, Recorders recorders) {
 }  // namespace
 
 void advance(Run &run, const Instant &end, Recorders recorders) {
-  run.progress = {.end = end, .inside_chatter = run.progress.inside_chatter};
+  run.progress = {.end = end,
+                  .inside_chatter = run.progress.inside_chatter,
+                  .next_sample = next_sample(recorders)};
   if (run.start) handle_start(run, recorders);
   take_limit(run, recorders);  // a chatter may stand at a node since the call before
   while (!run.progress.over) {
     run_step(run, recorders);
-    if (!run.progress.over && !recorders.empty() && is_done(recorders))
-      stop_run(run, Ending::stopped);
     if (!run.progress.over && run.counters.expansions >= run.problem.options.max_steps)
       stop_run(run, Ending::given_up,
                line("more than ", run.problem.options.max_steps,

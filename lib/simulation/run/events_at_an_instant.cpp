@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "impact_budget.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chain/tolerances.hpp"
@@ -13,15 +12,6 @@
 namespace vibro_impact::detail {
 
 namespace {
-
-// Reports an event and ends the call when a recorder is done. Events inside a chatter, before the
-// limit that the run takes, are not reported.
-void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
-                  bool by_a_jump, Recorders recorders) {
-  if (run.progress.inside_chatter) return;
-  if (report(run, kind, stop, velocities, by_a_jump, recorders, run.scratch.event))
-    stop_run(run, Ending::stopped);
-}
 
 // The gap of a contact in the initial state.
 Gap start_gap(const Scene &scene, const Contact &contact, const MotionState &state) {
@@ -36,10 +26,7 @@ Gap start_gap(const Scene &scene, const Contact &contact, const MotionState &sta
 void enter_mode(Run &run, const MotionState &state, bool at_start) {
   bool built = false;
   const ContactMode &mode = run.modes.enter(run.scene(), state.held, built);
-  if (built) {
-    ++run.counters.modes_built;
-    run.counters.forced_coordinates = (mode.coordinates.force > 0.0).count();
-  }
+  if (built) ++run.counters.modes_built;
   std::vector<std::optional<Gap>> &gaps = run.scratch.gaps;
   gaps.assign(run.scene().stops.size(), std::nullopt);
   if (at_start) {
@@ -63,6 +50,18 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
     if (placed.size() > 1) place_alone(*contact, gaps[contact->stop]->value, run.motion);
 }
 
+// Counts an impact at a stop, at this closing speed, among those of its chatter.
+void count_impact(Run &run, StopState &stop, double speed) {
+  ++run.counters.impacts;
+  const bool falls = speed < stop.last_speed;
+  if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
+  stop.falling = falls ? stop.falling + 1 : 0;
+  stop.last_speed = speed;
+  const double flight = elapsed(stop.left, run.motion.now, run.problem.clock);
+  stop.duration = std::max(falls ? stop.duration : 0.0, flight);
+  stop.left = run.motion.now;
+}
+
 // Applies the impacts at the contacts hit, then reports them. Simultaneous impacts act on different
 // masses, so that their order matters to rounding only. A mass comes to rest at once when the time
 // left to the limit of its chatter, or its rebound speed, lies below rounding.
@@ -73,8 +72,8 @@ void apply_impacts(Run &run, std::span<const std::size_t> hits, Recorders record
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
     StopState &stop = run.stops[contact.stop];
-    const double closing = std::max(0.0, -speed_at_stop(stop).value_or(0.0));
-    count_impact(run, hits, stop, closing);
+    const double closing = std::max(0.0, -stop.contact.speed.value_or(0.0));
+    count_impact(run, stop, closing);
     const ImpactLaw law = law_of(run.scene(), run.scene().stops[contact.stop]);
     leave_stop(contact, law.after(closing), motion, run.stops);
   }
@@ -82,13 +81,13 @@ void apply_impacts(Run &run, std::span<const std::size_t> hits, Recorders record
     const Contact &contact = mode.contacts[k];
     const StopState &stop = run.stops[contact.stop];
     report_event(run, EventKind::impact, contact.stop,
-                 {contact.sigma * stop.last_speed, -contact.sigma * *speed_at_stop(stop)}, false,
+                 {contact.sigma * stop.last_speed, -contact.sigma * *stop.contact.speed}, false,
                  recorders);
   }
   for (const std::size_t k : hits) {
     const Contact &contact = mode.contacts[k];
     StopState &stop = run.stops[contact.stop];
-    const double speed = *speed_at_stop(stop);
+    const double speed = *stop.contact.speed;
     run.scratch.flight_times.push_back(next_flight(run.scene(), contact, speed, motion));
     if (!(speed > 0.0)) continue;
     const double time_left = run.scratch.flight_times.back() / (1.0 - contact.restitution);
@@ -121,18 +120,19 @@ void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) 
   for (std::size_t k = 0; k < run.motion.mode->contacts.size(); ++k) {
     const Contact &contact = run.motion.mode->contacts[k];
     const StopState &stop = run.stops[contact.stop];
-    const DecidedForce *decided = decided_force(stop);
-    if (!contact.held && !is_at_rest(stop) && speed_at_stop(stop) != 0.0) continue;
+    const std::optional<DecidedForce> &decided = stop.contact.decided;
+    if (!contact.held && !stop.contact.at_rest && stop.contact.speed != 0.0) continue;
     const bool root = std::find(roots.begin(), roots.end(), k) != roots.end();
     const bool pushed = is_pushed(run, contacts.hits, contact.mass);
-    const bool in_question = !contact.held || at_start || root || decided != nullptr ||
-                             is_postponed(stop) || (pushed && !is_resolved(contact, run.motion));
+    const bool in_question = !contact.held || at_start || root || decided ||
+                             stop.contact.postponed ||
+                             (pushed && !is_resolved(contact, run.motion));
     if (!in_question) continue;
     // The force is exactly zero at a root, or as decided at this instant before, unless it jumps. A
     // force that is already negative is no root.
     const bool zero =
         (root && evaluate(contact, run.motion) >= -row_rounding * terms_of(contact, run.motion)) ||
-        (decided != nullptr && (decided->zeros > 0 || decided->none));
+        (decided && (decided->zeros > 0 || decided->none));
     masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
 }
@@ -142,7 +142,8 @@ void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) 
 void set_stops(Run &run, const RestingMass &mass) {
   const std::vector<Stop> &stops = run.scene().stops;
   StopState &stop = run.stops[mass.stop];
-  stop.contact = AtRest{.decided = mass.force, .released = !mass.held && !mass.force.none};
+  stop.contact = {
+      .at_rest = true, .decided = mass.force, .released = !mass.held && !mass.force.none};
   if (mass.held == mass.was_held) return;
   stop.changed = stop.left = run.motion.now;
   stop.falling = 0;
@@ -165,7 +166,7 @@ void follow_chatter(Run &run, const std::vector<std::size_t> &hits,
   for (std::size_t i = 0; i < hits.size() && leaving; ++i) {
     const Contact &contact = mode.contacts[hits[i]];
     const StopState &stop = run.stops[contact.stop];
-    const double speed = *speed_at_stop(stop);
+    const double speed = *stop.contact.speed;
     leaving = speed > 0.0;
     jumps.push_back(stop.last_speed + speed);
     flight_time = std::max(flight_time, run.scratch.flight_times[i]);
@@ -211,7 +212,7 @@ void hold_or_release(Run &run, const ContactsOfInstant &contacts, Recorders reco
     const std::optional<Instant> &changed = run.stops[mass.stop].changed;
     // A mass does not stick and leave, or leave and stick, at one instant of the clock.
     if (mass.held != mass.was_held && changed && !(*changed < run.motion.now)) {
-      run.stops[mass.stop].contact = AtRest{.postponed = true};
+      run.stops[mass.stop].contact = {.at_rest = true, .postponed = true};
       run.hint = {.quiet = false, .postponed = true};
       mass.held = mass.was_held;
     } else {
@@ -246,14 +247,15 @@ void handle_start(Run &run, Recorders recorders) {
   Scratch &scratch = run.scratch;
   MotionState &state = scratch.state;
   state = *std::exchange(run.start, std::nullopt);
-  run.motion.now = run.budget.start = state.instant;
+  run.motion.now = state.instant;
   enter_mode(run, state, true);
   const std::vector<Stop> &stops = run.scene().stops;
   run.stops.resize(stops.size());
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const auto i = static_cast<std::size_t>(stops[k].mass - 1);
     run.stops[k].left = state.instant;
-    if (state.held[i] == static_cast<signed char>(stops[k].side)) run.stops[k].contact = AtRest{};
+    if (state.held[i] == static_cast<signed char>(stops[k].side))
+      run.stops[k].contact.at_rest = true;
   }
   const ContactMode &mode = *run.motion.mode;
   scratch.hits.clear();
@@ -261,13 +263,13 @@ void handle_start(Run &run, Recorders recorders) {
     const Contact &contact = mode.contacts[k];
     const Gap gap = *scratch.gaps[contact.stop];
     if (contact.held || gap.value != 0.0) continue;
-    run.stops[contact.stop].contact = InFlight{gap.speed};
+    run.stops[contact.stop].contact.speed = gap.speed;
     if (gap.speed < 0.0) scratch.hits.push_back(k);
   }
   apply_impacts(run, scratch.hits, recorders);
   for (const std::size_t k : scratch.hits) {
     const Contact &contact = mode.contacts[k];
-    state.velocity[contact.mass] = -contact.sigma * *speed_at_stop(run.stops[contact.stop]);
+    state.velocity[contact.mass] = -contact.sigma * *run.stops[contact.stop].contact.speed;
   }
   hold_or_release(run, {.hits = scratch.hits}, recorders, true);
   follow_chatter(run, scratch.hits, mode);

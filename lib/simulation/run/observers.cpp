@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "events_at_an_instant.hpp"
 #include "simulation/chain/require.hpp"
 
 namespace vibro_impact::detail {
@@ -39,16 +40,13 @@ class MomentOfMotion final : public Moment {
   }
 };
 
-bool is_done(const RecorderRef &recorder) {
-  return recorder.done && recorder.done();
-}
-
 }  // namespace
 
-bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
-            bool by_a_jump, Recorders recorders, Event &event) {
-  if (recorders.empty()) return false;
+void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
+                  bool by_a_jump, Recorders recorders) {
+  if (run.progress.inside_chatter || recorders.empty()) return;
   const Stop &stop_of_event = run.scene().stops[stop];
+  Event &event = run.scratch.event;
   event.kind = kind;
   event.stop = static_cast<int>(stop) + 1;
   event.mass = stop_of_event.mass;
@@ -61,46 +59,39 @@ bool report(const Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
   event.held = run.motion.mode->held;
   const MomentOfMotion moment(run.motion, event.instant, run.problem.clock);
   event.time = moment.time;
-  bool done = false;
-  for (const RecorderRef &recorder : recorders) {
-    if (!recorder.event) continue;
-    recorder.event(event, moment);
-    done = is_done(recorder) || done;
+  for (Recorder *recorder : recorders) {
+    recorder->event(event, moment);
+    if (recorder->done()) stop_run(run, Ending::stopped);
   }
-  return done;
+  run.progress.next_sample = next_sample(recorders);
 }
 
 double next_sample(Recorders recorders) {
   double next = std::numeric_limits<double>::infinity();
-  for (const RecorderRef &recorder : recorders) {
-    if (!recorder.sample) continue;
-    const double time = recorder.next_time();
+  for (const Recorder *recorder : recorders) {
+    const double time = recorder->next_time();
     require(!std::isnan(time), "next_time = ", time, ": must be a time");
     next = std::min(next, time);
   }
   return next;
 }
 
-bool report_sample(const Motion &motion, double time, const Clock &clock, Recorders recorders) {
-  const MomentOfMotion moment(motion, instant_at(time, clock), clock);
+bool report_sample(Run &run, double time, Recorders recorders) {
+  const Clock &clock = run.problem.clock;
+  const MomentOfMotion moment(run.scratch.sampled, instant_at(time, clock), clock);
   bool done = false;
-  for (const RecorderRef &recorder : recorders) {
-    if (!recorder.sample || recorder.next_time() > time) continue;
-    recorder.sample(moment);
-    if (is_done(recorder)) {
+  for (Recorder *recorder : recorders) {
+    if (recorder->next_time() > time) continue;
+    recorder->sample(moment);
+    if (recorder->done()) {
       done = true;
       continue;
     }
-    const double next = recorder.next_time();
+    const double next = recorder->next_time();
     require(next > time, "next_time = ", next, " after the sample at ", time, ": must be later");
   }
+  run.progress.next_sample = next_sample(recorders);
   return done;
-}
-
-bool is_done(Recorders recorders) {
-  return std::any_of(recorders.begin(), recorders.end(), [](const RecorderRef &recorder) {
-    return !recorder.event && !recorder.sample && is_done(recorder);
-  });
 }
 
 }  // namespace vibro_impact::detail

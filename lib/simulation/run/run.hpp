@@ -17,7 +17,7 @@
 
 namespace vibro_impact::detail {
 
-using Recorders = std::span<const RecorderRef>;
+using Recorders = std::span<Recorder *const>;
 
 // The scene and the options of a run, with the constants that follow from them.
 struct Problem {
@@ -42,14 +42,6 @@ struct StepHint {
   bool quiet = true;
   // A decision about a stop is postponed: the next step ends one rounding of the clock later.
   bool postponed = false;
-};
-
-// The impacts since the start of a window of time. A run is given up when these are more than
-// `max_impacts_per_period`.
-struct ImpactBudget {
-  double window;  // its length
-  Instant start = {};
-  long long impacts = 0;
 };
 
 // Storage that is reused from event to event. No value passes from one event to the next.
@@ -79,6 +71,8 @@ struct Progress {
   // True of the copy of a run that resolves the impacts of a chatter before its limit, because a
   // sample or the end lies there. The copy reports samples only and takes no limit.
   bool inside_chatter = false;
+  // The time of the next sample. It changes when a recorder has been called.
+  double next_sample = std::numeric_limits<double>::infinity();
   MotionState last = {};  // the state at the end; empty before
 };
 
@@ -90,7 +84,6 @@ struct Run {
   std::vector<StopState> stops = {};  // one for each stop of the scene
   Chatter chatter = {};
   StepHint hint = {};
-  ImpactBudget budget;
   Counters counters = {};
   Progress progress = {};
   Scratch scratch = {};

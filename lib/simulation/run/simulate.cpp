@@ -1,8 +1,6 @@
 #include "vibro_impact/simulate.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -16,7 +14,6 @@ namespace detail {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_radians = 1e12;  // of an undamped mode, whose phase rounds to 1e-4 there
 
 void check_options(const RunOptions &options) {
@@ -27,75 +24,25 @@ void check_options(const RunOptions &options) {
   require(options.flight_tolerance >= least_flight_tolerance,
           "flight_tolerance = ", options.flight_tolerance, ": must be at least ",
           least_flight_tolerance, ", the remainder of the highest order");
-  require(options.resolve_chatter >= 0.0, "resolve_chatter = ", options.resolve_chatter,
+  require(options.limit_below_speed >= 0.0, "limit_below_speed = ", options.limit_below_speed,
           ": must be non-negative");
-  require(options.max_impacts_per_period > 0,
-          "max_impacts_per_period = ", options.max_impacts_per_period, ": must be positive");
   require(options.max_steps > 0, "max_steps = ", options.max_steps, ": must be positive");
 }
 
-// An upper bound of the frequency of the slowest mode that vibrates: the least quotient of Rayleigh
-// among the motions of one mass alone and that of all masses alike. It is 1 where none vibrates.
-double slow_rate(const Scene &scene) {
-  double springs = scene.stiffness.front(), mass = 0.0, least = infinity;
-  const auto try_quotient = [&least](double stiffness, double inertia) {
-    if (stiffness > 0.0) least = std::min(least, stiffness / inertia);
-  };
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double ground = entry_of(scene.ground, i),
-                 right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    try_quotient(scene.stiffness[i] + right + ground, scene.mass[i]);
-    springs += ground;
-    mass += scene.mass[i];
-  }
-  try_quotient(springs, mass);
-  return least < infinity ? std::sqrt(least) : 1.0;
+// A motion of the scene, after both have been checked.
+const MotionState &checked(const Scene &scene, const MotionState &start) {
+  check(scene);
+  check(scene, start);
+  return start;
 }
 
-// A run before its first step.
-Run start_run(std::shared_ptr<const Scene> scene, const MotionState *start,
-              const RunOptions &options) {
-  MotionState state = start_of(*scene);  // checks the scene
-  if (start != nullptr) {
-    check(*scene, *start);
-    state = *start;
-  }
+// A run before its first step, from a motion that has been checked.
+std::unique_ptr<Run> start_run(const Scene &scene, const MotionState &start,
+                               const RunOptions &options) {
   check_options(options);
-  Problem problem(std::move(scene), options);
-  // The number of impacts in a period of a slow forcing has no bound of use.
-  const double rate = slow_rate(*problem.scene);
-  const double window = problem.forced && problem.clock.omega > 0.0
-                            ? std::min(problem.clock.period, budget_window / rate)
-                            : 6.3 / rate;
-  Run run{.problem = std::move(problem), .start = std::move(state), .budget = {.window = window}};
-  run.motion.now = run.start->instant;
-  return run;
-}
-
-Outcome advance_to(Run &run, double until, Recorders recorders) {
-  const Clock &clock = run.problem.clock;
-  // The motion of the run may stand before the end of the call before: see `advance`.
-  const Instant begin = run.start ? run.start->instant : run.progress.last.instant;
-  const double begin_time = time_of(begin, clock);
-  require(std::isfinite(until), "until = ", until, ": must be finite");
-  const Instant end = instant_at(until, clock);
-  require(until >= begin_time || !(end < begin), "until = ", until, ": lies before the start at ",
-          begin_time);
-  const double rate = std::sqrt(largest_eigenvalue_bound(run.scene()));
-  require(run.scene().beta > 0.0 || rate * (until - begin_time) <= most_radians, "rate = ", rate,
-          " of an undamped chain: times the time ", until - begin_time, " it must not exceed ",
-          most_radians);
-  for (const RecorderRef &recorder : recorders) {
-    if (recorder.check) recorder.check(run.scene());
-    if (!recorder.sample) continue;
-    const double first = recorder.next_time();
-    require(first >= begin_time, "sample at t = ", first, ": the run begins at ", begin_time);
-  }
-  run.counters = {};
-  advance(run, end, recorders);
-  const Progress &progress = run.progress;
-  return {progress.last, time_of(progress.last.instant, clock), progress.ending, progress.reason,
-          run.counters};
+  Run run{.problem = Problem(std::make_shared<const Scene>(scene), options), .start = start};
+  run.motion.now = start.instant;
+  return std::make_unique<Run>(std::move(run));
 }
 
 }  // namespace
@@ -109,14 +56,6 @@ Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &op
       orders(options.flight_tolerance) {
 }
 
-Outcome simulate(const Scene &scene, const MotionState *start, double until,
-                 const RunOptions &options, Recorders recorders) {
-  // The run does not outlive this call, so that it may refer to the caller's scene.
-  const std::shared_ptr<const Scene> borrowed(std::shared_ptr<void>(), &scene);
-  Run run = start_run(borrowed, start, options);
-  return advance_to(run, until, recorders);
-}
-
 }  // namespace detail
 
 Outcome require_complete(Outcome outcome) {
@@ -125,13 +64,11 @@ Outcome require_complete(Outcome outcome) {
 }
 
 Simulation::Simulation(const Scene &scene, const RunOptions &options)
-    : run_(std::make_unique<detail::Run>(
-          detail::start_run(std::make_shared<const Scene>(scene), nullptr, options))) {
+    : run_(detail::start_run(scene, start_of(scene), options)) {
 }
 
 Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options)
-    : run_(std::make_unique<detail::Run>(
-          detail::start_run(std::make_shared<const Scene>(scene), &start, options))) {
+    : run_(detail::start_run(scene, detail::checked(scene, start), options)) {
 }
 
 Simulation::Simulation(const Simulation &other) : run_(std::make_unique<detail::Run>(*other.run_)) {
@@ -151,8 +88,31 @@ void Simulation::set_options(const RunOptions &options) {
   run_->problem = detail::Problem(run_->problem.scene, options);
 }
 
-Outcome Simulation::advance_with(double until, std::span<const detail::RecorderRef> recorders) {
-  return detail::advance_to(*run_, until, recorders);
+Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) {
+  using detail::require;
+  detail::Run &run = *run_;
+  const Clock &clock = run.problem.clock;
+  // The motion of the run may stand before the end of the call before: see `advance`.
+  const Instant begin = run.start ? run.start->instant : run.progress.last.instant;
+  const double begin_time = time_of(begin, clock);
+  require(std::isfinite(until), "until = ", until, ": must be finite");
+  const Instant end = instant_at(until, clock);
+  require(until >= begin_time || !(end < begin), "until = ", until, ": lies before the start at ",
+          begin_time);
+  const double rate = std::sqrt(detail::largest_eigenvalue_bound(run.scene()));
+  require(run.scene().beta > 0.0 || rate * (until - begin_time) <= detail::most_radians,
+          "rate = ", rate, " of an undamped chain: times the time ", until - begin_time,
+          " it must not exceed ", detail::most_radians);
+  for (const Recorder *recorder : recorders) {
+    recorder->check(run.scene());
+    const double first = recorder->next_time();
+    require(first >= begin_time, "sample at t = ", first, ": the run begins at ", begin_time);
+  }
+  run.counters = {};
+  detail::advance(run, end, recorders);
+  const detail::Progress &progress = run.progress;
+  return {progress.last, time_of(progress.last.instant, clock), progress.ending, progress.reason,
+          run.counters};
 }
 
 }  // namespace vibro_impact

@@ -12,3 +12,4 @@
 #include "pressing_force.hpp"
 #include "settle.hpp"
 #include "sweep.hpp"
+#include "table.hpp"

@@ -44,13 +44,18 @@ struct PressedEvent {
   double press = 0.0;
 };
 
-// Every event from time `from` on, with the pressing force of each contact.
-struct PressedEventRecorder {
+// Every event from time `from` on, with the pressing force of each contact. A run refuses the
+// recorder if its scene has another number of masses or stops.
+struct PressedEventRecorder : Recorder {
   Scene scene;
-  double from = 0.0;
+  double from;
   std::vector<PressedEvent> events = {};
 
-  void event(const Event &event, const Moment &moment);
+  explicit PressedEventRecorder(const Scene &of, double from_time = 0.0)
+      : scene(of), from(from_time) {
+  }
+  void check(const Scene &of_run) const override;
+  void event(const Event &event, const Moment &moment) override;
 };
 
 // One pair. In a mixed pair `mass` (from 1) has the event named first and `other` the second (GS:

@@ -30,11 +30,12 @@ double time_after(const Scene &scene, const MotionState &start, int periods);
 
 // The state `periods` forcing periods after `start`; the period has the number that it had at the
 // start. `recorders` see the run.
-template <class... Recorders>
+template <std::derived_from<Recorder>... Recorders>
 MotionState stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
                              const RunOptions &options = {}, Recorders &...recorders) {
   const double until = time_after(scene, start, periods);
-  MotionState state = require_complete(simulate(scene, start, until, options, recorders...)).state;
+  Simulation simulation(scene, start, options);
+  MotionState state = require_complete(simulation.advance(until, recorders...)).state;
   state.instant = start.instant;
   return state;
 }

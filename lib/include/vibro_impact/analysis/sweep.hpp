@@ -12,7 +12,7 @@
 
 #include "orbit_record.hpp"
 #include "parameter.hpp"
-#include "vibro_impact/table.hpp"
+#include "table.hpp"
 
 namespace vibro_impact {
 

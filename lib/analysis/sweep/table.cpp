@@ -1,4 +1,4 @@
-#include "vibro_impact/table.hpp"
+#include "vibro_impact/analysis/table.hpp"
 
 #include <unistd.h>
 
