@@ -183,11 +183,11 @@ Scene scene_of(const CLI::App &command, const std::string &file) {
 }
 
 void add_limits(CLI::App &app, RunOptions &options) {
-  option(app, "--max-steps", options.max_steps, "N",
-         "Give up beyond this many steps: one or more a flight, as short as the stiffest link asks
-         "
-         "for; the default is that of two masses, and falls with their number",
-         any_count);
+  option(
+      app, "--max-steps", options.max_steps, "N",
+      "Give up beyond this many steps: one or more a flight, as short as the stiffest link asks\n"
+      "for; the default is that of two masses, and falls with their number",
+      any_count);
 }
 
 void add_run_options(CLI::App &run, RunRequest &request, Words &times) {
