@@ -9,11 +9,11 @@ namespace vibro_impact::comparison {
 
 namespace {
 
-// Records of an event what is compared.
-struct MassEventRecorder {
-  std::vector<MassEvent> *events;
+// Records of an event what is compared, as the other methods do.
+struct ComparedEventRecorder {
+  std::vector<Event> *events;
   void event(const Event &event, const Moment &) {
-    events->push_back({event.time, event.mass, event.kind, event.velocity_before});
+    events->push_back(event_at(event.time, event.mass, event.kind, event.velocity_before));
   }
 };
 
@@ -25,7 +25,7 @@ Result run_with(const Problem &problem, const RunOptions &options) {
   for (std::size_t i = 0; i < 2; ++i)
     if (problem.start.held[i])
       start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
-  MassEventRecorder recorder{&result.events};
+  ComparedEventRecorder recorder{&result.events};
   const Outcome outcome = simulate(problem.scene, start, problem.until, options, recorder);
   result.end.time = outcome.time;
   for (std::size_t i = 0; i < 2; ++i) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <compare>
 #include <limits>
 
 namespace vibro_impact {
@@ -43,6 +44,8 @@ struct Clock {
 struct Instant {
   long long cycle = 0;
   double phase = 0.0;
+
+  auto operator<=>(const Instant &) const = default;
 };
 
 // The largest number of whole periods that a double counts exactly.
@@ -72,10 +75,6 @@ inline Instant later(Instant instant, double tau, const Clock &clock) {
 // The instant at a time >= 0. Throws as `later` does.
 inline Instant instant_at(double time, const Clock &clock) {
   return later(Instant{}, time, clock);
-}
-
-inline bool operator<(const Instant &a, const Instant &b) {
-  return a.cycle != b.cycle ? a.cycle < b.cycle : a.phase < b.phase;
 }
 
 // The time from a to b. The difference of the cycle counts is exact up to `most_periods`.
