@@ -15,7 +15,7 @@
 
 namespace vibro_impact::stability {
 
-using truth::Case, truth::Truth, truth::TrueEvent, truth::Differences, truth::EventTables;
+using truth::Case, truth::Truth, truth::Differences, truth::EventTables;
 
 // Samples of the motion between its events: the largest displacement and speed, and the deepest
 // penetration of a stop of `scene`.
@@ -87,12 +87,12 @@ inline double period_of(const Scene &scene) {
 
 namespace detail {
 
-inline std::vector<TrueEvent> events_of(const Scene &scene, double from, double until,
-                                        Outcome *outcome = nullptr) {
+inline std::vector<Event> events_of(const Scene &scene, double from, double until,
+                                    Outcome *outcome = nullptr) {
   EventRecorder recorder{from};
   const Outcome result = require_complete(simulate(scene, until, recorder));
   if (outcome != nullptr) *outcome = result;
-  return truth::as_truth(recorder.events);
+  return recorder.events;
 }
 
 // The perturbations of a start, relative to the motion. The smaller one is tried where the larger
@@ -122,12 +122,12 @@ inline Relative relative(const Differences &differences, double period, double s
 
 inline Relative sensitivity_of(const Scene &scene, double until, double period,
                                const Samples &motion) {
-  const std::vector<TrueEvent> unperturbed = events_of(scene, 0.0, until);
+  const std::vector<Event> unperturbed = events_of(scene, 0.0, until);
   Relative largest;
   for (const double by : perturbations) {
     const Differences differences =
-        compare(events_of(perturbed(scene, by * motion.size), 0.0, until), unperturbed, scene,
-                {.period = period, .runs = true});
+        truth::compare(events_of(perturbed(scene, by * motion.size), 0.0, until), unperturbed,
+                       scene, {.reach = 1e-3 * period, .runs = true});
     const Relative found = relative(differences, period, motion.speed);
     largest.time = std::max(largest.time, found.time / by);
     largest.velocity = std::max(largest.velocity, found.velocity / by);
@@ -146,16 +146,17 @@ inline Measured measure(const Case &extreme, const EventTables &tables) {
   Outcome outcome;
   const auto events = detail::events_of(scene, extreme.from, extreme.until, &outcome);
   const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events;
-  const Differences differences = extreme.truth == Truth::grazing
-                                      ? compare_grazing(events, truth, scene)
-                                      : compare(events, truth, scene, {.period = period});
+  const Differences differences =
+      extreme.truth == Truth::grazing
+          ? truth::compare_grazing(events, truth, scene)
+          : truth::compare(events, truth, scene, {.reach = 1e-3 * period});
 
   // A long run is sampled and perturbed over its first 1000 periods only.
   const double until =
       extreme.from > 0.0 ? std::min(extreme.until, 1000.0 * period) : extreme.until;
   Samples motion(scene, until);
   require_complete(simulate(scene, until, motion));
-  for (const TrueEvent &event : truth)
+  for (const Event &event : truth)
     motion.speed = std::max(motion.speed, std::abs(event.velocity_before));
   const auto finite = [](const std::vector<double> &values) {
     return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });

@@ -4,21 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "vibro_impact/scene.hpp"
+#include "vibro_impact/event.hpp"
 
 namespace vibro_impact::truth {
 
-// An event as it truly happens, of the 50-digit generator or of a closed formula: at cycle T + time
-// with T the forcing period, a time that is known better than a double could hold after 1e6
-// periods.
-struct TrueEvent {
-  long long cycle = 0;
-  double time = 0.0;
-  int mass = 1;
-  std::string event;  // impact, stick, release
-  double velocity_before = 0.0;
-  std::string contact_mode;  // after it: `-`, `1`, `1+2`
-};
+// An event as a table, a closed formula or another method has it, at a time counted from t = 0. Its
+// instant has the whole time as phase. Neither the stop nor the velocity after it is known.
+inline Event event_at(double time, int mass, EventKind kind, double velocity_before = 0.0) {
+  return {.kind = kind,
+          .mass = mass,
+          .instant = {0, time},
+          .time = time,
+          .velocity_before = velocity_before};
+}
 
 // The truth that a case is compared with.
 enum class Truth {
@@ -36,8 +34,8 @@ struct Case {
   Scene scene;
   double until = 0.0;
   Truth truth = Truth::digits;
-  std::vector<TrueEvent> events = {};  // of the formula; none with `digits`
-  double from = 0.0;                   // events before this are not compared (they are counted)
+  std::vector<Event> events = {};  // of the formula; none with `digits`
+  double from = 0.0;               // events before this are not compared (they are counted)
   // Speed at which the generator ends a chatter. Its flight is v^2 / a high and must stand above
   // the 50 digits of the displacement; what is left out lasts some v / a.
   double slowest_impact = 1e-20;

@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "case.hpp"
-#include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::truth {
 
@@ -22,85 +21,126 @@ struct Differences {
   double velocity = 0.0;    // largest error of an impact velocity
 };
 
-// The condition for two events to be the same.
+// The condition for two lists of events to agree. In a complete chatter a run may go over to the
+// limit at any impact, and the tables of the generator leave out the slowest impacts.
 struct Matching {
-  // A difference in time by a thousandth of this means that two different events are compared.
-  double period = 0.0;
-  // Impacts of a chatter that completes may be missing in either table when they are slower than
-  // this part of the mass's fastest impact: the generator leaves them out.
+  // Two events that are further apart in time are different events.
+  double reach = 0.0;
+  // In a complete chatter, impacts slower than this part of the mass's fastest impact may be
+  // missing in the truth.
   double slow_impact = 1e-6;
-  // Two runs are compared: they may differ, too, in the impact at which a chatter was handed over
-  // to its limit.
+  // Two runs are compared: any impacts of a complete chatter may be missing in either one.
   bool runs = false;
   // The contact modes must agree as well: where no two masses have events at one instant.
   bool contact_modes = false;
+  // If not zero: from a start, stick or release on, the true impacts before the first one slower
+  // than this are compared. No such impact may be missing, and no other impact is compared.
+  double slowest_compared = 0.0;
 };
 
 namespace detail {
 
-template <class Row>
-std::vector<Row> of_mass(const std::vector<Row> &rows, int mass) {
-  std::vector<Row> selected;
-  for (const Row &row : rows)
-    if (row.mass == mass) selected.push_back(row);
-  return selected;
+inline bool ends_a_stretch(EventKind kind) {
+  switch (kind) {
+    case EventKind::impact:
+      return false;
+    case EventKind::stick:
+    case EventKind::release:
+      return true;
+  }
+  throw std::logic_error("no kind of event");
 }
 
-// True when the impacts at `at` and after lead to a stick.
-inline bool ends_in_stick(const std::vector<TrueEvent> &rows, std::size_t at) {
-  while (at < rows.size() && rows[at].event == "impact") ++at;
-  return at < rows.size() && rows[at].event == "stick";
+// Impacts of one mass, and the stick or release that follows them as the last event. The last
+// stretch of a list has impacts only.
+using Stretch = std::vector<Event>;
+
+inline std::vector<Stretch> stretches_of(const std::vector<Event> &events, int mass) {
+  std::vector<Stretch> stretches(1);
+  for (const Event &event : events) {
+    if (event.mass != mass) continue;
+    stretches.back().push_back(event);
+    if (ends_a_stretch(event.kind)) stretches.emplace_back();
+  }
+  return stretches;
 }
 
-// Steps through the events of one mass. In a chatter that completes, `truth` may have impacts after
-// the run handed it over to its limit, and the run may have slow ones.
-inline void compare_mass(const std::vector<TrueEvent> &events, const std::vector<TrueEvent> &truth,
-                         const Clock &clock, const Matching &matching, Differences &result) {
-  double fastest = 0.0;
-  for (const TrueEvent &row : truth) fastest = std::max(fastest, std::abs(row.velocity_before));
-  const auto slow = [&](const TrueEvent &row) {
-    return row.event == "impact" && std::abs(row.velocity_before) < matching.slow_impact * fastest;
+inline bool is_complete_chatter(const Stretch &stretch) {
+  return !stretch.empty() && stretch.back().kind == EventKind::stick;
+}
+
+// Drops the impacts behind the first `count` ones.
+inline void keep_impacts(Stretch &stretch, std::ptrdiff_t count) {
+  const auto end = std::ranges::find_if(stretch, ends_a_stretch, &Event::kind);
+  if (count < end - stretch.begin()) stretch.erase(stretch.begin() + count, end);
+}
+
+// Drops the impacts that need no counterpart.
+inline void drop_impacts(Stretch &run, Stretch &truth, const Matching &matching, double fastest) {
+  const auto slower_than = [](double speed) {
+    return [speed](const Event &event) { return std::abs(event.velocity_before) < speed; };
   };
-  const auto differ = [&result](const char *what, const TrueEvent &row) {
+  if (matching.slowest_compared > 0.0) {
+    const auto compared =
+        std::ranges::find_if(truth, slower_than(matching.slowest_compared)) - truth.begin();
+    keep_impacts(truth, compared);
+    keep_impacts(run, compared);
+  } else if (is_complete_chatter(run) && is_complete_chatter(truth)) {
+    const std::ptrdiff_t in_both = std::min(std::ssize(run), std::ssize(truth)) - 1;
+    keep_impacts(truth, in_both);
+    if (matching.runs ||
+        std::all_of(run.begin() + in_both, run.end(), slower_than(matching.slow_impact * fastest)))
+      keep_impacts(run, in_both);
+  }
+}
+
+inline std::vector<Event> joined(const std::vector<Stretch> &stretches) {
+  std::vector<Event> events;
+  for (const Stretch &stretch : stretches)
+    events.insert(events.end(), stretch.begin(), stretch.end());
+  return events;
+}
+
+// Compares two lists of events one by one, from their beginning to the first difference.
+inline void compare_one_by_one(const std::vector<Event> &run, const std::vector<Event> &truth,
+                               const Clock &clock, const Matching &matching, Differences &result) {
+  const auto differ = [&result](const char *how, const Event &event) {
     if (result.first.empty())
-      result.first = fmt::format("{} {} of mass {} at {} periods + {:.17g}", what, row.event,
-                                 row.mass, row.cycle, row.time);
+      result.first = fmt::format("{} {} of mass {} at t = {:.17g}", how, name(event.kind),
+                                 event.mass, event.time);
   };
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const TrueEvent &event = events[i];
-    if (event.event == "stick" && ends_in_stick(truth, at))
-      while (truth[at].event == "impact") ++at;
-    const bool may_be_missing = (matching.runs || slow(event)) && ends_in_stick(events, i);
-    if (event.event == "impact" && may_be_missing &&
-        (at == truth.size() || truth[at].event != "impact" || (slow(event) && !slow(truth[at]))))
-      continue;
-    if (at == truth.size() || truth[at].event != event.event) return differ("spurious", event);
-    const TrueEvent &expected = truth[at++];
-    const double error =
-        std::abs(elapsed({expected.cycle, expected.time}, {event.cycle, event.time}, clock));
-    if (!(error <= 1e-3 * matching.period)) return differ("misplaced", event);
-    if (matching.contact_modes && event.contact_mode != expected.contact_mode)
-      return differ("in another contact mode:", event);
+  for (std::size_t i = 0; i < std::max(run.size(), truth.size()); ++i) {
+    if (i == run.size()) return differ("missing", truth[i]);
+    if (i == truth.size() || run[i].kind != truth[i].kind) return differ("spurious", run[i]);
+    const double error = std::abs(elapsed(truth[i].instant, run[i].instant, clock));
+    if (!(error <= matching.reach)) return differ("misplaced", run[i]);
+    if (matching.contact_modes &&
+        contact_mode_name(run[i].held) != contact_mode_name(truth[i].held))
+      return differ("in another contact mode:", run[i]);
     result.time = std::max(result.time, error);
     result.velocity =
-        std::max(result.velocity, std::abs(event.velocity_before - expected.velocity_before));
+        std::max(result.velocity, std::abs(run[i].velocity_before - truth[i].velocity_before));
     ++result.matched;
   }
-  if (at < truth.size() && !(matching.runs && ends_in_stick(truth, at)))
-    differ("missing", truth[at]);
 }
 
 }  // namespace detail
 
 // Compares the events of a run of `scene` with the true ones.
-inline Differences compare(const std::vector<TrueEvent> &events,
-                           const std::vector<TrueEvent> &truth, const Scene &scene,
-                           const Matching &matching) {
+inline Differences compare(const std::vector<Event> &events, const std::vector<Event> &truth,
+                           const Scene &scene, const Matching &matching) {
   Differences result;
-  for (int mass = 1; mass <= scene.masses(); ++mass)
-    detail::compare_mass(detail::of_mass(events, mass), detail::of_mass(truth, mass),
-                         Clock(scene.omega), matching, result);
+  for (int mass = 1; mass <= scene.masses(); ++mass) {
+    std::vector<detail::Stretch> run = detail::stretches_of(events, mass),
+                                 expected = detail::stretches_of(truth, mass);
+    double fastest = 0.0;
+    for (const Event &event : truth)
+      if (event.mass == mass) fastest = std::max(fastest, std::abs(event.velocity_before));
+    for (std::size_t i = 0; i < std::min(run.size(), expected.size()); ++i)
+      detail::drop_impacts(run[i], expected[i], matching, fastest);
+    detail::compare_one_by_one(detail::joined(run), detail::joined(expected), Clock(scene.omega),
+                               matching, result);
+  }
   return result;
 }
 
@@ -114,21 +154,20 @@ constexpr double grazing_speed = 5e-8;
 // of a stop so near that no impact is faster than `grazing_speed`. An impact at that speed is early
 // by as much, and makes all later touches earlier by the velocity that it takes from the motion,
 // (1 + r) times that speed.
-inline Differences compare_grazing(const std::vector<TrueEvent> &events,
-                                   const std::vector<TrueEvent> &touches, const Scene &scene) {
+inline Differences compare_grazing(const std::vector<Event> &events,
+                                   const std::vector<Event> &touches, const Scene &scene) {
   const auto allowed = [&](std::size_t touch) {
     return grazing_speed * (1.0 + (1.0 + scene.restitution) * static_cast<double>(touch));
   };
   Differences result;
   std::size_t at = 0;
-  for (const TrueEvent &event : events) {
-    const double time = time_of({event.cycle, event.time}, Clock(scene.omega));
-    while (at < touches.size() && touches[at].time + allowed(at) < time) ++at;
-    const double error = at < touches.size() ? std::abs(time - touches[at].time) : time;
-    if (event.event != "impact" || !(error <= allowed(at)) ||
+  for (const Event &event : events) {
+    while (at < touches.size() && touches[at].time + allowed(at) < event.time) ++at;
+    const double error = at < touches.size() ? std::abs(event.time - touches[at].time) : event.time;
+    if (event.kind != EventKind::impact || !(error <= allowed(at)) ||
         !(std::abs(event.velocity_before) <= grazing_speed)) {
-      result.first = fmt::format("spurious {} at {:.17g} with velocity {:.3g}", event.event, time,
-                                 event.velocity_before);
+      result.first = fmt::format("spurious {} at {:.17g} with velocity {:.3g}", name(event.kind),
+                                 event.time, event.velocity_before);
       return result;
     }
     result.time = std::max(result.time, error);

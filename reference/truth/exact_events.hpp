@@ -32,15 +32,12 @@ struct Sum {
 // the force vanishes on the stop: T = pi, no stick ever. s > 0 pulls it away: T -> 2 pi. `masses`
 // in step (x2 = 2 x1) hit together, mass p with p times the speed. Impacts slower than 1e-6 of
 // the first are left out of a complete chatter.
-inline std::vector<TrueEvent> bounces(double q0, double s, double r, double until, int masses = 1) {
-  std::vector<TrueEvent> events;
-  const auto together = [&](Extended time, const char *event, Extended velocity) {
-    std::string mode = "-";
-    for (int p = 1; p <= masses; ++p) {
-      if (event == std::string("stick")) mode = p == 1 ? "1" : mode + "+" + std::to_string(p);
+inline std::vector<Event> bounces(double q0, double s, double r, double until, int masses = 1) {
+  std::vector<Event> events;
+  const auto together = [&](Extended time, EventKind kind, Extended velocity) {
+    for (int p = 1; p <= masses; ++p)
       events.push_back(
-          {0, static_cast<double>(time), p, event, static_cast<double>(p * velocity), mode});
-    }
+          event_at(static_cast<double>(time), p, kind, static_cast<double>(p * velocity)));
   };
   const Extended height = -Extended(q0), stop = s;
   const Extended first = std::sqrt((height - std::abs(stop)) * (height + std::abs(stop)));
@@ -48,10 +45,10 @@ inline std::vector<TrueEvent> bounces(double q0, double s, double r, double unti
   time.add(std::atan2(first, -stop));
   Extended speed = first;
   while (time.value() <= until) {
-    if (stop >= 0.0L || speed >= 1e-6L * first) together(time.value(), "impact", speed);
+    if (stop >= 0.0L || speed >= 1e-6L * first) together(time.value(), EventKind::impact, speed);
     speed *= r;
     if (stop < 0.0L && speed < 1e-21L * first) {
-      together(time.value(), "stick", 0.0L);
+      together(time.value(), EventKind::stick, 0.0L);
       break;
     }
     time.add(2.0L * std::atan2(speed, -stop));
@@ -62,15 +59,15 @@ inline std::vector<TrueEvent> bounces(double q0, double s, double r, double unti
 // One mass, m = k = 1, undamped and unforced, started at 0 with speed v between stops at -h and h:
 // it arrives first at the upper one after asin(h / v), leaves each with u = r^n v_1, v_1^2 = v^2 -
 // h^2, and is at the other one with the same speed after 2 atan2(h, u).
-inline std::vector<TrueEvent> rattling(double h, double v, double r, double until) {
-  std::vector<TrueEvent> events;
+inline std::vector<Event> rattling(double h, double v, double r, double until) {
+  std::vector<Event> events;
   const Extended first = std::sqrt((Extended(v) - h) * (Extended(v) + h));
   Sum time;
   time.add(std::atan2(Extended(h), first));
   Extended speed = first;
   for (int side = 1; time.value() <= until; side = -side) {
-    events.push_back({0, static_cast<double>(time.value()), 1, "impact",
-                      static_cast<double>(side * speed), "-"});
+    events.push_back(event_at(static_cast<double>(time.value()), 1, EventKind::impact,
+                              static_cast<double>(side * speed)));
     speed *= r;
     time.add(2.0L * std::atan2(Extended(h), speed));
   }
@@ -79,12 +76,12 @@ inline std::vector<TrueEvent> rattling(double h, double v, double r, double unti
 
 // The same mass touching a stop at s = a exactly, first at `first` and then every 2 pi, at zero
 // speed: the impact law changes nothing there.
-inline std::vector<TrueEvent> touches(Extended first, double until) {
-  std::vector<TrueEvent> events;
+inline std::vector<Event> touches(Extended first, double until) {
+  std::vector<Event> events;
   for (int n = 0;; ++n) {
     const Extended time = first + 2.0L * std::numbers::pi_v<Extended> * n;
     if (time > until) return events;
-    events.push_back({0, static_cast<double>(time), 1, "impact", 0.0, "-"});
+    events.push_back(event_at(static_cast<double>(time), 1, EventKind::impact));
   }
 }
 
@@ -96,7 +93,7 @@ inline std::vector<TrueEvent> touches(Extended first, double until) {
 // v = -2 Omega F sin(theta) / (1 - r), and F (cos(theta) + kappa sin(theta)) = s with
 // kappa = (1 + r) / (1 - r) Omega cot(T/2).
 struct PeriodicImpact {
-  Extended time = 0.0L, velocity = 0.0L;  // t* in [0, T), v
+  Extended period = 0.0L, time = 0.0L, velocity = 0.0L;  // T, t* in [0, T), v
 };
 
 inline PeriodicImpact periodic_impact(double amplitude, double omega_of_forcing, double r,
@@ -108,21 +105,24 @@ inline PeriodicImpact periodic_impact(double amplitude, double omega_of_forcing,
   const Extended middle = std::atan2(kappa, 1.0L);
   const Extended width = std::acos(s / (f * std::sqrt(1.0L + kappa * kappa)));
   // The phase with the greater impact speed belongs to the stable motion.
-  PeriodicImpact best;
+  PeriodicImpact best{period};
   for (const Extended theta : {middle + width, middle - width}) {
     const Extended v = -2.0L * omega * f * std::sin(theta) / (1.0L - r);
     if (v <= best.velocity) continue;
-    best = {std::fmod(std::fmod(theta / omega, period) + period, period), v};
+    best = {period, std::fmod(std::fmod(theta / omega, period) + period, period), v};
   }
   return best;
 }
 
-inline std::vector<TrueEvent> periodic_impacts(const PeriodicImpact &impact, long long from,
-                                               long long to) {
-  std::vector<TrueEvent> events;
-  for (long long n = from; n < to; ++n)
-    events.push_back({n, static_cast<double>(impact.time), 1, "impact",
-                      static_cast<double>(impact.velocity), "-"});
+inline std::vector<Event> periodic_impacts(const PeriodicImpact &impact, long long from,
+                                           long long to) {
+  std::vector<Event> events;
+  for (long long n = from; n < to; ++n) {
+    const Extended time = impact.period * static_cast<Extended>(n) + impact.time;
+    events.push_back(event_at(static_cast<double>(time), 1, EventKind::impact,
+                              static_cast<double>(impact.velocity)));
+    events.back().instant = {n, static_cast<double>(impact.time)};
+  }
   return events;
 }
 

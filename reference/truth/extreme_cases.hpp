@@ -38,11 +38,11 @@ inline std::vector<Stop> stops_in(const std::string &cell) {
 }
 
 // The formula of exact_events.hpp that a row names, with the numbers of its scene.
-inline std::vector<TrueEvent> exact_events(const std::string &formula, const Case &of) {
+inline std::vector<Event> exact_events(const std::string &formula, const Case &of) {
   const Scene &scene = of.scene;
   const double stop = scene.stops.front().position, r = scene.restitution;
   if (formula == "nothing") return {};
-  if (formula == "stick") return {{0, 0.0, 1, "stick", 0.0, "1"}};
+  if (formula == "stick") return {event_at(0.0, 1, EventKind::stick)};
   if (formula == "bounces")
     return bounces(scene.displacement[0], stop, r, of.until, scene.masses());
   if (formula == "rattling") return rattling(stop, scene.velocity[0], r, of.until);

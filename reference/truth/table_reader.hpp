@@ -21,9 +21,12 @@ inline std::ifstream opened(const std::string &path) {
   return file;
 }
 
+using Row = std::vector<std::string>;  // of cells
+using Rows = std::vector<Row>;
+
 // The cells of a line; one in double quotes may hold commas, and is given without the quotes.
-inline std::vector<std::string> cells_of(const std::string &line) {
-  std::vector<std::string> cells(1);
+inline Row cells_of(const std::string &line) {
+  Row cells(1);
   bool inside = false;
   for (const char c : line) {
     if (c == '"')
@@ -36,11 +39,14 @@ inline std::vector<std::string> cells_of(const std::string &line) {
   return cells;
 }
 
-using Rows = std::vector<std::vector<std::string>>;  // of cells
-
 // A cell of text that may hold commas.
 inline std::string in_quotes(const std::string &text) {
   return '"' + text + '"';
+}
+
+// The place of a row, counted from 0, for a message.
+inline std::string line_of(const std::string &name, std::size_t row) {
+  return fmt::format("{}: line {}", name, row + 2);
 }
 
 // The rows below the header line. Throws std::runtime_error naming `name` and the line of a row
@@ -49,11 +55,11 @@ inline Rows read_rows(std::istream &file, const std::string &name, std::size_t c
   Rows rows;
   std::string line;
   std::getline(file, line);
-  for (int number = 2; std::getline(file, line); ++number) {
-    std::vector<std::string> cells = cells_of(line);
+  while (std::getline(file, line)) {
+    Row cells = cells_of(line);
     if (cells.size() < columns)
-      throw std::runtime_error(fmt::format("{}: line {} has {} columns, {} are needed", name,
-                                           number, cells.size(), columns));
+      throw std::runtime_error(fmt::format("{} has {} columns, {} are needed",
+                                           line_of(name, rows.size()), cells.size(), columns));
     rows.push_back(std::move(cells));
   }
   return rows;

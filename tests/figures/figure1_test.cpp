@@ -14,7 +14,6 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using truth::TrueEvent;
 
 // What each mass is said to do is what the true events say. The last impacts of
 // a chatter, slower than 1e-4, are not resolved, so that only sticking is compared to the frame.
@@ -22,13 +21,13 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const std::string folder = folder_of("figure1_table");
   run(std::string(PROGRAM_DIR "/figure1 --output ") + folder);
   const Scene scene = paper::figure2();
-  const std::vector<TrueEvent> events = true_events("figure2");
+  const std::vector<Event> events = true_events("figure2");
   std::set<std::string> actions[2];
   double last = paper::figure2a_box.to - 2 * Clock(scene.omega).period;
   for (const auto &cells : truth::read_rows(folder + "/figure1_motion.csv", 5)) {
     const double time = std::stod(cells[0]);
     const auto next = std::find_if(events.begin(), events.end(),
-                                   [time](const TrueEvent &event) { return event.time > time; });
+                                   [time](const Event &event) { return event.time > time; });
     ASSERT_NE(next, events.begin());
     EXPECT_LT(time - last, 0.65) << "frames are 0.2 or 0.6 apart";
     last = time;
@@ -36,7 +35,7 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
       const std::string &action = cells[3 + i];
       actions[i].insert(action);
       const int mass = static_cast<int>(i) + 1;
-      EXPECT_EQ(action == "sticks", holds(std::prev(next)->contact_mode, mass)) << time;
+      EXPECT_EQ(action == "sticks", holds(std::prev(next)->held, mass)) << time;
       if (action == "sticks") {
         EXPECT_EQ(std::stod(cells[1 + i]), scene.stops[i].position) << time;
       }

@@ -16,7 +16,6 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
 using paper::AxisBox;
-using truth::TrueEvent;
 
 // The changes of sticking of one kind that a panel shows, against the 50 digits of the points with
 // this name.
@@ -77,11 +76,11 @@ TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
     EXPECT_GT(slowest_at(0.385), 5e-4);
 
     // At the frequency of Figure 4(a), the velocities of the 50 digits in their last periods.
-    const std::vector<TrueEvent> events = true_events("figure4a");
+    const std::vector<Event> events = true_events("figure4a");
     const double last = events.back().time - 2 * Clock(paper::figure4a().omega).period;
     std::vector<double> truth;
-    for (const TrueEvent &event : events)
-      if (event.mass == mass && event.event == "impact" && event.time > last &&
+    for (const Event &event : events)
+      if (event.mass == mass && event.kind == EventKind::impact && event.time > last &&
           std::abs(event.velocity_before) > paper::slowest_impact_shown)
         truth.push_back(event.velocity_before);
     truth = figures::distinct(truth);

@@ -17,7 +17,6 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
 using paper::AxisBox;
-using truth::TrueEvent;
 
 // The samples of both masses in a window are the motion with the true events: at an impact a mass
 // is where its stop is, to within how far it moves between samples, and while it sticks, exactly.
@@ -28,7 +27,7 @@ void expect_motion(Columns &columns, const std::string &truth, const AxisBox &bo
   EXPECT_EQ(t.front(), box.from);
   EXPECT_NEAR(t.back(), box.to, 1e-9);
   const double every = t[1] - t[0];
-  const std::vector<TrueEvent> events = true_events(truth);
+  const std::vector<Event> events = true_events(truth);
   int compared = 0;
   for (const int mass : {1, 2}) {
     const std::vector<double> &x = columns["x" + std::to_string(mass)];
@@ -37,12 +36,13 @@ void expect_motion(Columns &columns, const std::string &truth, const AxisBox &bo
     std::size_t next = 0;  // the first event after the sample
     for (std::size_t i = 0; i < t.size(); ++i) {
       for (; next < events.size() && events[next].time <= t[i]; ++next) {
-        const TrueEvent &event = events[next];
-        if (event.mass != mass || event.event != "impact" || event.time < box.from) continue;
+        const Event &event = events[next];
+        if (event.mass != mass || event.kind != EventKind::impact || event.time < box.from)
+          continue;
         ++compared;
         EXPECT_NEAR(x[i], stop, every * std::abs(event.velocity_before) + every * every) << t[i];
       }
-      if (next == 0 || !holds(events[next - 1].contact_mode, mass)) continue;
+      if (next == 0 || !holds(events[next - 1].held, mass)) continue;
       ++compared;
       EXPECT_EQ(x[i], stop) << "mass " << mass << " at " << t[i];
     }
@@ -74,10 +74,9 @@ void expect_parameters(const Panel &panel, const Scene &scene, const std::string
 
 // Whether the mass sticks at some time within the window.
 bool sticks_within(const std::string &truth, int mass, const AxisBox &box) {
-  const std::vector<TrueEvent> events = true_events(truth);
+  const std::vector<Event> events = true_events(truth);
   for (std::size_t i = 0; i < events.size() && events[i].time < box.to; ++i)
-    if (holds(events[i].contact_mode, mass) && i + 1 < events.size() &&
-        events[i + 1].time > box.from)
+    if (holds(events[i].held, mass) && i + 1 < events.size() && events[i + 1].time > box.from)
       return true;
   return false;
 }
@@ -135,8 +134,8 @@ TEST(Figure2, IsDrawnFromTheMotionOfItsScene) {
 
 double last_release(const std::string &truth, int mass) {
   double time = 0.0;
-  for (const TrueEvent &event : true_events(truth))
-    if (event.mass == mass && event.event == "release") time = event.time;
+  for (const Event &event : true_events(truth))
+    if (event.mass == mass && event.kind == EventKind::release) time = event.time;
   return time;
 }
 
@@ -145,8 +144,8 @@ double last_release(const std::string &truth, int mass) {
 void expect_impacts_of_mass_2(const Curve &curve, const std::string &truth, const AxisBox &box,
                               bool at_stop) {
   std::vector<double> times, heights;
-  for (const TrueEvent &event : true_events(truth)) {
-    if (event.mass != 2 || event.event != "impact" || event.time < box.from) continue;
+  for (const Event &event : true_events(truth)) {
+    if (event.mass != 2 || event.kind != EventKind::impact || event.time < box.from) continue;
     times.push_back(event.time);
     heights.push_back(at_stop ? paper::scene_named(truth).scene.stops[1].position
                               : std::abs(event.velocity_before));
@@ -191,14 +190,14 @@ TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
 // the period: by then (30 periods) the motion has settled to rounding.
 std::vector<Point> true_phases(const std::string &scene, double omega) {
   const double period = Clock(omega).period;
-  const std::vector<TrueEvent> events = true_events(scene);
+  const std::vector<Event> events = true_events(scene);
   const double begin = (std::floor(events.back().time / period) - 1.0) * period;
   std::vector<Point> phases;
-  for (const TrueEvent &event : events) {
+  for (const Event &event : events) {
     const double within = event.time - begin;
     if (event.mass != 1 || within < 0.0 || within > period) continue;
-    if (event.event == "stick") phases.push_back({within, 0.0});
-    if (event.event == "release") phases.back()[1] = within;
+    if (event.kind == EventKind::stick) phases.push_back({within, 0.0});
+    if (event.kind == EventKind::release) phases.back()[1] = within;
   }
   return phases;
 }

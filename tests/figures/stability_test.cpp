@@ -95,22 +95,22 @@ template <class Spoil>
 bool passes_with(const std::string &name, const Spoil &spoil) {
   Case extreme = case_named(name);
   EventTables tables = reference();
-  std::vector<TrueEvent> &truth = extreme.truth == Truth::digits ? tables.at(name) : extreme.events;
+  std::vector<Event> &truth = extreme.truth == Truth::digits ? tables.at(name) : extreme.events;
   spoil(truth);
   return passes(measure(extreme, tables), extreme.truth);
 }
 
 // The sensitivity of the ordinary case is 2: its times and velocities must be right to 1e-10.
 TEST(Verdict, FailsForAWrongTimeVelocityOrSequence) {
-  using Events = std::vector<TrueEvent>;
+  using Events = std::vector<Event>;
   EXPECT_TRUE(passes_with(ordinary, [](Events &) {}));
-  EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].time += 1e-8; }));
+  EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].instant.phase += 1e-8; }));
   EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].velocity_before *= 1 + 1e-8; }));
   EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth.erase(truth.begin() + 3); }));
-  EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].event = "release"; }));
+  EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].kind = EventKind::release; }));
   EXPECT_FALSE(passes_with(ordinary, [](Events &truth) {
     truth.push_back(truth.back());
-    truth.back().event = "release";
+    truth.back().kind = EventKind::release;
   }));
   EXPECT_FALSE(passes_with(touching, [](Events &truth) { truth[0].time += 1e-6; }));
 }
@@ -121,7 +121,7 @@ TEST(Verdict, FailsForAnImpactWhereThereIsATouch) {
   EXPECT_TRUE(passes(measure(nearer, reference()), nearer.truth));
   nearer.scene.stops[0].position *= 1.0 - 1e-13;
   EXPECT_FALSE(passes(measure(nearer, reference()), nearer.truth));
-  std::vector<TrueEvent> fast = nearer.events;
+  std::vector<Event> fast = nearer.events;
   EXPECT_EQ(compare_grazing(fast, nearer.events, nearer.scene).first, "");
   fast[0].velocity_before = 6e-8;
   EXPECT_NE(compare_grazing(fast, nearer.events, nearer.scene).first, "");

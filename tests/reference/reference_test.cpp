@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
@@ -25,9 +26,9 @@ constexpr double time_tolerance = 1e-10;
 truth::Differences differences(const PaperRun &run, const std::vector<Event> &events) {
   const auto reference = truth::read_event_table(REFERENCE_DIR "/" + run.name + "_events.csv");
   EXPECT_GT(reference.size(), 100u);
-  return compare(
-      truth::as_truth(events), reference, run.scene,
-      {.period = Clock(run.scene.omega).period, .slow_impact = 1e-5, .contact_modes = true});
+  return truth::compare(
+      events, reference, run.scene,
+      {.reach = 1e-3 * Clock(run.scene.omega).period, .slow_impact = 1e-5, .contact_modes = true});
 }
 
 class PaperScenes : public ::testing::TestWithParam<PaperRun> {};
@@ -70,6 +71,45 @@ TEST(EventTables, AMissingASpuriousAMovedAndAnEventInAnotherModeAreFound) {
   for (const auto &wrong : {missing, spurious, in_another_mode})
     EXPECT_NE(differences(run, wrong).first, "");
   EXPECT_NEAR(differences(run, moved).time, 1e-9, 1e-11);
+}
+
+// In a complete chatter the truth may lack slow impacts, and the run may lack any. In no other
+// stretch may an impact be missing, nor a fast one that the run alone has.
+TEST(EventTables, OnlyImpactsOfACompleteChatterMayBeMissing) {
+  using truth::event_at;
+  using enum EventKind;
+  const Scene scene = paper::figure2();
+  const std::vector<Event> chatter{event_at(1.0, 2, impact, 1.0), event_at(2.0, 2, impact, 1e-3),
+                                   event_at(2.1, 2, impact, 1e-7), event_at(2.2, 2, stick)};
+  const std::vector<Event> fast{chatter[0], chatter[3]}, cut{chatter[0], chatter[1], chatter[3]},
+      interrupted{chatter[0], chatter[1]}, begun{chatter[0]};
+  const auto agree = [&](const auto &run, const auto &truth, const truth::Matching &matching) {
+    return truth::compare(run, truth, scene, matching).first.empty();
+  };
+  const truth::Matching matching{.reach = 0.01}, runs{.reach = 0.01, .runs = true},
+      some{.reach = 0.01, .slowest_compared = 1e-2};
+  EXPECT_TRUE(agree(chatter, cut, matching));
+  EXPECT_TRUE(agree(fast, chatter, matching));
+  EXPECT_FALSE(agree(chatter, fast, matching));
+  EXPECT_TRUE(agree(chatter, fast, runs));
+  EXPECT_FALSE(agree(begun, interrupted, matching));
+  EXPECT_FALSE(agree(interrupted, begun, matching));
+  EXPECT_FALSE(agree(cut, interrupted, matching));
+  EXPECT_TRUE(agree(begun, interrupted, some));
+  EXPECT_TRUE(agree(interrupted, begun, some));
+  EXPECT_FALSE(agree(std::vector<Event>{}, interrupted, some));
+}
+
+TEST(EventTables, AnUnknownKindOfEventIsRefusedWithItsLine) {
+  const std::string path = ::testing::TempDir() + "vibro_impact_unknown_event.csv";
+  std::ofstream(path) << "time,mass,event,velocity_before,velocity_after,contact_mode\n"
+                         "1,1,impact,1,-1,-\n2,1,strike,1,-1,-\n";
+  try {
+    truth::read_event_table(path);
+    FAIL() << "read";
+  } catch (const std::runtime_error &error) {
+    EXPECT_EQ(error.what(), path + ": line 3: 'strike' must be impact, stick or release");
+  }
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline std::string folder_of(const std::string &figure) {
   return ::testing::TempDir() + "vibro_impact_" + figure;
 }
 
-inline std::vector<truth::TrueEvent> true_events(const std::string &scene) {
+inline std::vector<Event> true_events(const std::string &scene) {
   return truth::read_event_table(REFERENCE_DIR "/" + scene + "_events.csv");
 }
 
@@ -29,16 +29,17 @@ inline std::vector<truth::TrueEvent> true_events(const std::string &scene) {
 inline figures::Range stops_hit(const std::string &truth, const paper::AxisBox &box,
                                 const std::vector<int> &masses) {
   figures::Range stops;
-  for (const truth::TrueEvent &event : true_events(truth))
-    if (event.event == "impact" && event.time >= box.from && event.time <= box.to &&
+  for (const Event &event : true_events(truth))
+    if (event.kind == EventKind::impact && event.time >= box.from && event.time <= box.to &&
         std::count(masses.begin(), masses.end(), event.mass) > 0)
       stops.include(
           paper::scene_named(truth).scene.stops[static_cast<std::size_t>(event.mass - 1)].position);
   return stops;
 }
 
-inline bool holds(const std::string &contact_mode, int mass) {
-  return contact_mode.find(std::to_string(mass)) != std::string::npos;
+inline bool holds(const Held &held, int mass) {
+  const auto i = static_cast<std::size_t>(mass - 1);
+  return i < held.size() && held[i] != 0;
 }
 
 // The labels of the ticks are those of the printed axes, from end to end, and the panel has its

@@ -268,15 +268,6 @@ inline Event mirrored(Event event) {
   return event;
 }
 
-// The same to the last bit.
-inline bool same(const Event &a, const Event &b) {
-  return a.kind == b.kind && a.stop == b.stop && a.mass == b.mass && a.side == b.side &&
-         a.instant.cycle == b.instant.cycle && a.instant.phase == b.instant.phase &&
-         a.time == b.time && a.velocity_before == b.velocity_before &&
-         a.velocity_after == b.velocity_after && a.falling == b.falling &&
-         a.by_a_jump == b.by_a_jump && a.held == b.held;
-}
-
 // A scene forced by a cosine alone, without springs to the ground, in units so many times smaller:
 // its masses, links, lengths and times are so many times larger. time^2 = mass / stiffness.
 inline Scene in_units(Scene scene, double mass, double stiffness, double length, double time) {

@@ -80,12 +80,10 @@ inline std::string difference(const std::vector<Event> &events, const Outcome &o
   if (others.size() != events.size())
     return fmt::format("{} events instead of {}", others.size(), events.size());
   for (std::size_t i = 0; i < events.size(); ++i)
-    if (!same(events[i], others[i]))
+    if (events[i] != others[i])
       return fmt::format("event {} of {} at {} differs", i, events.size(), events[i].time);
   if (other.ending != outcome.ending || other.reason != outcome.reason) return "another ending";
-  if (other.state.displacement != outcome.state.displacement ||
-      other.state.velocity != outcome.state.velocity || other.state.held != outcome.state.held)
-    return "another state at the end";
+  if (other.state != outcome.state) return "another state at the end";
   return "";
 }
 

@@ -1,7 +1,5 @@
 // The methods that are compared by error against run time: what each is given, what it returns, and
 // how far that is from the 50-digit reference.
-//
-// This header is C++17, because Siconos does not compile as C++20 (siconos.cpp).
 #pragma once
 
 #include <array>
@@ -9,25 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "vibro_impact/event_kind.hpp"
-#include "vibro_impact/scene.hpp"
+#include "reference/truth/case.hpp"
 
 namespace vibro_impact::comparison {
+
+using truth::event_at;
 
 // Displacement and velocity of both masses, and which of them sticks at its stop.
 struct TwoMassState {
   double time = 0.0;
   std::array<double, 2> displacement = {}, velocity = {};
   std::array<bool, 2> held = {};
-};
-
-// One event of one mass, counted from 1. The velocity before it is known for the impacts of the
-// reference; a method may leave it out.
-struct MassEvent {
-  double time = 0.0;
-  int mass = 1;
-  EventKind kind = EventKind::impact;
-  double velocity_before = 0.0;
 };
 
 // A stretch of the motion of a scene with two masses and one stop each, with its events and its end
@@ -37,7 +27,7 @@ struct Problem {
   Scene scene;
   TwoMassState start;
   double until = 0.0;
-  std::vector<MassEvent> reference_events = {};
+  std::vector<Event> reference_events = {};
   TwoMassState reference_end = {};
 
   double periods() const;  // of the forcing
@@ -50,7 +40,7 @@ std::vector<Problem> problems(const std::filesystem::path &reference);
 // The result of a run of a method. `failure` is empty if the run reached its end. Otherwise it says
 // in one line where and why the run stopped.
 struct Result {
-  std::vector<MassEvent> events = {};
+  std::vector<Event> events = {};  // a method may leave out the velocities
   TwoMassState end = {};
   long long work = 0;  // right-hand sides, closed forms, time steps or expansions
   long long impacts = 0;

@@ -1,9 +1,36 @@
 // The chain of two masses in Siconos, by its time stepping: a LagrangianLinearTIDS with the forcing
-// as external force, and one NewtonImpactNSL on the gap of each mass. C++17: the headers of Siconos
-// instantiate uBLAS of Boost 1.74, which is not C++20.
-#include <SiconosKernel.hpp>
+// as external force, and one NewtonImpactNSL on the gap of each mass.
 #include <array>
 #include <cmath>
+#include <memory>
+
+// The headers of Siconos instantiate uBLAS of Boost 1.74 for this pointer. uBLAS calls `construct`
+// and `destroy`, which the allocator of C++20 no longer has.
+class NonSmoothLaw;
+template <>
+struct std::allocator<std::shared_ptr<NonSmoothLaw>> {
+  using value_type = std::shared_ptr<NonSmoothLaw>;
+  using pointer = value_type *;
+  using const_pointer = const value_type *;
+  using size_type = std::size_t;
+  using difference_type = std::ptrdiff_t;
+
+  pointer allocate(size_type n) {
+    return static_cast<pointer>(::operator new(n * sizeof(value_type)));
+  }
+  void deallocate(pointer at, size_type) {
+    ::operator delete(at);
+  }
+  template <class... Arguments>
+  void construct(pointer at, Arguments &&...arguments) {
+    std::construct_at(at, std::forward<Arguments>(arguments)...);
+  }
+  void destroy(pointer at) {
+    std::destroy_at(at);
+  }
+};
+
+#include <SiconosKernel.hpp>
 
 #include "two_masses.hpp"
 
@@ -99,14 +126,15 @@ Result time_stepping(const Problem &problem, double step) {
       if ((*model.contact[i]->lambda(1))(0) > 0.0) {
         if (++in_contact[i] == 1) {
           // The impulse of the step from time - h to time stands for one at its middle.
-          result.events.push_back({time - 0.5 * h, mass, EventKind::impact});
+          result.events.push_back(event_at(time - 0.5 * h, mass, EventKind::impact));
           ++result.impacts;
         } else if (in_contact[i] == steps_of_a_stick) {
-          result.events.push_back({time - (steps_of_a_stick - 0.5) * h, mass, EventKind::stick});
+          result.events.push_back(
+              event_at(time - (steps_of_a_stick - 0.5) * h, mass, EventKind::stick));
         }
       } else {
         if (in_contact[i] >= steps_of_a_stick)
-          result.events.push_back({time - 0.5 * h, mass, EventKind::release});
+          result.events.push_back(event_at(time - 0.5 * h, mass, EventKind::release));
         in_contact[i] = 0;
       }
     }

@@ -62,7 +62,7 @@ struct Springs {
   // A contact that has lasted counts as a stick from its beginning, unless the run began in it.
   void record_stick(std::size_t i) {
     if (contact[i] && now.time - since[i] > stick[i] && std::isfinite(since[i]))
-      result.events.push_back({since[i], static_cast<int>(i) + 1, EventKind::stick});
+      result.events.push_back(event_at(since[i], static_cast<int>(i) + 1, EventKind::stick));
   }
 
   // Begins or ends the contact of mass i + 1.
@@ -70,13 +70,13 @@ struct Springs {
     const int mass = static_cast<int>(i) + 1;
     now.y[2 * i] = 0.0;
     if (!contact[i]) {
-      result.events.push_back({now.time, mass, EventKind::impact});
+      result.events.push_back(event_at(now.time, mass, EventKind::impact));
       since[i] = now.time;
       if (++result.impacts > impacts_at_most)
         result.failure = lost_in_impacts(now.time, mass, now.y[2 * i + 1]);
     } else if (now.time - since[i] > stick[i]) {
       record_stick(i);
-      result.events.push_back({now.time, mass, EventKind::release});
+      result.events.push_back(event_at(now.time, mass, EventKind::release));
     }
     contact[i] = !contact[i];
   }

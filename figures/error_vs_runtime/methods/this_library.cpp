@@ -10,12 +10,12 @@ namespace vibro_impact::comparison {
 
 namespace {
 
-// Records of an event what is compared.
-struct MassEventRecorder : Recorder {
-  std::vector<MassEvent> events = {};
+// Records of an event what is compared, as the other methods do.
+struct ComparedEventRecorder : Recorder {
+  std::vector<Event> events = {};
 
   void event(const Event &event, const Moment &) override {
-    events.push_back({event.time, event.mass, event.kind, event.velocity_before});
+    events.push_back(event_at(event.time, event.mass, event.kind, event.velocity_before));
   }
 };
 
@@ -27,7 +27,7 @@ Result run_with(const Problem &problem, const RunOptions &options) {
   for (std::size_t i = 0; i < 2; ++i)
     if (problem.start.held[i])
       start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
-  MassEventRecorder recorder;
+  ComparedEventRecorder recorder;
   const Outcome outcome =
       Simulation(problem.scene, start, options).advance(problem.until, recorder);
   result.events = std::move(recorder.events);

@@ -65,23 +65,23 @@ void apply_event(const TwoMasses &chain, GapState &state, std::size_t i, double 
   if (state.held[i]) {
     state.held[i] = false;
     speed = 0.0;
-    result.events.push_back({state.time, mass, EventKind::release});
+    result.events.push_back(event_at(state.time, mass, EventKind::release));
     return;
   }
   ++result.impacts;
-  result.events.push_back({state.time, mass, EventKind::impact, -chain.side[i] * speed});
+  result.events.push_back(event_at(state.time, mass, EventKind::impact, -chain.side[i] * speed));
   speed = std::abs(chain.restitution * speed);
   const double pressing = -chain.acceleration(i, state.y, cosine);
   if (speed < slowest && pressing > 0.0) {
     const double rest = 2.0 * speed / (pressing * (1.0 - chain.restitution));
     speed = 0.0;
     state.held[i] = true;
-    result.events.push_back({state.time + rest, mass, EventKind::stick});
+    result.events.push_back(event_at(state.time + rest, mass, EventKind::stick));
   }
   const std::size_t j = 1 - i;
   if (state.held[j] && chain.acceleration(j, state.y, cosine) > 0.0) {
     state.held[j] = false;
-    result.events.push_back({state.time, static_cast<int>(j) + 1, EventKind::release});
+    result.events.push_back(event_at(state.time, static_cast<int>(j) + 1, EventKind::release));
   }
   if (result.impacts > impacts_at_most) result.failure = lost_in_impacts(state.time, mass, speed);
 }

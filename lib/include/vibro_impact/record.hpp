@@ -1,39 +1,15 @@
-// The events and moments that a run reports, and small recorders that collect them. A run computes
-// and stores nothing that no recorder asks for. All quantities are non-dimensional.
+// The moments that a run reports, and small recorders that collect them. A run computes and stores
+// nothing that no recorder asks for. All quantities are non-dimensional.
 #pragma once
 
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <vector>
 
-#include "event_kind.hpp"
-#include "instant.hpp"
+#include "event.hpp"
 #include "scene.hpp"
 
 namespace vibro_impact {
-
-// The held masses of a contact mode as text: `-` for none, or `1`, `2`, `1+2`.
-std::string contact_mode_name(const Held &held);
-
-// One event of one mass. Simultaneous events are reported one after another with the same instant.
-struct Event {
-  EventKind kind = EventKind::impact;
-  int stop = 1;  // from 1, in the order of Scene::stops
-  int mass = 1;  // from 1
-  Side side = Side::upper;
-  Instant instant;
-  double time = 0.0;
-  double velocity_before = 0.0, velocity_after = 0.0;  // of an impact, towards +x; else 0
-  int falling = 0;         // impacts at this stop before this one, each slower than the one before
-  bool by_a_jump = false;  // a release where the force jumped, or at a start, not at a root
-  Held held;               // the contact mode after the event
-};
-
-// The stop of an event of this scene.
-inline const Stop &stop_of(const Scene &scene, const Event &event) {
-  return scene.stops[static_cast<std::size_t>(event.stop - 1)];
-}
 
 // The motion at one time, while a run reports it to a recorder. At an event it is the motion just
 // after the event: impacts of several masses at one instant are all applied before the first is

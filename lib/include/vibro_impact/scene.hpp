@@ -84,6 +84,8 @@ struct MotionState {
   Instant instant = {};
   std::vector<double> displacement = {}, velocity = {};  // N
   Held held = {};                                        // N
+
+  bool operator==(const MotionState &) const = default;
 };
 
 // Throws std::invalid_argument with one line unless a run of this scene can start from this motion:

@@ -1,0 +1,40 @@
+// Events: a mass hits its stop, comes to stick at its stop, or is released from it.
+#pragma once
+
+#include <string>
+
+#include "instant.hpp"
+#include "scene.hpp"
+
+namespace vibro_impact {
+
+enum class EventKind { impact, stick, release };
+
+// Returns "impact", "stick" or "release".
+const char *name(EventKind kind);
+
+// The held masses of a contact mode as text: `-` for none, or `1`, `2`, `1+2`.
+std::string contact_mode_name(const Held &held);
+
+// One event of one mass. Simultaneous events are reported one after another with the same instant.
+struct Event {
+  EventKind kind = EventKind::impact;
+  int stop = 1;  // from 1, in the order of Scene::stops
+  int mass = 1;  // from 1
+  Side side = Side::upper;
+  Instant instant = {};
+  double time = 0.0;
+  double velocity_before = 0.0, velocity_after = 0.0;  // of an impact, towards +x; else 0
+  int falling = 0;         // impacts at this stop before this one, each slower than the one before
+  bool by_a_jump = false;  // a release where the force jumped, or at a start, not at a root
+  Held held = {};          // the contact mode after the event
+
+  bool operator==(const Event &) const = default;
+};
+
+// The stop of an event of this scene.
+inline const Stop &stop_of(const Scene &scene, const Event &event) {
+  return scene.stops[static_cast<std::size_t>(event.stop - 1)];
+}
+
+}  // namespace vibro_impact
