@@ -24,6 +24,7 @@ const std::vector<BadCase> bad_cases = {
     {run_files + "--bogus 3", "not expected: --bogus 3"},
     {run_files + "--omega", "--omega"},
     {run_files + "--omega ''", "--omega"},
+    {"run --samples s.csv --events ''", "--events: needs a value"},
     {run_files + "--omega 1 --omega 2", "--omega"},
     {run_files + "--until 1e", "--until"},
     {run_files + "--max-steps 2.5", "--max-steps"},

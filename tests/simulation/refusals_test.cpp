@@ -69,7 +69,7 @@ TEST(Refusals, OfScenes) {
           },
           "the lower must lie below"),
       {[&] { check(without_links); }, "0 values given, the chain has 2"},
-      {[&] { start_of(two_starts); }, "start: displacement: 2 values given"},
+      {[&] { start_of(two_starts); }, "displacement: 2 values given"},
   });
   Scene free_chain = paper::figure2();
   free_chain.stiffness[0] = 0.0;

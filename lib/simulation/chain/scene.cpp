@@ -5,6 +5,7 @@
 
 #include "forces.hpp"
 #include "require.hpp"
+#include "vibro_impact/scene_fields.hpp"
 
 namespace vibro_impact {
 
@@ -77,11 +78,9 @@ void check(const Scene &scene) {
           ": must be non-negative and finite");
   static_cast<void>(Clock(scene.omega));  // refuses an Omega that is negative or not finite
   require_restitution(scene.restitution);
-  for (const auto &[values, what] : {std::pair{&scene.amplitude, "amplitude"},
-                                     {&scene.sine, "sine"},
-                                     {&scene.constant, "constant"},
-                                     {&scene.ground, "ground"}})
-    if (!values->empty()) require_one_per_mass(*values, scene, what);
+  for (const auto &field : list_fields)
+    if (field.optional && !(scene.*field.value).empty())
+      require_one_per_mass(scene.*field.value, scene, field.name);
   for (double k : scene.ground) require(k >= 0.0, "ground = ", k, ": must be non-negative");
   const double rate = detail::rate_bound(scene);
   require(std::isfinite(rate * rate), "rate = ", rate,
