@@ -137,6 +137,14 @@ TEST(Refusals, OfMotionsBeyondTheRangeOfDoubles) {
   const Scene leaving{.mass = {1.0}, .stiffness = {0.0}, .velocity = {1e307}};
   EXPECT_EQ(simulate(leaving, 1.0).ending, Ending::reached);
   EXPECT_EQ(simulate(leaving, 100.0).ending, Ending::given_up);
+  // The first impact follows after 1e-156 of the first step, whose square underflows.
+  const Scene struck{.mass = {1.9e-143},
+                     .stiffness = {6.7e-153},
+                     .amplitude = {2.35e104},
+                     .omega = 3e-16,
+                     .restitution = 0.11,
+                     .stops = {{1, Side::upper, 6.2e-56}}};
+  EXPECT_EQ(simulate(struck, 100.0).ending, Ending::given_up);
 }
 
 // Asks for the same time over and over, an earlier one each time, or none that is one.

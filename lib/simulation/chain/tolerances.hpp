@@ -55,6 +55,9 @@ constexpr double same_instant = 0x1p-46;
 // however small u1 is, and at most the rounding of both roots.
 constexpr double same_instant_of_flight = 0x1p-16;
 
+// Largest number of iterations of the search for a root. Searches of ordinary scenes need some ten.
+constexpr int most_root_iterations = 10000;
+
 // Steps.
 
 // Rate times length of the longest step. The order is then 23; other lengths cost more.

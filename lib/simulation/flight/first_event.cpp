@@ -182,7 +182,8 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
     approach.root = first_root(p, std::min(1.0, flight.u + simultaneous(flight.u)), counters);
     if (!approach.root) continue;
     flight.event = true;
-    flight.u = std::min(flight.u, approach.root->u);
+    flight.u = std::min(approach.root->u, flight.u);  // NaN if the root is
+    if (std::isnan(flight.u)) return;
   }
   drop_later_roots(motion, simultaneous(flight.u), flight);
 }

@@ -28,7 +28,8 @@ struct Flight {
   bool any_released = false;          // some mass was released at the start of the step
 };
 
-// Finds the first event at u in (0, 1] of flight.step, which begins at `motion`.
+// Finds the first event at u in (0, 1] of flight.step, which begins at `motion`. u is NaN if the
+// motion leaves the range of double precision.
 void find_first_event(const Motion &motion, const std::vector<StopState> &stops, const Clock &clock,
                       bool forced, Flight &flight, Counters &counters);
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "polynomial.hpp"
+#include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
 
@@ -135,8 +136,9 @@ std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &coun
   ++counters.roots_searched;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double u = 0.0, last_newton = std::numeric_limits<double>::infinity();
-  // The loop ends: near a root Newton's step is at least halved, and away from roots u grows.
-  while (true) {
+  // Near a root Newton's step is at least halved, and away from roots u grows, unless a power of u
+  // or of a quotient of coefficients leaves the range of double precision.
+  for (int iteration = 0; iteration < most_root_iterations; ++iteration) {
     // Kantorovich's condition with a margin of two: p' varies by less than half of itself over
     // twice Newton's step, so that this interval has exactly one root.
     const double newton = -jet.value / jet.slope, distance = std::abs(newton);
@@ -175,6 +177,7 @@ std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &coun
     if (!(u < u_max)) return std::nullopt;
     jet = jet_at(p, zeros, u);
   }
+  return Root{std::numeric_limits<double>::quiet_NaN(), 0.0};
 }
 
 }  // namespace vibro_impact::detail

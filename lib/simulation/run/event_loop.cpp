@@ -206,6 +206,7 @@ void run_step(Run &run, Recorders recorders) {
   Flight &flight = run.scratch.flight;
   flight.step = plan_step(run);
   find_first_event(run.motion, run.stops, clock, run.problem.forced, flight, run.counters);
+  if (std::isnan(flight.u)) return give_up_beyond_range(run, run.motion.now);
   const double tau = flight.u * flight.step.length;
   if (tau > remaining || remaining == 0.0) return end_at_time(run, remaining, false, recorders);
   sample(run, tau, false, recorders);
