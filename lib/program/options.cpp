@@ -116,7 +116,7 @@ struct Words {
 template <class Value>
 CLI::Option *option(CLI::App &app, const std::string &name, Value &value, const char *type,
                     const std::string &what, double most = 0.0) {
-  const auto read = [name, &value, most](const std::string &word) {
+  const auto read = [=, &value](const std::string &word) {
     const std::string given = name + " " + shown(word);
     if (word.empty()) refuse("{}: needs a value", name);
     if constexpr (std::is_same_v<Value, std::string>)

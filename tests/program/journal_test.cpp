@@ -91,6 +91,7 @@ TEST_F(JournalFile, WhatIsDoneToItDuringASweepIsSeenAndHarmless) {
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_EQ(journal.rows()[k], block(0)[k] + block(10)[k] + block(20)[k]) << name;
     EXPECT_FALSE(journal.remove()) << name;
+    EXPECT_EQ(fs::exists(path()), std::string(name) == "replaced") << name << ": no file of others";
   }
   fs::remove(path());
   Journal untouched = open(false);
