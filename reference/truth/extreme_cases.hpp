@@ -2,40 +2,16 @@
 // reference/tables/extreme_cases.csv.
 #pragma once
 
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "exact_events.hpp"
-#include "table_reader.hpp"
+#include "scene_reader.hpp"
 
 namespace vibro_impact::truth {
 
 namespace detail {
-
-// Numbers with a blank between them; 0.5*200 stands for two hundred of them.
-inline std::vector<double> numbers_in(const std::string &table, const std::string &cell) {
-  std::vector<double> numbers;
-  std::istringstream words(cell);
-  for (std::string word; words >> word;) {
-    const auto star = word.find('*');
-    const double times = star == std::string::npos ? 1.0 : number_in(table, word.substr(star + 1));
-    numbers.insert(numbers.end(), static_cast<std::size_t>(times),
-                   number_in(table, word.substr(0, star)));
-  }
-  return numbers;
-}
-
-// Mass, side and position of each.
-inline std::vector<Stop> stops_in(const std::string &cell) {
-  std::vector<Stop> stops;
-  std::istringstream words(cell);
-  std::string side;
-  for (Stop stop; words >> stop.mass >> side >> stop.position; stops.push_back(stop))
-    stop.side = side == "lower" ? Side::lower : Side::upper;
-  return stops;
-}
 
 // The formula of exact_events.hpp that a row names, with the numbers of its scene.
 inline std::vector<Event> exact_events(const std::string &formula, const Case &of) {
@@ -61,27 +37,17 @@ inline std::vector<Event> exact_events(const std::string &formula, const Case &o
 // Throws std::runtime_error naming the table and what is wrong with it.
 inline std::vector<Case> extreme_cases() {
   const std::string table = REFERENCE_DIR "/extreme_cases.csv";
+  const Row header = header_of(table);
   std::vector<Case> cases;
-  for (const auto &cells : read_rows(table, 16)) {
-    const auto numbers = [&](std::size_t column) {
-      return detail::numbers_in(table, cells[column]);
-    };
-    const auto number = [&](std::size_t column) { return number_in(table, cells[column]); };
+  for (const Row &cells : read_rows(table, header.size())) {
+    const std::string place = line_of(table, cases.size());
     Case &row = cases.emplace_back();
     row.name = cells[0];
     row.group = cells[1];
-    row.from = number(4);
-    row.until = number(5);
-    row.slowest_impact = number(6);
-    row.scene = {.mass = numbers(7),
-                 .stiffness = numbers(8),
-                 .beta = number(9),
-                 .amplitude = numbers(10),
-                 .omega = number(11),
-                 .restitution = number(12),
-                 .stops = detail::stops_in(cells[13]),
-                 .displacement = numbers(14),
-                 .velocity = numbers(15)};
+    row.from = number_in(place, cells[4]);
+    row.until = number_in(place, cells[5]);
+    row.slowest_impact = number_in(place, cells[6]);
+    row.scene = scene_in(place, header, cells);
     for (const Truth truth : {Truth::digits, Truth::exact, Truth::grazing})
       if (cells[2] == name(truth)) row.truth = truth;
     if (row.truth != Truth::digits) row.events = detail::exact_events(cells[3], row);

@@ -44,6 +44,14 @@ inline std::string in_quotes(const std::string &text) {
   return '"' + text + '"';
 }
 
+// The cells of the header line.
+inline Row header_of(const std::string &path) {
+  std::ifstream file = opened(path);
+  std::string line;
+  std::getline(file, line);
+  return cells_of(line);
+}
+
 // The place of a row, counted from 0, for a message.
 inline std::string line_of(const std::string &name, std::size_t row) {
   return fmt::format("{}: line {}", name, row + 2);

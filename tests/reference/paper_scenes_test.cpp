@@ -1,10 +1,17 @@
 // The paper's scenes stand in reference/scenes/paper_scenes.hpp. The defaults of the program and
-// the examples, which users copy, repeat them and must be the same.
+// the examples, which users copy, repeat them and must be the same. Scenes in tables are written as
+// scene files are.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
 
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
+#include "program/scene_text.hpp"
+#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/extreme_cases.hpp"
 
 namespace {
 
@@ -20,6 +27,69 @@ TEST(PaperScenes, AreTheDefaultsOfTheSceneRunner) {
 TEST(PaperScenes, AreThoseOfTheExamples) {
   for (double omega : {paper::figure2().omega, paper::figure4a().omega, 0.7})
     EXPECT_TRUE(paper::stops_of_different_sign(omega) == paper_scene(omega));
+}
+
+// A list of zeros is written as a list that is left out.
+Scene without_zeros(Scene scene) {
+  for (const auto &field : list_fields) {
+    std::vector<double> &values = scene.*field.value;
+    if (field.optional && std::ranges::count(values, 0.0) == std::ssize(values)) values.clear();
+  }
+  return scene;
+}
+
+// The program reads a file that its fields in words make, as the tables have them.
+Scene read_by_the_program(const Scene &scene) {
+  const std::string path = ::testing::TempDir() + "vibro_impact_scene_in_words";
+  {
+    std::ofstream file(path);
+    for (const auto &[name, words] : fields_in_words(scene))
+      if (!words.empty()) file << name << " = " << words << '\n';
+  }
+  return runner::scene_of(runner::scene_lines(path));
+}
+
+TEST(ExtremeScenes, AreReadAlikeByTheProgramAndFromTheTable) {
+  for (const truth::Case &extreme : truth::extreme_cases()) {
+    Scene with_own_restitution = extreme.scene;
+    with_own_restitution.stops[0].restitution = 0.1;
+    for (const Scene &scene : {extreme.scene, with_own_restitution})
+      EXPECT_TRUE(without_zeros(scene) == read_by_the_program(scene)) << extreme.name;
+  }
+}
+
+TEST(ScenesInWords, AreTheSameSceneAgain) {
+  for (Scene scene : {paper::figure2(), extremes::long_chain(), Scene{.mass = {2.0}}}) {
+    scene.stiffness.assign(scene.mass.size(), 1.0 / 3.0);
+    Scene again;
+    for (const auto &[name, words] : fields_in_words(scene))
+      EXPECT_TRUE(words.empty() || set_field(again, name, words)) << name;
+    EXPECT_TRUE(again == scene);
+  }
+}
+
+TEST(ScenesInWords, ThatBreakARuleAreRefusedWithTheirPlace) {
+  const truth::Row header{"case", "masses", "mass", "stop", "amplitud"};
+  const auto refusal = [&](const truth::Row &row) -> std::string {
+    try {
+      truth::scene_in("t.csv: line 2", header, row);
+    } catch (const std::runtime_error &error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal({"", "2", "1,2", "none", ""}), "accepted");
+  EXPECT_EQ(refusal({"", "2", "1,2,3", "none", ""}),
+            "t.csv: line 2, column mass: '1,2,3' must have one number, or one for each mass");
+  EXPECT_EQ(refusal({"", "2", "1", "1:left:0", ""}),
+            "t.csv: line 2, column stop: '1:left:0' must read mass:side:position or "
+            "mass:side:position:restitution");
+  EXPECT_EQ(refusal({"", "2", "1", "1:upper: x", ""}),
+            "t.csv: line 2, column stop: 'x' is not a number in double precision");
+  EXPECT_EQ(refusal({"", "1.5", "1", "", ""}),
+            "t.csv: line 2, column masses: '1.5' must be a whole number from 1 to 1e6");
+  EXPECT_EQ(refusal({"", "2", "1", "", "1"}),
+            "t.csv: line 2, column amplitud: is no field of a scene");
 }
 
 }  // namespace

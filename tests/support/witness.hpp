@@ -25,7 +25,6 @@ class Witness : public Recorder {
   Real deepest = 0;       // beyond a stop, between events
   Real weakest = 0;       // hold force that pulls, between events
   Real off_the_stop = 0;  // gap at an impact
-  Real off_in_speed = 0;  // of the speed of an impact
   Real not_zero = 0;      // hold force at a release that no impact has caused
 
   // Looks about every `radians` of the fastest mode.
@@ -44,7 +43,8 @@ class Witness : public Recorder {
     const Stop &stop = stop_of(scene_, event);
     if (event.kind == EventKind::impact) {
       note(off_the_stop, std::abs(gap(stop, flown_)));
-      note(off_in_speed, std::abs(flown_.v(i) - event.velocity_before));
+      const Real off = flown_.v(i) - event.velocity_before;
+      note(apart_, scene_.mass[static_cast<std::size_t>(i)] * off * off / 2);
       flown_.v(i) = event.velocity_after;
     } else if (event.kind == EventKind::stick) {  // its last speed counts as off
       note(off_the_stop, std::abs(gap(stop, flown_)));

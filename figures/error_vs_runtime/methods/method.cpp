@@ -39,8 +39,13 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
     problem.until = number(3);
     problem.reference_end = {
         number(3), {number(10), number(11)}, {number(12), number(13)}, {false, false}};
-    if (const auto its_events = events.find(row[0]); its_events != events.end())
+    if (const auto its_events = events.find(row[0]); its_events != events.end()) {
       problem.reference_events = its_events->second;
+    } else {  // a motion from rest is the beginning of the motion in the table of its scene
+      problem.reference_events = truth::read_event_table(reference / (row[1] + "_events.csv"));
+      std::erase_if(problem.reference_events,
+                    [&](const Event &event) { return event.time > problem.until; });
+    }
   }
   return all;
 }

@@ -1,0 +1,144 @@
+// The fields of a scene in words, as scene files and tables of scenes have them: `omega = 0.2`,
+// `mass = 1,1,2`, `stop = 1:lower:-0.3, 2:upper:0.1`.
+//
+// A number is read as std::from_chars reads it. A list has a number for each mass, with commas
+// between them; one number stands for equal ones. A stop reads mass:side:position, or with a
+// restitution of its own mass:side:position:restitution. `none` stands for no stop. `masses` is the
+// number of masses, all of mass 1 on links of stiffness 1, and comes before the lists.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "scene_fields.hpp"
+
+namespace vibro_impact {
+
+namespace detail {
+
+[[noreturn]] inline void refuse_words(std::string_view words, std::string_view rule) {
+  throw std::invalid_argument("'" + std::string(words) + "' " + std::string(rule));
+}
+
+// The parts of a text between separators, without the blanks around them.
+inline std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    std::string_view part = text.substr(begin, end - begin);
+    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+    part.remove_suffix(part.size() - (part.find_last_not_of(' ') + 1));
+    parts.push_back(part);
+    begin = end + 1;
+  }
+  return parts;
+}
+
+inline double number_of(std::string_view word) {
+  double value = 0.0;
+  const char *end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (stop != end || error != std::errc())
+    refuse_words(word, "is not a number in double precision");
+  return value;
+}
+
+inline int count_of(std::string_view word) {
+  const double value = number_of(word);
+  if (!(value >= 1.0 && value <= 1e6 && value == std::floor(value)))
+    refuse_words(word, "must be a whole number from 1 to 1e6");
+  return static_cast<int>(value);
+}
+
+inline Stop stop_of(std::string_view word) {
+  const auto parts = parts_of(word, ':');
+  const bool lower = parts.size() > 1 && parts[1] == "lower";
+  if (parts.size() < 3 || parts.size() > 4 || (!lower && parts[1] != "upper"))
+    refuse_words(word, "must read mass:side:position or mass:side:position:restitution");
+  Stop stop{count_of(parts[0]), lower ? Side::lower : Side::upper, number_of(parts[2])};
+  if (parts.size() == 4) stop.restitution = number_of(parts[3]);
+  return stop;
+}
+
+inline std::string words_of(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+inline std::string words_of(const Stop &stop) {
+  std::string words =
+      std::to_string(stop.mass) + (stop.side == Side::lower ? ":lower:" : ":upper:");
+  words += words_of(stop.position);
+  if (stop.restitution) words += ":" + words_of(*stop.restitution);
+  return words;
+}
+
+template <class Value>
+std::string joined(const std::vector<Value> &values, const std::string &if_empty) {
+  std::string words;
+  for (const Value &value : values) words += (words.empty() ? "" : ",") + words_of(value);
+  return words.empty() ? if_empty : words;
+}
+
+}  // namespace detail
+
+// Gives the field `name` of a scene, its `masses` or its stops (`stop`) the value in these words.
+// Returns false if there is no such field. Throws std::invalid_argument with one line naming the
+// word and the rule; `check` judges the values.
+inline bool set_field(Scene &scene, std::string_view name, std::string_view words) {
+  if (name == "masses") {
+    scene.mass.assign(static_cast<std::size_t>(detail::count_of(words)), 1.0);
+    scene.stiffness = scene.mass;
+    return true;
+  }
+  if (name == "stop") {
+    scene.stops.clear();
+    if (words == "none") return true;
+    for (const std::string_view word : detail::parts_of(words, ','))
+      scene.stops.push_back(detail::stop_of(word));
+    return true;
+  }
+  for (const auto &field : scalar_fields) {
+    if (name != field.name) continue;
+    scene.*field.value = detail::number_of(words);
+    return true;
+  }
+  for (const auto &field : list_fields) {
+    if (name != field.name) continue;
+    std::vector<double> given;
+    for (const std::string_view word : detail::parts_of(words, ','))
+      given.push_back(detail::number_of(word));
+    if (given.size() == 1) given.assign(scene.mass.size(), given.front());
+    if (given.size() != scene.mass.size())
+      detail::refuse_words(words, "must have one number, or one for each mass");
+    scene.*field.value = std::move(given);
+    return true;
+  }
+  return false;
+}
+
+// A field of a scene by its name, and its value in words.
+struct FieldInWords {
+  std::string name, words;
+};
+
+// All fields of a scene. Those with words, given to set_field in this order, make the same scene
+// again, bit by bit. An empty list has no words.
+inline std::vector<FieldInWords> fields_in_words(const Scene &scene) {
+  std::vector<FieldInWords> fields{{"masses", std::to_string(scene.masses())}};
+  for (const auto &field : list_fields)
+    fields.push_back({field.name, detail::joined(scene.*field.value, "")});
+  for (const auto &field : scalar_fields)
+    fields.push_back({field.name, detail::words_of(scene.*field.value)});
+  fields.push_back({"stop", detail::joined(scene.stops, "none")});
+  return fields;
+}
+
+}  // namespace vibro_impact
