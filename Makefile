@@ -98,7 +98,7 @@ reference: configured-figures
 	$(make_target) reference-generate
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
 	  $(folder)/bin/reference-generate $$scene reference/tables/$${scene}_events.csv || exit 2; done
-	@$(folder)/bin/reference-generate key_numbers reference/tables/key_numbers.csv || exit 2
+	@$(folder)/bin/reference-generate checked_numbers reference/tables/checked_numbers.csv || exit 2
 	@$(folder)/bin/reference-generate extremes reference/tables/extreme_events.csv || exit 2
 	@$(folder)/bin/reference-generate degenerate reference/tables/degenerate_events.csv || exit 2
 	@$(folder)/bin/reference-generate one_impact reference/tables/one_impact_orbits.csv || exit 2

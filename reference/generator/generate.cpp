@@ -2,9 +2,8 @@
 // reference/README.md.
 #include "event_driven.hpp"
 #include "event_table.hpp"
-#include "filled_table.hpp"
 #include "in_digits.hpp"
-#include "key_number_digits.hpp"
+#include "key_number_table.hpp"
 #include "one_impact.hpp"
 #include "reference/truth/degenerate_cases.hpp"
 #include "reference/truth/extreme_cases.hpp"
@@ -52,12 +51,14 @@ std::string work_precision_table(bool states) {
 }
 
 constexpr const char *tables =
-    "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, key_numbers, extremes, degenerate, "
-    "one_impact, work_precision_states, work_precision_events";
+    "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, checked_numbers, extremes, "
+    "degenerate, "
+    "one_impact, work_precision_states, work_precision_events, number:<id of a key number>";
 
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
-  if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
+  if (name == "checked_numbers") return filled_table();
+  if (name.starts_with("number:")) return digits_of(name.substr(7));
   if (name == "extremes") return cases_table(vibro_impact::truth::extreme_cases());
   if (name == "one_impact") return one_impact_table();
   if (name == "degenerate") return cases_table(vibro_impact::truth::degenerate_cases());

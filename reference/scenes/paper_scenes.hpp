@@ -69,16 +69,6 @@ inline Scene figure5c() {
   return two_masses({1, Side::upper, 0.3}, {2, Side::upper, 0.3}, 0.7, 0.02);
 }
 
-// "A reduction of Omega and/or r" of Figure 5(c), which "leads to the dual sticking case": both
-// reduced. The numbers are ours: so that 50 digits resolve the bounces of mass 2, whose speed falls
-// by r exp(-zeta pi / sqrt(1 - zeta^2)) each while mass 1 sticks.
-inline Scene figure5c_reduced() {
-  Scene scene = figure5c();
-  scene.omega = 0.015;
-  scene.restitution = 0.5;
-  return scene;
-}
-
 // The axes of a panel: a window of the abscissa and a range of the ordinate, each with the distance
 // between its printed ticks. All printed (axes).
 struct AxisBox {

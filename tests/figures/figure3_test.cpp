@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "figures/check/verdict.hpp"
 #include "figures/frequency_diagram.hpp"
+#include "reference/numbers/checked_number.hpp"
 #include "tests/support/panels.hpp"
 
 namespace {
@@ -22,9 +22,8 @@ using truth::TrueEvent;
 // this name.
 void expect_changes(const Curve &curve, const std::string &symbol) {
   std::vector<double> known;
-  for (const figures::KeyNumber &number :
-       figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv"))
-    if (number.symbol.starts_with(symbol)) known.push_back(number.reference);
+  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+    if (number.id.starts_with(symbol)) known.push_back(number.value);
   std::sort(known.begin(), known.end());
   ASSERT_EQ(curve.points.size(), known.size()) << symbol;
   for (std::size_t i = 0; i < known.size(); ++i)

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/check/verdict.hpp"
+#include "reference/numbers/checked_number.hpp"
 #include "tests/support/panels.hpp"
 
 namespace {
@@ -171,10 +171,9 @@ TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
   ASSERT_EQ(panels[3].curves.size(), 2u);
   double highest = -1e9;
   for (const Point &point : panels[3].curves[1].points) highest = std::max(highest, point[1]);
-  for (const figures::KeyNumber &number :
-       figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv"))
-    if (number.symbol == "figure5b_nearest_gap") {
-      EXPECT_NEAR(highest, -1e5 * number.reference, 0.004);
+  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+    if (number.id == "figure5b_nearest_gap") {
+      EXPECT_NEAR(highest, -1e5 * number.value, 0.004);
     }
 
   // Dots in (a): the impacts of mass 2. Inset of (c): the speeds of those, down to the release of
