@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "reference/numbers/panels.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/vibro_impact.hpp"

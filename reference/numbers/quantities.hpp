@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "panels.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/event_kind.hpp"
 
@@ -114,17 +115,29 @@ Number first_time(const Occurrences<Number> &events, EventKind kind, int mass,
 
 constexpr const char *run_names = "scene omega r until";
 constexpr const char *event_names =
-    "scene omega r until kind mass contact_mode from to periods while_sticking release_of before";
+    "scene omega r until kind mass contact_mode panel from to periods while_sticking release_of "
+    "before";
 
-// The interval that a question is about: [from, to], by default the whole run. It is narrowed to
-// the last `periods` forcing periods, to the first sticking phase of the mass `while_sticking`, or
-// to the time `before` the first release of the mass `release_of`.
+// [from, to] of the arguments, by default the window of a panel of the paper, or the whole run.
+inline Interval<double> window_of(const paper::NamedScene &run, const Arguments &given) {
+  Interval<double> window{0.0, run.until};
+  if (given.contains("panel")) {
+    const paper::AxisBox box = paper::panel(given.text("panel"));
+    window = {box.from, box.to};
+  }
+  return {given.at("from", window.from), given.at("to", window.to)};
+}
+
+// The interval that a question about events is about: the window, narrowed to the last `periods`
+// forcing periods, to the first sticking phase of the mass `while_sticking`, or to the time
+// `before` the first release of the mass `release_of`.
 template <class Engine>
 Interval<typename Engine::Number> interval_of(Engine &engine, const paper::NamedScene &run,
                                               const Occurrences<typename Engine::Number> &events,
                                               const Arguments &given) {
   using Number = typename Engine::Number;
-  Interval<Number> interval{Number(given.at("from", 0.0)), Number(given.at("to", run.until))};
+  const Interval<double> window = window_of(run, given);
+  Interval<Number> interval{Number(window.from), Number(window.to)};
   if (given.contains("periods"))
     interval.from = interval.to - Number(given.at("periods")) * engine.period(run.scene);
   if (const int mass = given.mass("while_sticking")) {
@@ -182,18 +195,23 @@ typename Engine::Number interval(Engine &engine, const Arguments &given) {
 
 template <class Engine>
 typename Engine::Number lowest(Engine &engine, const Arguments &given) {
-  return engine.lowest(run_of(given), given.mass("mass"), given.at("from"), given.at("to"));
+  const paper::NamedScene run = run_of(given);
+  const auto [from, to] = window_of(run, given);
+  return engine.lowest(run, given.mass("mass"), from, to);
 }
 
 template <class Engine>
 typename Engine::Number highest(Engine &engine, const Arguments &given) {
-  return engine.highest(run_of(given), given.mass("mass"), given.at("from"), given.at("to"));
+  const paper::NamedScene run = run_of(given);
+  const auto [from, to] = window_of(run, given);
+  return engine.highest(run, given.mass("mass"), from, to);
 }
 
 template <class Engine>
 typename Engine::Number turning_time(Engine &engine, const Arguments &given) {
-  const int mass = given.mass("mass");
-  return engine.turning_point(run_of(given), mass, given.at("from"), given.at("to")).time;
+  const paper::NamedScene run = run_of(given);
+  const auto [from, to] = window_of(run, given);
+  return engine.turning_point(run, given.mass("mass"), from, to).time;
 }
 
 // The distance from the turning point to the stop of the mass.
@@ -201,7 +219,8 @@ template <class Engine>
 typename Engine::Number turning_gap(Engine &engine, const Arguments &given) {
   const paper::NamedScene run = run_of(given);
   const int mass = given.mass("mass");
-  const auto turn = engine.turning_point(run, mass, given.at("from"), given.at("to"));
+  const auto [from, to] = window_of(run, given);
+  const auto turn = engine.turning_point(run, mass, from, to);
   const double place = run.scene.stops[stop_of(run.scene, mass)].position;
   return typename Engine::Number(place) - turn.displacement;
 }
@@ -239,7 +258,7 @@ using Quantities = std::map<std::string, Quantity<Engine>>;
 // The quantities that both engines answer.
 template <class Engine>
 Quantities<Engine> common_quantities() {
-  const std::string run = run_names, range = run + " mass from to",
+  const std::string run = run_names, range = run + " mass panel from to",
                     near_far = run + " mass near far";
   return {{"count", {event_names, count<Engine>}},
           {"time", {event_names, time<Engine>}},

@@ -48,7 +48,7 @@ TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
   ASSERT_EQ(panels.size(), 3u);
   for (const int mass : {1, 2}) {
     const std::string name = mass == 1 ? "figure3a" : "figure3b", v = "v" + std::to_string(mass);
-    const AxisBox &box = mass == 1 ? paper::figure3a_box : paper::figure3b_box;
+    const AxisBox box = paper::panel(name);
     SCOPED_TRACE(name);
     auto columns = columns_of(folder_of("figure3") + "/" + name + ".csv");
     const std::vector<double> &omega = columns["omega"], &velocity = columns[v];
