@@ -74,10 +74,14 @@ std::string table_named(const std::string &name) {
 
 int main(int argc, char **argv) try {
   if (argc != 3)
-    throw std::invalid_argument(std::string("usage: reference-generate <table> <out.csv>, with "
+    throw std::invalid_argument(std::string("usage: reference-generate <table> <out.csv or ->, with "
                                             "table one of ") +
                                 tables);
   const std::string table = table_named(argv[1]);
+  if (std::string(argv[2]) == "-") {
+    std::cout << table;
+    return 0;
+  }
   std::ofstream file(argv[2]);
   file << table;
   file.close();
