@@ -7,6 +7,7 @@
 # make figure2 ...    draw one picture
 # make beyond         draw the rest: stiff and extreme cases, and what goes beyond the paper (minutes)
 # make peers          install SUNDIALS and Siconos, and draw error against run time with them
+# make pictures       draw all and renew figures/pictures, which the documents show
 # make check          compare every key number and published number
 # make readme         write the generated tables and counts of the documents
 # make build          build the library and the program only
@@ -17,15 +18,12 @@
 #
 # Variable: preset=release, a preset of CMakePresets.json (release, werror, clang, sanitize)
 
-paper  := $(basename $(notdir $(wildcard figures/*.gp)))
-paper  := $(filter-out style,$(paper))
-beyond := $(basename $(notdir $(wildcard figures/stability/*.gp figures/beyond/*.gp)))
+drawn  := $(filter-out style,$(basename $(notdir $(wildcard figures/*.gp figures/*/*.gp))))
 jobs   := $(shell nproc 2>/dev/null || echo 1)
 preset := release
 folder := build$(addprefix /,$(filter clang sanitize,$(preset)))
-tables := $(folder)/figures
 
-.PHONY: help figures beyond $(paper) $(beyond) error_vs_runtime peers check readme build test test-sanitize reference docs clean
+.PHONY: help figures beyond pictures $(drawn) peers check readme build test test-sanitize reference docs clean
 .NOTPARALLEL:  # the targets share build/, and each uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -44,33 +42,18 @@ build: configured-runner
 	$(make_target) vibro-impact
 
 figures: configured-figures
-	$(make_target) paper_programs
-	@$(MAKE) $(paper:%=$(tables)/%.png) $(tables)/motion.gif $(tables)/error_vs_runtime.png
+	$(make_target) figures_programs
+	@cmake --build --preset $(preset) --target figures
 	@$(folder)/bin/check >$(folder)/check.log || { cat $(folder)/check.log; exit 1; }
 	@tail -n 1 $(folder)/check.log
 
-beyond: configured-figures
-	$(make_target) beyond_programs
-	@$(MAKE) $(beyond:%=$(tables)/%.png)
+beyond pictures: configured-figures
+	$(make_target) figures_programs beyond_programs
+	@cmake --build --preset $(preset) --target $@
 
-$(paper) $(beyond) error_vs_runtime: configured-figures
+$(drawn): configured-figures
 	$(make_target) $@
-	@$(MAKE) $(tables)/$@.png
-
-# A driver writes the tables, its script draws them; each is run when what it depends on has changed.
-# The picture also as PDF.
-$(tables)/%.tables: $(folder)/bin/%
-	@OMP_NUM_THREADS=$(if $(filter error_vs_runtime,$*),1,$(jobs)) OPENBLAS_NUM_THREADS=1 $< --output $(tables)
-	@touch $@
-.SECONDEXPANSION:
-$(tables)/%.png: $(tables)/%.tables $$(wildcard figures/%.gp figures/*/%.gp) figures/style.gp
-	@for kind in pdf png; do LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='$$kind'" $(wildcard figures/$*.gp figures/*/$*.gp) || exit; done
-	@echo "drawn: $@"
-$(tables)/motion.gif: $(tables)/figure1.png
-	@LC_ALL=C.UTF-8 gnuplot -e "data='$(tables)'; kind='gif'" figures/figure1.gp
-	@echo "drawn: $@"
-.PRECIOUS: $(tables)/%.tables
-$(folder)/bin/%: ;
+	@cmake --build --preset $(preset) --target draw_$@
 
 # CMake looks for the packages again.
 peers:
@@ -98,7 +81,7 @@ reference: configured-figures
 	$(make_target) reference-generate
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
 	  $(folder)/bin/reference-generate $$scene reference/tables/$${scene}_events.csv || exit 2; done
-	@$(folder)/bin/reference-generate key_numbers reference/tables/key_numbers.csv || exit 2
+	@$(folder)/bin/reference-generate checked_numbers reference/tables/checked_numbers.csv || exit 2
 	@$(folder)/bin/reference-generate extremes reference/tables/extreme_events.csv || exit 2
 	@$(folder)/bin/reference-generate degenerate reference/tables/degenerate_events.csv || exit 2
 	@$(folder)/bin/reference-generate one_impact reference/tables/one_impact_orbits.csv || exit 2

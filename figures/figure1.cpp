@@ -44,7 +44,7 @@ void draw(const std::filesystem::path &output) {
   write(chain, output / "figure1.csv");
   write(figures::parameters({scene}), output / "figure1_scenes.csv");
 
-  const double period = Clock(scene.omega).period, to = paper::figure2a_box.to;
+  const double period = Clock(scene.omega).period, to = paper::panel("figure2a").to;
   const double from = to - 2 * period;
   SampleRecorder samples(from, to, step);
   EventRecorder recorder(from - period);

@@ -9,7 +9,8 @@ int main(int argc, char **argv) {
       argc, argv, "Figure 2: displacement of both masses", [](const std::filesystem::path &output) {
         using namespace paper;
         write(figures::parameters({figure2()}), output / "figure2_scenes.csv");
-        write(figures::displacements(figure2(), figure2a_box, 0.005), output / "figure2a.csv");
-        write(figures::displacements(figure2(), figure2b_box, 0.0005), output / "figure2b.csv");
+        write(figures::displacements(figure2(), panel("figure2a"), 0.005), output / "figure2a.csv");
+        write(figures::displacements(figure2(), panel("figure2b"), 0.0005),
+              output / "figure2b.csv");
       });
 }

@@ -11,8 +11,7 @@ eval page('figure2', 2, 1)
 
 eval panel('a')
 eval scene(1, 'Ω')
-set xrange [700:750]; set xtics 5
-set yrange [-0.5:0.4]; set ytics 0.1
+eval axes('figure2a')
 table = data.'/figure2a.csv'
 plot s1[1] lt 3, s2[1] lt 3, \
   table using 't':(stuck(column('x1'), s1[1])) with lines lt 7 lw 6 title 'sticking', \
@@ -23,8 +22,7 @@ plot s1[1] lt 3, s2[1] lt 3, \
 eval panel('b')
 eval heading('close-up of (a): the chatter of mass 2,  '.known('Ω', omega[1], 'Ω').' (mass 1 is not drawn)')
 unset label 2
-set xrange [715:722]; set xtics 1
-set yrange [-0.06:0.12]; set ytics 0.02
+eval axes('figure2b')
 table = data.'/figure2b.csv'
 plot s2[1] lt 3, table using 't':(stuck(column('x2'), s2[1])) with lines lt 7 lw 6, \
   '' using 't':'x2' with lines lt 2

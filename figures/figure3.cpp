@@ -18,7 +18,7 @@ constexpr double end_of_sticking = 0.5;
 bool goes_on(double omega, double other, int mass, int phases) {
   const MotionState settled =
       state_after_periods(paper::figure3(omega), paper::figure4_settling_periods);
-  return figures::followed_sticking_phases(other, mass, settled) == phases;
+  return figures::followed_sticking_phases(paper::figure3(other), mass, settled) == phases;
 }
 
 // The number of sticking phases of a mass changes at a multi-sliding bifurcation, where the hold

@@ -4,8 +4,6 @@
 # Vertical lines: the changes of sticking, by their kinds, with their frequencies.
 load 'figures/style.gp'
 set xlabel 'Ω'
-set xrange [0.25:0.7]; set xtics 0.05
-set ytics 0.05
 set tmargin 2
 eval key_beside_heading
 
@@ -20,13 +18,14 @@ of_mass(mass) = column('mass') == mass ? column('omega') : NaN
 of_kind(k, mass) = strcol('kind') eq kinds[k] ? of_mass(mass) : NaN
 array window_from[2] = [0.3, 0.37]
 array window_to[2] = [0.35, 0.4]
-step = 0.45 / 1800  # of the frequencies
+eval axes('figure3a')
+step = (axis_to - axis_from) / 1800  # of the frequencies
 # The heights of the bar and of the frequencies in panels (a) and (b). A frequency that is close to
 # others of the same mass stands below them.
 array bar[2] = [-0.385, 0.385]
 array first[2] = [-0.262, 0.365]
 array changed[99]; array of[99]
-stats changes using (changed[$0 + 1] = column('omega'), of[$0 + 1] = column('mass')) nooutput
+stats [*:*] [*:*] changes using (changed[$0 + 1] = column('omega'), of[$0 + 1] = column('mass')) nooutput
 number = STATS_records
 before(mass, w) = sum [k = 1:number] (of[k] == mass && w - changed[k] > 0 && w - changed[k] < 0.004)
 height(mass) = first[mass] - 0.023 * before(mass, column('omega'))
@@ -36,17 +35,16 @@ window = "fillcolor rgb '#e4e4e4' fillstyle solid noborder"
 eval scenes('figure3')
 eval page('figure3', 3, 1)
 do for [mass = 1:2] {
-  lowest = mass == 1 ? -0.4 : 0
   eval panel('ab'[mass:mass])
+  eval axes('figure3'.'ab'[mass:mass])
   eval heading('from rest,  '.known('r', r[1], '').',  '.stops(1, ''))
   set ylabel sprintf('{/:Italic v}_%d', mass)
-  set yrange [lowest:lowest + 0.4]
   set label 2 sprintf('bar: mass %d sticks', mass) at 0.555, bar[mass] center
   set label 3 mass == 1 ? "grey: windows in which the paper finds\nthe chatter of mass 1 incomplete" : '' at 0.485, -0.315
-  plot for [k = 1:2] '+' using (mass == 1 ? window_from[k] : NaN):(-0.4):(window_from[k]):(window_to[k]):(-0.4):(0) every ::::0 \
+  plot for [k = 1:2] '+' using (mass == 1 ? window_from[k] : NaN):(lowest):(window_from[k]):(window_to[k]):(lowest):(highest) every ::::0 \
       with boxxyerror @window, \
     sticking using (of_mass(mass)):(bar[mass]):(0.5 * step):(0.005) with boxxyerror lt 7 fillstyle solid noborder, \
-    for [k = 1:3] changes using (of_kind(k, mass)):(lowest):(0):(0.4) with vectors nohead lt line[k], \
+    for [k = 1:3] changes using (of_kind(k, mass)):(lowest):(0):(highest - lowest) with vectors nohead lt line[k], \
     changes using (of_mass(mass) + 0.004):(height(mass)):(frequency(strcol('kind'))) with labels left, \
     for [k = 1:3] changes using (of_kind(k, mass)):(height(mass)) with points lc rgb colour[k] pt mark[k] ps size[k] title kinds[k], \
     data.'/figure3'.'ab'[mass:mass].'.csv' using 'omega':'v'.mass with points lt mass pt 7 ps 0.2 lw 0.3

@@ -5,8 +5,7 @@ load 'figures/style.gp'
 set xlabel 'Time {/*0.85 (0: a settled forcing period begins; inferred)}'
 set ylabel '{/:Italic F}₂ {/*0.85 (force on mass 1)}'
 set tmargin 2
-set xrange [12:17.5]; set xtics 0.5
-set yrange [-0.2:0.02]; set ytics 0.02
+eval axes('figure4')
 
 table(letter) = data.'/figure4'.letter.'.csv'
 array phases[2]

@@ -11,10 +11,10 @@ int main(int argc, char **argv) {
         using figures::displacements;
         write(figures::parameters({figure5a(), figure5b(), figure5c()}),
               output / "figure5_scenes.csv");
-        write(displacements(figure5a(), figure5a_box, 0.001), output / "figure5a.csv");
-        write(displacements(figure5b(), figure5b_box, 0.001), output / "figure5b.csv");
-        write(displacements(figure5c(), figure5c_box, 0.005), output / "figure5c.csv");
-        write(figures::impacts(figure5a(), figure5a_box), output / "figure5a_impacts.csv");
-        write(figures::impacts(figure5c(), figure5c_box), output / "figure5c_impacts.csv");
+        write(displacements(figure5a(), panel("figure5a"), 0.001), output / "figure5a.csv");
+        write(displacements(figure5b(), panel("figure5b"), 0.001), output / "figure5b.csv");
+        write(displacements(figure5c(), panel("figure5c"), 0.005), output / "figure5c.csv");
+        write(figures::impacts(figure5a(), panel("figure5a")), output / "figure5a_impacts.csv");
+        write(figures::impacts(figure5c(), panel("figure5c")), output / "figure5c_impacts.csv");
       });
 }

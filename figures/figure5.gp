@@ -18,9 +18,7 @@ array bar_height[3] = [0.325, 0.345, 0.306]
 do for [n = 1:3] {
   eval panel('abc'[n:n])
   eval scene(n, inferred[n])
-  if (n == 1) { set xrange [950:964]; set xtics 2; set yrange [-0.05:0.35]; set ytics 0.05 }
-  if (n == 2) { set xrange [916:930]; set yrange [-0.4:0.5]; set ytics 0.1 }
-  if (n == 3) { set xrange [900:1000]; set xtics 20; set yrange [0.2:0.31]; set ytics 0.01 }
+  eval axes('figure5'.'abc'[n:n])
   set label 5 'mass 1 sticks' at bar_time[n], bar_height[n] center
   set label 6 n == 1 ? 'dots: impacts of mass 2' : '' at 953.9, 0.325 center
   plot for [stop = 1:(s1[n] == s2[n] ? 1 : 2)] (stop == 1 ? s1[n] : s2[n]) lt 3, \
@@ -32,7 +30,7 @@ do for [n = 1:3] {
 
 
 set lmargin at screen 0.45; set rmargin at screen 0.76
-stats [916:930] [*:*] table(2) using 't':(column('x2') - s2[2]) nooutput name 'graze'
+stats [*:*] [*:*] table(2) using 't':(column('x2') - s2[2]) nooutput name 'graze'
 eval inset(2, 3, 0.3, 0.6)
 set ylabel '10^5 ({/:Italic x}₂ − s₂)' font ',18' offset 1, 0
 set xrange [graze_pos_max_y - 0.05:graze_pos_max_y + 0.05]; set xtics 0.02
@@ -40,10 +38,9 @@ set yrange [-25:5]; set ytics 10
 set label 1 sprintf('nearest: %.1f', 1e5 * graze_max_y) at graph 0.5, graph 0.3 center font ',18'
 plot 0 lt 3, table(2) using 't':(1e5 * (column('x2') - s2[2])) with lines lt 2
 
-stats [900:1000] [*:*] table(3) using 't':(column('x1') == s1[3] ? $1 : NaN) nooutput name 'held'
 eval inset(3, 3, 0.3, 0.78)
 set ylabel 'speed of impacts' font ',18' offset 1, 0
-set xrange [900:1000]; set xtics 20
+eval axes('figure5c')
 set logscale y; set yrange [1e-10:1]; set mytics 1
 set ytics ('10^{-10}' 1e-10, '10^{-7}' 1e-7, '10^{-4}' 1e-4, '10^{-1}' 1e-1)
 set label 1 'mass 2 bounces, and never sticks' at graph 0.96, graph 0.91 right font ',18'

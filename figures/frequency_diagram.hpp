@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/numbers/panels.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -14,7 +15,7 @@ namespace vibro_impact::figures {
 
 // Frequencies from 0.25 to 0.7, both included, at equal distances.
 inline Grid grid_of_figure3(std::size_t count) {
-  const paper::AxisBox &box = paper::figure3a_box;
+  const paper::AxisBox box = paper::panel("figure3a");
   return {paper::figure3(box.from), {{"omega", box.from, box.to, count}}};
 }
 

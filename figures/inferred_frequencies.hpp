@@ -127,7 +127,7 @@ inline double invisible(const paper::AxisBox &box) {
 // set its right end to the first tick beyond that bounce.
 inline Trial try_figure2(double omega) {
   const Scene scene = paper::stops_of_different_sign(omega);
-  const paper::AxisBox &a = paper::figure2a_box, &b = paper::figure2b_box;
+  const paper::AxisBox a = paper::panel("figure2a"), b = paper::panel("figure2b");
   SampleRecorder samples = scan_samples(a), close_up = scan_samples(b);
   const double ten_periods_before = a.to - 10.0 * Clock(omega).period;
   EventRecorder events{std::min(ten_periods_before, b.from - Clock(omega).period)};
@@ -149,7 +149,7 @@ inline Trial try_figure2(double omega) {
 inline Trial try_figure5a(double omega) {
   Scene scene = paper::figure5a();
   scene.omega = omega;
-  const paper::AxisBox &box = paper::figure5a_box;
+  const paper::AxisBox box = paper::panel("figure5a");
   const double period = Clock(omega).period;
   SampleRecorder samples = scan_samples(box);
   EventRecorder events{box.from - period};
@@ -176,7 +176,7 @@ inline Trial try_figure5a(double omega) {
 inline Trial try_figure5b(double omega) {
   Scene scene = paper::figure5b();
   scene.omega = omega;
-  const paper::AxisBox &box = paper::figure5b_box;
+  const paper::AxisBox box = paper::panel("figure5b");
   SampleRecorder samples = scan_samples(box);
   EventRecorder events{box.from};
   require_complete(simulate(scene, box.to, all_visible_chatter, samples, events));

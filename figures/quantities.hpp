@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "reference/numbers/panels.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -57,14 +58,9 @@ inline double first_time(const std::vector<Event> &events, EventKind kind, int m
   return std::nan("");
 }
 
-// The same for the window of a panel.
-inline double first_time(const Scene &scene, EventKind kind, int mass, const paper::AxisBox &box) {
-  return first_time(events_of(scene, box.to), kind, mass, box.from);
-}
-
-// The displacements of a mass in the window of a panel, among samples every 1e-4.
-inline Range range_in(const Scene &scene, int mass, const paper::AxisBox &box) {
-  SampleRecorder samples = samples_across(box, 1e-4);
+// The displacements of a mass in an interval of time, among samples every 1e-4.
+inline Range range_in(const Scene &scene, int mass, double from, double to) {
+  SampleRecorder samples{.from = from, .to = to, .every = 1e-4};
   require_complete(simulate(scene, samples.to, samples));
   return range_of(samples, mass);
 }
@@ -77,22 +73,14 @@ inline double dual_sticks(const Scene &scene, double until) {
   }));
 }
 
-// Sticks of mass 1 in the last ten forcing periods before t = 750.
-inline double sticks_of_mass_1(const Scene &scene) {
-  const double from = 750.0 - 10.0 * Clock(scene.omega).period;
-  return count(events_of(scene, 750.0, from), EventKind::stick, 1);
-}
-
 // The sticking phases of a mass in four forcing periods of the motion that a scene settles to.
 // Motions of period 1, 2 and 4 give the same count in every window.
 inline int settled_sticking_phases(const Scene &scene, int mass) {
   return sticking_phases(scene, mass, paper::figure4_settling_periods, 4);
 }
 
-// The same at the stops of Figures 2 to 4, of the motion followed to this frequency from the motion
-// that settles at another one.
-inline int followed_sticking_phases(double omega, int mass, const MotionState &settled) {
-  Scene scene = paper::figure3(omega);
+// The same of the motion followed to this scene from a motion that settles at another frequency.
+inline int followed_sticking_phases(Scene scene, int mass, const MotionState &settled) {
   scene.displacement = settled.displacement;
   scene.velocity = settled.velocity;
   return settled_sticking_phases(scene, mass);

@@ -39,6 +39,13 @@ set bmargin 3.2
 set xlabel offset 0, 0.3
 set key samplen 3 spacing 1.2 noautotitle reverse Left
 
+# eval axes('figure2a') sets the printed ranges and ticks of a panel, and the variables named here.
+printed = 'reference/tables/panels.csv'
+axes(name) = sprintf("stats [*:*] [*:*] '%s' using (strcol('panel') eq '%s' ? ", printed, name). \
+  "(axis_from = column('from'), axis_to = column('to'), lowest = column('lowest'), ". \
+  "highest = column('highest'), across = column('tick_across'), up = column('tick')) : NaN) nooutput; ". \
+  "set xrange [axis_from:axis_to]; set xtics across; set yrange [lowest:highest]; set ytics up"
+
 # eval panel('a') names the panel.
 panel(letter) = sprintf("set label 1 '(%s)' at character 1.2, graph 0.985", letter)
 

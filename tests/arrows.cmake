@@ -1,6 +1,7 @@
 # The layers, read off the includes: who may include whom. cmake -D source=... -P arrows.cmake
 #
-#   reference/scenes <- reference/truth <- reference/generator   public headers of the simulation
+#   reference/scenes <- reference/truth <- reference/numbers <- reference/generator
+#                                                               public headers of the simulation
 #   reference/truth  <- figures, tests
 #   figures/error_vs_runtime <- figures/check: the measured times; no other folder of figures
 #                               includes another one
@@ -41,8 +42,11 @@ refuse(lib/include "(\\.\\./|lib/|figures/|reference/|tests/|program/|simulation
 refuse(lib/examples "(\\.\\./|lib/|figures/|reference/|tests/|program/|simulation/|analysis/)")
 refuse(figures "(\\.\\./|lib/|tests/|simulation/|analysis/|program/[a-oq-z])")
 refuse(reference "(\\.\\./|lib/|figures/|tests/|program/|simulation/|analysis/|vibro_impact/analysis/)")
-refuse(reference/scenes "(figures|reference/(truth|generator))/")
-refuse(reference/truth "reference/generator/")
+refuse(reference/scenes "(figures|reference/(truth|numbers|generator))/")
+refuse(reference/truth "reference/(numbers|generator)/")
+# What two engines are asked has nothing of either: scenes, tables, and the kinds of events.
+refuse(reference/numbers "reference/(generator|truth/e)")
+refuse(reference/numbers "vibro_impact/(analysis|simulate|record|table|vibro_impact)")
 # The generator takes scenes and cases from the project, and reads tables. It shares no events.
 refuse(reference/generator "(vibro_impact/|reference/truth/event)")
 # A folder of figures may include the files that all drivers share.

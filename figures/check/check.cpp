@@ -1,6 +1,7 @@
 // `make check`: compares every key number with its reference and with what the paper says of it,
-// and every published result with what the library computes. The last line says whether all of them
-// passed. The computed parts of the documents are compared (--documents) or written (--write).
+// and every result of other authors with what the library computes. The last line says whether all
+// of them passed. The computed parts of the documents are compared (--documents) or written
+// (--write).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,7 +27,7 @@ constexpr const char *explanation =
     "error: of the computed number against its reference; above the allowed error it fails\n";
 
 constexpr const char *explanation_of_published =
-    "id: the row of reference/tables/published.csv, which has the parameters\n"
+    "id: the row of reference/tables/checked_numbers.csv, which has the parameters\n"
     "source: reference/README.md\n"
     "limited by: what keeps the two apart, our computation, theirs, or both\n";
 
@@ -50,13 +51,13 @@ std::string content_of(const std::string &path) {
 
 // Adds what is wrong with a document: a missing part, its first line that must be another one, and
 // numbers that are no key numbers.
-void add_faults(const Findings &findings, const std::string &folder, const Document &document,
+void add_faults(const Results &results, const std::string &folder, const Document &document,
                 std::vector<std::string> &faults) {
   const std::string text = content_of(folder + "/" + document.name);
   for (const std::string &part : document.required)
     if (text.find("<!--check " + part) == std::string::npos)
       faults.push_back(fmt::format("{}: has no <!--check {}", document.name, part));
-  std::istringstream found(text), expected(with_computed_parts(findings, text));
+  std::istringstream found(text), expected(with_computed_parts(results, text));
   std::string line, right;
   for (int number = 1; std::getline(expected, right); ++number) {
     if (std::getline(found, line) && line == right) continue;
@@ -64,14 +65,14 @@ void add_faults(const Findings &findings, const std::string &folder, const Docum
     break;
   }
   if (!document.only_key_numbers) return;
-  for (const std::string &word : unknown_numbers(findings, text))
+  for (const std::string &word : unknown_numbers(results, text))
     faults.push_back(fmt::format("{}: {} is no key number rounded", document.name, word));
 }
 
-void write_documents(const Findings &findings, const std::string &folder) {
+void write_documents(const Results &results, const std::string &folder) {
   for (const Document &document : documents) {
     const std::string path = folder + "/" + document.name;
-    const std::string text = with_computed_parts(findings, content_of(path));
+    const std::string text = with_computed_parts(results, content_of(path));
     std::ofstream file(path);
     file << text;
     file.close();
@@ -80,15 +81,13 @@ void write_documents(const Findings &findings, const std::string &folder) {
 }
 
 // Prints the last lines. Returns the exit status, which is 1 if anything missed.
-int conclude(const Findings &findings, const std::vector<std::string> &faults) {
+int conclude(const Results &results, const std::vector<std::string> &faults) {
   std::vector<std::string> missed;
-  for (const CheckedNumber &checked : findings.numbers)
-    if (!checked.pass()) missed.push_back(checked.number.symbol);
-  for (const CheckedResult &checked : findings.results)
-    if (!checked.pass()) missed.push_back(checked.result.id);
+  for (const Finding &finding : results.findings)
+    if (!finding.pass()) missed.push_back(finding.number.id);
   for (const std::string &fault : faults) fmt::print("\n{}", fault);
   const std::string counts =
-      count_of_verdicts(findings.numbers) + "; " + count_of_results(findings.results);
+      count_of_verdicts(results.findings) + "; " + count_of_results(results.findings);
   if (missed.empty() && faults.empty()) {
     fmt::print("\nall passed: {}\n", counts);
     return 0;
@@ -111,15 +110,14 @@ int main(int argc, char **argv) {
                   {"--write", "Folder of the project, whose documents are written", &written}},
                  [&] {
                    if (reference.empty()) reference = REFERENCE_DIR;
-                   const Findings findings{checked_numbers(reference), checked_results(reference),
-                                           comparison::read_measured(measured)};
+                   const Results results{findings(reference), comparison::read_measured(measured)};
                    fmt::print("{}{}\n**Published by others**\n\n{}\n{}", explanation,
-                              tables_by_verdict(findings.numbers), explanation_of_published,
-                              table_of_results(findings.results));
-                   if (!written.empty()) write_documents(findings, written);
+                              tables_by_verdict(results.findings), explanation_of_published,
+                              table_of_results(results.findings));
+                   if (!written.empty()) write_documents(results, written);
                    std::vector<std::string> faults;
                    for (const Document &document : documents)
-                     if (!compared.empty()) add_faults(findings, compared, document, faults);
-                   return conclude(findings, faults);
+                     if (!compared.empty()) add_faults(results, compared, document, faults);
+                   return conclude(results, faults);
                  });
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "event_driven.hpp"
-#include "reference/scenes/frequency_brackets.hpp"
 #include "turning_points.hpp"
 
 #include <algorithm>
@@ -127,30 +126,14 @@ inline Real jumping_frequency(Scene scene, Bracket bracket, int settling, const 
   return bracket.far;
 }
 
-/// Of a change in the number of sticking phases of a mass.
-inline Real changing_frequency(const vibro_impact::paper::StickingChange &change) {
-  const auto sticks = [mass = static_cast<std::size_t>(change.mass - 1)](const Run &run) {
+/// The number of sticking phases of a mass (from 0) that begin in a run.
+inline Count sticks_of(std::size_t mass) {
+  return [mass](const Run &run) {
     return static_cast<std::size_t>(
         std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
           return event.kind == Event::Kind::stick && event.mass == mass;
         }));
   };
-  const Scene scene = in_digits(vibro_impact::paper::figure3(change.near), 0.0);
-  const Bracket bracket{Real(change.near), Real(change.far)};
-  return change.jump ? jumping_frequency(scene, bracket, settling_of_a_jump, sticks)
-                     : changing_frequency(scene, bracket, sticks);
-}
-
-/// Of Figure 5(b): where the greatest displacement of mass 2, its stop taken away, reaches that
-/// stop.
-inline Real grazing_frequency() {
-  using namespace vibro_impact::paper;
-  const Real place = Real(figure5b().stops[1].position);
-  const auto reaches = [&](const Run &run) -> std::size_t {
-    return extremes(run, Real(0), Real("1e9")).highest[1] >= place ? 1 : 0;
-  };
-  return changing_frequency(in_digits(figure5b_without_second_stop(grazing_below), 0.0),
-                            {Real(grazing_below), Real(grazing_above)}, reaches);
 }
 
 }  // namespace vibro_impact_reference

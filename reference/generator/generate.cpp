@@ -2,9 +2,8 @@
 // reference/README.md.
 #include "event_driven.hpp"
 #include "event_table.hpp"
-#include "filled_table.hpp"
 #include "in_digits.hpp"
-#include "key_number_digits.hpp"
+#include "key_number_table.hpp"
 #include "one_impact.hpp"
 #include "reference/truth/degenerate_cases.hpp"
 #include "reference/truth/extreme_cases.hpp"
@@ -53,12 +52,14 @@ std::string work_precision_table(bool states) {
 }
 
 constexpr const char *tables =
-    "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, key_numbers, extremes, degenerate, "
-    "one_impact, work_precision_states, work_precision_events";
+    "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, checked_numbers, extremes, "
+    "degenerate, "
+    "one_impact, work_precision_states, work_precision_events, number:<id of a key number>";
 
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
-  if (name == "key_numbers") return filled_table("key_numbers.csv", key_numbers());
+  if (name == "checked_numbers") return filled_table();
+  if (name.starts_with("number:")) return digits_of(name.substr(7));
   if (name == "extremes") return cases_table(vibro_impact::truth::extreme_cases());
   if (name == "one_impact") return one_impact_table();
   if (name == "degenerate") return cases_table(vibro_impact::truth::degenerate_cases());
@@ -74,10 +75,14 @@ std::string table_named(const std::string &name) {
 
 int main(int argc, char **argv) try {
   if (argc != 3)
-    throw std::invalid_argument(std::string("usage: reference-generate <table> <out.csv>, with "
+    throw std::invalid_argument(std::string("usage: reference-generate <table> <out.csv or ->, with "
                                             "table one of ") +
                                 tables);
   const std::string table = table_named(argv[1]);
+  if (std::string(argv[2]) == "-") {
+    std::cout << table;
+    return 0;
+  }
   std::ofstream file(argv[2]);
   file << table;
   file.close();

@@ -8,17 +8,20 @@ namespace {
 
 using namespace vibro_impact::figures;
 
-CheckedNumber checked(const std::string &symbol, const Printed &printed, double computed) {
-  KeyNumber number{};
-  number.symbol = symbol;
-  number.meaning = "of " + symbol;
+using vibro_impact::numbers::Claim, vibro_impact::numbers::Printed;
+
+Finding checked(const std::string &id, const Printed &printed, double computed) {
+  vibro_impact::numbers::CheckedNumber number;
+  number.id = id;
+  number.source = "wagg";
+  number.meaning = "of " + id;
   number.format = ".0e";
   number.printed = printed;
   return {number, computed};
 }
 
 // Two key numbers, of which the second differs from the paper.
-Findings findings() {
+Results results() {
   return {{checked("start", {"715 to 716", Claim::stated, 715.0, 716.0}, 715.561564510661),
            checked("gap", {"it grazes", Claim::stated, 0.0, 0.0}, 7.53817007e-05)},
           {}};
@@ -27,7 +30,7 @@ Findings findings() {
 using Words = std::vector<std::string>;
 
 TEST(Documents, ANumberOfFiveDigitsThatIsNoKeyNumberIsFound) {
-  const auto unknown = [](const std::string &text) { return unknown_numbers(findings(), text); };
+  const auto unknown = [](const std::string &text) { return unknown_numbers(results(), text); };
   EXPECT_EQ(unknown("from 715.5616 to 715.5617, 715.56156 and -715.561564511"), Words{"715.5617"});
   EXPECT_EQ(unknown("a gap of 7.5382e-05, not 7.5381e-05"), Words{"7.5381e-05"});
   EXPECT_EQ(unknown("0.29655-0.33098"), (Words{"0.29655", "0.33098"}));
@@ -36,9 +39,7 @@ TEST(Documents, ANumberOfFiveDigitsThatIsNoKeyNumberIsFound) {
 }
 
 TEST(Documents, ComputedPartsAreWrittenAnewAndNothingElse) {
-  const auto written = [](const std::string &text) {
-    return with_computed_parts(findings(), text);
-  };
+  const auto written = [](const std::string &text) { return with_computed_parts(results(), text); };
   EXPECT_EQ(written("no part"), "no part");
   EXPECT_EQ(written("a <!--check gap .1e-->7.4e-05<!--end--> b"),
             "a <!--check gap .1e-->7.5e-05<!--end--> b");

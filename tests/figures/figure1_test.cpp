@@ -23,7 +23,7 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const Scene scene = paper::figure2();
   const std::vector<Event> events = true_events("figure2");
   std::set<std::string> actions[2];
-  double last = paper::figure2a_box.to - 2 * Clock(scene.omega).period;
+  double last = paper::panel("figure2a").to - 2 * Clock(scene.omega).period;
   for (const auto &cells : truth::read_rows(folder + "/figure1_motion.csv", 5)) {
     const double time = std::stod(cells[0]);
     const auto next = std::find_if(events.begin(), events.end(),
@@ -41,7 +41,7 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
       }
     }
   }
-  EXPECT_NEAR(last, paper::figure2a_box.to, 0.65);
+  EXPECT_NEAR(last, paper::panel("figure2a").to, 0.65);
   for (const auto &of_mass : actions)
     EXPECT_EQ(of_mass, (std::set<std::string>{"-", "impact", "chatters", "sticks", "released"}));
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "figures/check/verdict.hpp"
 #include "figures/frequency_diagram.hpp"
+#include "reference/numbers/checked_number.hpp"
 #include "tests/support/panels.hpp"
 
 namespace {
@@ -21,9 +21,8 @@ using paper::AxisBox;
 // this name.
 void expect_changes(const Curve &curve, const std::string &symbol) {
   std::vector<double> known;
-  for (const figures::KeyNumber &number :
-       figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv"))
-    if (number.symbol.starts_with(symbol)) known.push_back(number.reference);
+  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+    if (number.id.starts_with(symbol)) known.push_back(number.value);
   std::sort(known.begin(), known.end());
   ASSERT_EQ(curve.points.size(), known.size()) << symbol;
   for (std::size_t i = 0; i < known.size(); ++i)
@@ -48,7 +47,7 @@ TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
   ASSERT_EQ(panels.size(), 3u);
   for (const int mass : {1, 2}) {
     const std::string name = mass == 1 ? "figure3a" : "figure3b", v = "v" + std::to_string(mass);
-    const AxisBox &box = mass == 1 ? paper::figure3a_box : paper::figure3b_box;
+    const AxisBox box = paper::panel(name);
     SCOPED_TRACE(name);
     auto columns = columns_of(folder_of("figure3") + "/" + name + ".csv");
     const std::vector<double> &omega = columns["omega"], &velocity = columns[v];

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/check/verdict.hpp"
+#include "reference/numbers/checked_number.hpp"
 #include "tests/support/panels.hpp"
 
 namespace {
@@ -127,8 +127,8 @@ TEST(Figure2, IsDrawnFromTheMotionOfItsScene) {
   const auto panels = drawn("figure2", folder_of("figure2"));
   ASSERT_EQ(panels.size(), 2u);
   EXPECT_NE(colour_of_line_type(1), colour_of_line_type(2));
-  expect_displacements(panels[0], "figure2a", "figure2", paper::figure2a_box, {1, 2});
-  expect_displacements(panels[1], "figure2b", "figure2", paper::figure2b_box, {2}, {2});
+  expect_displacements(panels[0], "figure2a", "figure2", paper::panel("figure2a"), {1, 2});
+  expect_displacements(panels[1], "figure2b", "figure2", paper::panel("figure2b"), {2}, {2});
   expect_parameters(panels[0], paper::figure2(), "Ω");
 }
 
@@ -158,9 +158,9 @@ void expect_impacts_of_mass_2(const Curve &curve, const std::string &truth, cons
 TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
   const auto panels = drawn("figure5", folder_of("figure5"));
   ASSERT_EQ(panels.size(), 5u) << "three panels and two insets";
-  expect_displacements(panels[0], "figure5a", "figure5a", paper::figure5a_box, {1}, {1, 2}, 1);
-  expect_displacements(panels[1], "figure5b", "figure5b", paper::figure5b_box, {1}, {1, 2}, 1);
-  expect_displacements(panels[2], "figure5c", "figure5c", paper::figure5c_box, {1}, {1, 2}, 1);
+  expect_displacements(panels[0], "figure5a", "figure5a", paper::panel("figure5a"), {1}, {1, 2}, 1);
+  expect_displacements(panels[1], "figure5b", "figure5b", paper::panel("figure5b"), {1}, {1, 2}, 1);
+  expect_displacements(panels[2], "figure5c", "figure5c", paper::panel("figure5c"), {1}, {1, 2}, 1);
   expect_parameters(panels[0], paper::figure5a(), "Ω");
   expect_parameters(panels[1], paper::figure5b(), "Ω s₁");
   expect_parameters(panels[2], paper::figure5c(), "s₁ = s₂");
@@ -170,17 +170,16 @@ TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
   ASSERT_EQ(panels[3].curves.size(), 2u);
   double highest = -1e9;
   for (const Point &point : panels[3].curves[1].points) highest = std::max(highest, point[1]);
-  for (const figures::KeyNumber &number :
-       figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv"))
-    if (number.symbol == "figure5b_nearest_gap") {
-      EXPECT_NEAR(highest, -1e5 * number.reference, 0.004);
+  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+    if (number.id == "figure5b_nearest_gap") {
+      EXPECT_NEAR(highest, -1e5 * number.value, 0.004);
     }
 
   // Dots in (a): the impacts of mass 2. Inset of (c): the speeds of those, down to the release of
   // mass 1, up to which its bar reaches.
-  expect_impacts_of_mass_2(panels[0].curves.back(), "figure5a", paper::figure5a_box, true);
+  expect_impacts_of_mass_2(panels[0].curves.back(), "figure5a", paper::panel("figure5a"), true);
   ASSERT_EQ(panels[4].curves.size(), 2u);
-  expect_impacts_of_mass_2(panels[4].curves[1], "figure5c", paper::figure5c_box, false);
+  expect_impacts_of_mass_2(panels[4].curves[1], "figure5c", paper::panel("figure5c"), false);
   const double released = panels[4].curves[0].points.back()[0];
   EXPECT_NEAR(released, last_release("figure5c", 1), 0.006) << "samples are 0.005 apart";
   EXPECT_GT(panels[4].curves[1].points.back()[0], released - 4.0) << "printed: still chattering";
@@ -222,10 +221,11 @@ TEST(Figure4, IsDrawnFromTheHoldForceInEveryStickingPhase) {
     const auto phases =
         true_phases(name, k == 0 ? paper::figure4a().omega : paper::figure4b().omega);
     ASSERT_EQ(phases.size(), k + 1);  // printed: the phase is split in two
-    expect_axes(panels[k], name.back(), paper::figure4_box, 1);
+    expect_axes(panels[k], name.back(), paper::panel("figure4"), 1);
     ASSERT_EQ(panels[k].curves.size(), 2 + phases.size()) << "every phase and the gap is drawn";
     expect_level(panels[k].curves[0], 0.0);
-    EXPECT_TRUE(figures::fills_abscissa({phases.front()[0], phases.back()[1]}, paper::figure4_box));
+    EXPECT_TRUE(
+        figures::fills_abscissa({phases.front()[0], phases.back()[1]}, paper::panel("figure4")));
     for (std::size_t phase = 0; phase < phases.size(); ++phase) {
       std::vector<double> t, force;
       for (std::size_t i = 0; i < columns["t"].size(); ++i)

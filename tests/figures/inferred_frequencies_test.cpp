@@ -102,7 +102,7 @@ TEST(InferredFrequencies, EveryConditionRefusesSome) {
 TEST(InferredFrequencies, ChatterIsShownByItsVisibleBounces) {
   EventRecorder events{690.0};
   require_complete(simulate(paper::figure2(), 750.0, all_visible_chatter, events));
-  const paper::AxisBox &box = paper::figure2b_box;
+  const paper::AxisBox box = paper::panel("figure2b");
   const Chatter chatter = chatter_after(events.events, 2, box.from, invisible(box));
   EXPECT_NEAR(chatter.first_impact, 716.008, 1e-3);
   EXPECT_LT(chatter.last_bounce_ends, box.to);

@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "figures/check/key_numbers.hpp"
-#include "figures/check/verdict.hpp"
 #include "figures/panel.hpp"
+#include "reference/numbers/checked_number.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -245,21 +244,21 @@ TEST(GrazingSliding, AContactAtZeroVelocityAndAccelerationBeginsAStickingPhase) 
 // the second decimal on each side.
 TEST(Verdicts, OfReadingsFollowFromTwoDecimals) {
   int readings = 0;
-  for (const auto &number : figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv")) {
-    if (number.printed.claim != figures::Claim::read_off_figure_3) continue;
+  for (const auto &number : numbers::key_numbers(REFERENCE_DIR)) {
+    if (number.printed.claim != numbers::Claim::read_off_figure_3) continue;
     ++readings;
     const double value = std::stod(number.printed.words.substr(6));  // "about 0.3"
     EXPECT_DOUBLE_EQ(number.printed.from, value - 0.005);
     EXPECT_DOUBLE_EQ(number.printed.to, value + 0.005);
-    const bool rounds = std::lround(100 * number.reference) == std::lround(100 * value);
-    EXPECT_EQ(number.printed.verdict(number.reference),
-              rounds ? figures::Verdict::close : figures::Verdict::differs);
+    const bool rounds = std::lround(100 * number.value) == std::lround(100 * value);
+    EXPECT_EQ(number.printed.verdict(number.value),
+              rounds ? numbers::Verdict::close : numbers::Verdict::differs);
   }
   EXPECT_EQ(readings, 4);
 }
 
 TEST(Verdicts, FollowFromTheClaimAndItsBounds) {
-  using figures::Claim, figures::Printed, figures::Verdict;
+  using numbers::Claim, numbers::Printed, numbers::Verdict;
   const Printed value{"0.382", Claim::stated, 0.3815, 0.3825},
       happens{"dual sticking", Claim::stated, 1.0, HUGE_VAL},
       edge{"about 0.3", Claim::read_off_figure_3, 0.295, 0.305};
@@ -273,7 +272,7 @@ TEST(Verdicts, FollowFromTheClaimAndItsBounds) {
   EXPECT_EQ((Printed{"two", Claim::of_inferred_parameters, 2.0, 2.0}.verdict(2.0)),
             Verdict::depends_on_an_inferred_value);
   EXPECT_EQ(Printed().verdict(1.0), Verdict::not_in_the_paper);
-  EXPECT_THROW(figures::claim_in("table", "reads"), std::runtime_error);
+  EXPECT_THROW(numbers::claim_in("table", "reads"), std::runtime_error);
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "figures/check/key_numbers.hpp"
-#include "figures/check/verdict.hpp"
+#include "figures/quantities.hpp"
+#include "reference/numbers/checked_number.hpp"
+#include "reference/numbers/quantities.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
 
 namespace {
 
@@ -15,10 +17,10 @@ using namespace vibro_impact;
 // The frequencies of a mass from 0.25 to 0.5, as the table of references has them, with both ends.
 std::vector<double> frequencies(int mass) {
   std::vector<double> known{0.25, 0.5};
-  for (const figures::KeyNumber &number :
-       figures::read_key_numbers(REFERENCE_DIR "/key_numbers.csv"))
-    for (const paper::StickingChange &change : paper::sticking_changes())
-      if (number.symbol == change.symbol && change.mass == mass) known.push_back(number.reference);
+  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+    if (number.quantity == "changing_frequency" && number.arguments.mass("mass") == mass &&
+        numbers::motion_in(number.arguments) != numbers::Motion::followed)
+      known.push_back(number.value);
   std::sort(known.begin(), known.end());
   return known;
 }
@@ -57,11 +59,11 @@ TEST(StickingChanges, AtTheJumpBothMotionsAreStableOnBothSides) {
   const double below = 0.36782291, above = 0.36782292;
   EXPECT_EQ(figures::settled_sticking_phases(paper::figure3(below), 1), 2);
   EXPECT_EQ(figures::settled_sticking_phases(paper::figure3(above), 1), 0);
-  EXPECT_EQ(figures::followed_sticking_phases(above, 1, settled_at(below)), 2);
-  EXPECT_EQ(figures::followed_sticking_phases(below, 1, settled_at(above)), 0);
+  EXPECT_EQ(figures::followed_sticking_phases(paper::figure3(above), 1, settled_at(below)), 2);
+  EXPECT_EQ(figures::followed_sticking_phases(paper::figure3(below), 1, settled_at(above)), 0);
   // Beyond the border orbit of the first one, only the second one is left.
-  EXPECT_EQ(figures::followed_sticking_phases(0.36782298, 1, settled_at(below)), 2);
-  EXPECT_EQ(figures::followed_sticking_phases(0.367823, 1, settled_at(below)), 0);
+  EXPECT_EQ(figures::followed_sticking_phases(paper::figure3(0.36782298), 1, settled_at(below)), 2);
+  EXPECT_EQ(figures::followed_sticking_phases(paper::figure3(0.367823), 1, settled_at(below)), 0);
 }
 
 }  // namespace

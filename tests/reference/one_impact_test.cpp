@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "figures/check/results_of_others.hpp"
+#include "reference/numbers/checked_number.hpp"
 #include "tests/support/events.hpp"
 
 namespace {
@@ -49,7 +50,7 @@ TEST(OneImpact, MultipliersAndFortyPeriodsAreThoseOfTheClosedForm) {
     const auto trace = std::reduce(multipliers.begin(), multipliers.end());
     EXPECT_NEAR(trace.real(), row[3], 1e-12);
     if (given.branch == 0) {
-      EXPECT_NEAR(published::multiplier_near(1.0, multipliers), 1.0,
+      EXPECT_NEAR(others::multiplier_near(1.0, multipliers), 1.0,
                   given.scene.forced() ? 1e-12 : 1e-6);
     }
     const double period = Clock(given.scene.omega).period;
@@ -86,9 +87,9 @@ TEST(OneImpact, TwoOrbitsCoexistWithRestUpToTheirFold) {
 // The printed speed is good to 5e-6. The amplitude is stationary at a fold, and so good to 1e-10. A
 // fold at the stop d for an amplitude A is one at the stop 1 for A / d.
 TEST(OneImpact, FoldsOfVividAreThoseOfTheClosedForm) {
-  for (const auto &printed : published::results(REFERENCE_DIR)) {
+  for (const auto &printed : numbers::numbers_of_others(REFERENCE_DIR)) {
     if (printed.source != "vivid" || printed.quantity != "fold_multiplier") continue;
-    const Scene scene = published::after_impact(printed.parameters).first;
+    const Scene scene = others::after_impact(printed.arguments).first;
     const auto fold = vibro_impact_reference::one_impact_orbit({printed.id, scene, 2, 0});
     const double amplitude = scene.amplitude[0];
     EXPECT_NEAR(amplitude / static_cast<double>(fold.stop), amplitude, 1e-10) << printed.id;

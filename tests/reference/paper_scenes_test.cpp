@@ -9,8 +9,10 @@
 #include "lib/examples/paper_scene.hpp"
 #include "program/options.hpp"
 #include "program/scene_text.hpp"
+#include "reference/numbers/panels.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/scenes/table1_scenes.hpp"
 #include "reference/truth/extreme_cases.hpp"
 
 namespace {
@@ -21,7 +23,19 @@ TEST(PaperScenes, AreTheDefaultsOfTheSceneRunner) {
   const char *words[] = {"vibro-impact", "run"};
   const auto request = std::get<runner::RunRequest>(runner::parse(2, words));
   EXPECT_TRUE(paper::figure2() == request.scene);
-  EXPECT_EQ(request.until, paper::figure2a_box.to);
+  EXPECT_EQ(request.until, paper::panel("figure2a").to);
+}
+
+// A run ends where the printed window ends, in Figure 4 where that of Figure 2 does.
+TEST(PaperScenes, AreFollowedToTheEndOfTheirWindows) {
+  for (const auto &[name, scene, until] : paper::named_scenes()) {
+    const bool of_figure_5 = name.starts_with("figure5");
+    EXPECT_EQ(until, paper::panel(of_figure_5 ? name : "figure2a").to) << name;
+  }
+  const paper::PairScene last = paper::table1_scenes().back();  // the scene of Figure 5(a)
+  EXPECT_EQ(last.from, paper::panel("figure5a").from);
+  EXPECT_EQ(last.to, paper::panel("figure5a").to);
+  EXPECT_THROW(paper::panel("figure6"), std::runtime_error);
 }
 
 TEST(PaperScenes, AreThoseOfTheExamples) {

@@ -1,43 +1,47 @@
-// Published results beyond the one number of each row that `make check` compares.
+// Results of other authors beyond the one number of each row that `make check` compares.
 #include "figures/check/results_of_others.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "figures/check/library_engine.hpp"
+
 namespace {
 
 using namespace vibro_impact;
-using namespace vibro_impact::published;
+using numbers::CheckedNumber;
 
-std::vector<Result> results_of(const std::string &source, const std::string &quantity) {
-  std::vector<Result> some;
-  for (const Result &result : results(REFERENCE_DIR))
+std::vector<CheckedNumber> results_of(const std::string &source, const std::string &quantity) {
+  std::vector<CheckedNumber> some;
+  for (const CheckedNumber &result : numbers::numbers_of_others(REFERENCE_DIR))
     if (result.source == source && result.quantity == quantity) some.push_back(result);
   return some;
 }
 
-TEST(PublishedTable, EveryRowHasItsOwnNameAToleranceAndWhatLimitsIt) {
-  std::set<std::string> ids, quantities_printed;
-  for (const Result &result : results(REFERENCE_DIR)) {
-    EXPECT_TRUE(ids.insert(result.id).second) << result.id;
-    EXPECT_GT(result.tolerance, 0.0) << result.id;
-    const std::string whose = result.limited_by.substr(0, result.limited_by.find(':'));
-    EXPECT_TRUE(whose == "theirs" || whose == "ours" || whose == "both") << result.id;
-    quantities_printed.insert(result.quantity);
+TEST(CheckedNumbers, EveryRowHasItsOwnNameAToleranceAndWhatLimitsIt) {
+  std::set<std::string> ids, asked;
+  for (const CheckedNumber &row : numbers::read_numbers(REFERENCE_DIR "/checked_numbers.csv")) {
+    EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+    asked.insert(row.quantity);
+    if (row.of_the_paper()) continue;
+    EXPECT_GT(row.tolerance, 0.0) << row.id;
+    const std::string whose = row.why.substr(0, row.why.find(':'));
+    EXPECT_TRUE(whose == "theirs" || whose == "ours" || whose == "both") << row.id;
   }
-  EXPECT_EQ(quantities_printed.size(), quantities().size());  // no function without a row
+  for (const auto &[name, quantity] : figures::library_quantities())
+    EXPECT_TRUE(asked.contains(name)) << name << ": no row asks for it";
 }
 
 // Beside the speed and the multiplier in the table. Their times end at 1e-10 (bisection); 1e-9
 // covers what is left of theirs.
 TEST(Vivid, TimeOfTheImpactIsThePrintedOne) {
-  const std::vector<Result> points = results_of("vivid", "doubling_multiplier");
+  const std::vector<CheckedNumber> points = results_of("vivid", "doubling_multiplier");
   ASSERT_FALSE(points.empty());
-  for (const Result &point : points) {
-    const OneImpactOrbit found = one_impact_orbit(point.parameters);
+  for (const CheckedNumber &point : points) {
+    const others::OneImpactOrbit found = others::one_impact_orbit(point.arguments);
     const double period = Clock(found.scene.omega).period;
-    EXPECT_NEAR(std::remainder(found.impact.time - point.parameters.at("time"), period), 0.0, 1e-9)
+    EXPECT_NEAR(std::remainder(found.impact.time - point.arguments.at("time"), period), 0.0, 1e-9)
         << point.id;
     // The source guarantees its bisection's tolerance, 1e-5.
     EXPECT_NEAR(point.value, -1.0, 1e-5) << point.id;
@@ -46,25 +50,46 @@ TEST(Vivid, TimeOfTheImpactIsThePrintedOne) {
 
 // A coefficient of restitution off by 1e-6 moves every number that depends on it by more than its
 // tolerance. At the first impact of a ball nothing depends on it yet.
-TEST(PublishedTable, AnErrorOfAMillionthInTheRestitutionIsSeen) {
+TEST(CheckedNumbers, AnErrorOfAMillionthInTheRestitutionIsSeen) {
   for (const std::string quantity :
        {"doubling_multiplier", "fold_multiplier", "impact_time", "chatter_limit", "impact_speed"}) {
-    for (Result result : results(REFERENCE_DIR)) {
-      Parameters &p = result.parameters;
-      if (result.quantity != quantity || !p.contains("r") || p["impact"] == 1.0) continue;
-      p["r"] += 1e-6;
-      EXPECT_GT(std::abs(result.compute() - result.value), result.tolerance) << result.id;
+    for (CheckedNumber result : numbers::numbers_of_others(REFERENCE_DIR)) {
+      numbers::Arguments &p = result.arguments;
+      if (result.quantity != quantity || !p.contains("r") || p.at("impact", 0.0) == 1.0) continue;
+      p.values["r"] = fmt::format("{}", p.at("r") + 1e-6);
+      EXPECT_GT(std::abs(figures::computed(result) - result.value), result.tolerance) << result.id;
     }
   }
 }
 
-TEST(PublishedTable, UnknownParametersAndQuantitiesAreNamed) {
-  EXPECT_THROW(read_parameters("t.csv", "omega"), std::runtime_error);
-  EXPECT_THROW(read_parameters("t.csv", "omega=x"), std::runtime_error);
-  Result result;
-  EXPECT_THROW(result.compute(), std::runtime_error);
-  result.quantity = "chatter_limit";
-  EXPECT_THROW(result.compute(), std::runtime_error);
+// Each fault is named in one line, with the row where a row is computed.
+TEST(CheckedNumbers, UnknownQuantitiesAndArgumentsAreNamed) {
+  using numbers::read_arguments;
+  EXPECT_THROW(read_arguments("t.csv", "omega"), std::runtime_error);
+  EXPECT_THROW(read_arguments("t.csv", "omega=1 omega=2"), std::runtime_error);
+  const auto message = [](const std::string &quantity, const std::string &given) {
+    CheckedNumber number;
+    number.id = "row";
+    number.quantity = quantity;
+    number.arguments = read_arguments("t.csv", given);
+    try {
+      return fmt::format("{}", figures::computed(number));
+    } catch (const std::runtime_error &error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(message("", ""), "row,  : quantity '': is unknown");
+  EXPECT_EQ(message("chatter_limit", ""), "row, chatter_limit : argument 'mass': is missing");
+  const std::string count = "scene=figure2 until=10 kind=", start = "row, count : ";
+  EXPECT_EQ(message("count", count + "impact form=7").substr(0, 45),
+            start + "argument 'form': must be one of ");
+  EXPECT_EQ(message("count", count + "bounce"),
+            start + "kind 'bounce': must be impact, stick or release");
+  EXPECT_EQ(message("time", count + "impact from=9.9"), "row, time : the run has no such event");
+  EXPECT_EQ(message("changing_frequency", "scene=figure2 mass=1 near=0.3 far=0.4 motion=up"),
+            "row, changing_frequency : motion 'up': must be settled, from_rest or followed");
+  EXPECT_EQ(message("lowest", "scene=figure6 mass=1 from=0 to=1").substr(0, 33),
+            "row, lowest : scene 'figure6': mu");
 }
 
 }  // namespace

@@ -84,9 +84,9 @@ TEST(StiffLink, ReleasesItsMassOnce) {
                 {1, Side::lower, -0.0737460732228438},
                 {4, Side::upper, 0.12622546829375259},
                 {5, Side::upper, 0.0195830963289615}}};
-  struct {
+  struct : Recorder {
     std::vector<double> sticks, releases;
-    void event(const Event &event, const Moment &) {
+    void event(const Event &event, const Moment &) override {
       if (event.kind == EventKind::stick) sticks.push_back(event.time);
       if (event.kind == EventKind::release) releases.push_back(event.time);
     }

@@ -1,0 +1,176 @@
+#include "library_engine.hpp"
+
+#include <algorithm>
+#include <boost/math/statistics/linear_regression.hpp>
+#include <stdexcept>
+
+#include "figures/quantities.hpp"
+#include "results_of_others.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace vibro_impact::figures {
+
+using numbers::Arguments;
+
+namespace {
+
+std::size_t index(int mass) {
+  return static_cast<std::size_t>(mass - 1);
+}
+
+// The frequency between two at which a count differs.
+template <class Count>
+double change_of(const Count &count, double one, double other) {
+  const CountJump change = bisect(count, std::min(one, other), std::max(one, other));
+  return 0.5 * (change.below + change.above);
+}
+
+Scene at_frequency(Scene scene, double omega) {
+  scene.omega = omega;
+  return scene;
+}
+
+}  // namespace
+
+std::vector<numbers::Occurrence<double>> LibraryEngine::events(const paper::NamedScene &run) {
+  std::vector<numbers::Occurrence<double>> events;
+  for (const Event &event : events_of(run.scene, run.until))
+    events.push_back({event.time, event.kind, event.mass, contact_mode_name(event.held)});
+  return events;
+}
+
+double LibraryEngine::period(const Scene &scene) {
+  return Clock(scene.omega).period;
+}
+
+double LibraryEngine::lowest(const paper::NamedScene &run, int mass, double from, double to) {
+  return range_in(run.scene, mass, from, to).lowest;
+}
+
+double LibraryEngine::highest(const paper::NamedScene &run, int mass, double from, double to) {
+  return range_in(run.scene, mass, from, to).highest;
+}
+
+numbers::TurningPoint<double> LibraryEngine::turning_point(const paper::NamedScene &run, int mass,
+                                                           double from, double to) {
+  const auto state_at = [&](double time) {
+    return require_complete(simulate(run.scene, time)).state;
+  };
+  const double time = zero([&](double t) { return state_at(t).velocity[index(mass)]; }, from, to);
+  return {time, state_at(time).displacement[index(mass)]};
+}
+
+double LibraryEngine::least_pressing(const paper::NamedScene &run, std::size_t stop) {
+  const MotionState settled = state_after_periods(run.scene, 60);
+  const PeriodicOrbit orbit = find_periodic_orbit(run.scene, at_quiet_phase(run.scene, settled));
+  if (!orbit.converged) throw std::runtime_error("no periodic orbit: " + orbit.why_not);
+  return least_pressing_force(run.scene, orbit.state, run.scene.stops[stop]).value().value;
+}
+
+double LibraryEngine::changing_frequency(const Scene &scene, int mass, double near, double far,
+                                         numbers::Motion motion) {
+  if (motion != numbers::Motion::followed)
+    return change_of(
+        [&](double omega) { return settled_sticking_phases(at_frequency(scene, omega), mass); },
+        near, far);
+  const MotionState settled =
+      state_after_periods(at_frequency(scene, near), paper::figure4_settling_periods);
+  return change_of(
+      [&](double omega) {
+        return followed_sticking_phases(at_frequency(scene, omega), mass, settled);
+      },
+      near, far);
+}
+
+double LibraryEngine::grazing_frequency(const Scene &given, int mass, double near, double far) {
+  const auto stop = static_cast<std::ptrdiff_t>(numbers::stop_of(given, mass));
+  const auto impacts = [&](double omega) {
+    Scene scene = at_frequency(given, omega);
+    scene.stops.erase(scene.stops.begin() + stop);
+    const MotionState start = state_after_periods(scene, paper::figure4_settling_periods);
+    scene.stops = given.stops;
+    ImpactVelocityRecorder recorder{mass, -1.0};
+    stroboscopic_map(scene, start, 1, {}, recorder);
+    return static_cast<int>(recorder.velocities.size());
+  };
+  return change_of(impacts, near, far);
+}
+
+// --- Quantities that have a formula in 50 digits -------------------------------------------------
+
+namespace {
+
+NaturalModes free_modes(const Arguments &given) {
+  const Scene scene = numbers::run_of(given).scene;
+  return natural_modes(scene, Held(scene.mass.size(), 0));
+}
+
+double eigenvalue(LibraryEngine &, const Arguments &given) {
+  return free_modes(given).lambda.at(index(given.mass("mode")));
+}
+
+double mode_shape(LibraryEngine &, const Arguments &given) {
+  return free_modes(given).shape(given.mass("mass") - 1, given.mass("mode") - 1);
+}
+
+// The motion (x1, x1') at the releases of the last of two masses at roots of its hold force.
+struct ReleasePoints : Recorder {
+  int mass;
+  std::vector<double> x = {}, v = {};
+
+  explicit ReleasePoints(int of_mass) : mass(of_mass) {
+  }
+  void event(const Event &event, const Moment &moment) override {
+    if (event.kind != EventKind::release || event.mass != mass || event.by_a_jump) return;
+    x.push_back(moment.displacement(1));
+    v.push_back(moment.velocity(1));
+  }
+};
+
+// Intercept and slope of the least-squares line through the release points of several frequencies,
+// so that these points spread along the exit boundary.
+std::pair<double, double> exit_boundary(const Arguments &given) {
+  ReleasePoints points(given.mass("mass"));
+  for (double omega : {0.25, 0.26, 0.27, 0.28, 0.29, 0.3, 0.32, 0.34, 0.36, 0.4})
+    require_complete(simulate(at_frequency(numbers::run_of(given).scene, omega), 200.0, points));
+  return boost::math::statistics::simple_ordinary_least_squares(points.x, points.v);
+}
+
+numbers::Quantities<LibraryEngine> all_quantities() {
+  auto all = numbers::common_quantities<LibraryEngine>();
+  const std::string run = numbers::run_names;
+  all["eigenvalue"] = {run + " mode", eigenvalue};
+  all["mode_shape"] = {run + " mode mass", mode_shape};
+  all["exit_slope"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
+                         return exit_boundary(given).second;
+                       }};
+  all["exit_intercept"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
+                             return exit_boundary(given).first;
+                           }};
+  for (const auto &[name, quantity] : others::quantities())
+    all[name] = {quantity.names,
+                 [&function = quantity.function](LibraryEngine &, const Arguments &given) {
+                   return function(given);
+                 }};
+  return all;
+}
+
+}  // namespace
+
+const numbers::Quantities<LibraryEngine> &library_quantities() {
+  static const numbers::Quantities<LibraryEngine> quantities = all_quantities();
+  return quantities;
+}
+
+double computed(const numbers::CheckedNumber &number) {
+  LibraryEngine engine;
+  try {
+    return numbers::answer(engine, library_quantities(), number.quantity, number.arguments);
+  } catch (const std::exception &error) {
+    throw std::runtime_error(
+        fmt::format("{}, {} {}: {}", number.id, number.quantity, number.given, error.what()));
+  }
+}
+
+}  // namespace vibro_impact::figures

@@ -1,0 +1,38 @@
+// The engine in double precision: it answers the questions of reference/numbers/quantities.hpp with
+// the library.
+#pragma once
+
+#include <vector>
+
+#include "reference/numbers/checked_number.hpp"
+#include "reference/numbers/quantities.hpp"
+
+namespace vibro_impact::figures {
+
+struct LibraryEngine {
+  using Number = double;
+
+  std::vector<numbers::Occurrence<double>> events(const paper::NamedScene &run);
+  double period(const Scene &scene);
+  double lowest(const paper::NamedScene &run, int mass, double from, double to);
+  double highest(const paper::NamedScene &run, int mass, double from, double to);
+  numbers::TurningPoint<double> turning_point(const paper::NamedScene &run, int mass, double from,
+                                              double to);
+  // On the periodic orbit to which the motion settles.
+  double least_pressing(const paper::NamedScene &run, std::size_t stop);
+  double changing_frequency(const Scene &scene, int mass, double near, double far,
+                            numbers::Motion motion);
+  // The stop is put back into the settled motion without it, because the motion from rest may hit
+  // the stop below this frequency.
+  double grazing_frequency(const Scene &scene, int mass, double near, double far);
+};
+
+// All that the library computes: the quantities of both engines, those that have a formula in 50
+// digits, and those of other authors.
+const numbers::Quantities<LibraryEngine> &library_quantities();
+
+// The library's value of a row. Throws std::runtime_error naming a row of which it cannot be
+// computed.
+double computed(const numbers::CheckedNumber &number);
+
+}  // namespace vibro_impact::figures

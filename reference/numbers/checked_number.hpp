@@ -1,0 +1,124 @@
+// The table of checked numbers: key numbers of the paper and results that others printed.
+//
+// A row has a quantity, its arguments and a reference: a value of a formula, of the 50-digit
+// generator, or of another author. A key number also has the paper's words and the verdict on a
+// computed number.
+//
+// A printed decimal number is known to half a unit of its last digit. An extreme of a plot is known
+// to lie between the two ticks where the printed axis ends. A count must be equal. The statement
+// that something happens holds for every count from one on.
+//
+// The text reads the edges of two windows off Figure 3 ("0.3 <~ Omega <~ 0.35"). The readings have
+// two decimals. A computed edge is close to a reading if it is that number to two decimals.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+
+namespace vibro_impact::numbers {
+
+enum class Verdict { agrees, close, differs, depends_on_an_inferred_value, not_in_the_paper };
+constexpr Verdict all_verdicts[] = {Verdict::agrees, Verdict::close, Verdict::differs,
+                                    Verdict::depends_on_an_inferred_value,
+                                    Verdict::not_in_the_paper};
+
+inline const char *name(Verdict verdict) {
+  constexpr const char *names[] = {"agrees", "close", "differs", "depends on an inferred value",
+                                   "not in the paper"};
+  return names[static_cast<int>(verdict)];
+}
+
+// How the paper has a number. The computed number rests on an inferred parameter where the paper's
+// statement is about a figure whose parameters are not all printed.
+enum class Claim { none, stated, read_off_figure_3, of_inferred_parameters };
+
+// Throws std::runtime_error naming the table for any other text.
+inline Claim claim_in(const std::string &path, const std::string &cell) {
+  if (cell.empty()) return Claim::none;
+  if (cell == "stated") return Claim::stated;
+  if (cell == "read") return Claim::read_off_figure_3;
+  if (cell == "inferred") return Claim::of_inferred_parameters;
+  throw std::runtime_error(path + ": '" + cell + "' is no kind of claim");
+}
+
+// The paper's words, and the values of which these words are true.
+struct Printed {
+  std::string words = {};
+  Claim claim = Claim::none;
+  double from = 0.0, to = 0.0;
+
+  Verdict verdict(double computed) const {
+    if (claim == Claim::none) return Verdict::not_in_the_paper;
+    if (claim == Claim::of_inferred_parameters) return Verdict::depends_on_an_inferred_value;
+    if (!(computed >= from && computed <= to)) return Verdict::differs;
+    return claim == Claim::read_off_figure_3 ? Verdict::close : Verdict::agrees;
+  }
+};
+
+// A row of reference/tables/checked_numbers.csv.
+struct CheckedNumber {
+  std::string id;
+  std::string digits;    // of the reference, as the table has them
+  double value = 0.0;    // of the reference
+  std::string kind;      // of the reference (reference/README.md)
+  std::string source;    // wagg for a key number of the paper, or another author
+  std::string quantity;  // what is computed, and from which arguments
+  std::string given;     // the arguments, as the table has them
+  Arguments arguments;
+  std::string meaning;     // in words
+  Printed printed;         // by the paper
+  std::string format;      // of the computed number, as {fmt} has it
+  double tolerance = 0.0;  // allowed distance from the reference, absolute
+  std::string why;         // this tolerance; of another author's number, whose error it is
+
+  bool of_the_paper() const {
+    return source == "wagg";
+  }
+  std::string formatted(double computed) const {
+    return fmt::format(fmt::runtime("{:" + format + "}"), computed);
+  }
+};
+
+// All rows. Throws std::runtime_error naming the table and what is wrong with it.
+inline std::vector<CheckedNumber> read_numbers(const std::string &path) {
+  std::vector<CheckedNumber> numbers;
+  for (const auto &cells : truth::read_rows(path, 14)) {
+    const auto bound = [&](const std::string &cell) {
+      return cell.empty() ? std::numeric_limits<double>::infinity() : truth::number_in(path, cell);
+    };
+    numbers.push_back(
+        {.id = cells[0],
+         .digits = cells[1],
+         .value = truth::number_in(path, cells[1]),
+         .kind = cells[2],
+         .source = cells[3],
+         .quantity = cells[4],
+         .given = cells[5],
+         .arguments = read_arguments(path, cells[5]),
+         .meaning = cells[6],
+         .printed = {cells[7], claim_in(path, cells[8]), bound(cells[9]), bound(cells[10])},
+         .format = cells[11],
+         .tolerance = truth::number_in(path, cells[12]),
+         .why = cells[13]});
+  }
+  return numbers;
+}
+
+// The key numbers of the paper, or the numbers of other authors.
+inline std::vector<CheckedNumber> key_numbers(const std::string &folder) {
+  auto numbers = read_numbers(folder + "/checked_numbers.csv");
+  std::erase_if(numbers, [](const CheckedNumber &number) { return !number.of_the_paper(); });
+  return numbers;
+}
+inline std::vector<CheckedNumber> numbers_of_others(const std::string &folder) {
+  auto numbers = read_numbers(folder + "/checked_numbers.csv");
+  std::erase_if(numbers, [](const CheckedNumber &number) { return number.of_the_paper(); });
+  return numbers;
+}
+
+}  // namespace vibro_impact::numbers

@@ -1,0 +1,286 @@
+// The quantities of the paper's key numbers. Each is defined once and asked of two engines: the
+// library, in double precision, and the generator, in 50 digits.
+//
+// The engines share these questions, the scenes and the kinds of events. They share no algorithm
+// and no number type. An engine has these members, where a run starts from the initial state of its
+// scene and masses are counted from 1:
+//
+//   Number                                        the type of its numbers
+//   events(run)                                   all events, in the order of time
+//   period(scene)                                 the forcing period
+//   lowest, highest(run, mass, from, to)          of the displacement in an interval of time
+//   turning_point(run, mass, from, to)            where the displacement is greatest in between
+//   least_pressing(run, stop)                     the least force into the stop, signed like the
+//                                                 force on the mass, in a sticking phase at the end
+//   changing_frequency(scene, mass, near, far, motion)
+//                                                 Omega at which the number of sticking phases of
+//                                                 the mass changes
+//   grazing_frequency(scene, mass, near, far)     Omega at which the mass begins to hit its stop
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "panels.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/event.hpp"
+
+namespace vibro_impact::numbers {
+
+template <class Number>
+struct Occurrence {
+  Number time;
+  EventKind kind;
+  int mass;
+  std::string contact_mode;  // after the event: the masses that stick, as 1+2
+};
+
+template <class Number>
+struct Interval {
+  Number from, to;
+};
+
+template <class Number>
+struct TurningPoint {
+  Number time, displacement;
+};
+
+// Which motion a change of frequency belongs to. At `near` every chatter in question is complete,
+// so that the motion on that side is smooth in the frequency up to the change, and as far beyond
+// `near` as `far` is before it.
+//   settled    the motion from rest changes where the settled motion ends
+//   from_rest  the motion from rest jumps to another one, and both are stable on both sides
+//   followed   the motion that settles at `near` ends; from rest another one is reached before
+enum class Motion { settled, from_rest, followed };
+
+// Throws std::runtime_error for any other word.
+inline Motion motion_in(const Arguments &arguments) {
+  const std::string word = arguments.contains("motion") ? arguments.text("motion") : "settled";
+  if (word == "settled") return Motion::settled;
+  if (word == "from_rest") return Motion::from_rest;
+  if (word == "followed") return Motion::followed;
+  throw std::runtime_error("motion '" + word + "': must be settled, from_rest or followed");
+}
+
+// Throws std::runtime_error for any other word.
+inline EventKind kind_in(const Arguments &arguments) {
+  const std::string &word = arguments.text("kind");
+  if (word == "impact") return EventKind::impact;
+  if (word == "stick") return EventKind::stick;
+  if (word == "release") return EventKind::release;
+  throw std::runtime_error("kind '" + word + "': must be impact, stick or release");
+}
+
+// The run of a scene of the paper (`scene`), with another Omega (`omega`), coefficient of
+// restitution (`r`) or end (`until`) where these are given. Every run has its own name.
+inline paper::NamedScene run_of(const Arguments &arguments) {
+  paper::NamedScene run = paper::scene_named(arguments.text("scene"));
+  run.scene.omega = arguments.at("omega", run.scene.omega);
+  run.scene.restitution = arguments.at("r", run.scene.restitution);
+  run.until = arguments.at("until", run.until);
+  run.name +=
+      fmt::format(" omega={} r={} until={}", run.scene.omega, run.scene.restitution, run.until);
+  return run;
+}
+
+// The stop of a mass. Throws std::runtime_error if it has none.
+inline std::size_t stop_of(const Scene &scene, int mass) {
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    if (scene.stops[i].mass == mass) return i;
+  throw std::runtime_error(fmt::format("mass {}: has no stop", mass));
+}
+
+// --- Events --------------------------------------------------------------------------------------
+
+template <class Number>
+using Occurrences = std::vector<Occurrence<Number>>;
+
+// The first event of a kind and a mass in an interval. Throws std::runtime_error if there is none.
+template <class Number>
+Number first_time(const Occurrences<Number> &events, EventKind kind, int mass,
+                  const Interval<Number> &interval) {
+  for (const auto &event : events)
+    if (event.kind == kind && event.mass == mass && event.time >= interval.from &&
+        event.time <= interval.to)
+      return event.time;
+  throw std::runtime_error("the run has no such event");
+}
+
+constexpr const char *run_names = "scene omega r until";
+constexpr const char *event_names =
+    "scene omega r until kind mass contact_mode panel from to periods while_sticking release_of "
+    "before";
+
+// [from, to] of the arguments, by default the window of a panel of the paper, or the whole run.
+inline Interval<double> window_of(const paper::NamedScene &run, const Arguments &given) {
+  Interval<double> window{0.0, run.until};
+  if (given.contains("panel")) {
+    const paper::AxisBox box = paper::panel(given.text("panel"));
+    window = {box.from, box.to};
+  }
+  return {given.at("from", window.from), given.at("to", window.to)};
+}
+
+// The interval that a question about events is about: the window, narrowed to the last `periods`
+// forcing periods, to the first sticking phase of the mass `while_sticking`, or to the time
+// `before` the first release of the mass `release_of`.
+template <class Engine>
+Interval<typename Engine::Number> interval_of(Engine &engine, const paper::NamedScene &run,
+                                              const Occurrences<typename Engine::Number> &events,
+                                              const Arguments &given) {
+  using Number = typename Engine::Number;
+  const Interval<double> window = window_of(run, given);
+  Interval<Number> interval{Number(window.from), Number(window.to)};
+  if (given.contains("periods"))
+    interval.from = interval.to - Number(given.at("periods")) * engine.period(run.scene);
+  if (const int mass = given.mass("while_sticking")) {
+    interval.from = first_time(events, EventKind::stick, mass, interval);
+    interval.to = first_time(events, EventKind::release, mass, interval);
+  }
+  if (const int mass = given.mass("release_of")) {
+    interval.to = first_time(events, EventKind::release, mass, interval);
+    interval.from = interval.to - Number(given.at("before"));
+  }
+  return interval;
+}
+
+// The events of a run that a question is about: of a kind, of one mass if one is given, with one
+// contact mode after them if one is given, in an interval.
+template <class Engine>
+Occurrences<typename Engine::Number> asked_events(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  auto events = engine.events(run);
+  const auto [from, to] = interval_of(engine, run, events, given);
+  const EventKind kind = kind_in(given);
+  const int mass = given.mass("mass");
+  const std::string mode = given.contains("contact_mode") ? given.text("contact_mode") : "";
+  std::erase_if(events, [&](const auto &event) {
+    return event.kind != kind || (mass != 0 && event.mass != mass) || event.time < from ||
+           event.time > to || (!mode.empty() && event.contact_mode != mode);
+  });
+  return events;
+}
+
+// --- The quantities ------------------------------------------------------------------------------
+
+// How many events there are. A complete chatter has infinitely many impacts, of which each engine
+// reports another number: an interval may not hold one where impacts are counted.
+template <class Engine>
+typename Engine::Number count(Engine &engine, const Arguments &given) {
+  return typename Engine::Number(static_cast<double>(asked_events(engine, given).size()));
+}
+
+// The time of the first event. Throws std::runtime_error if there is none.
+template <class Engine>
+typename Engine::Number time(Engine &engine, const Arguments &given) {
+  const auto events = asked_events(engine, given);
+  if (events.empty()) throw std::runtime_error("the run has no such event");
+  return events.front().time;
+}
+
+// The mean time from one event to the next.
+template <class Engine>
+typename Engine::Number interval(Engine &engine, const Arguments &given) {
+  const auto events = asked_events(engine, given);
+  if (events.size() < 2) throw std::runtime_error("the run has fewer than two such events");
+  return (events.back().time - events.front().time) / static_cast<double>(events.size() - 1);
+}
+
+template <class Engine>
+typename Engine::Number lowest(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  const auto [from, to] = window_of(run, given);
+  return engine.lowest(run, given.mass("mass"), from, to);
+}
+
+template <class Engine>
+typename Engine::Number highest(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  const auto [from, to] = window_of(run, given);
+  return engine.highest(run, given.mass("mass"), from, to);
+}
+
+template <class Engine>
+typename Engine::Number turning_time(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  const auto [from, to] = window_of(run, given);
+  return engine.turning_point(run, given.mass("mass"), from, to).time;
+}
+
+// The distance from the turning point to the stop of the mass.
+template <class Engine>
+typename Engine::Number turning_gap(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  const int mass = given.mass("mass");
+  const auto [from, to] = window_of(run, given);
+  const auto turn = engine.turning_point(run, mass, from, to);
+  const double place = run.scene.stops[stop_of(run.scene, mass)].position;
+  return typename Engine::Number(place) - turn.displacement;
+}
+
+// The hold force on a mass where that force is nearest to zero inside a sticking phase.
+template <class Engine>
+typename Engine::Number hold_force_peak(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  const std::size_t stop = stop_of(run.scene, given.mass("mass"));
+  return sign(run.scene.stops[stop].side) * engine.least_pressing(run, stop);
+}
+
+template <class Engine>
+typename Engine::Number changing_frequency(Engine &engine, const Arguments &given) {
+  return engine.changing_frequency(run_of(given).scene, given.mass("mass"), given.at("near"),
+                                   given.at("far"), motion_in(given));
+}
+
+template <class Engine>
+typename Engine::Number grazing_frequency(Engine &engine, const Arguments &given) {
+  return engine.grazing_frequency(run_of(given).scene, given.mass("mass"), given.at("near"),
+                                  given.at("far"));
+}
+
+// A quantity, and the names of its arguments, which blanks separate.
+template <class Engine>
+struct Quantity {
+  std::string names;
+  std::function<typename Engine::Number(Engine &, const Arguments &)> answer;
+};
+
+template <class Engine>
+using Quantities = std::map<std::string, Quantity<Engine>>;
+
+// The quantities that both engines answer.
+template <class Engine>
+Quantities<Engine> common_quantities() {
+  const std::string run = run_names, range = run + " mass panel from to",
+                    near_far = run + " mass near far";
+  return {{"count", {event_names, count<Engine>}},
+          {"time", {event_names, time<Engine>}},
+          {"interval", {event_names, interval<Engine>}},
+          {"lowest", {range, lowest<Engine>}},
+          {"highest", {range, highest<Engine>}},
+          {"turning_time", {range, turning_time<Engine>}},
+          {"turning_gap", {range, turning_gap<Engine>}},
+          {"hold_force_peak", {run + " mass", hold_force_peak<Engine>}},
+          {"changing_frequency", {near_far + " motion", changing_frequency<Engine>}},
+          {"grazing_frequency", {near_far, grazing_frequency<Engine>}}};
+}
+
+// The answer of an engine. Throws std::runtime_error for an unknown quantity or argument.
+template <class Engine>
+typename Engine::Number answer(Engine &engine, const Quantities<Engine> &quantities,
+                               const std::string &quantity, const Arguments &arguments) {
+  const auto found = quantities.find(quantity);
+  if (found == quantities.end())
+    throw std::runtime_error("quantity '" + quantity + "': is unknown");
+  require_only(arguments, found->second.names);
+  return found->second.answer(engine, arguments);
+}
+
+}  // namespace vibro_impact::numbers
