@@ -120,7 +120,7 @@ TEST(Refusals, OfParameters) {
   for (const char *word :
        {"", "Omega", "omega1", "beta2", "stop", "stop0", "stop01", "stop-1", "stop1x", "mass",
         "mass-1", "1", "stop99999999999999999999", "restitution0"})
-    expect_refused({{[&] { get(scene, word); }, "': must be omega"}});
+    expect_refused({{[&] { get(scene, word); }, "': must be beta, omega"}});
   for (const char *word : {"stop3", "restitution3", "amplitude3", "mass3", "velocity3"})
     expect_refused({{[&] { get(scene, word); }, "3: the "}});
 }
