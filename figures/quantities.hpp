@@ -60,7 +60,7 @@ inline double first_time(const std::vector<Event> &events, EventKind kind, int m
 
 // The displacements of a mass in an interval of time, among samples every 1e-4.
 inline Range range_in(const Scene &scene, int mass, double from, double to) {
-  SampleRecorder samples{.from = from, .to = to, .every = 1e-4};
+  SampleRecorder samples(from, to, 1e-4);
   require_complete(simulate(scene, samples.to, samples));
   return range_of(samples, mass);
 }

@@ -5,11 +5,8 @@
 #include "in_digits.hpp"
 
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <memory>
-#include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace vibro_impact_reference {
@@ -18,67 +15,13 @@ using Vector = std::vector<Real>;
 using Matrix = std::vector<Vector>;  // rows of equal length
 
 /// The stiffness matrix K of Eq. 3 for the whole chain.
-inline Matrix stiffness_matrix(const Chain &chain) {
-  const std::size_t n = chain.masses.size();
-  Matrix k(n, Vector(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    k[i][i] += chain.stiffnesses[i] + chain.grounds[i];
-    if (i == 0) continue;
-    k[i - 1][i - 1] += chain.stiffnesses[i];
-    k[i - 1][i] -= chain.stiffnesses[i];
-    k[i][i - 1] -= chain.stiffnesses[i];
-  }
-  return k;
-}
+Matrix stiffness_matrix(const Chain &chain);
 
 /// Eigenvalues and, as columns, orthonormal eigenvectors of a symmetric matrix.
 struct Eigensystem {
   Vector values;
   Matrix vectors;
 };
-
-/// Cyclic Jacobi rotations, until what is off the diagonal is below rounding.
-inline Eigensystem jacobi_eigensystem(Matrix a) {
-  const std::size_t n = a.size();
-  Matrix v(n, Vector(n));
-  for (std::size_t i = 0; i < n; ++i) v[i][i] = 1;
-  const Real epsilon = std::numeric_limits<Real>::epsilon();
-  for (int sweep = 0; sweep < 100; ++sweep) {
-    bool diagonal = true;
-    for (std::size_t p = 0; p + 1 < n; ++p) {
-      for (std::size_t q = p + 1; q < n; ++q) {
-        if (abs(a[p][q]) <= epsilon * epsilon * (abs(a[p][p]) + abs(a[q][q]))) continue;
-        diagonal = false;
-        const Real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const Real t = (theta < 0 ? -1 : 1) / (abs(theta) + sqrt(theta * theta + 1));
-        const Real c = 1 / sqrt(t * t + 1);
-        const Real s = t * c;
-        for (std::size_t i = 0; i < n; ++i) {
-          const Real aip = a[i][p];
-          const Real aiq = a[i][q];
-          a[i][p] = c * aip - s * aiq;
-          a[i][q] = s * aip + c * aiq;
-        }
-        for (std::size_t i = 0; i < n; ++i) {
-          const Real api = a[p][i];
-          const Real aqi = a[q][i];
-          a[p][i] = c * api - s * aqi;
-          a[q][i] = s * api + c * aqi;
-          const Real vip = v[i][p];
-          const Real viq = v[i][q];
-          v[i][p] = c * vip - s * viq;
-          v[i][q] = s * vip + c * viq;
-        }
-        a[p][q] = 0;
-        a[q][p] = 0;
-      }
-    }
-    if (diagonal) break;
-  }
-  Eigensystem result{Vector(n), std::move(v)};
-  for (std::size_t i = 0; i < n; ++i) result.values[i] = a[i][i];
-  return result;
-}
 
 /// One mode, q'' + 2 a q' + lambda q = f cos(Omega t) + g sin(Omega t) + d, as a function of the
 /// time since the flow began. Free part: e^{-a tau} (u C(tau) + w S(tau)) with C, S = cos, sin(nu
@@ -121,172 +64,24 @@ using Eigensystems = std::map<std::vector<bool>, std::shared_ptr<const Eigensyst
 
 /// Modes of the masses that do not rest: M^-1/2 K M^-1/2 on their rows. The vectors are
 /// mass-normalised: x_free = vectors q.
-inline Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
-                                    const std::vector<std::size_t> &free) {
-  const std::size_t size = free.size();
-  Matrix scaled(size, Vector(size));
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = 0; j < size; ++j) {
-      scaled[i][j] = k[free[i]][free[j]] / sqrt(chain.masses[free[i]] * chain.masses[free[j]]);
-    }
-  }
-  Eigensystem eigen = jacobi_eigensystem(std::move(scaled));
-  for (std::size_t i = 0; i < size; ++i) {
-    for (Real &entry : eigen.vectors[i]) entry /= sqrt(chain.masses[free[i]]);
-  }
-  return eigen;
-}
+Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
+                             const std::vector<std::size_t> &free);
 
 /// Builds the flow from positions x and velocities v at time t; `resting[p]` says that mass p is
 /// held where it is. An undamped mode driven exactly at its own frequency has no bounded particular
 /// solution and gets the growing one.
-inline Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector &v,
-                      const std::vector<bool> &resting, Eigensystems &known) {
-  const std::size_t n = chain.masses.size();
-  Flow flow{t, chain.frequency, x, {}, {}, {}};
-  for (std::size_t p = 0; p < n; ++p) {
-    if (!resting[p]) flow.free.push_back(p);
-  }
-  const std::size_t size = flow.free.size();
-  const Matrix k = stiffness_matrix(chain);
-
-  // The resting neighbours act as the constant load -K_FS s_S, in addition to the constant forces.
-  Vector load(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t p = flow.free[i];
-    load[i] = chain.constants[p];
-    for (std::size_t s = 0; s < n; ++s) {
-      if (resting[s]) load[i] -= k[p][s] * x[s];
-    }
-  }
-  flow.eigen = known[resting];
-  if (!flow.eigen)
-    known[resting] = flow.eigen =
-        std::make_shared<Eigensystem>(free_eigensystem(chain, k, flow.free));
-  const Matrix &shapes = flow.eigen->vectors;
-
-  const Real phase = chain.frequency * t;
-  const Real cosine = cos(phase);
-  const Real sine = sin(phase);
-  const Real critical = Real("1e-40");
-  for (std::size_t j = 0; j < size; ++j) {
-    Mode mode;
-    mode.lambda = flow.eigen->values[j];
-    mode.decay = chain.damping_ratio * mode.lambda / 2;
-    const Real discriminant = mode.lambda - mode.decay * mode.decay;
-    // Within 1e-40 of critical the two forms differ from the critical one by less than the working
-    // precision.
-    mode.damping = abs(discriminant) <= critical * mode.lambda ? Mode::Damping::critical
-                   : discriminant > 0                          ? Mode::Damping::under
-                                                               : Mode::Damping::over;
-    mode.nu = sqrt(abs(discriminant));
-    Real q, dq, constant;
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::size_t p = flow.free[i];
-      mode.forcing += shapes[i][j] * chain.amplitudes[p];
-      mode.sine_forcing += shapes[i][j] * chain.sines[p];
-      constant += shapes[i][j] * load[i];
-      q += shapes[i][j] * chain.masses[p] * x[p];
-      dq += shapes[i][j] * chain.masses[p] * v[p];
-    }
-    const Real omega = chain.frequency;
-    const Real detuning = mode.lambda - omega * omega;
-    const Real drag = 2 * mode.decay * omega;
-    const Real denominator = detuning * detuning + drag * drag;
-    mode.rest = constant / mode.lambda;
-    if (denominator == 0) {
-      // (tau sin(Omega t))'' + Omega^2 tau sin(Omega t) = 2 Omega cos(Omega t).
-      if (mode.sine_forcing != 0) throw std::runtime_error("a sine at resonance is not solved");
-      mode.secular = mode.forcing / (2 * omega);
-    } else {
-      mode.forced_cos = (mode.forcing * detuning - mode.sine_forcing * drag) / denominator;
-      mode.forced_sin = (mode.forcing * drag + mode.sine_forcing * detuning) / denominator;
-    }
-    mode.u = q - mode.rest - mode.forced_cos * cosine - mode.forced_sin * sine;
-    mode.w = dq - omega * (mode.forced_sin * cosine - mode.forced_cos * sine) -
-             mode.secular * sine + mode.decay * mode.u;
-    flow.modes.push_back(mode);
-  }
-  return flow;
-}
+Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector &v,
+               const std::vector<bool> &resting, Eigensystems &known);
 
 /// The fastest rate still in motion a time tau after the start of the flow: the fast decay of an
 /// over-damped mode, e^{-(a + nu) tau}, no longer counts once it is below 1e-60
 /// (with 50 digits).
-inline Real fastest_rate_at(const Flow &flow, const Real &tau) {
-  const Real spent = 138 * std::numeric_limits<Real>::digits10 / 50;  // -log of it
-  Real fastest = flow.frequency;
-  for (const Mode &mode : flow.modes) {
-    Real rate = sqrt(mode.lambda);
-    if (2 * mode.decay > rate) rate = 2 * mode.decay;
-    if (mode.damping == Mode::Damping::over && (mode.decay + mode.nu) * tau > spent)
-      rate = mode.lambda / (mode.decay + mode.nu);  // of the slow decay
-    if (rate > fastest) fastest = rate;
-  }
-  return fastest;
-}
+Real fastest_rate_at(const Flow &flow, const Real &tau);
 
 /// The distance at which a flow is sampled: part of a cycle of that rate.
-inline Real sampling_step(const Flow &flow, const Real &tau) {
-  return 2 * acos(Real(-1)) / fastest_rate_at(flow, tau) / 128;
-}
+Real sampling_step(const Flow &flow, const Real &tau);
 
 /// The closed form at time tau after the start of the flow.
-inline Motion motion_at(const Flow &flow, const Real &tau) {
-  const std::size_t n = flow.rest_positions.size();
-  Motion motion{flow.rest_positions, Vector(n), Vector(n), Vector(n), Real(), Real()};
-  for (const std::size_t p : flow.free) motion.x[p] = 0;
-  const Real omega = flow.frequency;
-  const Real phase = omega * (flow.start_time + tau);
-  motion.cosine = cos(phase);
-  motion.sine = sin(phase);
-  for (std::size_t j = 0; j < flow.modes.size(); ++j) {
-    const Mode &mode = flow.modes[j];
-    // S = sin(nu tau)/nu or its like, C = S'; S'' = -(lambda - a^2) S gives the velocity.
-    Real c = 1;
-    Real s = tau;
-    Real bend = 0;  // C'/S
-    if (mode.damping == Mode::Damping::under) {
-      const Real angle = mode.nu * tau;
-      c = cos(angle);
-      s = sin(angle) / mode.nu;
-      bend = -mode.nu * mode.nu;
-    } else if (mode.damping == Mode::Damping::over) {
-      const Real sh = sinh(mode.nu * tau);
-      c = sqrt(1 + sh * sh);
-      s = sh / mode.nu;
-      bend = mode.nu * mode.nu;
-    }
-    Real envelope = exp(-mode.decay * tau);
-    if (mode.damping == Mode::Damping::over && mode.nu * tau > 1) {
-      // The two decays one by one: e^(nu tau) may not be finite.
-      const Real slow = exp(-mode.lambda / (mode.decay + mode.nu) * tau),
-                 fast = exp(-(mode.decay + mode.nu) * tau);
-      c = (slow + fast) / 2;
-      s = (slow - fast) / (2 * mode.nu);
-      envelope = 1;
-    }
-    const Real ringing = envelope * (mode.u * c + mode.w * s);
-    const Real ringing_rate = envelope * (mode.u * bend * s + mode.w * c) - mode.decay * ringing;
-    const Real q = ringing + mode.rest + mode.forced_cos * motion.cosine +
-                   mode.forced_sin * motion.sine + mode.secular * tau * motion.sine;
-    const Real dq = ringing_rate +
-                    omega * (mode.forced_sin * motion.cosine - mode.forced_cos * motion.sine) +
-                    mode.secular * (motion.sine + omega * tau * motion.cosine);
-    // Higher derivatives from the equation of motion itself.
-    const Real ddq = mode.forcing * motion.cosine + mode.sine_forcing * motion.sine -
-                     2 * mode.decay * dq - mode.lambda * (q - mode.rest);
-    const Real dddq = omega * (mode.sine_forcing * motion.cosine - mode.forcing * motion.sine) -
-                      2 * mode.decay * ddq - mode.lambda * dq;
-    for (std::size_t i = 0; i < flow.free.size(); ++i) {
-      const std::size_t p = flow.free[i];
-      motion.x[p] += flow.eigen->vectors[i][j] * q;
-      motion.v[p] += flow.eigen->vectors[i][j] * dq;
-      motion.a[p] += flow.eigen->vectors[i][j] * ddq;
-      motion.jerk[p] += flow.eigen->vectors[i][j] * dddq;
-    }
-  }
-  return motion;
-}
+Motion motion_at(const Flow &flow, const Real &tau);
 
 }  // namespace vibro_impact_reference

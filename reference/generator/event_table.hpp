@@ -4,7 +4,6 @@
 #include "event_driven.hpp"
 
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,54 +14,18 @@ namespace vibro_impact_reference {
 inline const Real kept_speed = Real("1e-6");
 
 /// The masses that stick, as `1+2`; `-` if none does.
-inline std::string contact_mode(const std::vector<bool> &stuck) {
-  std::string mode;
-  for (std::size_t p = 0; p < stuck.size(); ++p) {
-    if (stuck[p]) mode += (mode.empty() ? "" : "+") + std::to_string(p + 1);
-  }
-  return mode.empty() ? "-" : mode;
-}
+std::string contact_mode(const std::vector<bool> &stuck);
 
 /// By Event::Kind.
 constexpr const char *kind_names[] = {"impact", "stick", "release"};
 
-/// Which events go to the table. Before a stick, the impacts of that mass slower than `slowest`
-/// (per mass) are left out, back to the first faster one or to the first event of another mass: an
-/// interrupted or incomplete chatter stays whole.
-inline std::vector<bool> kept(const std::vector<Event> &events, const Vector &slowest) {
-  std::vector<bool> keep(events.size(), true);
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    if (events[i].kind != Event::Kind::stick) continue;
-    for (std::size_t j = i; j-- > 0;) {
-      const Event &earlier = events[j];
-      if (earlier.kind != Event::Kind::impact || earlier.mass != events[i].mass) break;
-      if (abs(earlier.velocity_before) >= slowest[earlier.mass]) break;
-      keep[j] = false;
-    }
-  }
-  return keep;
-}
-
 /// The rows of the kept events, each after `lead`.
-inline std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
-                              const std::string &lead) {
-  std::ostringstream table;
-  const std::vector<bool> keep = kept(events, slowest);
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    if (!keep[i]) continue;
-    const Event &e = events[i];
-    table << lead << e.time.str(30) << ',' << e.mass + 1 << ','
-          << kind_names[static_cast<int>(e.kind)] << ',' << e.velocity_before.str(30) << ','
-          << e.velocity_after.str(30) << ',' << contact_mode(e.stuck) << '\n';
-  }
-  return table.str();
-}
+std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
+                       const std::string &lead);
 
 const char *const columns = "time,mass,event,velocity_before,velocity_after,contact_mode\n";
 
 /// The whole table of a scene of the paper.
-inline std::string events_table(const std::vector<Event> &events, std::size_t masses) {
-  return columns + event_rows(events, Vector(masses, kept_speed), "");
-}
+std::string events_table(const std::vector<Event> &events, std::size_t masses);
 
 }  // namespace vibro_impact_reference

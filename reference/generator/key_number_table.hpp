@@ -3,68 +3,20 @@
 #pragma once
 
 #include "digits_engine.hpp"
-#include "formulas.hpp"
 #include "reference/numbers/checked_number.hpp"
 
-#include <fmt/format.h>
-#include <fstream>
-#include <map>
-#include <stdexcept>
 #include <string>
 
 namespace vibro_impact_reference {
 
-/// The frequencies are known to the width of a bracket, all else to 30 digits.
-inline int known_digits(const std::string &quantity) {
-  return quantity.ends_with("_frequency") ? 18 : 30;
-}
-
 /// The digits of a key number, by a formula (kind `derived`) or by a run (kind `computed`). Throws
 /// std::runtime_error naming the row.
-inline std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number) {
-  using Formula = Real (*)(const Arguments &);
-  static const std::map<std::string, Formula> formulas{{"eigenvalue", eigenvalue},
-                                                       {"mode_shape", mode_shape},
-                                                       {"exit_slope", exit_slope},
-                                                       {"exit_intercept", exit_intercept},
-                                                       {"interval", bounce_interval}};
-  try {
-    if (number.kind == "derived")
-      return formulas.at(number.quantity)(number.arguments).str(known_digits(number.quantity));
-    return numbers::answer(engine, numbers::common_quantities<DigitsEngine>(), number.quantity,
-                           number.arguments)
-        .str(known_digits(number.quantity));
-  } catch (const std::exception &error) {
-    throw std::runtime_error(
-        fmt::format("{}, {} {}: {}", number.id, number.quantity, number.given, error.what()));
-  }
-}
-
-inline const std::string checked_numbers_table = REFERENCE_DIR "/checked_numbers.csv";
-
-/// The whole table.
-inline std::string filled_table() {
-  const auto known = numbers::read_numbers(checked_numbers_table);
-  std::ifstream file = vibro_impact::truth::opened(checked_numbers_table);
-  std::string table, line;
-  std::getline(file, line);
-  table = line + '\n';
-  DigitsEngine engine;
-  for (const numbers::CheckedNumber &number : known) {
-    std::getline(file, line);
-    const auto comma = line.find(','), rest = line.find(',', comma + 1);
-    const std::string digits = number.of_the_paper() ? digits_of(engine, number) : number.digits;
-    table += number.id + ',' + digits + line.substr(rest) + '\n';
-  }
-  return table;
-}
+std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number);
 
 /// The digits of the key number with this id. Throws std::runtime_error if there is none.
-inline std::string digits_of(const std::string &id) {
-  DigitsEngine engine;
-  for (const numbers::CheckedNumber &number : numbers::read_numbers(checked_numbers_table))
-    if (number.id == id && number.of_the_paper()) return digits_of(engine, number) + '\n';
-  throw std::runtime_error("key number '" + id + "': the table has no such row");
-}
+std::string digits_of(const std::string &id);
+
+/// The whole table.
+std::string filled_table();
 
 }  // namespace vibro_impact_reference

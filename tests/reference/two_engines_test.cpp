@@ -39,12 +39,13 @@ TEST(TwoEngines, GiveTheSameAnswers) {
   figures::LibraryEngine library;
   DigitsEngine digits;
   std::set<std::string> left;
-  for (const auto &[name, quantity] : numbers::common_quantities<DigitsEngine>()) left.insert(name);
+  for (const auto &[name, quantity] : vibro_impact_reference::quantities_in_digits())
+    left.insert(name);
   for (const auto &[quantity, given, tolerance] : questions) {
     const auto arguments = numbers::read_arguments("questions", given);
     const auto ours = answer(library, figures::library_quantities(), quantity, arguments);
     const auto exact =
-        answer(digits, numbers::common_quantities<DigitsEngine>(), quantity, arguments);
+        answer(digits, vibro_impact_reference::quantities_in_digits(), quantity, arguments);
     EXPECT_NEAR(ours, static_cast<double>(exact), tolerance) << quantity << ' ' << given;
     left.erase(quantity);
   }

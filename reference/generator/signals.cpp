@@ -1,0 +1,92 @@
+#include "signals.hpp"
+
+#include <limits>
+
+namespace vibro_impact_reference {
+
+int side_sign(const Stop &stop) {
+  return stop.side == Side::upper ? 1 : -1;
+}
+
+namespace {
+
+/// Gap of a free mass before a stop.
+Signal gap_signal(const Stop &stop, const Motion &motion) {
+  const int sign = side_sign(stop);
+  const std::size_t p = stop.mass;
+  return {sign * (stop.position - motion.x[p]), -sign * motion.v[p], -sign * motion.a[p]};
+}
+
+}  // namespace
+
+Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion &motion) {
+  const std::size_t p = stop.mass;
+  const Real &beta = chain.damping_ratio;
+  const Real &omega = chain.frequency;
+  const Real &amplitude = chain.amplitudes[p];
+  const Real &sine = chain.sines[p];
+  const Real turning = amplitude * motion.cosine + sine * motion.sine;
+  Real force =
+      turning + chain.constants[p] - (chain.stiffnesses[p] + chain.grounds[p]) * stop.position;
+  Real rate = omega * (sine * motion.cosine - amplitude * motion.sine);
+  Real curvature = -omega * omega * turning;
+  const auto add_neighbour = [&](std::size_t q, const Real &k) {
+    force += k * (motion.x[q] + beta * motion.v[q]);
+    rate += k * (motion.v[q] + beta * motion.a[q]);
+    curvature += k * (motion.a[q] + beta * motion.jerk[q]);
+  };
+  if (p > 0) add_neighbour(p - 1, chain.stiffnesses[p]);
+  if (p + 1 < chain.masses.size()) {
+    force -= chain.stiffnesses[p + 1] * stop.position;
+    add_neighbour(p + 1, chain.stiffnesses[p + 1]);
+  }
+  const int sign = side_sign(stop);
+  return {sign * force, sign * rate, sign * curvature};
+}
+
+State free_state(const Scene &scene, const Real &time, const Vector &x, const Vector &v) {
+  return {time, x, v, std::vector<std::optional<std::size_t>>(x.size()),
+          std::vector<Start>(scene.stops.size(), Start::apart)};
+}
+
+std::vector<bool> stuck_masses(const State &state) {
+  std::vector<bool> stuck;
+  for (const auto &stop : state.stuck_on) stuck.push_back(stop.has_value());
+  return stuck;
+}
+
+std::optional<Signal> stop_signal(const Scene &scene, const State &state, std::size_t index,
+                                  const Motion &motion) {
+  const Stop &stop = scene.stops[index];
+  const auto &stuck_on = state.stuck_on[stop.mass];
+  if (!stuck_on) return gap_signal(stop, motion);
+  if (*stuck_on == index) return pressing_signal(scene.chain, stop, motion);
+  return std::nullopt;
+}
+
+Real pressing_now(const Scene &scene, const State &state, std::size_t stop) {
+  const std::size_t n = state.x.size();
+  const Real phase = scene.chain.frequency * state.time;
+  const Motion now{state.x, state.v, Vector(n), Vector(n), cos(phase), sin(phase)};
+  return pressing_signal(scene.chain, scene.stops[stop], now).value;
+}
+
+std::vector<std::optional<Signal>> starting_signals(const Scene &scene, const State &state,
+                                                    const Motion &motion) {
+  std::vector<std::optional<Signal>> signals;
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+    auto signal = stop_signal(scene, state, i, motion);
+    if (signal && !state.stuck_on[scene.stops[i].mass] && state.stop_start[i] != Start::apart) {
+      signal->value = 0;
+      if (state.stop_start[i] == Start::pulled) signal->rate = 0;
+      if (state.stop_start[i] == Start::let_go) {
+        signal->rate = 0;
+        signal->curvature = std::numeric_limits<Real>::min();  // 0, about to grow
+      }
+    }
+    signals.push_back(signal);
+  }
+  return signals;
+}
+
+}  // namespace vibro_impact_reference
