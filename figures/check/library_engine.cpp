@@ -111,7 +111,7 @@ double eigenvalue(LibraryEngine &, const Arguments &given) {
 }
 
 double mode_shape(LibraryEngine &, const Arguments &given) {
-  return free_modes(given).shape(given.mass("mass") - 1, given.mass("mode") - 1);
+  return free_modes(given).shape(index(given.mass("mass")), index(given.mass("mode")));
 }
 
 // The motion (x1, x1') at the releases of the last of two masses at roots of its hold force.

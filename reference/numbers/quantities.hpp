@@ -157,13 +157,13 @@ template <class Engine>
 Occurrences<typename Engine::Number> asked_events(Engine &engine, const Arguments &given) {
   const paper::NamedScene run = run_of(given);
   auto events = engine.events(run);
-  const auto [from, to] = interval_of(engine, run, events, given);
+  const Interval<typename Engine::Number> asked = interval_of(engine, run, events, given);
   const EventKind kind = kind_in(given);
   const int mass = given.mass("mass");
   const std::string mode = given.contains("contact_mode") ? given.text("contact_mode") : "";
   std::erase_if(events, [&](const auto &event) {
-    return event.kind != kind || (mass != 0 && event.mass != mass) || event.time < from ||
-           event.time > to || (!mode.empty() && event.contact_mode != mode);
+    return event.kind != kind || (mass != 0 && event.mass != mass) || event.time < asked.from ||
+           event.time > asked.to || (!mode.empty() && event.contact_mode != mode);
   });
   return events;
 }
