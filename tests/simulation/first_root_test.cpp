@@ -144,8 +144,11 @@ TEST(FirstRoot, DecidesGrazingOfADipDownTo1e15) {
     // The value's rounding over the slope 2 sqrt(depth).
     EXPECT_NEAR(root->u, 0.5 - std::sqrt(depth), 2.2e-16 / std::sqrt(depth)) << depth;
   }
-  const auto touch = first(rounded({0.25L, -1.0L, 1.0L}));
+  Counters counters;
+  const auto touch = first_root(rounded({0.25L, -1.0L, 1.0L}), 1.0, counters);
   ASSERT_TRUE(touch);
+  // A step goes at least an eighth of the way, from 0.5 to 1e-8.
+  EXPECT_LE(counters.root_iterations, 140);
   // Within sqrt(eps) of the tangency the polynomial is zero up to rounding.
   EXPECT_NEAR(touch->u, 0.5, 2e-8);
 }

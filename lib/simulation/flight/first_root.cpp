@@ -163,6 +163,9 @@ std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &coun
     // Otherwise u moves on over the longest stretch on which the lower bound of p exceeds the
     // rounding of p(u).
     const double rounding = 0.5 * epsilon * derivative_bound(p, zeros, 0, u);
+    // From more than twice the rounding a step goes a share of the way to a tangency. With less the
+    // steps would become ever shorter.
+    if (!(jet.value > 2.0 * rounding)) return root_at(u, jet.slope, zeros);
     double stretch = u_max - u;
     const auto is_positive = [&] {
       const double end = u + stretch;
