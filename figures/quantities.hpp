@@ -1,4 +1,4 @@
-// What is read off a run: events, counts, times, extremes and sticking phases.
+// Quantities read off a run: events, counts, times, extremes and sticking phases.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 
 namespace vibro_impact::figures {
 
-// What `make check` finds, for the documents.
+// The findings of `make check`, for the documents.
 struct Results {
   Findings findings;
   std::vector<comparison::Measured> measured = {};

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "files.hpp"
+#include "vibro_impact/scene_text.hpp"
 
 namespace vibro_impact::runner {
 
@@ -48,49 +49,19 @@ namespace {
 // those of 2,000 masses ten seconds.
 constexpr double most_masses = 2000;
 
-// The stop given as mass:side:position, or with a restitution of its own as a fourth part.
-Stop stop_of(const std::string &given, const std::string &word) {
-  const auto parts = split(word, ':');
-  if (parts.size() < 3 || parts.size() > 4 || (parts[1] != "lower" && parts[1] != "upper"))
-    refuse(
-        "{}: must read mass:side:position or mass:side:position:restitution, with side lower "
-        "or upper",
-        given);
-  Stop stop{static_cast<int>(whole_number(given, parts[0], most_masses)),
-            parts[1] == "lower" ? Side::lower : Side::upper, number(given, parts[2])};
-  if (parts.size() == 4) stop.restitution = number(given, parts[3]);
-  return stop;
-}
-
-std::string text_of(const Stop &stop) {
-  std::string text = fmt::format("{}:{}:{}", stop.mass, name(stop.side), stop.position);
-  if (stop.restitution) text += fmt::format(":{}", *stop.restitution);
-  return text;
-}
-
-// Gives the field of this name its value. `masses` is the number of masses of the scene.
+// Gives the field of this name its value. A list of zeros becomes empty, so that the forces that a
+// scene does not have cost nothing.
 void set(Scene &scene, const SceneLine &line) {
-  const auto &[name, given, words] = line;
-  std::vector<double> values;
-  if (name != "stop")
-    for (const std::string &word : words) values.push_back(number(given, word));
-  for (const auto &field : scalar_fields) {
-    if (name != field.name) continue;
-    if (values.size() != 1) refuse("{}: {} values given, it takes one", given, values.size());
-    scene.*field.value = values.front();
+  try {
+    set_field(scene, line.name, fmt::format("{}", fmt::join(line.words, ",")));
+  } catch (const std::invalid_argument &error) {
+    refuse("{}: {}", line.given, error.what());
   }
-  for (const auto &field : list_fields) {
-    if (name != field.name) continue;
-    if (values.size() == 1) values.assign(scene.mass.size(), values.front());
-    if (values.size() != scene.mass.size())
-      refuse("{}: {} values given, the chain has {} masses", given, values.size(), scene.masses());
-    const bool zero = std::ranges::all_of(values, [](double value) { return value == 0.0; });
-    scene.*field.value = zero && field.optional ? std::vector<double>() : values;
-  }
-  if (name != "stop") return;
-  scene.stops.clear();
-  for (const std::string &word : words)
-    if (word != "none") scene.stops.push_back(stop_of(given, word));
+  for (const auto &field : list_fields)
+    if (std::vector<double> &values = scene.*field.value;
+        line.name == field.name && field.optional &&
+        std::ranges::count(values, 0.0) == std::ssize(values))
+      values.clear();
 }
 
 // The words of a value in a file: a word, or words separated by commas, which may stand in brackets
@@ -163,7 +134,8 @@ Scene scene_of(const std::vector<SceneLine> &lines) {
   if (masses != lines.end())
     scene = default_scene(static_cast<int>(whole_number(
         masses->given, fmt::format("{}", fmt::join(masses->words, ",")), most_masses)));
-  for (const SceneLine &line : lines) set(scene, line);
+  for (const SceneLine &line : lines)
+    if (line.name != "masses") set(scene, line);
   check(scene);
   return scene;
 }
@@ -179,10 +151,7 @@ std::vector<std::pair<std::string, std::string>> words_of(const Scene &scene) {
   }
   for (const auto &field : scalar_fields)
     words.emplace_back(field.name, fmt::format("{}", scene.*field.value));
-  std::vector<std::string> stops;
-  for (const Stop &stop : scene.stops) stops.push_back(text_of(stop));
-  if (stops.empty()) stops = {"none"};
-  words.emplace_back("stop", fmt::format("{}", fmt::join(stops, ", ")));
+  words.emplace_back("stop", detail::joined(scene.stops, "none"));
   return words;
 }
 

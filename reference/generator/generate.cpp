@@ -75,9 +75,10 @@ std::string table_named(const std::string &name) {
 
 int main(int argc, char **argv) try {
   if (argc != 3)
-    throw std::invalid_argument(std::string("usage: reference-generate <table> <out.csv or ->, with "
-                                            "table one of ") +
-                                tables);
+    throw std::invalid_argument(
+        std::string("usage: reference-generate <table> <out.csv or ->, with "
+                    "table one of ") +
+        tables);
   const std::string table = table_named(argv[1]);
   if (std::string(argv[2]) == "-") {
     std::cout << table;

@@ -55,12 +55,9 @@ inline std::vector<PairScene> table1_scenes() {
   const Scene grazing_impact = two_masses(grazed_stop(1, upper, 0.43515458820109099),
                                           {2, upper, 0.31069573671990272}, 0.7, 0.5);
 
-  return {{"DG", dual_grazing, 0.0, 14.0},
-          {"DS", dual_sticking, 42.0, 56.0},
-          {"DI", double_impact, 0.0, 7.0},
-          {"GS", grazing_sticking, 12.0, 26.0},
-          {"GI", grazing_impact, 0.0, 5.0},
-          {"SI", sticking_impact, 950.0, 964.0}};
+  return {{"DG", dual_grazing, 0.0, 14.0},  {"DS", dual_sticking, 42.0, 56.0},
+          {"DI", double_impact, 0.0, 7.0},  {"GS", grazing_sticking, 12.0, 26.0},
+          {"GI", grazing_impact, 0.0, 5.0}, {"SI", sticking_impact, 950.0, 964.0}};
 }
 
 }  // namespace vibro_impact::paper

@@ -15,7 +15,7 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
 
-// What each mass is said to do is what the true events say. The last impacts of
+// Each mass is said to do what the true events say. The last impacts of
 // a chatter, slower than 1e-4, are not resolved, so that only sticking is compared to the frame.
 TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const std::string folder = folder_of("figure1_table");

@@ -89,7 +89,7 @@ TEST_F(Runner, NumbersAreReadInOneWay) {
   EXPECT_EQ(run("run --until 5e0 --max-steps 1e10 --masses 2e0").status, 0);
 }
 
-// What the list of fields has, the options, the files and the parameters have.
+// The options, the files and the parameters have what the list of fields has.
 TEST_F(SceneFile, EveryFieldOfASceneIsAnOptionALineAndAParameter) {
   std::vector<std::pair<std::string, std::string>> fields;  // and the parameter of mass 2
   for (const auto &field : vibro_impact::scalar_fields) fields.emplace_back(field.name, field.name);

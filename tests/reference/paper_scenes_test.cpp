@@ -94,12 +94,12 @@ TEST(ScenesInWords, ThatBreakARuleAreRefusedWithTheirPlace) {
   };
   EXPECT_EQ(refusal({"", "2", "1,2", "none", ""}), "accepted");
   EXPECT_EQ(refusal({"", "2", "1,2,3", "none", ""}),
-            "t.csv: line 2, column mass: '1,2,3' must have one number, or one for each mass");
+            "t.csv: line 2, column mass: 3 values given, the chain has 2 masses");
   EXPECT_EQ(refusal({"", "2", "1", "1:left:0", ""}),
             "t.csv: line 2, column stop: '1:left:0' must read mass:side:position or "
-            "mass:side:position:restitution");
+            "mass:side:position:restitution, with side lower or upper");
   EXPECT_EQ(refusal({"", "2", "1", "1:upper: x", ""}),
-            "t.csv: line 2, column stop: 'x' is not a number in double precision");
+            "t.csv: line 2, column stop: ' x' is not a number in double precision");
   EXPECT_EQ(refusal({"", "1.5", "1", "", ""}),
             "t.csv: line 2, column masses: '1.5' must be a whole number from 1 to 1e6");
   EXPECT_EQ(refusal({"", "2", "1", "", "1"}),

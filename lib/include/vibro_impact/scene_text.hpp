@@ -1,5 +1,5 @@
 // The fields of a scene in words, as scene files and tables of scenes have them: `omega = 0.2`,
-// `mass = 1,1,2`, `stop = 1:lower:-0.3, 2:upper:0.1`.
+// `mass = 1,1,2`, `stop = 1:lower:-0.3,2:upper:0.1`.
 //
 // A number is read as std::from_chars reads it. A list has a number for each mass, with commas
 // between them; one number stands for equal ones. A stop reads mass:side:position, or with a
@@ -27,15 +27,12 @@ namespace detail {
   throw std::invalid_argument("'" + std::string(words) + "' " + std::string(rule));
 }
 
-// The parts of a text between separators, without the blanks around them.
+// The parts of a text between separators.
 inline std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(separator, begin), text.size());
-    std::string_view part = text.substr(begin, end - begin);
-    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
-    part.remove_suffix(part.size() - (part.find_last_not_of(' ') + 1));
-    parts.push_back(part);
+    parts.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
   return parts;
@@ -61,7 +58,9 @@ inline Stop stop_of(std::string_view word) {
   const auto parts = parts_of(word, ':');
   const bool lower = parts.size() > 1 && parts[1] == "lower";
   if (parts.size() < 3 || parts.size() > 4 || (!lower && parts[1] != "upper"))
-    refuse_words(word, "must read mass:side:position or mass:side:position:restitution");
+    refuse_words(word,
+                 "must read mass:side:position or mass:side:position:restitution, with side "
+                 "lower or upper");
   Stop stop{count_of(parts[0]), lower ? Side::lower : Side::upper, number_of(parts[2])};
   if (parts.size() == 4) stop.restitution = number_of(parts[3]);
   return stop;
@@ -117,7 +116,8 @@ inline bool set_field(Scene &scene, std::string_view name, std::string_view word
       given.push_back(detail::number_of(word));
     if (given.size() == 1) given.assign(scene.mass.size(), given.front());
     if (given.size() != scene.mass.size())
-      detail::refuse_words(words, "must have one number, or one for each mass");
+      throw std::invalid_argument(std::to_string(given.size()) + " values given, the chain has " +
+                                  std::to_string(scene.masses()) + " masses");
     scene.*field.value = std::move(given);
     return true;
   }
