@@ -62,9 +62,9 @@ inline Witness witness_of(const Scene &scene, double until) {
 
 // Whether a run may end at the limit of steps, unless its scene says that it never does.
 //
-// This number of steps is possible only if impacts lose almost no energy, if a mass rattles in a small
-// clearance or between neighbours that rattle too, or if the run is long against the motion: a
-// chatter of some 60 impacts in each half period of the fastest mode.
+// This number of steps is possible only if impacts lose almost no energy, if a mass rattles in a
+// small clearance or between neighbours that rattle too, or if the run is long against the motion:
+// a chatter of some 60 impacts in each half period of the fastest mode.
 inline bool may_be_given_up(const Trial &trial, long long most_steps) {
   const Scene &scene = trial.scene;
   double elastic = scene.restitution;
