@@ -4,7 +4,7 @@
 // mirror.
 //
 // With an argument, `random_scenes_test N [first seed [distribution]]` tries N scenes of each
-// distribution, or of that one (`make random-scenes`).
+// distribution, or of that one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

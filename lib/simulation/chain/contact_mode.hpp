@@ -61,13 +61,14 @@ struct Contact {
   PerCoordinate modulus;        // |row|
   PerCoordinate impulse;        // change of y' by a unit jump of the gap speed
   PerCoordinate impulse_value;  // and of y, which only decays have; else empty
-  // Changes of y by a unit of gap: a static deflection by a force at the mass, and a displacement
-  // of this mass alone.
+  // Changes of y that widen the gap by 1. `placement` is the static deflection by a force at the
+  // mass, in which stiff modes hardly move. `displacement` moves this mass alone, and serves for
+  // corrections that no stiff link feels.
   PerCoordinate placement, displacement;
   // (3) in the steady response is offset + static_value + Re(steady e^(i Omega t)).
   std::complex<double> steady = 0.0;
   double static_value = 0.0;
-  double restitution = 0.0;  // r at rest
+  double restitution = 0.0;  // the limit of r as the closing speed falls to 0
 };
 
 struct ContactMode {

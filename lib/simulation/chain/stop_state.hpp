@@ -16,8 +16,14 @@ struct DecidedForce {
   bool none = false;
 };
 
-// A mass in flight before its stop, or at rest at the stop: held, or released at this instant, or
-// free without any force.
+// A mass before its stop, or at it:
+//   in flight                      {}
+//   at an impact, or stopped by it {.speed = g'}, or 0
+//   at rest, not yet decided       {.at_rest}
+//   held                           {.at_rest, .decided}, later {.at_rest}
+//   released at this instant       {.at_rest, .decided, .released}
+//   free without any force         {.at_rest, .decided} with DecidedForce::none
+//   held or free as before         {.at_rest, .postponed}
 struct AtStop {
   bool at_rest = false;
   // The gap speed g' of a mass in flight whose gap g = sigma (s - x) is exactly 0, just before an

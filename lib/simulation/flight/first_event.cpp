@@ -99,7 +99,9 @@ void insert_exact_coefficients(const Motion &motion, const Contact &contact, con
   }
 }
 
-// True when a hold force is nothing but rounding over the whole step. The mass stays held.
+// True when a hold force is nothing but rounding over the whole step. The mass stays held. `travel`
+// is at least 2 resolved_ratio times the terms, so that a larger p(0) alone exceeds the bound of
+// the sum.
 bool is_rounding(const Motion &motion, const Contact &contact, double travel, const Polynomial &p) {
   if (std::abs(p.coefficient[0]) > row_rounding * travel / resolved_ratio) return false;
   double sum = 0.0;
@@ -147,8 +149,8 @@ void find_first_event(const Motion &motion, const std::vector<StopState> &stops,
   const Step &step = flight.step;
   expand(motion, step, clock.omega, forced, flight.table);
   bound_travel(motion, clock.omega, flight);
-  // Two events are simultaneous when they are closer than the rounding of the time of the motion,
-  // which is that of the flight after a much shorter flight, and than the rounding of both roots.
+  // Two roots u1 < u2 are one instant if u2 - u1 is at most each of these: 2^-46 radians of the
+  // rate in motion, 2^-16 u1, and the sum of the roundings of both roots (drop_later_roots).
   const double rounding = same_instant / (step.rate * step.length);
   const auto simultaneous = [rounding](double u) {
     return std::min(rounding, same_instant_of_flight * u);
