@@ -38,6 +38,21 @@ TEST(AtRest, AMassBesideAStiffDampedLinkIsReleased) {
   }
 }
 
+// Mass 1 stands at its stop without force. The rate of its force is B Omega - 0.1, from a sine and
+// from the neighbour that leaves at the speed 0.1: its sign decides.
+TEST(AtRest, TheRateOfTheForcingDecides) {
+  for (const double sine : {1.0, 3.0}) {
+    const Scene scene{.mass = {1.0, 1.0},
+                      .stiffness = {1.0, 1.0},
+                      .sine = {sine, 0.0},
+                      .omega = 0.05,
+                      .stops = {{1, Side::upper, 0.0}},
+                      .velocity = {0.0, -0.1}};
+    const std::vector<Event> sticks = select(events_of(scene, 0.0, 0.1), EventKind::stick);
+    EXPECT_EQ(sticks.size(), sine * scene.omega > 0.1 ? 1u : 0u) << sine;
+  }
+}
+
 Scene equal_chain(int masses, double beta) {
   const auto n = static_cast<std::size_t>(masses);
   Scene scene{.mass = std::vector<double>(n, 1.0),
