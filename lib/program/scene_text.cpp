@@ -4,13 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "files.hpp"
-#include "vibro_impact/scene_text.hpp"
 
 namespace vibro_impact::runner {
 
@@ -18,22 +16,12 @@ std::vector<std::string> split(const std::string &text, char separator) {
   return CLI::detail::split(text + separator, separator);
 }
 
-std::string shown(const std::string &text) {
-  constexpr std::size_t longest = 60;
-  std::string begin = text.substr(0, longest);
-  for (char &c : begin)
-    if (c < ' ' || c > '~') c = '?';
-  return text.size() > longest ? begin + "..." : begin;
-}
-
-// from_chars knows no locale, no leading space and no plus sign.
 double number(const std::string &given, const std::string &word) {
-  double value = 0.0;
-  const char *end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (stop != end || error != std::errc())
-    refuse("{}: '{}' is not a number in double precision", given, shown(word));
-  return value;
+  try {
+    return detail::number_of(word);
+  } catch (const std::invalid_argument &error) {
+    refuse("{}: {}", given, error.what());
+  }
 }
 
 long long whole_number(const std::string &given, const std::string &word, double most) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "vibro_impact/scene_fields.hpp"
+#include "vibro_impact/scene_text.hpp"
 
 namespace vibro_impact::runner {
 
@@ -15,8 +15,7 @@ inline constexpr const char *table_head = "# vibro-impact ";
 // The parts of `text` between separators. Parts may be empty.
 std::vector<std::string> split(const std::string &text, char separator);
 
-// The beginning of a text that was given, for a message: printable, and short.
-std::string shown(const std::string &text);
+using detail::shown;
 
 // The number that a whole word of `given` stands for. All numbers of the command line and of scene
 // files are read by it. Refuses what is none.

@@ -23,8 +23,17 @@ namespace vibro_impact {
 
 namespace detail {
 
+// The beginning of a text that was given, for a message: printable, and short.
+inline std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string begin(text.substr(0, longest));
+  for (char &c : begin)
+    if (c < ' ' || c > '~') c = '?';
+  return text.size() > longest ? begin + "..." : begin;
+}
+
 [[noreturn]] inline void refuse_words(std::string_view words, std::string_view rule) {
-  throw std::invalid_argument("'" + std::string(words) + "' " + std::string(rule));
+  throw std::invalid_argument("'" + shown(words) + "' " + std::string(rule));
 }
 
 // The parts of a text between separators.
@@ -38,6 +47,7 @@ inline std::vector<std::string_view> parts_of(std::string_view text, char separa
   return parts;
 }
 
+// from_chars knows no locale, no leading space and no plus sign.
 inline double number_of(std::string_view word) {
   double value = 0.0;
   const char *end = word.data() + word.size();
