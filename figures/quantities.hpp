@@ -44,13 +44,6 @@ inline std::vector<Event> events_of(const Scene &scene, double until, double fro
   return recorder.events;
 }
 
-// Number of events of a kind, of one mass (0: of any mass).
-inline double count(const std::vector<Event> &events, EventKind kind, int mass = 0) {
-  return static_cast<double>(std::count_if(events.begin(), events.end(), [&](const Event &event) {
-    return event.kind == kind && (mass == 0 || event.mass == mass);
-  }));
-}
-
 // Time of the first event of this kind and mass at or after `from`; NaN if there is none.
 inline double first_time(const std::vector<Event> &events, EventKind kind, int mass, double from) {
   for (const Event &event : events)
