@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -82,6 +83,30 @@ TEST(RigidBodyMode, IsExactInStepsBesideAStop) {
   EXPECT_EQ(outcome.counters.impacts, 0);
   const double x = (outcome.state.displacement[0] + outcome.state.displacement[1]) / 2.0;
   EXPECT_NEAR(x, 1.0 - std::cos(0.5 * outcome.state.instant.phase), 1e-12);
+}
+
+// A strongly damped mode of which both decays are 1e4 times slower than the forcing, which is 1e10
+// times the spring force. The times differ by 1e-14, some fifty roundings.
+TEST(StrongDamping, SlowerThanTheForcingCancelsNoDigits) {
+  Scene scene = scene_of({1.0, 1.0, 1e10, 1e5});
+  scene.beta = 4.0;
+  const long double omega = 1e5L, slow = 2.0L - std::sqrt(3.0L), fast = 2.0L + std::sqrt(3.0L);
+  const std::complex<long double> steady =
+      1e10L / std::complex<long double>(1.0L - omega * omega, 4.0L * omega);
+  const std::complex<long double> speed = steady * std::complex<long double>(0.0L, omega);
+  for (const double hit : {1.5e-7, 2e-6, 1e-5}) {
+    // From rest, x = S + a e^(-slow t) + b e^(-fast t).
+    const long double a = (-speed.real() - fast * steady.real()) / (fast - slow),
+                      b = (speed.real() + slow * steady.real()) / (fast - slow);
+    const long double x = (steady * (std::polar(1.0L, omega * hit) - 1.0L)).real() +
+                          a * std::expm1(-slow * static_cast<long double>(hit)) +
+                          b * std::expm1(-fast * static_cast<long double>(hit));
+    scene.stops[0].position = static_cast<double>(x);
+    EventRecorder events;
+    require_complete(simulate(scene, 1.1 * hit, events));
+    ASSERT_FALSE(events.events.empty()) << hit;
+    EXPECT_NEAR(events.events[0].time, hit, 1e-14 * hit);
+  }
 }
 
 // A mode far slower than its forcing, in 1e4 forcing periods of steps beside a stop. Sums over

@@ -16,9 +16,14 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-// A mode of which the two decays are well apart: damping ratio beta sqrt(lambda) / 2 (Eq. 7).
-bool strongly_damped(double beta, double lambda) {
-  return beta * beta * lambda > 4.0 * strong_damping * strong_damping;
+// A mode of which the two decays are well apart, with the damping ratio beta sqrt(lambda) / 2 (Eq.
+// 7), and the fast one, about beta lambda, is faster than the forcing. The drives f / (fast - slow)
+// of two slower decays are larger than the velocity f / Omega, which would lose digits as their
+// sum.
+bool strongly_damped(const Scene &scene, double lambda) {
+  const double beta = scene.beta, forcing_rate = scene.forced() ? scene.omega : 0.0;
+  return beta * beta * lambda > 4.0 * strong_damping * strong_damping &&
+         beta * lambda > forcing_rate;
 }
 
 void resize(ContactMode &mode, std::size_t size, Index masses) {
@@ -98,7 +103,7 @@ Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
   const ModalForce force = modal_force(scene, mode, k);
   mode.first_coordinate.push_back(j);
   mode.shape.col(j) = mode.basis.shape.col(k);
-  if (!strongly_damped(scene.beta, lambda)) {
+  if (!strongly_damped(scene, lambda)) {
     set_oscillator(scene, kappa, lambda, force, j, all);
     if (lambda == 0.0) mode.drift = j;
     return j + 1;
@@ -232,7 +237,7 @@ ContactMode build_contact_mode(const Scene &scene, const Held &held) {
   set_static_positions(scene, held, mode.equilibrium, mode.tension);
   std::size_t size = free.size();
   for (const double lambda : mode.basis.lambda)
-    if (strongly_damped(scene.beta, lambda)) ++size;
+    if (strongly_damped(scene, lambda)) ++size;
   resize(mode, size, static_cast<Index>(held.size()));
   for (Index k = 0, j = 0; k < mode.basis.lambda.size(); ++k) j = add_mode(scene, k, j, mode);
   for (Index j = 0; j < static_cast<Index>(size); ++j) {
