@@ -152,6 +152,23 @@ TEST(AtRest, AReleaseBesideAMassWhoseBouncesHaveDiedDownGoesOn) {
   EXPECT_NEAR(releases.back().time, 126.449104306989186, 3e-14 * 126.0);
 }
 
+// Masses 1 and 2 are released when mass 3, which no force acts on, has just hit its stop at 1e-229.
+// The acceleration of mass 3 is then a sum of those of the modes, zero but for rounding, which must
+// not bring it back.
+TEST(AtRest, AMassWhoseBouncesHaveDiedDownLeavesWithTheOthers) {
+  const Scene scene{.mass = {1.0, 1.0, 1.0},
+                    .stiffness = {0.004, 2.7, 2.7},
+                    .amplitude = {0.9, 0.3, 0.0},
+                    .omega = std::sqrt(2.7) / 40.0,
+                    .restitution = 1e-12,
+                    .stops = {{1, Side::upper, 0.0}, {2, Side::upper, 0.0}, {3, Side::upper, 0.0}},
+                    .velocity = {0.0, 0.0, -0.17}};
+  EventRecorder events;
+  const Outcome outcome = require_complete(simulate(scene, 39.0, events));
+  EXPECT_EQ(outcome.counters.releases, 2);
+  EXPECT_LT(outcome.counters.impacts, 30);
+}
+
 // Six masses, untied, at rest on stops at 0 and -0.2, r = 0.
 TEST(AtRest, ADegenerateChainComesToItsEnd) {
   const Scene scene = degenerate_scene(309);
