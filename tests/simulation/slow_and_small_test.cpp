@@ -205,6 +205,23 @@ TEST(SmallMotion, KeepsShortFlightsApart) {
   EXPECT_NEAR(events.events[1].time, 1e-15 / 0.7, 1e-29);  // ten roundings
 }
 
+// Gaps of 1e-20 beside a mass that is displaced by one: the rounding of a common displacement would
+// close or widen either by 1e-17. Twice the precision of the displacement leaves 1e-32.
+TEST(SmallMotion, KeepsTwoSmallGaps) {
+  Scene scene;
+  scene.mass = {1.0, 1.3, 0.7};
+  scene.stiffness = {1.0, 0.3, 2.1};
+  scene.restitution = 0.5;
+  scene.stops = {{2, Side::upper, 1e-20}, {3, Side::upper, 3e-20}};
+  scene.displacement = {1.0, 0.0, 0.0};
+  scene.velocity = {0.0, 1.0, 0.7};
+  EventRecorder events;
+  require_complete(simulate(scene, 1e-19, events));
+  ASSERT_EQ(events.events.size(), 2u);
+  EXPECT_NEAR(events.events[0].time, 1e-20, 1e-31);
+  EXPECT_NEAR(events.events[1].time, 3e-20 / 0.7, 4e-31);
+}
+
 // An undamped stiff mode takes two radians a step at most. A damped one dies out.
 TEST(Work, OfARunIsBounded) {
   Scene scene;
