@@ -219,6 +219,7 @@ void hold_or_release(Run &run, const ContactsOfInstant &contacts, Recorders reco
     set_chain(run.motion, run.scratch.chain);
     rest.decide(run.scene(), state.held, run.scratch.chain, run.motion.now.phase, rate);
   }
+  run.counters.rest_orders += rest.orders;
   for (RestingMass &mass : rest.masses) {
     const std::optional<Instant> &changed = run.stops[mass.stop].changed;
     // A mass does not stick and leave, or leave and stick, at one instant of the clock.
