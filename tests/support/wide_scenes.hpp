@@ -160,6 +160,27 @@ inline Trial standing_chain(unsigned seed) {
   return {scene, draw.spread(1e3, 1e8)};
 }
 
+// Two to ten masses on damped links of which most are soft or stiff, anything from 1e-12 to 1e12,
+// with stops close by, for three periods. The masses of a stiff part move along with one another,
+// far from their rest positions.
+inline Trial any_links(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = 2 + static_cast<int>(draw.below(9));
+  for (int i = 1; i <= masses; ++i) {
+    scene.mass.push_back(draw.uniform(0.5, 2.0));
+    scene.stiffness.push_back(draw.one_in(3) ? draw.uniform(0.5, 2.0) : draw.spread(1e-12, 1e12));
+    scene.amplitude.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0));
+    if (draw.one_in(2)) scene.stops.push_back({i, Side::upper, draw.spread(1e-3, 0.3)});
+    if (draw.one_in(4)) scene.stops.push_back({i, Side::lower, -draw.spread(1e-3, 0.3)});
+  }
+  scene.beta = draw.spread(1e-4, 1.0);
+  scene.omega = draw.spread(0.1, 1.0);
+  const double restitutions[] = {0.0, 0.3, 0.5, 0.7, 0.9};
+  scene.restitution = restitutions[draw.below(5)];
+  return {scene, 3.0 * 2.0 * std::acos(-1.0) / scene.omega, {}, true};
+}
+
 // An ordinary scene with a forcing of any frequency that still moves it.
 inline Trial any_frequency(unsigned seed) {
   Draw draw{std::mt19937(~seed)};

@@ -135,25 +135,28 @@ void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contac
   contact.forcing_modulus = std::abs(contact.forcing);
 }
 
-// Sets the jumps of the coordinates for a unit jump of the gap speed.
-void set_impulse(const ContactMode &mode, Contact &contact) {
-  contact.impulse.setZero(mode.padded());
-  contact.impulse_value.setZero(mode.padded());
-  for (Index k = 0; k < mode.basis.lambda.size(); ++k)
-    set_mode(mode, k, 0.0, -contact.sigma * mode.basis.inverse(k, static_cast<Index>(contact.mass)),
-             contact.impulse_value, contact.impulse);
-  if (!mode.coordinates.any_decay) contact.impulse_value.resize(0);
+SpeedChange no_change(const ContactMode &mode) {
+  return {PerCoordinate::Zero(mode.padded()), PerCoordinate::Zero(mode.padded())};
 }
 
-// Sets the displacement that widens the gap by one, and the static deflection by a force at the
-// mass that does. Stiff coordinates hardly take part in it. With a rigid-body mode it is a
-// displacement of the whole chain.
+// Sets the jumps of the coordinates for a unit jump of the gap speed.
+void set_impulse(const ContactMode &mode, Contact &contact) {
+  SpeedChange &impulse = contact.impulse = no_change(mode);
+  for (Index k = 0; k < mode.basis.lambda.size(); ++k)
+    set_mode(mode, k, 0.0, -contact.sigma * mode.basis.inverse(k, static_cast<Index>(contact.mass)),
+             impulse.value, impulse.slope);
+  if (!mode.coordinates.any_decay) impulse.value.resize(0);
+}
+
+// Sets the static deflection by a force at the mass that widens the gap by one, and its speeds.
+// Stiff coordinates hardly take part in it. With a rigid-body mode it is a displacement of the
+// whole chain.
 void set_placement(const ContactMode &mode, Contact &contact) {
   const auto &basis = mode.basis;
   const auto mass = static_cast<Index>(contact.mass);
-  PerCoordinate velocity = PerCoordinate::Zero(mode.padded());
+  SpeedChange &drift = contact.drift = no_change(mode);
+  PerCoordinate velocity = drift.slope;
   contact.placement.setZero(mode.padded());
-  contact.displacement.setZero(mode.padded());
   double deflection = 0.0;
   for (Index k = 0; k < basis.lambda.size(); ++k) {
     // Relative to the softest mode, since 1 / lambda may not be finite. A rigid-body mode alone
@@ -161,10 +164,12 @@ void set_placement(const ContactMode &mode, Contact &contact) {
     const double compliance = k == 0 ? 1.0 : basis.lambda(0) / basis.lambda(k);
     const double value = basis.shape(mass, k) * compliance;
     set_mode(mode, k, value, 0.0, contact.placement, velocity);
-    set_mode(mode, k, -contact.sigma * basis.inverse(k, mass), 0.0, contact.displacement, velocity);
+    set_mode(mode, k, 0.0, value, drift.value, drift.slope);
     deflection += basis.shape(mass, k) * value;
   }
-  contact.placement *= -contact.sigma / deflection;
+  for (PerCoordinate *change : {&contact.placement, &drift.slope, &drift.value})
+    *change *= -contact.sigma / deflection;
+  if (!mode.coordinates.any_decay) drift.value.resize(0);
 }
 
 void add_contacts(const Scene &scene, ContactMode &mode) {

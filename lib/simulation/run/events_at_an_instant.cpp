@@ -38,16 +38,13 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
       gaps[contact.stop] = gap_of(contact, run.stops[contact.stop], run.motion);
     change_mode(mode, run.scratch.chain, run.motion);
   }
-  std::vector<const Contact *> &placed = run.scratch.placed;
+  Placement &placed = run.scratch.placed;
   placed.clear();
   for (const Contact &contact : mode.contacts) {
     const std::optional<Gap> &gap = gaps[contact.stop];
-    if (!gap || contact.held || is_resolved(contact, run.motion)) continue;
-    place(contact, *gap, run.motion);
-    placed.push_back(&contact);
+    if (gap && !contact.held && !is_resolved(contact, run.motion)) placed.add(contact, *gap);
   }
-  for (const Contact *contact : placed)
-    if (placed.size() > 1) place_alone(*contact, gaps[contact->stop]->value, run.motion);
+  placed.apply(run.motion);
 }
 
 // Counts an impact at a stop, at this closing speed, among those of its chatter.

@@ -10,7 +10,7 @@ namespace vibro_impact::detail {
 
 void leave_stop(const Contact &contact, double speed, Motion &motion,
                 std::vector<StopState> &stops) {
-  place(contact, {0.0, speed}, motion);
+  hit(contact, speed, motion);
   stops[contact.stop].contact = {.speed = speed};
 }
 

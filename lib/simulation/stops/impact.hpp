@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "simulation/chain/motion.hpp"
+#include "simulation/chain/placement.hpp"
 
 namespace vibro_impact::detail {
 
