@@ -28,12 +28,6 @@ double change(const Contact &contact, const Gap &gap, const PerCoordinate &displ
   return jump;
 }
 
-// The same with the rounding of its jump corrected.
-void correct(const Contact &contact, const Gap &gap, const PerCoordinate &displacement,
-             const SpeedChange &by, Motion &motion) {
-  for (int pass = 0; pass < 2; ++pass) change(contact, gap, displacement, by, motion);
-}
-
 }  // namespace
 
 void hit(const Contact &contact, double speed, Motion &motion) {
@@ -45,7 +39,7 @@ void hit(const Contact &contact, double speed, Motion &motion) {
 }
 
 void place(const Contact &contact, const Gap &gap, Motion &motion) {
-  correct(contact, gap, contact.placement, contact.drift, motion);
+  change(contact, gap, contact.placement, contact.drift, motion);
 }
 
 void Placement::clear() {
@@ -80,7 +74,7 @@ void Placement::apply(Motion &motion) {
     if (part->moves_along) continue;
     for (PerCoordinate *change : {&part->displacement, &part->drift.slope, &part->drift.value})
       *change /= widening;
-    correct(*part->contact, part->gap, part->displacement, part->drift, motion);
+    change(*part->contact, part->gap, part->displacement, part->drift, motion);
   }
 }
 
