@@ -168,7 +168,7 @@ TEST(RandomScenes, KeepEveryPropertyWhereALongSearchFailed) {
               "")
         << place;
   }
-  EXPECT_GE(index, 56u);
+  EXPECT_GE(index, 57u);
 }
 
 // In units of length and time up to 1e10 times ours or 1e-10, and of mass up to 1e8 or 1e-8, every

@@ -60,14 +60,16 @@ bool find_limit(Run &run) {
 
 // Advances a copy of the run through the impacts before the limit, for samples and an end there. A
 // run that ends there takes over the end state of the copy, and stays itself at the latest node:
-// the next call finds the same limit again.
+// the next call finds the same limit again. The copy counts its own steps: a run with samples is
+// given up where it is without.
 void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   Run inside = run;
+  inside.counters = {};
   inside.progress.inside_chatter = true;
   advance(inside, std::min(run.progress.end, limit), recorders);
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
-  run.counters.modal_evaluations = inside.counters.modal_evaluations;
-  run.counters.modes_built = inside.counters.modes_built;
+  run.counters.modal_evaluations += inside.counters.modal_evaluations;
+  run.counters.modes_built += inside.counters.modes_built;
   run.progress.next_sample = inside.progress.next_sample;
   if (run.progress.end < limit || inside.progress.ending != Ending::reached) {
     run.progress = std::move(inside.progress);
