@@ -31,9 +31,9 @@ bool Processes::with_mpi() {
 }
 
 std::string Processes::joined(const std::string &text) const {
-  if (size_ == 1) return text;
+  if (size() == 1) return text;
   const int length = static_cast<int>(text.size());
-  std::vector<int> lengths(static_cast<std::size_t>(size_), 0);
+  std::vector<int> lengths(size(), 0);
   MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
   std::vector<int> begins(lengths.size(), 0);
   std::exclusive_scan(lengths.begin(), lengths.end(), begins.begin(), 0);
@@ -44,7 +44,7 @@ std::string Processes::joined(const std::string &text) const {
 }
 
 void Processes::end_others(int status) const {
-  if (size_ > 1) MPI_Abort(MPI_COMM_WORLD, status);
+  if (size() > 1) MPI_Abort(MPI_COMM_WORLD, status);
 }
 
 }  // namespace vibro_impact

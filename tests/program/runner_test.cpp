@@ -92,7 +92,7 @@ TEST_F(Runner, ASingleAmplitudeForcesAllMasses) {
                {"--masses 1", "masses: 1, forced: 1, stops: 1; "},
                {"--masses 3", "masses: 3, forced: 1, stops: 2; "},
                {"--masses 3 --amplitude 0.5", "masses: 3, forced: 3, stops: 2; "},
-               {"--masses 3 --amplitude 0.5,0,0 --sine 0,0.1,0 --stop none",
+               {"--masses 3 --amplitude 0.5,0,0 --sine 0.1,0.1,0 --stop none",
                 "masses: 3, forced: 2, stops: 0; "},
                {"--amplitude 0", "masses: 2, forced: 0, stops: 2; "}};
   for (const auto &[options, summary] : cases)
