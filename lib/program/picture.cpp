@@ -64,9 +64,10 @@ void draw(const Output &picture, const std::string &kind, const std::vector<Outp
   // The same once more, for its last line about what is wrong.
   std::string messages = gnuplot(arguments + " 2>&1 >/dev/null; true").value_or("");
   CLI::detail::rtrim(messages);
-  const std::string last = messages.substr(messages.rfind('\n') + 1);
-  throw std::runtime_error(fmt::format("{}: gnuplot could not draw it: {}", picture.given(),
-                                       shown(last.substr(last.find(": ") + 1))));
+  const std::string last = messages.substr(messages.rfind('\n') + 1),
+                    reason = CLI::detail::trim_copy(last.substr(last.find(": ") + 1));
+  throw std::runtime_error(
+      fmt::format("{}: gnuplot could not draw it: {}", picture.given(), shown(reason)));
 }
 
 }  // namespace vibro_impact::runner

@@ -120,6 +120,13 @@ TEST_F(Runner, ATextForAFullDiskIsAnError) {
     EXPECT_EQ(run(std::string(command) + " >/dev/full").status, 1) << command;
 }
 
+TEST_F(Runner, ATableForAFullDiskLeavesNoFile) {
+  const Result full = run("run --until 100 --events e.csv", full_disk(512));
+  EXPECT_EQ(full.status, 1);
+  EXPECT_EQ(full.err, "vibro-impact: e.csv: cannot be written: File too large\n");
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
 // A folder that cannot be written to is noticed before the run. Root can write to every folder.
 TEST_F(Runner, AWriteProtectedFolderIsRefusedBeforeTheRun) {
   if (geteuid() == 0) GTEST_SKIP() << "root writes everywhere";

@@ -67,7 +67,8 @@ const std::vector<BadCase> bad_cases = {
     // Files.
     {"run --events missing/e.csv", "missing is no folder"},
     {"run --samples .", "--samples .: is no file"},
-    {"run --events ./t.csv --samples t.csv", "t.csv: the scene or another table of the command stands there"},
+    {"run --events ./t.csv --samples t.csv",
+     "t.csv: the scene or another table of the command stands there"},
     {"run --events - --samples -", "--samples -: the scene or another table"},
     {"sweep --pairs=1 --table t.csv " + omega, "pairs"},
     {"sweep " + omega, "needs --table, --impacts or --section"},

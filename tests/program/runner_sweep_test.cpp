@@ -18,7 +18,7 @@ namespace {
 using namespace vibro_impact::testing;
 using namespace vibro_impact;
 
-const std::string one_thread = "export OMP_NUM_THREADS=1";
+const std::string one_thread = "export OMP_NUM_THREADS=1 && ";
 
 // The table is that of the library, to the byte, whatever the number of processes. (Of threads:
 // sweep_test.)
@@ -90,7 +90,7 @@ struct KilledSweep : Runner {
       const int nowhere = open("/dev/null", O_WRONLY);
       dup2(nowhere, 2);
       const std::string command =
-          "cd " + folder.string() + " && " + one_thread + " && exec " VIBRO_IMPACT_PROGRAM " ";
+          "cd " + folder.string() + " && " + one_thread + "exec " VIBRO_IMPACT_PROGRAM " ";
       execl("/bin/sh", "sh", "-c", (command + sweep).c_str(), nullptr);
       _exit(127);
     }
@@ -125,6 +125,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
     std::string options, program, message;
   } refused[] = {{"", VIBRO_IMPACT_PROGRAM, "--resume goes on with it"},
                  {"--resume --beta 0.2", VIBRO_IMPACT_PROGRAM, "not the rows of this sweep"},
+                 {"--resume --impacts i.csv", VIBRO_IMPACT_PROGRAM, "not the rows of this sweep"},
                  {"--resume", folder.string() + "-other", "not the rows of this sweep"}};
   fs::copy_file(VIBRO_IMPACT_PROGRAM, folder.string() + "-other");
   std::ofstream(folder.string() + "-other", std::ios::app) << 'x';
@@ -176,9 +177,36 @@ TEST_F(KilledSweep, RowsOfOtherPointsAreRefused) {
     const Result result = run(sweep + "--resume");
     EXPECT_EQ(result.status, 2);
     const std::string number = std::to_string(lines_of_head + std::stol(line));
-    EXPECT_NE(result.err.find("line " + number + ": not the row of its point"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("line " + number + ": not the row of its point"), std::string::npos)
+        << result.err;
     EXPECT_FALSE(fs::exists(folder / "t.csv"));
   }
+}
+
+// The limit of a file's size stands for a full disk. The journal keeps the rows that fitted.
+TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
+  const std::string sweep =
+      "sweep --vary omega=1.1:1.2:40 --back --masses 1 --amplitude 0.1 --stop 1:upper:0.3 ";
+  ASSERT_EQ(run(sweep + "--table whole.csv", one_thread + "true").status, 0);
+  const std::string whole = contents(folder / "whole.csv");
+  const Result full = run(sweep + "--table t.csv", one_thread + full_disk(1024));
+  EXPECT_EQ(full.status, 1);
+  EXPECT_EQ(full.err, "vibro-impact: t.csv.partial: cannot be written: File too large\n");
+  const std::string journal = contents(folder / "t.csv.partial");
+  EXPECT_EQ(journal.size(), 1024u);
+  ASSERT_EQ(run(sweep + "--resume --table t.csv").status, 0);
+  EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole));
+
+  // Half a chain, with the right checksum.
+  const auto rows = lines(whole);
+  const std::string head = journal.substr(0, journal.find(rows[1]));
+  runner::Journal((folder / "t.csv.partial").string(), head, false, {})
+      .add({rows[1] + "\n" + rows[2] + "\n", "", ""});
+  fs::remove(folder / "t.csv");
+  const Result half = run(sweep + "--resume --table t.csv");
+  EXPECT_EQ(half.status, 1);
+  EXPECT_EQ(half.err, "vibro-impact: 82 rows of 80 points\n");
+  EXPECT_FALSE(fs::exists(folder / "t.csv"));
 }
 
 TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {

@@ -73,6 +73,7 @@ TEST_F(Runner, OptionsOfTheSceneMeanWhatTheHelpSays) {
   };
   EXPECT_EQ(table("--mass 2 --stiffness 3"), table("--mass 2,2 --stiffness 3,3"));
   EXPECT_NE(table("--stiffness 3"), table("--stiffness 3,2"));
+  EXPECT_EQ(table("--masses 3 --ground 0"), table("--masses 3"));
   EXPECT_EQ(table("--masses 3 --stop none"), table("--masses 3 --stop none --amplitude 0.5,0,0"));
   EXPECT_EQ(table("--stop 1:lower:-0.3:0.7 --stop 2:upper:0.1"), table(""));
   const std::string own = "--stop 1:lower:-0.3:0 --stop 2:upper:0.1:1 ";
