@@ -66,6 +66,7 @@ const std::vector<BadCase> bad_cases = {
     {sweep + "--vary omega=0:0.5:3", "omega = 0"},
     // Files.
     {"run --events missing/e.csv", "missing is no folder"},
+    {"run --events 'miss\n\x7fing/e.csv'", "miss  ing is no folder"},
     {"run --samples .", "--samples .: is no file"},
     {"run --events ./t.csv --samples t.csv",
      "t.csv: the scene or another table of the command stands there"},
