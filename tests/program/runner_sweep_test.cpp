@@ -1,11 +1,6 @@
 // Sweeps of the program: the table, on threads and on processes, and a sweep that was killed.
-#include <fcntl.h>
-#include <signal.h>
-
-#include <chrono>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "program/files.hpp"
@@ -73,47 +68,19 @@ std::string rows_in(const std::string &journal) {
   return rows;
 }
 
-int count_of(const std::string &rows) {
-  return static_cast<int>(std::count(rows.begin(), rows.end(), '\n'));
-}
-
-struct KilledSweep : Runner {
+TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
   const std::string sweep =
-      "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 "
-      "--table t.csv ";
-
-  // Starts the sweep and kills it as soon as rows stand in its partial table. Returns false when
-  // the machine was too busy with other things to kill it before its end.
-  bool start_and_kill() const {
-    const pid_t child = fork();
-    if (child == 0) {
-      const int nowhere = open("/dev/null", O_WRONLY);
-      dup2(nowhere, 2);
-      const std::string command =
-          "cd " + folder.string() + " && " + one_thread + "exec " VIBRO_IMPACT_PROGRAM " ";
-      execl("/bin/sh", "sh", "-c", (command + sweep).c_str(), nullptr);
-      _exit(127);
-    }
-    int status = 0;
-    while (waitpid(child, &status, WNOHANG) == 0) {
-      if (!rows_in(contents(folder / "t.csv.partial")).empty()) {
-        kill(child, SIGKILL);
-        waitpid(child, &status, 0);
-        break;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return WIFSIGNALED(status);
-  }
-};
-
-TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
+      "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 --table t.csv ";
   ASSERT_EQ(run(sweep).status, 0);
   const std::string whole = contents(folder / "t.csv");
   const fs::path path = folder / "t.csv.partial";
+  // The shell kills the sweep as soon as a block stands in its journal, unless the sweep ends
+  // first.
+  const std::string kill =
+      "& while test ! -e t.csv && ! grep -q crc t.csv.partial; do :; done; kill -KILL $!; wait $!";
   do {
     fs::remove(folder / "t.csv");
-  } while (!start_and_kill());
+  } while (run(sweep + kill, one_thread + "true").status != 128 + 9);
   ASSERT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
   const std::string partial = contents(path);
   const std::size_t head = partial.find('\n') + 1;
@@ -145,7 +112,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   std::ofstream{scene};
   for (const std::size_t size : {head / 2, partial.size() - 5, partial.size()}) {
     std::ofstream(path) << partial.substr(0, size);
-    const int kept = count_of(rows_in(partial.substr(0, size)));
+    const std::size_t kept = lines(rows_in(partial.substr(0, size))).size();
     const Result rest = run(sweep + "--resume --scene " + scene, "true", with_mpi ? mpirun(2) : "");
     ASSERT_EQ(rest.status, 0) << rest.err;
     EXPECT_NE(rest.err.find("905 points, " + std::to_string(905 - kept) + " computed now"),
@@ -155,32 +122,6 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
   }
   fs::remove(scene);
-}
-
-// A block with the right checksum and wrong rows, as another program could write it.
-TEST_F(KilledSweep, RowsOfOtherPointsAreRefused) {
-  while (!start_and_kill()) fs::remove(folder / "t.csv");
-  const fs::path path = folder / "t.csv.partial";
-  const std::string partial = contents(path);
-  const std::string head = partial.substr(0, partial.find(rows_in(partial)));
-  const std::string first = "0.25,0.59999999999999998,1,1,1,1,1,1\n";
-  const struct {
-    std::string rows, line;
-  } refused[] = {{"0.26" + first.substr(4), "1"},
-                 {first + first, "2"},
-                 {first.substr(0, first.size() - 3) + "\n", "1"},
-                 {first.substr(0, first.size() - 1) + ",\n", "1"}};
-  const auto lines_of_head = std::count(head.begin(), head.end(), '\n');
-  for (const auto &[rows, line] : refused) {
-    fs::remove(path);
-    runner::Journal(path.string(), head, false, {}).add({rows, "", ""});
-    const Result result = run(sweep + "--resume");
-    EXPECT_EQ(result.status, 2);
-    const std::string number = std::to_string(lines_of_head + std::stol(line));
-    EXPECT_NE(result.err.find("line " + number + ": not the row of its point"), std::string::npos)
-        << result.err;
-    EXPECT_FALSE(fs::exists(folder / "t.csv"));
-  }
 }
 
 // The limit of a file's size stands for a full disk. The journal keeps the rows that fitted.
@@ -197,16 +138,36 @@ TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
   ASSERT_EQ(run(sweep + "--resume --table t.csv").status, 0);
   EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole));
 
-  // Half a chain, with the right checksum.
+  // A block with the right checksum and wrong rows, as another program could write it: of another
+  // point, twice, with a column less and one more, beyond the last point, and of half a chain.
   const auto rows = lines(whole);
-  const std::string head = journal.substr(0, journal.find(rows[1]));
-  runner::Journal((folder / "t.csv.partial").string(), head, false, {})
-      .add({rows[1] + "\n" + rows[2] + "\n", "", ""});
-  fs::remove(folder / "t.csv");
-  const Result half = run(sweep + "--resume --table t.csv");
-  EXPECT_EQ(half.status, 1);
-  EXPECT_EQ(half.err, "vibro-impact: 82 rows of 80 points\n");
-  EXPECT_FALSE(fs::exists(folder / "t.csv"));
+  const std::string head = journal.substr(0, journal.find(rows[1])),
+                    all = whole.substr(whole.find('\n') + 1);
+  const auto lines_of_head = std::count(head.begin(), head.end(), '\n');
+  const auto at_line = [&](long line) {
+    return "t.csv.partial: line " + std::to_string(lines_of_head + line) +
+           ": not the row of its point; remove the file";
+  };
+  const struct {
+    std::string rows;
+    int status;
+    std::string message;
+  } refused[] = {{rows[2], 2, at_line(1)},
+                 {rows[1] + '\n' + rows[1], 2, at_line(2)},
+                 {rows[1].substr(0, rows[1].rfind(',')), 2, at_line(1)},
+                 {rows[1] + ',', 2, at_line(1)},
+                 {all + rows[1], 2, at_line(81)},
+                 {rows[1] + '\n' + rows[2], 1, "82 rows of 80 points"}};
+  for (const auto &[rows_of_block, status, message] : refused) {
+    fs::remove(folder / "t.csv");
+    fs::remove(folder / "t.csv.partial");
+    runner::Journal((folder / "t.csv.partial").string(), head, false, {})
+        .add({rows_of_block + '\n', "", ""});
+    const Result result = run(sweep + "--resume --table t.csv");
+    EXPECT_EQ(result.status, status);
+    EXPECT_EQ(result.err, "vibro-impact: " + message + "\n");
+    EXPECT_FALSE(fs::exists(folder / "t.csv"));
+  }
 }
 
 TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {
