@@ -60,18 +60,6 @@ TEST_F(Runner, NoOutputTakesThePlaceOfTheScene) {
   }
 }
 
-// Temporary files have names of their own, and nothing but them is removed.
-TEST_F(Runner, FilesOfOtherNamesAreLeftAlone) {
-  ASSERT_EQ(run("run --until 20 --samples a.csv --events a.csv.part").status, 0);
-  EXPECT_EQ(contents(folder / "a.csv.part").substr(0, 10), "time,mass,");
-  fs::create_directory(folder / "b.csv.part");
-  std::ofstream(folder / "c.csv.part") << "mine";
-  ASSERT_EQ(run("run --until 20 --samples b.csv --events c.csv").status, 0);
-  EXPECT_EQ(contents(folder / "c.csv.part"), "mine");
-  EXPECT_EQ(files(), (std::vector<std::string>{"a.csv", "a.csv.part", "b.csv", "b.csv.part",
-                                               "c.csv", "c.csv.part"}));
-}
-
 // A file of the temporary name is neither overwritten nor removed. `exec` keeps the process number.
 TEST_F(Runner, AFileOfTheTemporaryNameIsLeftAlone) {
   const Result result = run("run --until 20 --events e.csv", "echo mine >e.csv.part.$$", "exec ");
