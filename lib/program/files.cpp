@@ -12,6 +12,8 @@
 #include <iterator>
 #include <utility>
 
+#include "vibro_impact/scene_text.hpp"
+
 namespace vibro_impact::runner {
 
 namespace fs = std::filesystem;
@@ -34,15 +36,14 @@ fs::path target_of(const Output &output) {
 
 }  // namespace
 
-void check_outputs(const std::vector<Output> &outputs, const std::string &read) {
+void check_outputs(const std::vector<Output> &outputs, const std::string &scene_file) {
   std::vector<fs::path> names;
-  if (!read.empty()) names.push_back(target_of({"--scene", read}));
+  if (!scene_file.empty()) names.push_back(target_of({"--scene", scene_file}));
   for (const Output &output : outputs) {
     if (!output.wanted()) continue;
     const fs::path name = output.is_file() ? target_of(output) : "-", folder = name.parent_path();
-    const bool taken = std::ranges::find(names, name) != names.end();
-    if (taken && !output.is_file()) refuse("{}: standard output takes one table", output.given());
-    if (taken) refuse("{}: another file of the command has that name", output.given());
+    if (std::ranges::find(names, name) != names.end())
+      refuse("{}: the scene or another table of the command stands there", output.given());
     names.push_back(name);
     if (!output.is_file()) continue;
     if (!fs::is_directory(folder)) refuse("{}: {} is no folder", output.given(), folder.string());
@@ -57,7 +58,7 @@ std::string contents(const std::string &path) {
 }
 
 void write_text(std::string text, const std::string &path) {
-  Table table("");
+  Table table;
   table.text = std::move(text);
   if (path != "-") return write(table, path);
   const std::size_t size = table.text.size();
@@ -75,6 +76,15 @@ std::string path_of(std::FILE *file) {
   return fmt::format("/proc/self/fd/{}", fileno(file));
 }
 
+namespace {
+
+// The line below blocks, of which this is the checksum with the head.
+std::string closing_line(std::uint32_t checksum) {
+  return fmt::format("# crc {:08x}\n", checksum);
+}
+
+}  // namespace
+
 Journal::Journal(const std::string &path, const std::string &head, bool resume, const RowRule &rule)
     : path_(path), file_(nullptr, std::fclose) {
   if (!resume && fs::exists(path))
@@ -87,36 +97,32 @@ Journal::Journal(const std::string &path, const std::string &head, bool resume, 
   const bool in_head = head.starts_with(text);  // a new file, or the sweep was killed at once
   if (!in_head && !text.starts_with(head))
     refuse("{}: not the rows of this sweep: its options and its program must be the same", path);
-  checksum_.process_bytes(head.data(), head.size());
   const std::size_t whole = in_head ? 0 : read(text, head.size(), rule);
   if (ftruncate(fileno(file_.get()), static_cast<off_t>(whole)) != 0)
     refuse("{}: cannot be written: {}", path, std::strerror(errno));
+  checksum_.process_bytes(text.data(), whole);
   if (in_head) append(head);
 }
 
-// Reads the blocks behind the head, and returns where the last whole block ends.
+// Keeps the rows of the whole blocks behind the head, and returns where the last block ends. Its
+// checksum is that of all blocks.
 std::size_t Journal::read(const std::string &text, std::size_t head, const RowRule &rule) {
-  const auto lines_of_head = std::ranges::count(text.substr(0, head), '\n');
-  std::size_t whole = head, row = 0, table = 0, number = static_cast<std::size_t>(lines_of_head);
-  Texts block;
-  for (std::size_t begin = head, end; (end = text.find('\n', begin)) != std::string::npos;
-       begin = end + 1) {
-    const std::string line = text.substr(begin, end - begin);
-    std::string wrong;
-    if (line.starts_with("# ")) {
-      if (take(std::exchange(block, {})) != text.substr(whole, end + 1 - whole))
-        wrong = "the rows above do not fit their checksum";
-      whole = end + 1;
-      table = 0;
-    } else if (line == "#") {
-      table = (table + 1) % block.size();
-    } else {
-      if (table == 0) wrong = rule(row++, line);
-      block[table] += line + '\n';
-    }
+  const std::size_t last = text.rfind("\n# crc ", text.rfind('\n') - 1) + 1;
+  if (last <= head) return head;
+  const std::size_t whole = text.find('\n', last) + 1;
+  auto number = std::ranges::count(text.substr(0, head), '\n');
+  std::size_t row = 0, table = 0;
+  for (const std::string_view line : detail::parts_of({&text[head], &text[last - 1]}, '\n')) {
     ++number;
-    if (!wrong.empty()) refuse("{}: line {}: {}; remove the file", path_, number, wrong);
+    if (line.starts_with('#'))
+      table = line == "#" ? (table + 1) % rows_.size() : 0;
+    else if (table == 0 && !rule(row++, line))
+      refuse("{}: line {}: not the row of its point; remove the file", path_, number);
+    else
+      rows_[table].append(line).push_back('\n');
   }
+  if (text.substr(last, whole - last) != closing_line(checksum_of(text.substr(0, last))))
+    refuse("{}: line {}: the rows above do not fit it; remove the file", path_, number + 1);
   return whole;
 }
 
@@ -130,22 +136,16 @@ bool Journal::is_at_path() const {
 }
 
 void Journal::append(const std::string &text) {
+  checksum_.process_bytes(text.data(), text.size());
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0)
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
 }
 
-std::string Journal::take(const Texts &block) {
-  for (std::size_t k = 0; k < block.size(); ++k) rows_[k] += block[k];
-  const std::string rows = fmt::format("{}", fmt::join(block, "#\n"));
-  checksum_.process_bytes(rows.data(), rows.size());
-  const std::string closing_line = fmt::format("# crc {:08x}\n", checksum_.checksum());
-  checksum_.process_bytes(closing_line.data(), closing_line.size());
-  return rows + closing_line;
-}
-
 void Journal::add(const Texts &block) {
-  append(take(block));
+  for (std::size_t k = 0; k < block.size(); ++k) rows_[k] += block[k];
+  append(fmt::format("{}", fmt::join(block, "#\n")));
+  append(closing_line(checksum_.checksum()));
 }
 
 bool Journal::remove() {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,8 +45,8 @@ struct Output {
 
 // Refuses these outputs unless all can be written: in a folder that exists and is not
 // write-protected, in place of nothing but a file, and each under another name, which is not that
-// of the file `read`.
-void check_outputs(const std::vector<Output> &outputs, const std::string &read);
+// of the file of the scene.
+void check_outputs(const std::vector<Output> &outputs, const std::string &scene_file);
 
 // The bytes of a file. A file that cannot be read has none.
 std::string contents(const std::string &path);
@@ -72,13 +73,13 @@ using Texts = std::array<std::string, 3>;
 // sweep away.
 class Journal {
  public:
-  // Returns the rule that row k of the first table breaks, or an empty text.
-  using RowRule = std::function<std::string(std::size_t k, const std::string &row)>;
+  // Whether this is row k of the first table.
+  using RowRule = std::function<bool(std::size_t k, std::string_view row)>;
 
   // Begins the file at `path`, or reads and extends an existing one. Throws std::invalid_argument
   // for a file that cannot be opened, that another process has locked, that exists although
   // `resume` is false, or that has another head. Throws it also for a row that breaks the rule and
-  // for a block that does not fit its checksum, with the number of the line.
+  // for blocks that do not fit their checksum, with the number of the line.
   Journal(const std::string &path, const std::string &head, bool resume, const RowRule &rule);
 
   const Texts &rows() const {
@@ -96,13 +97,11 @@ class Journal {
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
   Texts rows_ = {};
-  boost::crc_32_type checksum_;  // of the head and of all blocks
+  boost::crc_32_type checksum_;  // of the file
 
   bool is_at_path() const;
   void append(const std::string &text);
   std::size_t read(const std::string &text, std::size_t head, const RowRule &rule);
-  // Keeps the rows of a block in memory, and returns the block as it stands in the file.
-  std::string take(const Texts &block);
 };
 
 }  // namespace vibro_impact::runner

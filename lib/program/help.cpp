@@ -1,8 +1,6 @@
-#include "help.hpp"
-
 #include <fmt/format.h>
 
-#include "vibro_impact/analysis/sweep.hpp"
+#include "options.hpp"
 
 namespace vibro_impact::runner {
 
@@ -28,25 +26,24 @@ A table, a bifurcation diagram, and hysteresis of an oscillator with one mass:
   vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=1.05:1.45:81 \
     --back --impacts branches.csv --plot branches.png
 The points are those of nested loops, the first range outermost. They are computed on
-OMP_NUM_THREADS threads{}; the tables do not depend on their number.
+OMP_NUM_THREADS threads, or, where the program was built with MPI, by
+`mpirun -n 4 vibro-impact sweep ...` on as many processes of one thread each. The tables do
+not depend on their number.
 The rows are kept in FILE.partial until all are there, where FILE is the first table that is
 asked for. A point that is refused or given up has empty cells in --table.
 Columns of --table behind the parameters, for a chain of one mass:
 {}
 Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input.)";
 
-constexpr const char *notes_of_mpi =
-    ", or with `mpirun -n 4 vibro-impact sweep ...`\non as many processes of one thread each";
-
 }  // namespace
 
-std::string footer(bool with_mpi) {
+std::string footer() {
   std::string columns;
   RecordOptions all;
   all.lyapunov = all.pairs = true;
   for (const Column &column : record_columns(1, all))
     columns += fmt::format("  {:<14} {}\n", column.name, column.meaning);
-  return fmt::format(notes, with_mpi ? notes_of_mpi : "", columns);
+  return fmt::format(notes, columns);
 }
 
 }  // namespace vibro_impact::runner

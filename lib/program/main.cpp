@@ -30,7 +30,7 @@ int main(int argc, char **argv) {
   try {
     if (processes.size() > 1 && !Processes::with_mpi())
       refuse("started as {} processes, but built without MPI", processes.size());
-    const Request request = parse(argc, argv, Processes::with_mpi());
+    const Request request = parse(argc, argv);
     at_work = true;
     carry_out(request, processes);
     return 0;

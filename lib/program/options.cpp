@@ -7,7 +7,6 @@
 #include <cmath>
 #include <type_traits>
 
-#include "help.hpp"
 #include "scene_text.hpp"
 
 namespace vibro_impact::runner {
@@ -17,24 +16,22 @@ namespace {
 constexpr const char *scene_group = "Scene";
 
 // The values of a parameter, given as parameter=from:to:count.
-Axis axis_of(const std::string &text) {
-  const std::string given = "--vary " + shown(text);
-  const auto sides = split(text, '='), range = split(sides.back(), ':');
+Axis axis_of(std::string_view text) {
+  const auto sides = detail::parts_of(text, '='), range = detail::parts_of(sides.back(), ':');
   if (sides.size() != 2 || range.size() != 3)
-    refuse("{}: must read parameter=from:to:count", given);
-  const Axis axis{sides[0], number(given, range[0]), number(given, range[1]),
-                  static_cast<std::size_t>(whole_number(given, range[2], 1e9))};
+    detail::refuse_words(text, "must read parameter=from:to:count");
+  const Axis axis{std::string(sides[0]), detail::number_of(range[0]), detail::number_of(range[1]),
+                  static_cast<std::size_t>(detail::count_of(range[2], 1'000'000'000))};
   if (axis.count > 1 && axis.from == axis.to)
-    refuse("{}: {} equal values; one is enough", given, axis.count);
+    detail::refuse_words(text, "has equal values; one is enough");
   return axis;
 }
 
 // A time, or with a P behind it a number of forcing periods.
-double time_of(const std::string &option, const std::string &word, double omega) {
-  const std::string given = option + " " + shown(word);
-  if (!word.ends_with('P')) return number(given, word);
-  if (omega == 0.0) refuse("{}: without a forcing frequency there is no period", given);
-  return number(given, word.substr(0, word.size() - 1)) * Clock(omega).period;
+double time_of(std::string_view word, double omega) {
+  if (!word.ends_with('P')) return detail::number_of(word);
+  if (omega == 0.0) detail::refuse_words(word, "without a forcing frequency there is no period");
+  return detail::number_of(word.substr(0, word.size() - 1)) * Clock(omega).period;
 }
 
 // The options of a command on which its rows depend (CLI11 calls these configurable), as far as
@@ -49,14 +46,14 @@ std::string given(const CLI::App &app) {
 }
 
 // The file of a scene, whose lines may begin with a mark.
-std::string scene_file(const Scene &scene, const char *mark = "") {
+std::string file_of(const Scene &scene, const char *mark = "") {
   std::string text;
-  for (const auto &[name, value] : words_of(scene))
-    text += fmt::format("{}{} = {}\n", mark, name, value);
+  for (const auto &[name, words] : words_of(scene))
+    text += fmt::format("{}{} = {}\n", mark, name, words);
   return text;
 }
 
-constexpr double any_count = 1e15;
+constexpr long long any_count = 1'000'000'000'000'000;
 constexpr double most_numbers = 5e7;  // in a table of samples, which then has about 1 GB
 
 // With the default bound a run, or a point of a sweep, ends within some ten seconds, or two. A step
@@ -77,16 +74,15 @@ struct Words {
 // An option with one value: a word, a number, or a whole number from 1 to `most`.
 template <class Value>
 CLI::Option *option(CLI::App &app, const std::string &name, Value &value, const char *type,
-                    const std::string &what, double most = 0.0) {
+                    const std::string &what, long long most = 0) {
   const auto read = [=, &value](const std::string &word) {
-    const std::string given = name + " " + shown(word);
     if (word.empty()) refuse("{}: needs a value", name);
     if constexpr (std::is_same_v<Value, std::string>)
       value = word;
     else if constexpr (std::is_same_v<Value, double>)
-      value = number(given, word);
+      value = read_at(name, [&] { return detail::number_of(word); });
     else
-      value = static_cast<Value>(whole_number(given, word, most));
+      value = static_cast<Value>(read_at(name, [&] { return detail::count_of(word, most); }));
   };
   return app.add_option_function<std::string>(name, read, what)
       ->type_name(type)
@@ -137,9 +133,8 @@ Scene scene_of(const CLI::App &command, const std::string &file) {
   for (const CLI::Option *option : command.get_options()) {
     if (option->get_group() != scene_group || option->empty()) continue;
     const std::string name = option->get_single_name();
-    const std::string value = fmt::format("{}", fmt::join(option->results(), ","));
     std::erase_if(lines, [&](const SceneLine &line) { return line.name == name; });
-    lines.push_back({name, "--" + name + " " + shown(value), split(value, ',')});
+    lines.push_back({name, "--" + name, fmt::format("{}", fmt::join(option->results(), ","))});
   }
   return runner::scene_of(lines);
 }
@@ -173,10 +168,7 @@ void add_run_options(CLI::App &run, RunRequest &request, Words &times) {
          "portrait, or with --every 1P and more a Poincare section");
 }
 
-void check_times(const RunRequest &request) {
-  if (!(request.from >= 0.0 && request.from <= request.until))
-    refuse("--from {}: must lie between 0 and --until {}", request.from, request.until);
-  if (!request.samples.wanted() || !(request.every > 0.0)) return;
+void check_samples(const RunRequest &request) {
   // Sample times that rounding makes equal would never come to an end.
   if (request.until + request.every == request.until)
     refuse("--every {}: too short for double precision to tell samples at --until {} apart",
@@ -192,6 +184,20 @@ void check_times(const RunRequest &request) {
              request.every);
 }
 
+// Adds to the options of a run what depends on its scene.
+void complete(RunRequest &request, const Scene &scene, const Words &words) {
+  const auto time = [&](const char *option, const std::string &word) {
+    return read_at(option, [&] { return time_of(word, scene.omega); });
+  };
+  request.scene = scene;
+  request.until = time("--until", words.until);
+  request.from = time("--from", words.from);
+  request.every = time("--every", words.every);
+  if (!(request.from >= 0.0 && request.from <= request.until))
+    refuse("--from {}: must lie between 0 and --until {}", request.from, request.until);
+  if (request.samples.wanted() && request.every > 0.0) check_samples(request);
+}
+
 void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::string> &ranges) {
   RecordOptions &records = request.records;
   sweep
@@ -202,7 +208,7 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
       ->type_name("RANGE")
       ->required();
   option(sweep, "--longest", records.settle.longest, "N",
-         "Forcing periods after which a motion counts as not settling", 1e6);
+         "Forcing periods after which a motion counts as not settling", 1'000'000);
   add_limits(sweep, records.settle.run);
   option(sweep, "--slowest", records.slowest, "SPEED",
          "Write the impacts of a chatter down to this speed to --impacts");
@@ -229,20 +235,21 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
 
 }  // namespace
 
-Request parse(int argc, const char *const *argv, bool with_mpi) {
+Request parse(int argc, const char *const *argv) {
   Words words;
   RunRequest run_request;
   SweepRequest sweep_request;
   CLI::App app("Simulates a chain of masses with rigid stops under harmonic forcing",
                "vibro-impact");
-  app.footer(footer(with_mpi));
+  app.footer(footer());
   app.set_version_flag("--version", "vibro-impact " VIBRO_IMPACT_VERSION);
   app.require_subcommand(0, 1);
   CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
   CLI::App &sweep =
       *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
+  RunOptions &of_point = sweep_request.records.settle.run;
   run_request.options.max_steps = steps_of_run;
-  sweep_request.records.settle.run.max_steps = steps_of_point;
+  of_point.max_steps = steps_of_point;
   add_scene_options(run, words);
   add_run_options(run, run_request, words);
   add_scene_options(sweep, words);
@@ -263,34 +270,27 @@ Request parse(int argc, const char *const *argv, bool with_mpi) {
   if (app.get_subcommands().empty()) refuse("needs a command, run or sweep: --help says more");
   const CLI::App &command = run.parsed() ? run : sweep;
   const Scene scene = scene_of(command, words.scene_file);
-  if (words.print_scene) return scene_file(scene);
-  RunOptions &options = run.parsed() ? run_request.options : sweep_request.records.settle.run;
+  if (words.print_scene) return file_of(scene);
+  RunOptions &options = run.parsed() ? run_request.options : of_point;
   if (command.count("--max-steps") == 0)
     options.max_steps = default_steps(options.max_steps, scene.masses());
   const std::string definition =
       fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
-                  given(command), scene_file(scene, "# "));
-  const std::string head = words.header ? definition : "";
+                  given(command), file_of(scene, "# "));
+  Common &common = run.parsed() ? static_cast<Common &>(run_request) : sweep_request;
+  common = {words.scene_file, words.header ? definition : ""};
   if (run.parsed()) {
-    run_request.scene = scene;
-    run_request.until = time_of("--until", words.until, scene.omega);
-    run_request.from = time_of("--from", words.from, scene.omega);
-    run_request.every = time_of("--every", words.every, scene.omega);
-    run_request.points = scene.omega > 0.0 && run_request.every > 0.4 * Clock(scene.omega).period;
-    run_request.scene_file = words.scene_file;
-    run_request.head = head;
-    check_times(run_request);
+    complete(run_request, scene, words);
     return run_request;
   }
+  sweep_request.definition = definition;
   sweep_request.grid.scene = scene;
-  for (const std::string &range : words.ranges) sweep_request.grid.axes.push_back(axis_of(range));
+  for (const std::string &range : words.ranges)
+    sweep_request.grid.axes.push_back(read_at("--vary", [&] { return axis_of(range); }));
   check(sweep_request.grid);
   sweep_request.follow = sweep_request.follow || sweep_request.back;
   sweep_request.records.impact_velocities = sweep_request.tables[1].wanted();
   sweep_request.records.section = sweep_request.tables[2].wanted();
-  sweep_request.definition = definition;
-  sweep_request.scene_file = words.scene_file;
-  sweep_request.head = head;
   return sweep_request;
 }
 

@@ -12,21 +12,25 @@
 
 namespace vibro_impact::runner {
 
+// What both commands have: the file of the scene, which no output may replace, and the head of the
+// tables, lines of comments or nothing.
+struct Common {
+  std::string scene_file, head;
+};
+
 // One run. All times are non-dimensional.
-struct RunRequest {
+struct RunRequest : Common {
   Scene scene;
   RunOptions options;
   double until = 0.0, from = 0.0, every = 0.0;
   bool velocities = false;  // beside the displacements of the samples
-  bool points = false;      // of the portrait, which samples so far apart do not join to lines
   Output events{"--events"}, samples{"--samples"}, plot{"--plot"}, portrait{"--portrait"};
-  std::string scene_file;  // which no output may replace
-  std::string head;        // of the tables: lines of comments, or nothing
 };
 
 // A sweep. `definition` has the options on which the rows of its tables depend, in lines of
 // comments.
-struct SweepRequest {
+struct SweepRequest : Common {
+  std::string definition;
   Grid grid;
   RecordOptions records;
   std::array<Output, 3> tables{{{"--table"}, {"--impacts"}, {"--section"}}};
@@ -35,16 +39,17 @@ struct SweepRequest {
   bool resume = false;
   bool follow = false;  // each point from the settled state of the one before, ...
   bool back = false;    // ... along the innermost range and back again
-  std::string definition, scene_file, head;
 };
 
 // The request of a command line: a run, a sweep, or a text for standard output.
 using Request = std::variant<RunRequest, SweepRequest, std::string>;
 
-// Reads the command line, and the file of --scene. The help offers processes of MPI if `with_mpi`.
-// Throws std::invalid_argument with one line for a command line that makes no sense, and for a
-// scene or a grid that `check` refuses.
-Request parse(int argc, const char *const *argv, bool with_mpi = false);
+// Reads the command line, and the file of --scene. Throws std::invalid_argument with one line for a
+// command line that makes no sense, and for a scene or a grid that `check` refuses.
+Request parse(int argc, const char *const *argv);
+
+// What --help says below the options: examples, formats of the tables and exit status.
+std::string footer();
 
 // Runs the scene and writes its files. Throws std::invalid_argument for a file that cannot be
 // written, before the run, and std::runtime_error when the run is given up or writing fails.

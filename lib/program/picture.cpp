@@ -1,8 +1,9 @@
 #include "picture.hpp"
 
+#include <CLI/StringTools.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <regex>
 
 #include "scene_text.hpp"
@@ -31,21 +32,12 @@ std::string quoted(const std::string &word) {
   return fmt::format(" '{}'", std::regex_replace(word, std::regex("'"), "'\\''"));
 }
 
-struct Drawing {
-  std::string output, messages;
-  bool succeeded;
-};
-
-// Runs gnuplot without the settings of the user.
-Drawing gnuplot(const std::string &arguments) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> messages(std::tmpfile(), std::fclose);
-  if (!messages) throw std::runtime_error("no temporary file can be made");
-  const std::string command = fmt::format("gnuplot -d {} 2>&{}", arguments, fileno(messages.get()));
-  std::FILE *output = popen(command.c_str(), "r");
+// What gnuplot writes by these arguments, without the settings of the user, or nothing if it fails.
+std::optional<std::string> gnuplot(const std::string &arguments) {
+  std::FILE *output = popen(("gnuplot -d " + arguments).c_str(), "r");
   if (output == nullptr) throw std::runtime_error("gnuplot cannot be started");
   const std::string bytes = contents(path_of(output));
-  const bool succeeded = pclose(output) == 0;
-  return {bytes, contents(path_of(messages.get())), succeeded};
+  return pclose(output) == 0 ? std::optional(bytes) : std::nullopt;
 }
 
 }  // namespace
@@ -57,7 +49,7 @@ void check_picture(const Output &picture, const Output &table) {
            table.option);
   if (!fs::exists(script()))
     refuse("{}: needs its script {}, which is not there", picture.given(), script());
-  if (!gnuplot("-e 'set terminal " + terminal + "'").succeeded)
+  if (!gnuplot("-e 'set terminal " + terminal + "' 2>&1"))
     refuse("{}: needs gnuplot with its terminal {}, not found", picture.given(), terminal);
 }
 
@@ -67,13 +59,15 @@ void draw(const Output &picture, const std::string &kind, const std::vector<Outp
   for (const Output &table : tables)
     arguments += quoted(table.is_file() ? fs::absolute(table.path).string() : "/dev/null");
   for (const std::string &word : words) arguments += quoted(word);
-  const auto [output, messages, succeeded] = gnuplot(arguments);
-  if (succeeded) return write_text(output, picture.path);
-  std::string last;
-  for (const std::string &line : split(messages, '\n'))
-    if (!line.empty()) last = line;
-  throw std::runtime_error(fmt::format("{}: gnuplot could not draw it: {}", picture.given(),
-                                       shown(last.substr(last.find(": ") + 1))));
+  if (const auto bytes = gnuplot(arguments + " 2>/dev/null"))
+    return write_text(*bytes, picture.path);
+  // The same once more, for its last line about what is wrong.
+  std::string messages = gnuplot(arguments + " 2>&1 >/dev/null; true").value_or("");
+  CLI::detail::rtrim(messages);
+  const std::string last = messages.substr(messages.rfind('\n') + 1),
+                    reason = CLI::detail::trim_copy(last.substr(last.find(": ") + 1));
+  throw std::runtime_error(
+      fmt::format("{}: gnuplot could not draw it: {}", picture.given(), shown(reason)));
 }
 
 }  // namespace vibro_impact::runner

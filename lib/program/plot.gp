@@ -26,6 +26,7 @@ set style line 4 linecolor rgb '#e0a030' linewidth 4
 set lmargin 11
 set rmargin 3
 set offsets 0, 0, graph 0.06, graph 0.06
+style = ARG5 eq 'points' ? 'points linestyle 1 pointtype 7 pointsize 0.3' : 'lines linestyle 1'
 # The key stands above the first panel.
 key(k, name) = k == 1 ? name : ''
 
@@ -54,16 +55,12 @@ if (kind eq 'motion') {
   unset multiplot
 }
 if (kind eq 'portrait') {
-  lines = ARG5 eq 'lines' ? data : '/dev/null'
-  points = ARG5 eq 'points' ? data : '/dev/null'
   set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03
   set multiplot layout masses,1
   do for [k = 1:masses] {
     set xlabel sprintf('x_{%d}', k)
     set ylabel sprintf('v_{%d}', k)
-    plot lines using (column(k + 1)):(column(masses + k + 1)) with lines linestyle 1, \
-         points using (column(k + 1)):(column(masses + k + 1)) \
-           with points linestyle 1 pointtype 7 pointsize 0.3
+    plot data using (column(k + 1)):(column(masses + k + 1)) with @style
   }
   unset multiplot
 }
@@ -76,17 +73,16 @@ if (kind eq 'diagram') {
   # Whether the parameter falls, from one row to the next.
   fell(x) = (falls = x < latest ? 1 : x > latest ? 0 : falls, latest = x, falls)
   velocity(k, x, mass, v, side) = fell(x) == side && mass == k ? v : NaN
+  size(side) = side ? 1.2 : followed ? 0.5 : 0.2
+  side_name(side) = !followed ? '' : side ? 'falling ' : 'rising '
   set xrange [(from < to ? from : to):(from < to ? to : from)]
   set multiplot layout masses,1
   do for [k = 1:masses] {
     set ylabel sprintf('impact velocity of mass %d', k)
     if (k == masses) { set xlabel parameter noenhanced }
-    plot falls = (from > to), latest = NaN, \
-         data using 1:(velocity(k, $1, int($2), $3, 0)) with points linestyle 1 pointtype 7 \
-           pointsize followed ? 0.5 : 0.2 title followed ? key(k, 'rising ') : '', \
-         falls = (from > to), latest = NaN, \
-         data using 1:(velocity(k, $1, int($2), $3, 1)) with points linestyle 2 \
-           pointsize 1.2 title followed ? key(k, 'falling ') : ''
+    plot for [side = 0:1] falls = (from > to), latest = NaN, \
+         data using 1:(velocity(k, $1, int($2), $3, side)) with points linestyle (side + 1) \
+           pointtype (7 - side) pointsize size(side) title key(k, side_name(side))
   }
   unset multiplot
 }

@@ -2,6 +2,7 @@
 // MPI, and without mpirun, there is one.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace vibro_impact {
@@ -17,11 +18,11 @@ class Processes {
   // number and cannot share anything out.
   static bool with_mpi();
 
-  int rank() const {
-    return rank_;
+  std::size_t rank() const {
+    return static_cast<std::size_t>(rank_);
   }
-  int size() const {
-    return size_;
+  std::size_t size() const {
+    return static_cast<std::size_t>(size_);
   }
   // To be called by all, with one text each: returns the texts, joined in the order of the ranks.
   std::string joined(const std::string &text) const;

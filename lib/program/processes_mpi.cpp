@@ -2,8 +2,6 @@
 #include <mpi.h>
 
 #include <cstdlib>
-#include <numeric>
-#include <vector>
 
 #include "processes.hpp"
 
@@ -30,16 +28,18 @@ bool Processes::with_mpi() {
   return true;
 }
 
+// Each process in turn sends its text to all others.
 std::string Processes::joined(const std::string &text) const {
   if (size_ == 1) return text;
-  const int length = static_cast<int>(text.size());
-  std::vector<int> lengths(static_cast<std::size_t>(size_), 0);
-  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
-  std::vector<int> begins(lengths.size(), 0);
-  std::exclusive_scan(lengths.begin(), lengths.end(), begins.begin(), 0);
-  std::string all(static_cast<std::size_t>(begins.back() + lengths.back()), '\0');
-  MPI_Allgatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), begins.data(), MPI_CHAR,
-                 MPI_COMM_WORLD);
+  std::string all;
+  for (int rank = 0; rank < size_; ++rank) {
+    std::string part = rank == rank_ ? text : "";
+    auto length = static_cast<int>(part.size());
+    MPI_Bcast(&length, 1, MPI_INT, rank, MPI_COMM_WORLD);
+    part.resize(static_cast<std::size_t>(length));
+    MPI_Bcast(part.data(), length, MPI_CHAR, rank, MPI_COMM_WORLD);
+    all += part;
+  }
   return all;
 }
 

@@ -23,8 +23,6 @@ class Progress {
   // `before`: how much of `total` was done before the computation began.
   Progress(std::string name, double total, double before = 0.0);
   ~Progress();
-  Progress(const Progress &) = delete;
-  Progress &operator=(const Progress &) = delete;
 
   void advance(double by = 1.0);
 

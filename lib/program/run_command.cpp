@@ -24,29 +24,26 @@ Table table_of(const EventRecorder &recorder) {
 }
 
 // The table of samples, row by row.
-struct SampleTable : Recorder {
-  const RunRequest &request;
+struct SampleTable : SampleRecorder {
+  bool velocities;
   Table table;
-  std::size_t taken = 0;
 
-  explicit SampleTable(const RunRequest &of) : request(of), table("") {
-    std::string header = "time";
-    for (const char *column : {"x", "v"})
-      for (int mass = 1; mass <= of.scene.masses() && (*column == 'x' || of.velocities); ++mass)
-        header += fmt::format(",{}{}", column, mass);
-    table = Table(header);
+  explicit SampleTable(const RunRequest &request)
+      : SampleRecorder(request.from, request.until, request.every),
+        velocities(request.velocities),
+        table("time" + columns(request.scene, "x") +
+              (velocities ? columns(request.scene, "v") : "")) {
   }
-  void check(const Scene &scene) const override {
-    SampleRecorder(request.from, request.until, request.every).check(scene);
-  }
-  double next_time() const override {
-    return sample_time(request.from, request.until, request.every, taken);
+  static std::string columns(const Scene &scene, const char *name) {
+    std::string header;
+    for (int mass = 1; mass <= scene.masses(); ++mass) header += fmt::format(",{}{}", name, mass);
+    return header;
   }
   void sample(const Moment &moment) override {
-    ++taken;
+    times.push_back(moment.time);
     table.cell(moment.time);
     for (int mass = 1; mass <= moment.masses(); ++mass) table.cell(moment.displacement(mass));
-    for (int mass = 1; mass <= moment.masses() && request.velocities; ++mass)
+    for (int mass = 1; mass <= moment.masses() && velocities; ++mass)
       table.cell(moment.velocity(mass));
     table.end_row();
   }
@@ -94,26 +91,25 @@ void draw_pictures(const RunRequest &request) {
   if (request.plot.wanted())
     draw(request.plot, "motion", {request.samples, request.events},
          {positions_of(scene, Side::lower), positions_of(scene, Side::upper)});
+  // Samples so far apart are not joined to lines.
+  const bool are_points = scene.omega > 0.0 && request.every > 0.4 * Clock(scene.omega).period;
   if (request.portrait.wanted())
     draw(request.portrait, "portrait", {request.samples},
-         {std::to_string(scene.masses()), request.points ? "points" : "lines"});
+         {std::to_string(scene.masses()), are_points ? "points" : "lines"});
 }
 
 // The chain, of which the user may have given little, and what happened to it.
 void print_summary(const Scene &scene, const Outcome &outcome) {
-  const auto forced = [&](std::size_t i) {
-    return (!scene.amplitude.empty() && scene.amplitude[i] != 0.0) ||
-           (!scene.sine.empty() && scene.sine[i] != 0.0);
-  };
-  std::size_t forced_masses = 0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) forced_masses += forced(i) ? 1 : 0;
+  std::vector<bool> forced(scene.mass.size());
+  for (const std::vector<double> &forcing : {scene.amplitude, scene.sine})
+    for (std::size_t i = 0; i < forcing.size(); ++i) forced[i] = forced[i] || forcing[i] != 0.0;
   const Counters &counters = outcome.counters;
   fmt::print(stderr,
              "masses: {}, forced: {}, stops: {}; t = {:.17g}: since t = 0, {} impacts "
              "resolved, {} sticks, {} releases; chatter {} times carried to its limit, {} times "
              "incomplete\n",
-             scene.masses(), forced_masses, scene.stops.size(), outcome.time, counters.impacts,
-             counters.sticks, counters.releases, counters.chatter_limits,
+             scene.masses(), std::ranges::count(forced, true), scene.stops.size(), outcome.time,
+             counters.impacts, counters.sticks, counters.releases, counters.chatter_limits,
              counters.chatter_incomplete);
 }
 

@@ -1,33 +1,34 @@
-// Scenes in words, as options and as lines `name = value` of a file, and the numbers of all
-// options.
+// The scene of a command: the lines of its file and its options, in words.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "files.hpp"
 #include "vibro_impact/scene_text.hpp"
 
 namespace vibro_impact::runner {
 
+using detail::shown;
+
 // A table that was written with --header begins with this, and is a file of its scene.
 inline constexpr const char *table_head = "# vibro-impact ";
 
-// The parts of `text` between separators. Parts may be empty.
-std::vector<std::string> split(const std::string &text, char separator);
-
-using detail::shown;
-
-// The number that a whole word of `given` stands for. All numbers of the command line and of scene
-// files are read by it. Refuses what is none.
-double number(const std::string &given, const std::string &word);
-
-// The same of a whole number from 1 to `most`.
-long long whole_number(const std::string &given, const std::string &word, double most);
+// The result of `read`. The message of its refusal begins with `given`, the place of the words that
+// it reads.
+template <class Read>
+auto read_at(const std::string &given, const Read &read) {
+  try {
+    return read();
+  } catch (const std::invalid_argument &error) {
+    refuse("{}: {}", given, error.what());
+  }
+}
 
 // The value of a field of a scene, of `masses` or of `stop`, in words. Messages begin with `given`.
 struct SceneLine {
-  std::string name, given;
-  std::vector<std::string> words;
+  std::string name, given, words;
 };
 
 // The lines of a file: lines `name = value`, empty lines and comments. A table that begins with
@@ -43,8 +44,7 @@ Scene default_scene(int masses);
 // The default scene with the values of these lines. Refuses what `check` refuses, too.
 Scene scene_of(const std::vector<SceneLine> &lines);
 
-// The names and values of a scene in words, in the order of a file. One value stands for equal
-// ones.
-std::vector<std::pair<std::string, std::string>> words_of(const Scene &scene);
+// The fields of a scene in words. A force that the scene does not have is zero.
+std::vector<FieldInWords> words_of(const Scene &scene);
 
 }  // namespace vibro_impact::runner

@@ -51,16 +51,10 @@ std::optional<OrbitRecord> record_at(const SweepRequest &request, std::size_t po
   }
 }
 
-Table no_rows() {
-  Table table("");
-  table.text.clear();
-  return table;
-}
-
 // The rows of a chain in each table.
 Texts rows_of_chain(const SweepRequest &request, std::size_t chain, Progress *progress,
-                    int processes) {
-  Table records = no_rows(), impacts = no_rows(), sections = no_rows();
+                    std::size_t processes) {
+  Table records, impacts, sections;
   std::optional<OrbitRecord> record;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
@@ -69,7 +63,8 @@ Texts rows_of_chain(const SweepRequest &request, std::size_t chain, Progress *pr
     add_row(records, request.grid, request.records, point, record);
     if (record) add_impacts(impacts, request.grid, point, *record);
     if (record) add_section(sections, request.grid, point, *record);
-    if (progress != nullptr) progress->advance(processes);  // the others are as far as this one
+    if (progress != nullptr)
+      progress->advance(static_cast<double>(processes));  // the others are as far as this one
   }
   return {records.text, impacts.text, sections.text};
 }
@@ -99,23 +94,22 @@ void check_outputs_of(const SweepRequest &request) {
 }
 
 // The journal names this very program: rows that another build of it has computed may differ.
-Journal begin(const SweepRequest &request, const std::string &header) {
+Journal begin(const SweepRequest &request) {
   check_outputs_of(request);
   const std::string path = journal_of(request).path;
   std::string head = fmt::format("vibro-impact sweep, program {:08x}, with",
                                  checksum_of(contents("/proc/self/exe")));
   for (const Output &table : request.tables)
     if (table.wanted()) head += " " + table.option;
-  head += "\n" + header + request.definition;
-  const auto rule = [&](std::size_t row, const std::string &line) -> std::string {
-    if (row >= number_of_rows(request)) return "the sweep has no such row";
-    Table cells = no_rows();
+  const std::string header = sweep_table(request.grid, request.records).text;
+  const auto rule = [&](std::size_t row, std::string_view line) {
+    if (row >= number_of_rows(request)) return false;
+    Table cells;
     for (const double value : request.grid.values(point_of(request, row))) cells.cell(value);
-    if (!line.starts_with(cells.text)) return "not the row of its point";
-    return std::ranges::count(line, ',') == std::ranges::count(header, ',') ? ""
-                                                                            : "not all columns";
+    return line.starts_with(cells.text) &&
+           std::ranges::count(line, ',') == std::ranges::count(header, ',');
   };
-  Journal journal(path, head, request.resume, rule);
+  Journal journal(path, head + "\n" + request.definition, request.resume, rule);
   if (isatty(STDERR_FILENO) != 0)
     fmt::print(stderr, "rows are kept in {}; --resume goes on with them\n", path);
   return journal;
@@ -151,10 +145,9 @@ void finish(const SweepRequest &request, Journal &journal, std::size_t computed)
   if (request.plot.wanted()) draw_plot(request);
   // All cells of a point without a record are empty behind its parameters.
   const auto columns = record_columns(request.grid.scene.masses(), request.records).size();
-  const std::string empty = std::string(columns, ',') + '\n', &table = journal.rows()[0];
-  std::size_t without_record = 0;
-  for (auto at = table.find(empty); at != std::string::npos; at = table.find(empty, at + 1))
-    ++without_record;
+  const auto without_record = std::ranges::count_if(
+      detail::parts_of(journal.rows()[0], '\n'),
+      [&](std::string_view row) { return row.ends_with(std::string(columns, ',')); });
   fmt::print(stderr,
              "{} points, {} computed now; {} were refused or given up, and have empty cells\n",
              rows, computed, without_record);
@@ -168,20 +161,17 @@ void finish(const SweepRequest &request, Journal &journal, std::size_t computed)
 void run_sweep(const SweepRequest &request, const Processes &processes) {
   const std::size_t length = chain_length(request), rows = number_of_rows(request);
   std::optional<Journal> journal;  // on rank 0
-  if (processes.rank() == 0)
-    journal.emplace(begin(request, sweep_table(request.grid, request.records).text));
+  if (processes.rank() == 0) journal.emplace(begin(request));
   const std::size_t first =
       std::stoull(processes.joined(journal ? std::to_string(journal->size()) : ""));
   const int threads = processes.size() > 1 ? 1 : available_threads();
-  const auto rank = static_cast<std::size_t>(processes.rank());
-  const auto size = static_cast<std::size_t>(processes.size());
   const std::size_t share =
       std::max<std::size_t>(points_per_thread / length, 1) * static_cast<std::size_t>(threads);
   const std::size_t chains = rows / length;
   {
     Progress progress("sweep", static_cast<double>(rows), static_cast<double>(first));
-    for (std::size_t begin = first / length; begin < chains; begin += share * size) {
-      const std::size_t own = std::min(chains, begin + share * rank);
+    for (std::size_t begin = first / length; begin < chains; begin += share * processes.size()) {
+      const std::size_t own = std::min(chains, begin + share * processes.rank());
       const auto compute = [&](std::size_t k) {
         return rows_of_chain(request, own + k, journal ? &progress : nullptr, processes.size());
       };

@@ -135,12 +135,4 @@ TEST_F(Runner, EveryKindOfPictureIsDrawn) {
   }
 }
 
-TEST_F(Runner, AChainOfOneMassHasNoStopOnMassTwo) {
-  EXPECT_EQ(run("run --masses 1 --until 10").status, 0);
-  EXPECT_NE(run("run --masses 1 --print-scene").out.find("stop = 1:lower:-0.3\n"),
-            std::string::npos);
-  EXPECT_NE(run("run --masses 3 --print-scene").out.find("stop = 1:lower:-0.3,2:upper:0.1\n"),
-            std::string::npos);
-}
-
 }  // namespace

@@ -73,13 +73,23 @@ TEST_F(Runner, APictureThatCannotBeDrawnLeavesTheTablesAlone) {
             "vibro-impact: --plot p.png: needs gnuplot with its terminal pngcairo, not found\n");
   EXPECT_TRUE(fs::is_empty(folder));
 
+  // A program without its script.
+  fs::create_directory(folder / "bin");
+  fs::copy_file(VIBRO_IMPACT_PROGRAM, folder / "bin/program");
+  const Result alone = run("run --samples s.csv --plot p.png", "true", "", "bin/program");
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_NE(alone.err.find("plot.gp, which is not there"), std::string::npos) << alone.err;
+  fs::remove_all(folder / "bin");
+  EXPECT_TRUE(fs::is_empty(folder));
+
   // A gnuplot that takes the terminal and then fails.
-  std::ofstream(folder / "gnuplot") << "#!/bin/sh\ntest \"$2\" = -e\n";
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\ntest \"$2\" = -e || { printf 'plot\\n\"p.gp\" "
+                                       "line 7: bad\\n\\n' >&2; false; }\n";
   fs::permissions(folder / "gnuplot", fs::perms::owner_all);
   const Result failed =
       run("run --samples s.csv --plot p.png", "PATH=\"$PWD:$PATH\" && export PATH");
   EXPECT_EQ(failed.status, 1);
-  EXPECT_EQ(failed.err, "vibro-impact: --plot p.png: gnuplot could not draw it: \n");
+  EXPECT_EQ(failed.err, "vibro-impact: --plot p.png: gnuplot could not draw it: bad\n");
   EXPECT_EQ(files(), (std::vector<std::string>{"gnuplot", "s.csv"}));
 }
 

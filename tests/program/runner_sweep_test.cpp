@@ -1,11 +1,6 @@
 // Sweeps of the program: the table, on threads and on processes, and a sweep that was killed.
-#include <fcntl.h>
-#include <signal.h>
-
-#include <chrono>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "program/files.hpp"
@@ -18,7 +13,7 @@ namespace {
 using namespace vibro_impact::testing;
 using namespace vibro_impact;
 
-const std::string one_thread = "export OMP_NUM_THREADS=1";
+const std::string one_thread = "export OMP_NUM_THREADS=1 && ";
 
 // The table is that of the library, to the byte, whatever the number of processes. (Of threads:
 // sweep_test.)
@@ -62,58 +57,30 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
   EXPECT_NE(result.err.find(" 1 were refused or given up"), std::string::npos) << result.err;
 }
 
-// The rows in the whole blocks of a journal, below its two lines of a head.
+// The rows in the whole blocks of a journal, below the first line of its head.
 std::string rows_in(const std::string &journal) {
   const std::string of_whole_lines = journal.substr(0, journal.rfind('\n') + 1),
                     whole = journal.substr(0, of_whole_lines.rfind("# crc") + 1);
   std::string rows;
   int line = 0;
   for (const std::string &row : lines(whole))
-    if (++line > 2 && !row.starts_with("#")) rows += row + '\n';
+    if (++line > 1 && !row.starts_with("#")) rows += row + '\n';
   return rows;
 }
 
-int count_of(const std::string &rows) {
-  return static_cast<int>(std::count(rows.begin(), rows.end(), '\n'));
-}
-
-struct KilledSweep : Runner {
+TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
   const std::string sweep =
-      "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 "
-      "--table t.csv ";
-
-  // Starts the sweep and kills it as soon as rows stand in its partial table. Returns false when
-  // the machine was too busy with other things to kill it before its end.
-  bool start_and_kill() const {
-    const pid_t child = fork();
-    if (child == 0) {
-      const int nowhere = open("/dev/null", O_WRONLY);
-      dup2(nowhere, 2);
-      const std::string command =
-          "cd " + folder.string() + " && " + one_thread + " && exec " VIBRO_IMPACT_PROGRAM " ";
-      execl("/bin/sh", "sh", "-c", (command + sweep).c_str(), nullptr);
-      _exit(127);
-    }
-    int status = 0;
-    while (waitpid(child, &status, WNOHANG) == 0) {
-      if (!rows_in(contents(folder / "t.csv.partial")).empty()) {
-        kill(child, SIGKILL);
-        waitpid(child, &status, 0);
-        break;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return WIFSIGNALED(status);
-  }
-};
-
-TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
+      "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 --table t.csv ";
   ASSERT_EQ(run(sweep).status, 0);
   const std::string whole = contents(folder / "t.csv");
   const fs::path path = folder / "t.csv.partial";
+  // The shell kills the sweep as soon as a block stands in its journal, unless the sweep ends
+  // first.
+  const std::string kill =
+      "& while test ! -e t.csv && ! grep -q crc t.csv.partial; do :; done; kill -KILL $!; wait $!";
   do {
     fs::remove(folder / "t.csv");
-  } while (!start_and_kill());
+  } while (run(sweep + kill, one_thread + "true").status != 128 + 9);
   ASSERT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
   const std::string partial = contents(path);
   const std::size_t head = partial.find('\n') + 1;
@@ -125,6 +92,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
     std::string options, program, message;
   } refused[] = {{"", VIBRO_IMPACT_PROGRAM, "--resume goes on with it"},
                  {"--resume --beta 0.2", VIBRO_IMPACT_PROGRAM, "not the rows of this sweep"},
+                 {"--resume --impacts i.csv", VIBRO_IMPACT_PROGRAM, "not the rows of this sweep"},
                  {"--resume", folder.string() + "-other", "not the rows of this sweep"}};
   fs::copy_file(VIBRO_IMPACT_PROGRAM, folder.string() + "-other");
   std::ofstream(folder.string() + "-other", std::ios::app) << 'x';
@@ -144,7 +112,7 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   std::ofstream{scene};
   for (const std::size_t size : {head / 2, partial.size() - 5, partial.size()}) {
     std::ofstream(path) << partial.substr(0, size);
-    const int kept = count_of(rows_in(partial.substr(0, size)));
+    const std::size_t kept = lines(rows_in(partial.substr(0, size))).size();
     const Result rest = run(sweep + "--resume --scene " + scene, "true", with_mpi ? mpirun(2) : "");
     ASSERT_EQ(rest.status, 0) << rest.err;
     EXPECT_NE(rest.err.find("905 points, " + std::to_string(905 - kept) + " computed now"),
@@ -156,34 +124,55 @@ TEST_F(KilledSweep, GoesOnWithItsRowsAndNoOthers) {
   fs::remove(scene);
 }
 
-// A block with the right checksum and wrong rows, as another program could write it.
-TEST_F(KilledSweep, RowsOfOtherPointsAreRefused) {
-  while (!start_and_kill()) fs::remove(folder / "t.csv");
-  const fs::path path = folder / "t.csv.partial";
-  const std::string partial = contents(path);
-  const std::string head = partial.substr(0, partial.find(rows_in(partial)));
-  const std::string first = "0.25,0.59999999999999998,1,1,1,1,1,1\n";
-  const struct {
-    std::string rows, line, rule;
-  } refused[] = {{"0.26" + first.substr(4), "1", "not the row of its point"},
-                 {first + first, "2", "not the row of its point"},
-                 {first.substr(0, first.size() - 3) + "\n", "1", "not all columns"},
-                 {first.substr(0, first.size() - 1) + ",\n", "1", "not all columns"}};
+// The limit of a file's size stands for a full disk. The journal keeps the rows that fitted.
+TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
+  const std::string sweep =
+      "sweep --vary omega=1.1:1.2:40 --back --masses 1 --amplitude 0.1 --stop 1:upper:0.3 ";
+  ASSERT_EQ(run(sweep + "--table whole.csv", one_thread + "true").status, 0);
+  const std::string whole = contents(folder / "whole.csv");
+  const Result full = run(sweep + "--table t.csv", one_thread + full_disk(1024));
+  EXPECT_EQ(full.status, 1);
+  EXPECT_EQ(full.err, "vibro-impact: t.csv.partial: cannot be written: File too large\n");
+  const std::string journal = contents(folder / "t.csv.partial");
+  EXPECT_EQ(journal.size(), 1024u);
+  ASSERT_EQ(run(sweep + "--resume --table t.csv").status, 0);
+  EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole));
+
+  // A block with the right checksum and wrong rows, as another program could write it: of another
+  // point, twice, with a column less and one more, beyond the last point, and of half a chain.
+  const auto rows = lines(whole);
+  const std::string head = journal.substr(0, journal.find(rows[1])),
+                    all = whole.substr(whole.find('\n') + 1);
   const auto lines_of_head = std::count(head.begin(), head.end(), '\n');
-  for (const auto &[rows, line, rule] : refused) {
-    fs::remove(path);
-    runner::Journal(path.string(), head, false, {}).add({rows, "", ""});
-    const Result result = run(sweep + "--resume");
-    EXPECT_EQ(result.status, 2);
-    const std::string number = std::to_string(lines_of_head + std::stol(line));
-    EXPECT_NE(result.err.find("line " + number + ": " + rule), std::string::npos) << result.err;
+  const auto at_line = [&](long line) {
+    return "t.csv.partial: line " + std::to_string(lines_of_head + line) +
+           ": not the row of its point; remove the file";
+  };
+  const struct {
+    std::string rows;
+    int status;
+    std::string message;
+  } refused[] = {{rows[2], 2, at_line(1)},
+                 {rows[1] + '\n' + rows[1], 2, at_line(2)},
+                 {rows[1].substr(0, rows[1].rfind(',')), 2, at_line(1)},
+                 {rows[1] + ',', 2, at_line(1)},
+                 {all + rows[1], 2, at_line(81)},
+                 {rows[1] + '\n' + rows[2], 1, "82 rows of 80 points"}};
+  for (const auto &[rows_of_block, status, message] : refused) {
+    fs::remove(folder / "t.csv");
+    fs::remove(folder / "t.csv.partial");
+    runner::Journal((folder / "t.csv.partial").string(), head, false, {})
+        .add({rows_of_block + '\n', "", ""});
+    const Result result = run(sweep + "--resume --table t.csv");
+    EXPECT_EQ(result.status, status);
+    EXPECT_EQ(result.err, "vibro-impact: " + message + "\n");
     EXPECT_FALSE(fs::exists(folder / "t.csv"));
   }
 }
 
 TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {
   const runner::Journal held(folder / "t.csv.partial", "a head\n", false,
-                             [](std::size_t, const std::string &) { return ""; });
+                             [](auto...) { return true; });
   const Result second = run("sweep --vary omega=0.3:0.5:2 --resume --table t.csv");
   EXPECT_EQ(second.status, 2);
   EXPECT_EQ(second.err, "vibro-impact: t.csv.partial: another sweep is writing it\n");

@@ -70,6 +70,15 @@ TEST_F(SceneFile, RefusesWhatItCannotReadWithFileLineAndRule) {
   }
 }
 
+// An option takes the place of its line, whose value need not fit the chain of another option.
+TEST_F(SceneFile, AnOptionReplacesItsLine) {
+  ASSERT_EQ(read("masses = 2\nmass = 1,2\nomega = 0.5\n").status, 0);
+  const Result result = run("run --print-scene --scene scene --masses 3 --mass 1,2,3");
+  EXPECT_EQ(result.out, run("run --print-scene --masses 3 --mass 1,2,3 --omega 0.5").out)
+      << result.err;
+  EXPECT_NE(result.out, "");
+}
+
 TEST_F(SceneFile, RefusesWhatIsNoFile) {
   for (const char *file : {".", "/proc/self/mem", "/dev/null", "missing"}) {
     const Result result = run(std::string("run --until 20 --scene ") + file);

@@ -101,7 +101,7 @@ TEST(ScenesInWords, ThatBreakARuleAreRefusedWithTheirPlace) {
   EXPECT_EQ(refusal({"", "2", "1", "1:upper: x", ""}),
             "t.csv: line 2, column stop: ' x' is not a number in double precision");
   EXPECT_EQ(refusal({"", "1.5", "1", "", ""}),
-            "t.csv: line 2, column masses: '1.5' must be a whole number from 1 to 1e6");
+            "t.csv: line 2, column masses: '1.5' must be a whole number from 1 to 1000000");
   EXPECT_EQ(refusal({"", "2", "1", "", "1"}),
             "t.csv: line 2, column amplitud: is no field of a scene");
 }

@@ -56,6 +56,11 @@ inline std::string mpirun(int processes) {
 }
 constexpr bool with_mpi = MPIRUN[0] != '\0';
 
+// For the shell, before the program: no file can grow beyond this size, a multiple of 512 bytes.
+inline std::string full_disk(int bytes) {
+  return "trap '' XFSZ && ulimit -f " + std::to_string(bytes / 512);
+}
+
 inline bool there_is_gnuplot() {
   return std::system("gnuplot -d -e 'set terminal pngcairo' >/dev/null 2>&1") == 0;
 }

@@ -57,11 +57,15 @@ inline double number_of(std::string_view word) {
   return value;
 }
 
-inline int count_of(std::string_view word) {
+inline long long count_of(std::string_view word, long long most) {
   const double value = number_of(word);
-  if (!(value >= 1.0 && value <= 1e6 && value == std::floor(value)))
-    refuse_words(word, "must be a whole number from 1 to 1e6");
-  return static_cast<int>(value);
+  if (!(value >= 1.0 && value <= static_cast<double>(most) && value == std::floor(value)))
+    refuse_words(word, "must be a whole number from 1 to " + std::to_string(most));
+  return static_cast<long long>(value);
+}
+
+inline int mass_of(std::string_view word) {
+  return static_cast<int>(count_of(word, 1'000'000));
 }
 
 inline Stop stop_of(std::string_view word) {
@@ -71,7 +75,7 @@ inline Stop stop_of(std::string_view word) {
     refuse_words(word,
                  "must read mass:side:position or mass:side:position:restitution, with side "
                  "lower or upper");
-  Stop stop{count_of(parts[0]), lower ? Side::lower : Side::upper, number_of(parts[2])};
+  Stop stop{mass_of(parts[0]), lower ? Side::lower : Side::upper, number_of(parts[2])};
   if (parts.size() == 4) stop.restitution = number_of(parts[3]);
   return stop;
 }
@@ -90,10 +94,10 @@ inline std::string words_of(const Stop &stop) {
 }
 
 template <class Value>
-std::string joined(const std::vector<Value> &values, const std::string &if_empty) {
+std::string joined(const std::vector<Value> &values) {
   std::string words;
   for (const Value &value : values) words += (words.empty() ? "" : ",") + words_of(value);
-  return words.empty() ? if_empty : words;
+  return words;
 }
 
 }  // namespace detail
@@ -103,7 +107,7 @@ std::string joined(const std::vector<Value> &values, const std::string &if_empty
 // word and the rule; `check` judges the values.
 inline bool set_field(Scene &scene, std::string_view name, std::string_view words) {
   if (name == "masses") {
-    scene.mass.assign(static_cast<std::size_t>(detail::count_of(words)), 1.0);
+    scene.mass.assign(static_cast<std::size_t>(detail::mass_of(words)), 1.0);
     scene.stiffness = scene.mass;
     return true;
   }
@@ -140,14 +144,19 @@ struct FieldInWords {
 };
 
 // All fields of a scene. Those with words, given to set_field in this order, make the same scene
-// again, bit by bit. An empty list has no words.
+// again, bit by bit. One number stands for equal ones, and an empty list has no words.
 inline std::vector<FieldInWords> fields_in_words(const Scene &scene) {
   std::vector<FieldInWords> fields{{"masses", std::to_string(scene.masses())}};
-  for (const auto &field : list_fields)
-    fields.push_back({field.name, detail::joined(scene.*field.value, "")});
+  for (const auto &field : list_fields) {
+    const std::vector<double> &values = scene.*field.value;
+    const std::string first = values.empty() ? "" : detail::words_of(values.front());
+    const auto is_first = [&](double value) { return detail::words_of(value) == first; };
+    const bool all_equal = std::all_of(values.begin(), values.end(), is_first);
+    fields.push_back({field.name, all_equal ? first : detail::joined(values)});
+  }
   for (const auto &field : scalar_fields)
     fields.push_back({field.name, detail::words_of(scene.*field.value)});
-  fields.push_back({"stop", detail::joined(scene.stops, "none")});
+  fields.push_back({"stop", scene.stops.empty() ? "none" : detail::joined(scene.stops)});
   return fields;
 }
 

@@ -8,10 +8,12 @@
 
 namespace vibro_impact {
 
-// A table to which rows are added. `text` is the CSV text so far.
+// A table to which rows are added. `text` is the CSV text so far. A table without a header has rows
+// alone.
 struct Table {
-  std::string text;
+  std::string text = {};
 
+  Table() = default;
   explicit Table(const std::string &header) : text(header + "\n") {
   }
 
