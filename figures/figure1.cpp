@@ -24,9 +24,15 @@ const char *action_of(int mass, double time, const std::vector<Event> &events) {
   for (const Event &event : events)
     if (event.mass == mass && event.time <= time) last = &event;
   if (last == nullptr) return no_action;
-  if (last->kind == EventKind::stick) return "sticks";
-  if (last->kind == EventKind::release) return time < last->time + 2.0 ? "released" : no_action;
-  return time < last->time + step ? "impact" : "chatters";
+  switch (last->kind) {
+    case EventKind::impact:
+      return time < last->time + step ? "impact" : "chatters";
+    case EventKind::stick:
+      return "sticks";
+    case EventKind::release:
+      return time < last->time + 2.0 ? "released" : no_action;
+  }
+  return no_action;
 }
 
 bool near_an_impact(double time, const std::vector<Event> &events) {

@@ -97,21 +97,22 @@ inline Chatter chatter_after(const std::vector<Event> &events, int mass, double 
   const Event *impact = nullptr;  // the one before
   for (const Event &event : events) {
     if (event.mass != mass) continue;
-    if (event.kind == EventKind::release) {
-      chatter = {};
-      impact = nullptr;
-      continue;
+    switch (event.kind) {
+      case EventKind::impact:
+        if (std::isnan(chatter.first_impact)) chatter.first_impact = event.time;
+        if (impact && std::abs(impact->velocity_after) * (event.time - impact->time) / 4 > height)
+          chatter.last_bounce_ends = event.time;
+        impact = &event;
+        break;
+      case EventKind::stick:
+        if (event.time < from) break;
+        chatter.stick = event.time;
+        return chatter;
+      case EventKind::release:
+        chatter = {};
+        impact = nullptr;
+        break;
     }
-    if (event.kind == EventKind::stick && event.time >= from) {
-      chatter.stick = event.time;
-      return chatter;
-    }
-    if (event.kind != EventKind::impact) continue;
-    if (std::isnan(chatter.first_impact)) chatter.first_impact = event.time;
-    if (impact && std::abs(impact->velocity_after) * (event.time - impact->time) / 4 > height) {
-      chatter.last_bounce_ends = event.time;
-    }
-    impact = &event;
   }
   return {};
 }

@@ -78,11 +78,16 @@ struct StickingPhaseRecorder : Recorder {
     if (!std::isnan(force)) add("orbit", force, moment);
   }
   void event(const Event &event, const Moment &moment) override {
-    if (event.mass != mass || event.kind == EventKind::impact) return;
-    if (event.time < from || event.time > to) return;
-    if (event.kind == EventKind::stick) ++phase;
-    const bool at_root = event.kind == EventKind::release && !event.by_a_jump;
-    add(name(event.kind), at_root ? 0.0 : moment.hold_force(mass), moment);
+    if (event.mass != mass || event.time < from || event.time > to) return;
+    switch (event.kind) {
+      case EventKind::impact:
+        return;
+      case EventKind::stick:
+        ++phase;
+        return add(name(event.kind), moment.hold_force(mass), moment);
+      case EventKind::release:
+        return add(name(event.kind), event.by_a_jump ? moment.hold_force(mass) : 0.0, moment);
+    }
   }
   void add(const char *kind, double force, const Moment &moment) {
     rows.push_back({phase, kind, moment.instant.phase, force});

@@ -223,8 +223,16 @@ Table nearly_equal_stops() {
     for (const Event &event : events) {
       if (event.time >= release) break;
       if (event.mass != 2) continue;
-      if (event.kind == EventKind::impact) speed = event.velocity_before;
-      if (event.kind == EventKind::stick) stick = event.time;
+      switch (event.kind) {
+        case EventKind::impact:
+          speed = event.velocity_before;
+          break;
+        case EventKind::stick:
+          stick = event.time;
+          break;
+        case EventKind::release:
+          break;
+      }
     }
     table.row(omega, restitution, difference, release, stick, speed);
   };

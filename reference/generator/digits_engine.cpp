@@ -13,11 +13,6 @@ Resolution key_number_resolution() {
   return {Real("1e-20"), {Real("1e-36"), true}};
 }
 
-/// By Event::Kind.
-constexpr vibro_impact::EventKind event_kinds[] = {vibro_impact::EventKind::impact,
-                                                   vibro_impact::EventKind::stick,
-                                                   vibro_impact::EventKind::release};
-
 std::size_t index(int mass) {
   return static_cast<std::size_t>(mass - 1);
 }
@@ -34,10 +29,9 @@ std::vector<numbers::Occurrence<Real>> DigitsEngine::events(const NamedScene &as
   std::vector<numbers::Occurrence<Real>> events;
   const Scene scene = in_digits(asked.scene, asked.until);
   for (const Event &event : run(asked).events) {
-    const bool ends_a_chatter = event.kind == Event::Kind::stick && event.pressing > 0;
-    events.push_back({ends_a_chatter ? completion(scene, event) : event.time,
-                      event_kinds[static_cast<int>(event.kind)], static_cast<int>(event.mass) + 1,
-                      contact_mode(event.stuck)});
+    const bool ends_a_chatter = event.kind == EventKind::stick && event.pressing > 0;
+    events.push_back({ends_a_chatter ? completion(scene, event) : event.time, event.kind,
+                      static_cast<int>(event.mass) + 1, contact_mode(event.stuck)});
   }
   return events;
 }

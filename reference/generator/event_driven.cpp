@@ -87,8 +87,8 @@ void decide(const Scene &scene, State &state, const std::vector<std::size_t> &in
   for (std::size_t p = 0; p < stuck.size(); ++p) {
     if (stuck[p] == state.stuck_on[p].has_value()) continue;
     stuck[p] = !stuck[p];
-    run.events.push_back({state.time, p, stuck[p] ? Event::Kind::stick : Event::Kind::release,
-                          Real(0), Real(0), stuck});
+    run.events.push_back(
+        {state.time, p, stuck[p] ? EventKind::stick : EventKind::release, Real(0), Real(0), stuck});
   }
 }
 
@@ -99,7 +99,7 @@ void decide(const Scene &scene, State &state, const std::vector<std::size_t> &in
 /// without rebound, it is decided by trial.
 void apply_events(const Scene &scene, State &state, const std::vector<std::size_t> &stops,
                   const Resolution &resolution, Run &run) {
-  const auto record = [&](std::size_t mass, Event::Kind kind, const Real &before, const Real &after,
+  const auto record = [&](std::size_t mass, EventKind kind, const Real &before, const Real &after,
                           const Real &pressing = Real(0)) {
     run.events.push_back({state.time, mass, kind, before, after, stuck_masses(state), pressing});
   };
@@ -115,7 +115,7 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
     state.v[p] = -scene.restitution * before;
     state.stop_start[i] = Start::touching;
     hit.push_back(i);
-    record(p, Event::Kind::impact, before, state.v[p]);
+    record(p, EventKind::impact, before, state.v[p]);
   }
   for (const std::size_t i : hit) {
     const std::size_t p = scene.stops[i].mass;
@@ -125,7 +125,7 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
       const Real before = state.v[p];
       state.v[p] = 0;
       state.stuck_on[p] = i;
-      record(p, Event::Kind::stick, before, Real(0), pressing);
+      record(p, EventKind::stick, before, Real(0), pressing);
     } else if (pressing < -pressing_floor) {
       if (state.v[p] == 0) state.stop_start[i] = Start::pulled;  // hit without rebound
     } else if (state.v[p] == 0) {
@@ -141,7 +141,7 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
   const auto let_go = [&](std::size_t i, Start start) {
     state.stuck_on[scene.stops[i].mass].reset();
     state.stop_start[i] = start;
-    record(scene.stops[i].mass, Event::Kind::release, Real(0), Real(0));
+    record(scene.stops[i].mass, EventKind::release, Real(0), Real(0));
   };
   const bool unsettled = !in_question.empty() || !fallen.empty();
   for (const auto &stuck_on : std::vector(state.stuck_on)) {
@@ -184,7 +184,7 @@ State initial_state(const Scene &scene, const Resolution &resolution, Run &run) 
     } else {
       state.stuck_on[p] = i;
       run.events.push_back(
-          {state.time, p, Event::Kind::stick, Real(0), Real(0), stuck_masses(state)});
+          {state.time, p, EventKind::stick, Real(0), Real(0), stuck_masses(state)});
     }
   }
   if (!in_question.empty()) decide(scene, state, in_question, run);

@@ -92,7 +92,7 @@ Count sticks_of(std::size_t mass) {
   return [mass](const Run &run) {
     return static_cast<std::size_t>(
         std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
-          return event.kind == Event::Kind::stick && event.mass == mass;
+          return event.kind == EventKind::stick && event.mass == mass;
         }));
   };
 }

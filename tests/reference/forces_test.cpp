@@ -45,19 +45,6 @@ Scene creeping() {
   return scene;
 }
 
-EventKind kind_of(vibro_impact_reference::Event::Kind kind) {
-  using enum vibro_impact_reference::Event::Kind;
-  switch (kind) {
-    case impact:
-      return EventKind::impact;
-    case stick:
-      return EventKind::stick;
-    case release:
-      return EventKind::release;
-  }
-  throw std::logic_error("no kind of event");
-}
-
 // 1e-12: some hundred roundings of a time of 40, passed on by the events before.
 TEST(Forces, OfCoupledMassesAgreeWith50Digits) {
   constexpr double until = 40.0;
@@ -66,7 +53,7 @@ TEST(Forces, OfCoupledMassesAgreeWith50Digits) {
     for (const auto &event :
          vibro_impact_reference::simulate(vibro_impact_reference::in_digits(scene, until)).events)
       truth.push_back(truth::event_at(static_cast<double>(event.time),
-                                      static_cast<int>(event.mass) + 1, kind_of(event.kind),
+                                      static_cast<int>(event.mass) + 1, event.kind,
                                       static_cast<double>(event.velocity_before)));
     const auto differences = truth::compare(
         vibro_impact::testing::events_of(scene, 0.0, until, {.limit_below_speed = 1e-4}), truth,

@@ -56,15 +56,21 @@ std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
         std::find_if(contacts.begin(), contacts.end(), [&](const StopContact &contact) {
           return contact.mass == event.mass && contact.to == infinity;
         });
-    if (event.kind == EventKind::impact) {
-      const auto kind = grazes(pressed) ? ContactKind::grazing : ContactKind::impact;
-      contacts.push_back({kind, event.mass, event.time, event.time});
-    } else if (event.kind == EventKind::release) {
-      if (phase != contacts.end()) phase->to = event.time;
-    } else if (phase == contacts.end()) {
-      contacts.push_back({ContactKind::sticking, event.mass, event.time, infinity});
-    } else {  // the mass came to stick at the first instant
-      phase->from = event.time;
+    switch (event.kind) {
+      case EventKind::impact: {
+        const auto kind = grazes(pressed) ? ContactKind::grazing : ContactKind::impact;
+        contacts.push_back({kind, event.mass, event.time, event.time});
+        break;
+      }
+      case EventKind::stick:
+        if (phase == contacts.end())
+          contacts.push_back({ContactKind::sticking, event.mass, event.time, infinity});
+        else  // the mass came to stick at the first instant
+          phase->from = event.time;
+        break;
+      case EventKind::release:
+        if (phase != contacts.end()) phase->to = event.time;
+        break;
     }
   }
   return contacts;

@@ -72,6 +72,18 @@ inline MotionState state_at(const Moment &moment, const Held &held) {
   return at;
 }
 
+// Replaces the velocities just after an event by those just before it. Only an impact changes one.
+inline void undo_jump(const Event &event, std::vector<double> &velocity) {
+  switch (event.kind) {
+    case EventKind::impact:
+      velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
+      break;
+    case EventKind::stick:
+    case EventKind::release:
+      break;
+  }
+}
+
 // The functions of pressing_force.hpp, of a scene, a stop and a state that have been checked.
 std::vector<double> acceleration_of(const Scene &scene, const MotionState &state);
 double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state);

@@ -125,10 +125,7 @@ class TangentRecorder : public Recorder {
     state_ = state_at(moment, held_);
     if (group_.empty()) velocity_before_ = state_.velocity;
     // The moment of the first impact of an instant has the velocities after all of them.
-    if (event.kind == EventKind::impact) {
-      const auto mass = static_cast<std::size_t>(event.mass - 1);
-      velocity_before_[mass] = event.velocity_before;
-    }
+    undo_jump(event, velocity_before_);
     group_.push_back(event);
   }
 
@@ -186,15 +183,23 @@ class TangentRecorder : public Recorder {
   void apply_group() {
     const Held after = group_.back().held;
     std::vector<Event> impacts;
-    bool sticks = false;
+    bool sticks = false, releases = false;
     for (const Event &event : group_) {
-      if (event.kind == EventKind::impact) impacts.push_back(event);
-      sticks = sticks || event.kind == EventKind::stick;
+      switch (event.kind) {
+        case EventKind::impact:
+          impacts.push_back(event);
+          break;
+        case EventKind::stick:
+          sticks = true;
+          break;
+        case EventKind::release:
+          releases = true;
+          break;
+      }
     }
-    const Event &first = group_.front();
-    if (group_.size() > 1 || first.kind == EventKind::release || first.stop != nodes_stop_)
-      nodes_.clear();
-    nodes_stop_ = first.stop;
+    const int stop = group_.front().stop;
+    if (group_.size() > 1 || releases || stop != nodes_stop_) nodes_.clear();
+    nodes_stop_ = stop;
     if (!impacts.empty())
       apply_impacts(impacts, after);
     else if (sticks)
