@@ -1,102 +1,64 @@
 #include "closed_form.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace vibro_impact_reference {
 
-Matrix stiffness_matrix(const Chain &chain) {
-  const std::size_t n = chain.masses.size();
+Matrix stiffness_matrix(const Scene &scene) {
+  const std::size_t n = scene.masses();
+  const Vector &link = scene[&Field::stiffness];
   Matrix k(n, Vector(n));
   for (std::size_t i = 0; i < n; ++i) {
-    k[i][i] += chain.stiffnesses[i] + chain.grounds[i];
+    k[i][i] += link[i] + scene[&Field::ground][i];
     if (i == 0) continue;
-    k[i - 1][i - 1] += chain.stiffnesses[i];
-    k[i - 1][i] -= chain.stiffnesses[i];
-    k[i][i - 1] -= chain.stiffnesses[i];
+    k[i - 1][i - 1] += link[i];
+    k[i - 1][i] -= link[i];
+    k[i][i - 1] -= link[i];
   }
   return k;
 }
 
-namespace {
-
-/// Cyclic Jacobi rotations, until what is off the diagonal is below rounding.
-Eigensystem jacobi_eigensystem(Matrix a) {
-  const std::size_t n = a.size();
-  Matrix v(n, Vector(n));
-  for (std::size_t i = 0; i < n; ++i) v[i][i] = 1;
-  const Real epsilon = std::numeric_limits<Real>::epsilon();
-  for (int sweep = 0; sweep < 100; ++sweep) {
-    bool diagonal = true;
-    for (std::size_t p = 0; p + 1 < n; ++p) {
-      for (std::size_t q = p + 1; q < n; ++q) {
-        if (abs(a[p][q]) <= epsilon * epsilon * (abs(a[p][p]) + abs(a[q][q]))) continue;
-        diagonal = false;
-        const Real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const Real t = (theta < 0 ? -1 : 1) / (abs(theta) + sqrt(theta * theta + 1));
-        const Real c = 1 / sqrt(t * t + 1);
-        const Real s = t * c;
-        for (std::size_t i = 0; i < n; ++i) {
-          const Real aip = a[i][p];
-          const Real aiq = a[i][q];
-          a[i][p] = c * aip - s * aiq;
-          a[i][q] = s * aip + c * aiq;
-        }
-        for (std::size_t i = 0; i < n; ++i) {
-          const Real api = a[p][i];
-          const Real aqi = a[q][i];
-          a[p][i] = c * api - s * aqi;
-          a[q][i] = s * api + c * aqi;
-          const Real vip = v[i][p];
-          const Real viq = v[i][q];
-          v[i][p] = c * vip - s * viq;
-          v[i][q] = s * vip + c * viq;
-        }
-        a[p][q] = 0;
-        a[q][p] = 0;
-      }
-    }
-    if (diagonal) break;
+Eigensystem free_eigensystem(const Scene &scene, const Matrix &k,
+                             const std::vector<std::size_t> &free) {
+  // Eigen takes numbers without expression templates.
+  using Digits = boost::multiprecision::number<Real::backend_type, boost::multiprecision::et_off>;
+  const Vector &m = scene[&Field::mass];
+  const auto size = static_cast<Eigen::Index>(free.size());
+  const auto row = [&free](Eigen::Index i) { return free[static_cast<std::size_t>(i)]; };
+  Eigen::Matrix<Digits, Eigen::Dynamic, Eigen::Dynamic> scaled(size, size);
+  for (Eigen::Index i = 0; i < size; ++i)
+    for (Eigen::Index j = 0; j < size; ++j)
+      scaled(i, j) = Digits(k[row(i)][row(j)] / sqrt(m[row(i)] * m[row(j)]));
+  Eigensystem result{Vector(free.size()), Matrix(free.size(), Vector(free.size()))};
+  if (size == 0) return result;
+  const Eigen::SelfAdjointEigenSolver<decltype(scaled)> solver(scaled);
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    result.values[j] = solver.eigenvalues()(column);
+    for (std::size_t i = 0; i < free.size(); ++i)
+      result.vectors[i][j] =
+          Real(solver.eigenvectors()(static_cast<Eigen::Index>(i), column)) / sqrt(m[free[i]]);
   }
-  Eigensystem result{Vector(n), std::move(v)};
-  for (std::size_t i = 0; i < n; ++i) result.values[i] = a[i][i];
   return result;
 }
 
-}  // namespace
-
-Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
-                             const std::vector<std::size_t> &free) {
-  const std::size_t size = free.size();
-  Matrix scaled(size, Vector(size));
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = 0; j < size; ++j) {
-      scaled[i][j] = k[free[i]][free[j]] / sqrt(chain.masses[free[i]] * chain.masses[free[j]]);
-    }
-  }
-  Eigensystem eigen = jacobi_eigensystem(std::move(scaled));
-  for (std::size_t i = 0; i < size; ++i) {
-    for (Real &entry : eigen.vectors[i]) entry /= sqrt(chain.masses[free[i]]);
-  }
-  return eigen;
-}
-
-Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector &v,
+Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector &v,
                const std::vector<bool> &resting, Eigensystems &known) {
-  const std::size_t n = chain.masses.size();
-  Flow flow{t, chain.frequency, x, {}, {}, {}};
+  const std::size_t n = scene.masses();
+  Flow flow{t, scene[&Field::omega], x, {}, {}, {}};
   for (std::size_t p = 0; p < n; ++p) {
     if (!resting[p]) flow.free.push_back(p);
   }
   const std::size_t size = flow.free.size();
-  const Matrix k = stiffness_matrix(chain);
+  const Matrix k = stiffness_matrix(scene);
 
   // The resting neighbours act as the constant load -K_FS s_S, in addition to the constant forces.
   Vector load(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t p = flow.free[i];
-    load[i] = chain.constants[p];
+    load[i] = scene[&Field::constant][p];
     for (std::size_t s = 0; s < n; ++s) {
       if (resting[s]) load[i] -= k[p][s] * x[s];
     }
@@ -104,17 +66,17 @@ Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector 
   flow.eigen = known[resting];
   if (!flow.eigen)
     known[resting] = flow.eigen =
-        std::make_shared<Eigensystem>(free_eigensystem(chain, k, flow.free));
+        std::make_shared<Eigensystem>(free_eigensystem(scene, k, flow.free));
   const Matrix &shapes = flow.eigen->vectors;
 
-  const Real phase = chain.frequency * t;
+  const Real phase = scene[&Field::omega] * t;
   const Real cosine = cos(phase);
   const Real sine = sin(phase);
   const Real critical = Real("1e-40");
   for (std::size_t j = 0; j < size; ++j) {
     Mode mode;
     mode.lambda = flow.eigen->values[j];
-    mode.decay = chain.damping_ratio * mode.lambda / 2;
+    mode.decay = scene[&Field::beta] * mode.lambda / 2;
     const Real discriminant = mode.lambda - mode.decay * mode.decay;
     // Within 1e-40 of critical the two forms differ from the critical one by less than the working
     // precision.
@@ -125,13 +87,13 @@ Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector 
     Real q, dq, constant;
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t p = flow.free[i];
-      mode.forcing += shapes[i][j] * chain.amplitudes[p];
-      mode.sine_forcing += shapes[i][j] * chain.sines[p];
+      mode.forcing += shapes[i][j] * scene[&Field::amplitude][p];
+      mode.sine_forcing += shapes[i][j] * scene[&Field::sine][p];
       constant += shapes[i][j] * load[i];
-      q += shapes[i][j] * chain.masses[p] * x[p];
-      dq += shapes[i][j] * chain.masses[p] * v[p];
+      q += shapes[i][j] * scene[&Field::mass][p] * x[p];
+      dq += shapes[i][j] * scene[&Field::mass][p] * v[p];
     }
-    const Real omega = chain.frequency;
+    const Real omega = scene[&Field::omega];
     const Real detuning = mode.lambda - omega * omega;
     const Real drag = 2 * mode.decay * omega;
     const Real denominator = detuning * detuning + drag * drag;

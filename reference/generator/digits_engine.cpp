@@ -27,12 +27,9 @@ const Run &DigitsEngine::run(const NamedScene &asked) {
 
 std::vector<numbers::Occurrence<Real>> DigitsEngine::events(const NamedScene &asked) {
   std::vector<numbers::Occurrence<Real>> events;
-  const Scene scene = in_digits(asked.scene, asked.until);
-  for (const Event &event : run(asked).events) {
-    const bool ends_a_chatter = event.kind == EventKind::stick && event.pressing > 0;
-    events.push_back({ends_a_chatter ? completion(scene, event) : event.time, event.kind,
-                      static_cast<int>(event.mass) + 1, contact_mode(event.stuck)});
-  }
+  for (const Event &event : run(asked).events)
+    events.push_back({event.time + event.left_out, event.kind, static_cast<int>(event.mass) + 1,
+                      contact_mode(event.stuck)});
   return events;
 }
 

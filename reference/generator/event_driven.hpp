@@ -41,7 +41,10 @@ struct Event {
   Real velocity_before;
   Real velocity_after;
   std::vector<bool> stuck;  // per mass, after the event
-  Real pressing = 0;        // of a stick that ends a chatter: the force into the stop
+  // Of a stick that ends a chatter: the duration of the flights that are left out, 2 v / a (1 + r +
+  // r^2 + ...), up to the relative change of the acceleration a over them, which is as small as
+  // they are.
+  Real left_out = 0;
 };
 
 /// A piece of smooth motion, and how many events came before it.
@@ -57,11 +60,6 @@ struct Run {
   std::vector<Piece> pieces = {};
   Eigensystems known = {};
 };
-
-/// When the chatter that ends in this stick is complete, with the flights that the generator leaves
-/// out: they last 2 v / a (1 + r + r^2 + ...), up to the relative change of the acceleration
-/// a over them, which is as small as they are.
-Real completion(const Scene &scene, const Event &stick);
 
 /// The next events along a flow: the time since its start and the stops concerned (several if at
 /// the same instant).
