@@ -32,10 +32,8 @@ inline Table displacements(const Scene &scene, const paper::AxisBox &box, double
 
 // The impacts across the window of a panel: when, of which mass, and how fast.
 inline Table impacts(const Scene &scene, const paper::AxisBox &box) {
-  EventRecorder recorder{box.from};
-  require_complete(simulate(scene, box.to, all_visible_chatter, recorder));
   Table table("t,mass,speed");
-  for (const Event &event : recorder.events)
+  for (const Event &event : events_of(scene, box.from, box.to, all_visible_chatter))
     if (event.kind == EventKind::impact)
       table.row(event.time, event.mass, std::abs(event.velocity_before));
   return table;

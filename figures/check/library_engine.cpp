@@ -35,7 +35,7 @@ Scene at_frequency(Scene scene, double omega) {
 
 std::vector<numbers::Occurrence<double>> LibraryEngine::events(const paper::NamedScene &run) {
   std::vector<numbers::Occurrence<double>> events;
-  for (const Event &event : events_of(run.scene, run.until))
+  for (const Event &event : events_of(run.scene, 0.0, run.until))
     events.push_back({event.time, event.kind, event.mass, contact_mode_name(event.held)});
   return events;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "figures/quantities.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 
 namespace vibro_impact::others {
@@ -66,11 +67,9 @@ namespace {
 // resolved.
 Event event_of(const Scene &scene, double until, EventKind kind, double count = 1.0,
                bool every_impact = false) {
-  EventRecorder recorder;
   RunOptions options;
   if (every_impact) options.limit_below_speed = 0.0;
-  require_complete(simulate(scene, until, options, recorder));
-  for (const Event &event : recorder.events)
+  for (const Event &event : figures::events_of(scene, 0.0, until, options))
     if (event.kind == kind && --count == 0.0) return event;
   throw std::runtime_error("the run has no such event");
 }

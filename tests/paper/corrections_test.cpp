@@ -174,7 +174,7 @@ TEST(Corrections, DualStickingInFigure5cDependsOnTheInferredStops) {
   EXPECT_EQ(press_on_second(paper::figure5c()), 0.0);
   Scene scene = paper::figure5c();
   scene.stops[1].position = 0.2999;
-  EXPECT_GT(figures::dual_sticks(scene, 1000.0), 0.0);
+  EXPECT_GT(figures::dual_sticks(scene, 0.0, 1000.0), 0.0);
 }
 
 // Half a period of the damped mass on its own spring, zeta = 0.05, and the decay over it; 1e-12 is

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "motion_state.hpp"
@@ -83,12 +84,25 @@ bool sticks_at(int mass, double time, const std::vector<StopContact> &contacts) 
   });
 }
 
+// The two kinds are in the order of the enumeration.
 EventPair kind_of(ContactKind first, ContactKind second) {
-  using enum EventPair;
-  constexpr EventPair kinds[3][3] = {{dual_grazing, grazing_sticking, grazing_impact},
-                                     {grazing_sticking, dual_sticking, sticking_impact},
-                                     {grazing_impact, sticking_impact, double_impact}};
-  return kinds[static_cast<std::size_t>(first)][static_cast<std::size_t>(second)];
+  switch (first) {
+    case ContactKind::grazing:
+      switch (second) {
+        case ContactKind::grazing:
+          return EventPair::dual_grazing;
+        case ContactKind::sticking:
+          return EventPair::grazing_sticking;
+        case ContactKind::impact:
+          return EventPair::grazing_impact;
+      }
+      break;
+    case ContactKind::sticking:
+      return second == first ? EventPair::dual_sticking : EventPair::sticking_impact;
+    case ContactKind::impact:
+      return EventPair::double_impact;
+  }
+  throw std::logic_error("contact: its kind is unknown");
 }
 
 // The pair of two contacts of different masses. Returns nullopt if they do not coincide, and for

@@ -238,7 +238,6 @@ void require_fits(const Scene &scene, const Event &event) {
 
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held) {
-  check(scene);
   require(periods >= 1, "periods = ", periods, ": must be positive");
   require_held(scene, held);
   for (const Event &event : events) require_fits(scene, event);
