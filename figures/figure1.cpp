@@ -59,7 +59,7 @@ void draw(const std::filesystem::path &output) {
   for (std::size_t i = 0; i < samples.times.size(); ++i) {
     const double time = samples.times[i];
     if (i % 3 == 0 || near_an_impact(time, recorder.events))
-      motion.row(time, samples.displacements[2 * i], samples.displacements[2 * i + 1],
+      motion.row(time, figures::displacement(samples, i, 1), figures::displacement(samples, i, 2),
                  action_of(1, time, recorder.events), action_of(2, time, recorder.events));
   }
   write(motion, output / "figure1_motion.csv");

@@ -19,7 +19,7 @@ inline const RunOptions all_visible_chatter{.limit_below_speed = paper::slowest_
 inline Table displacement_table(const SampleRecorder &samples) {
   Table table("t,x1,x2");
   for (std::size_t i = 0; i < samples.times.size(); ++i)
-    table.row(samples.times[i], samples.displacements[2 * i], samples.displacements[2 * i + 1]);
+    table.row(samples.times[i], displacement(samples, i, 1), displacement(samples, i, 2));
   return table;
 }
 

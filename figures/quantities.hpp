@@ -28,11 +28,15 @@ struct Range {
   }
 };
 
-// The displacements of the given mass, or of both (0).
-inline Range range_of(const SampleRecorder &samples, int mass = 0) {
+// The displacement of one of two masses at a sample.
+inline double displacement(const SampleRecorder &samples, std::size_t sample, int mass) {
+  return samples.displacements[2 * sample + static_cast<std::size_t>(mass - 1)];
+}
+
+inline Range range_of(const SampleRecorder &samples, int mass) {
   Range range;
-  for (std::size_t i = 0; i < samples.displacements.size(); ++i)
-    if (mass == 0 || static_cast<int>(i % 2) == mass - 1) range.include(samples.displacements[i]);
+  for (std::size_t i = 0; i < samples.times.size(); ++i)
+    range.include(displacement(samples, i, mass));
   return range;
 }
 

@@ -1,8 +1,8 @@
 #include "closed_form.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace vibro_impact_reference {
 
@@ -20,28 +20,68 @@ Matrix stiffness_matrix(const Scene &scene) {
   return k;
 }
 
+namespace {
+
+/// Cyclic Jacobi rotations, until what is off the diagonal is below rounding.
+Eigensystem jacobi_eigensystem(Matrix a) {
+  const std::size_t n = a.size();
+  Matrix v(n, Vector(n));
+  for (std::size_t i = 0; i < n; ++i) v[i][i] = 1;
+  const Real epsilon = std::numeric_limits<Real>::epsilon();
+  for (int sweep = 0; sweep < 100; ++sweep) {
+    bool diagonal = true;
+    for (std::size_t p = 0; p + 1 < n; ++p) {
+      for (std::size_t q = p + 1; q < n; ++q) {
+        if (abs(a[p][q]) <= epsilon * epsilon * (abs(a[p][p]) + abs(a[q][q]))) continue;
+        diagonal = false;
+        const Real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+        const Real t = (theta < 0 ? -1 : 1) / (abs(theta) + sqrt(theta * theta + 1));
+        const Real c = 1 / sqrt(t * t + 1);
+        const Real s = t * c;
+        for (std::size_t i = 0; i < n; ++i) {
+          const Real aip = a[i][p];
+          const Real aiq = a[i][q];
+          a[i][p] = c * aip - s * aiq;
+          a[i][q] = s * aip + c * aiq;
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+          const Real api = a[p][i];
+          const Real aqi = a[q][i];
+          a[p][i] = c * api - s * aqi;
+          a[q][i] = s * api + c * aqi;
+          const Real vip = v[i][p];
+          const Real viq = v[i][q];
+          v[i][p] = c * vip - s * viq;
+          v[i][q] = s * vip + c * viq;
+        }
+        a[p][q] = 0;
+        a[q][p] = 0;
+      }
+    }
+    if (diagonal) break;
+  }
+  Eigensystem result{Vector(n), std::move(v)};
+  for (std::size_t i = 0; i < n; ++i) result.values[i] = a[i][i];
+  return result;
+}
+
+}  // namespace
+
 Eigensystem free_eigensystem(const Scene &scene, const Matrix &k,
                              const std::vector<std::size_t> &free) {
-  // Eigen takes numbers without expression templates.
-  using Digits = boost::multiprecision::number<Real::backend_type, boost::multiprecision::et_off>;
   const Vector &m = scene[&Field::mass];
-  const auto size = static_cast<Eigen::Index>(free.size());
-  const auto row = [&free](Eigen::Index i) { return free[static_cast<std::size_t>(i)]; };
-  Eigen::Matrix<Digits, Eigen::Dynamic, Eigen::Dynamic> scaled(size, size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    for (Eigen::Index j = 0; j < size; ++j)
-      scaled(i, j) = Digits(k[row(i)][row(j)] / sqrt(m[row(i)] * m[row(j)]));
-  Eigensystem result{Vector(free.size()), Matrix(free.size(), Vector(free.size()))};
-  if (size == 0) return result;
-  const Eigen::SelfAdjointEigenSolver<decltype(scaled)> solver(scaled);
-  for (std::size_t j = 0; j < free.size(); ++j) {
-    const auto column = static_cast<Eigen::Index>(j);
-    result.values[j] = solver.eigenvalues()(column);
-    for (std::size_t i = 0; i < free.size(); ++i)
-      result.vectors[i][j] =
-          Real(solver.eigenvectors()(static_cast<Eigen::Index>(i), column)) / sqrt(m[free[i]]);
+  const std::size_t size = free.size();
+  Matrix scaled(size, Vector(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      scaled[i][j] = k[free[i]][free[j]] / sqrt(m[free[i]] * m[free[j]]);
+    }
   }
-  return result;
+  Eigensystem eigen = jacobi_eigensystem(std::move(scaled));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (Real &entry : eigen.vectors[i]) entry /= sqrt(m[free[i]]);
+  }
+  return eigen;
 }
 
 Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector &v,

@@ -14,7 +14,7 @@ namespace vibro_impact_reference {
 /// The stiffness matrix K of Eq. 3 for the whole chain.
 Matrix stiffness_matrix(const Scene &scene);
 
-/// Eigenvalues in ascending order and, as columns, eigenvectors.
+/// Eigenvalues, in no order, and, as columns, eigenvectors.
 struct Eigensystem {
   Vector values;
   Matrix vectors;

@@ -4,6 +4,8 @@
 #include "frequencies.hpp"
 #include "turning_points.hpp"
 
+#include <stdexcept>
+
 namespace vibro_impact_reference {
 
 namespace {
@@ -61,9 +63,14 @@ Real DigitsEngine::changing_frequency(const vibro_impact::Scene &scene, int mass
   const Scene digits = in_digits(scene, 0.0);
   const Bracket bracket{Real(near), Real(far)};
   const Count sticks = sticks_of(index(mass));
-  return motion == numbers::Motion::from_rest
-             ? jumping_frequency(digits, bracket, settling_of_a_jump, sticks)
-             : vibro_impact_reference::changing_frequency(digits, bracket, sticks);
+  switch (motion) {
+    case numbers::Motion::from_rest:
+      return jumping_frequency(digits, bracket, settling_of_a_jump, sticks);
+    case numbers::Motion::settled:
+    case numbers::Motion::followed:
+      return vibro_impact_reference::changing_frequency(digits, bracket, sticks);
+  }
+  throw std::logic_error("motion: its kind is unknown");
 }
 
 Real DigitsEngine::grazing_frequency(vibro_impact::Scene scene, int mass, double near, double far) {

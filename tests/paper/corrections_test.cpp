@@ -112,7 +112,7 @@ struct Releases : Recorder {
   explicit Releases(double omega_of_forcing) : omega(omega_of_forcing) {
   }
   void event(const Event &event, const Moment &moment) override {
-    if (event.kind != EventKind::release || event.by_a_jump || event.mass > 2) return;
+    if (event.kind != EventKind::release || event.by_a_jump) return;
     const double x1 = moment.displacement(1), x2 = moment.displacement(2), v1 = moment.velocity(1),
                  v2 = moment.velocity(2);
     values.push_back({static_cast<double>(event.mass),
