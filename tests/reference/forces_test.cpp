@@ -26,7 +26,7 @@ Scene three_masses() {
           .ground = {0.0, 0.4, 0.2},
           .omega = 0.6,
           .restitution = 0.5,
-          .stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.3, 0.8}, {3, Side::upper, 0.35}}};
+          .stops = {{1, Side::lower, -0.3}, {2, Side::upper, 0.3, 0.3}, {3, Side::upper, 0.35}}};
 }
 
 Scene two_masses() {
