@@ -43,8 +43,8 @@ reference::Real end_of_chatter(const char *speed) {
   return 0;
 }
 
-// The flights that are left out below a speed of 1e-18 last as long. Of such a speed some ten digits
-// are known (event_driven.hpp).
+// The flights that are left out below a speed of 1e-18 last as long. Of such a speed some ten
+// digits are known (event_driven.hpp).
 TEST(Generator, KnowsTheTimeOfTheFlightsThatItLeavesOut) {
   const reference::Real sooner = end_of_chatter("1e-18"), later = end_of_chatter("1e-20");
   EXPECT_GT(later, 0);
