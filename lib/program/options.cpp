@@ -61,7 +61,7 @@ constexpr double most_numbers = 5e7;  // in a table of samples, which then has a
 
 // With the default bound a run, or a point of a sweep, ends within some ten seconds, or two. A step
 // takes 2 microseconds with two masses and 22 with a hundred.
-constexpr long long steps_of_run = 5'000'000, steps_of_point = 1'000'000, least_steps = 20'000;
+constexpr long long steps_of_run = 3'000'000, steps_of_point = 1'000'000, least_steps = 20'000;
 
 long long default_steps(long long steps_of_two, int masses) {
   return std::max(steps_of_two * 2 / std::max(masses, 2), least_steps);

@@ -152,6 +152,63 @@ TEST(AtRest, AReleaseBesideAMassWhoseBouncesHaveDiedDownGoesOn) {
   EXPECT_NEAR(releases.back().time, 126.449104306989186, 3e-14 * 126.0);
 }
 
+// Masses 1 and 2 are released when mass 3, which no force acts on, has just hit its stop at 1e-229.
+// The acceleration of mass 3 is then a sum of those of the modes, zero but for rounding, which must
+// not bring it back.
+TEST(AtRest, AMassWhoseBouncesHaveDiedDownLeavesWithTheOthers) {
+  const Scene scene{.mass = {1.0, 1.0, 1.0},
+                    .stiffness = {0.004, 2.7, 2.7},
+                    .amplitude = {0.9, 0.3, 0.0},
+                    .omega = std::sqrt(2.7) / 40.0,
+                    .restitution = 1e-12,
+                    .stops = {{1, Side::upper, 0.0}, {2, Side::upper, 0.0}, {3, Side::upper, 0.0}},
+                    .velocity = {0.0, 0.0, -0.17}};
+  EventRecorder events;
+  const Outcome outcome = require_complete(simulate(scene, 39.0, events));
+  EXPECT_EQ(outcome.counters.releases, 2);
+  EXPECT_LT(outcome.counters.impacts, 30);
+}
+
+// A mass pressed onto its stop, and hit beside a stiff link, in units of length of 2^-540, 1 and
+// 2^540: the events are the same to the last bit.
+TEST(AtRest, AUnitOfLengthWhoseSquareIsNoDoubleChangesNothing) {
+  std::vector<Event> events[3];
+  for (const int k : {-1, 0, 1}) {
+    const double length = std::ldexp(1.0, 540 * k);
+    const Scene scene{.mass = {1.0, 1.0, 1.0},
+                      .stiffness = {1.0, 1.0, 1e6},
+                      .constant = {length, 0.0, 0.0},
+                      .restitution = 0.5,
+                      .stops = {{1, Side::upper, 0.0}},
+                      .velocity = {0.0, -length, -2.0 * length}};
+    events[k + 1] = events_of(scene, 0.0, 20.0);
+    for (Event &event : events[k + 1]) {
+      event.velocity_before /= length;
+      event.velocity_after /= length;
+    }
+  }
+  EXPECT_GE(events[1].size(), 5u);
+  EXPECT_TRUE(events[0] == events[1]);
+  EXPECT_TRUE(events[2] == events[1]);
+}
+
+// All 100 masses are at rest on their stops but the first, which moves away. The decision about the
+// others takes 200 orders, ten steps.
+TEST(AtRest, DecisionsCountAsSteps) {
+  Scene scene;
+  scene.mass.assign(100, 1.0);
+  scene.stiffness.assign(100, 1.0);
+  scene.velocity.assign(100, 0.0);
+  scene.velocity[0] = -1.0;
+  for (int mass = 2; mass <= 100; ++mass) scene.stops.push_back({mass, Side::upper, 0.0});
+  RunOptions options;
+  options.max_steps = 8;
+  const Outcome outcome = simulate(scene, 10.0, options);
+  EXPECT_EQ(outcome.ending, Ending::given_up);
+  EXPECT_EQ(outcome.counters.expansions, 1);
+  EXPECT_GE(outcome.counters.rest_orders, 160);
+}
+
 // Six masses, untied, at rest on stops at 0 and -0.2, r = 0.
 TEST(AtRest, ADegenerateChainComesToItsEnd) {
   const Scene scene = degenerate_scene(309);

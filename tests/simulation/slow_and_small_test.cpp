@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -82,6 +83,30 @@ TEST(RigidBodyMode, IsExactInStepsBesideAStop) {
   EXPECT_EQ(outcome.counters.impacts, 0);
   const double x = (outcome.state.displacement[0] + outcome.state.displacement[1]) / 2.0;
   EXPECT_NEAR(x, 1.0 - std::cos(0.5 * outcome.state.instant.phase), 1e-12);
+}
+
+// A strongly damped mode of which both decays are 1e4 times slower than the forcing, which is 1e10
+// times the spring force. The times differ by 1e-14, some fifty roundings.
+TEST(StrongDamping, SlowerThanTheForcingCancelsNoDigits) {
+  Scene scene = scene_of({1.0, 1.0, 1e10, 1e5});
+  scene.beta = 4.0;
+  const long double omega = 1e5L, slow = 2.0L - std::sqrt(3.0L), fast = 2.0L + std::sqrt(3.0L);
+  const std::complex<long double> steady =
+      1e10L / std::complex<long double>(1.0L - omega * omega, 4.0L * omega);
+  const std::complex<long double> speed = steady * std::complex<long double>(0.0L, omega);
+  for (const double hit : {1.5e-7, 2e-6, 1e-5}) {
+    // From rest, x = S + a e^(-slow t) + b e^(-fast t).
+    const long double a = (-speed.real() - fast * steady.real()) / (fast - slow),
+                      b = (speed.real() + slow * steady.real()) / (fast - slow);
+    const long double x = (steady * (std::polar(1.0L, omega * hit) - 1.0L)).real() +
+                          a * std::expm1(-slow * static_cast<long double>(hit)) +
+                          b * std::expm1(-fast * static_cast<long double>(hit));
+    scene.stops[0].position = static_cast<double>(x);
+    EventRecorder events;
+    require_complete(simulate(scene, 1.1 * hit, events));
+    ASSERT_FALSE(events.events.empty()) << hit;
+    EXPECT_NEAR(events.events[0].time, hit, 1e-14 * hit);
+  }
 }
 
 // A mode far slower than its forcing, in 1e4 forcing periods of steps beside a stop. Sums over
@@ -178,6 +203,23 @@ TEST(SmallMotion, KeepsShortFlightsApart) {
   ASSERT_EQ(events.events.size(), 2u);
   EXPECT_DOUBLE_EQ(events.events[0].time, 1e-15);
   EXPECT_NEAR(events.events[1].time, 1e-15 / 0.7, 1e-29);  // ten roundings
+}
+
+// Gaps of 1e-20 beside a mass that is displaced by one: the rounding of a common displacement would
+// close or widen either by 1e-17. Twice the precision of the displacement leaves 1e-32.
+TEST(SmallMotion, KeepsTwoSmallGaps) {
+  Scene scene;
+  scene.mass = {1.0, 1.3, 0.7};
+  scene.stiffness = {1.0, 0.3, 2.1};
+  scene.restitution = 0.5;
+  scene.stops = {{2, Side::upper, 1e-20}, {3, Side::upper, 3e-20}};
+  scene.displacement = {1.0, 0.0, 0.0};
+  scene.velocity = {0.0, 1.0, 0.7};
+  EventRecorder events;
+  require_complete(simulate(scene, 1e-19, events));
+  ASSERT_EQ(events.events.size(), 2u);
+  EXPECT_NEAR(events.events[0].time, 1e-20, 1e-31);
+  EXPECT_NEAR(events.events[1].time, 3e-20 / 0.7, 4e-31);
 }
 
 // An undamped stiff mode takes two radians a step at most. A damped one dies out.

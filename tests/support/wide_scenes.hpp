@@ -53,11 +53,14 @@ inline Trial stiff_release(unsigned seed) {
 
 // Twelve to 28 equal masses at rest, of which the first is forced. The last one has a stop where it
 // rests, and its force there has no low derivative. One link may be soft or stiff. The run lasts
-// until the wave has reached the end of the chain.
+// until the wave has reached the end of the chain. One of twelve chains has 36 to 40 masses and a
+// damped link of 1e9: derivatives of the last force, in units of the fastest rate, are below
+// 1e-308.
 inline Trial long_chain_at_rest(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 12 + static_cast<int>(draw.below(17));
+  const bool longest = draw.one_in(12);
+  const int masses = static_cast<int>(longest ? 36 + draw.below(5) : 12 + draw.below(17));
   const auto n = static_cast<std::size_t>(masses);
   scene.mass.assign(n, 1.0);
   scene.stiffness.assign(n, 1.0);
@@ -65,9 +68,9 @@ inline Trial long_chain_at_rest(unsigned seed) {
   scene.velocity.assign(n, 0.0);
   scene.amplitude[0] = draw.one_in(2) ? 1.0 : -1.0;
   if (draw.one_in(2)) scene.velocity[0] = draw.one_in(2) ? 1e-6 : -1e-6;
-  if (draw.one_in(3))
-    scene.stiffness[draw.below(static_cast<unsigned>(n))] = draw.spread(1e-9, 1e9);
-  scene.beta = draw.one_in(2) ? 0.0 : 0.1;
+  if (longest || draw.one_in(3))
+    scene.stiffness[draw.below(static_cast<unsigned>(n))] = longest ? 1e9 : draw.spread(1e-9, 1e9);
+  scene.beta = longest || draw.one_in(2) ? 0.1 : 0.0;
   scene.omega = draw.uniform(0.5, 1.5);
   const double restitutions[] = {0.0, 0.3, 0.7};
   scene.restitution = restitutions[draw.below(3)];
@@ -158,6 +161,27 @@ inline Trial standing_chain(unsigned seed) {
   scene.omega = 0.0;
   scene.restitution = 0.5;
   return {scene, draw.spread(1e3, 1e8)};
+}
+
+// Two to ten masses on damped links of which most are soft or stiff, anything from 1e-12 to 1e12,
+// with stops close by, for three periods. The masses of a stiff part move along with one another,
+// far from their rest positions.
+inline Trial any_links(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = 2 + static_cast<int>(draw.below(9));
+  for (int i = 1; i <= masses; ++i) {
+    scene.mass.push_back(draw.uniform(0.5, 2.0));
+    scene.stiffness.push_back(draw.one_in(3) ? draw.uniform(0.5, 2.0) : draw.spread(1e-12, 1e12));
+    scene.amplitude.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0));
+    if (draw.one_in(2)) scene.stops.push_back({i, Side::upper, draw.spread(1e-3, 0.3)});
+    if (draw.one_in(4)) scene.stops.push_back({i, Side::lower, -draw.spread(1e-3, 0.3)});
+  }
+  scene.beta = draw.spread(1e-4, 1.0);
+  scene.omega = draw.spread(0.1, 1.0);
+  const double restitutions[] = {0.0, 0.3, 0.5, 0.7, 0.9};
+  scene.restitution = restitutions[draw.below(5)];
+  return {scene, 3.0 * 2.0 * std::acos(-1.0) / scene.omega, {}, true};
 }
 
 // An ordinary scene with a forcing of any frequency that still moves it.

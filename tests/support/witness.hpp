@@ -34,6 +34,7 @@ class Witness : public Recorder {
       : scene_(of), radians_(radians), since_(start.instant), held_(start.held) {
     held_.resize(of.mass.size(), 0);
     flown_ = state_of_run_ = motion_of(start);
+    clock_change_ = {0 * flown_.x, 0 * flown_.v};
     greatest_ = energy(state_of_run_);
   }
 
@@ -41,7 +42,7 @@ class Witness : public Recorder {
     fly_to(event.instant);
     const auto i = static_cast<Eigen::Index>(event.mass - 1);
     const Stop &stop = stop_of(scene_, event);
-    const Real off = flown_.v(i) - event.velocity_before;
+    const Real off = beyond(flown_.v(i) - event.velocity_before, clock_change_.v(i));
     switch (event.kind) {
       case EventKind::impact:
         note(off_the_stop, std::abs(gap(stop, flown_)));
@@ -109,13 +110,19 @@ class Witness : public Recorder {
   Held held_;
   Motion flown_;         // the end of the latest flight, with the events recorded since
   Motion state_of_run_;  // the state of the run at the latest event
-  // The change of each hold force in the last rounding of the clock before the end of the latest
-  // flight. Beside a link of 1e9 it may be larger than the force that the links carry.
+  // The change of the motion, and of each hold force, in the last rounding of the clock before the
+  // end of the latest flight. Beside a link of 1e9 the force may be larger than what the links
+  // carry, and its damper may change a speed by 1e-7.
+  Motion clock_change_;
   std::vector<Real> clock_rounding_ = std::vector<Real>(scene_.stops.size());
   Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
 
   static void note(Real &worst, Real value) {
     if (!(value <= worst)) worst = std::isnan(value) ? INFINITY : value;
+  }
+  // How far a difference goes beyond the roundings of both ends of a flight.
+  static Real beyond(Real difference, Real rounding) {
+    return std::max<Real>(0, std::abs(difference) - 2 * std::abs(rounding));
   }
   static Motion motion_of(const MotionState &state) {
     const auto real = [](const std::vector<double> &values) -> RealVector {
@@ -160,7 +167,10 @@ class Witness : public Recorder {
   }
 
   void compare() {
-    note(apart_, energy({state_of_run_.x - flown_.x, state_of_run_.v - flown_.v}));
+    const Real off =
+        beyond(std::sqrt(energy({state_of_run_.x - flown_.x, state_of_run_.v - flown_.v})),
+               std::sqrt(energy(clock_change_)));
+    note(apart_, off * off);
   }
 
   // The flight from the latest recorded state.
@@ -216,6 +226,9 @@ class Witness : public Recorder {
     const Flight flight = take_off(t);
     const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const Real before = std::max<Real>(0, t - epsilon * std::max(since_.phase, next.phase));
+    const Motion at_end = flight.after(t), just_before = flight.after(before);
+    clock_change_ = {at_end.x - just_before.x, at_end.v - just_before.v};
     const auto watched = [&](std::size_t k, const Motion &at, Real s) {
       const Stop &stop = scene_.stops[k];
       return held_at(stop) ? press(stop, at, since_.phase + s) : gap(stop, at);
@@ -232,10 +245,8 @@ class Witness : public Recorder {
         auto &[first, second, third] = last[k];
         first = second, second = third, third = watched(k, flown_, s);
         Real &rounding = clock_rounding_[k] = 0;
-        if (n == steps && held_at(scene_.stops[k])) {
-          const Real before = std::max<Real>(0, t - epsilon * std::max(since_.phase, next.phase));
-          rounding = std::abs(third - watched(k, flight.after(before), before));
-        }
+        if (n == steps && held_at(scene_.stops[k]))
+          rounding = std::abs(third - watched(k, just_before, before));
         note(worst, -third - rounding);
         const Real bend = first - 2 * second + third;
         if (n < 2 || !(second <= first && second <= third && second < bend)) continue;

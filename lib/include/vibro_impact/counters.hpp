@@ -14,6 +14,7 @@ struct Counters {
   long long impacts = 0;             // impacts resolved one by one
   long long sticks = 0;              // masses that came to stick
   long long releases = 0;            // masses released
+  long long rest_orders = 0;         // orders of forces computed to decide who sticks
   long long chatter_nodes = 0;       // impacts entered into a chatter table
   long long chatter_limits = 0;      // complete chatters that ended at their limit
   long long chatter_incomplete = 0;  // five or more falling impacts at a stop that ended in flight

@@ -28,7 +28,8 @@ struct RunOptions {
   // to below 1. The order of the series follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
   // A run is given up after this many steps in one call of `advance`. Every impact ends a step, so
-  // that this number bounds the impacts, too. An undamped mode of frequency w takes at least w/2
+  // that this number bounds the impacts, too. Twenty orders of decisions who sticks are as much work
+  // as a step, and count as one. An undamped mode of frequency w takes at least w/2
   // steps per unit of time while an impact is near.
   long long max_steps = 10'000'000;
 };

@@ -16,9 +16,14 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-// A mode of which the two decays are well apart: damping ratio beta sqrt(lambda) / 2 (Eq. 7).
-bool strongly_damped(double beta, double lambda) {
-  return beta * beta * lambda > 4.0 * strong_damping * strong_damping;
+// A mode of which the two decays are well apart, with the damping ratio beta sqrt(lambda) / 2 (Eq.
+// 7), and the fast one, about beta lambda, is faster than the forcing. The drives f / (fast - slow)
+// of two slower decays are larger than the velocity f / Omega, which would lose digits as their
+// sum.
+bool strongly_damped(const Scene &scene, double lambda) {
+  const double beta = scene.beta, forcing_rate = scene.forced() ? scene.omega : 0.0;
+  return beta * beta * lambda > 4.0 * strong_damping * strong_damping &&
+         beta * lambda > forcing_rate;
 }
 
 void resize(ContactMode &mode, std::size_t size, Index masses) {
@@ -98,7 +103,7 @@ Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
   const ModalForce force = modal_force(scene, mode, k);
   mode.first_coordinate.push_back(j);
   mode.shape.col(j) = mode.basis.shape.col(k);
-  if (!strongly_damped(scene.beta, lambda)) {
+  if (!strongly_damped(scene, lambda)) {
     set_oscillator(scene, kappa, lambda, force, j, all);
     if (lambda == 0.0) mode.drift = j;
     return j + 1;
@@ -130,25 +135,28 @@ void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contac
   contact.forcing_modulus = std::abs(contact.forcing);
 }
 
-// Sets the jumps of the coordinates for a unit jump of the gap speed.
-void set_impulse(const ContactMode &mode, Contact &contact) {
-  contact.impulse.setZero(mode.padded());
-  contact.impulse_value.setZero(mode.padded());
-  for (Index k = 0; k < mode.basis.lambda.size(); ++k)
-    set_mode(mode, k, 0.0, -contact.sigma * mode.basis.inverse(k, static_cast<Index>(contact.mass)),
-             contact.impulse_value, contact.impulse);
-  if (!mode.coordinates.any_decay) contact.impulse_value.resize(0);
+SpeedChange no_change(const ContactMode &mode) {
+  return {PerCoordinate::Zero(mode.padded()), PerCoordinate::Zero(mode.padded())};
 }
 
-// Sets the displacement that widens the gap by one, and the static deflection by a force at the
-// mass that does. Stiff coordinates hardly take part in it. With a rigid-body mode it is a
-// displacement of the whole chain.
+// Sets the jumps of the coordinates for a unit jump of the gap speed.
+void set_impulse(const ContactMode &mode, Contact &contact) {
+  SpeedChange &impulse = contact.impulse = no_change(mode);
+  for (Index k = 0; k < mode.basis.lambda.size(); ++k)
+    set_mode(mode, k, 0.0, -contact.sigma * mode.basis.inverse(k, static_cast<Index>(contact.mass)),
+             impulse.value, impulse.slope);
+  if (!mode.coordinates.any_decay) impulse.value.resize(0);
+}
+
+// Sets the static deflection by a force at the mass that widens the gap by one, and its speeds.
+// Stiff coordinates hardly take part in it. With a rigid-body mode it is a displacement of the
+// whole chain.
 void set_placement(const ContactMode &mode, Contact &contact) {
   const auto &basis = mode.basis;
   const auto mass = static_cast<Index>(contact.mass);
-  PerCoordinate velocity = PerCoordinate::Zero(mode.padded());
+  SpeedChange &drift = contact.drift = no_change(mode);
+  PerCoordinate velocity = drift.slope;
   contact.placement.setZero(mode.padded());
-  contact.displacement.setZero(mode.padded());
   double deflection = 0.0;
   for (Index k = 0; k < basis.lambda.size(); ++k) {
     // Relative to the softest mode, since 1 / lambda may not be finite. A rigid-body mode alone
@@ -156,10 +164,12 @@ void set_placement(const ContactMode &mode, Contact &contact) {
     const double compliance = k == 0 ? 1.0 : basis.lambda(0) / basis.lambda(k);
     const double value = basis.shape(mass, k) * compliance;
     set_mode(mode, k, value, 0.0, contact.placement, velocity);
-    set_mode(mode, k, -contact.sigma * basis.inverse(k, mass), 0.0, contact.displacement, velocity);
+    set_mode(mode, k, 0.0, value, drift.value, drift.slope);
     deflection += basis.shape(mass, k) * value;
   }
-  contact.placement *= -contact.sigma / deflection;
+  for (PerCoordinate *change : {&contact.placement, &drift.slope, &drift.value})
+    *change *= -contact.sigma / deflection;
+  if (!mode.coordinates.any_decay) drift.value.resize(0);
 }
 
 void add_contacts(const Scene &scene, ContactMode &mode) {
@@ -232,7 +242,7 @@ ContactMode build_contact_mode(const Scene &scene, const Held &held) {
   set_static_positions(scene, held, mode.equilibrium, mode.tension);
   std::size_t size = free.size();
   for (const double lambda : mode.basis.lambda)
-    if (strongly_damped(scene.beta, lambda)) ++size;
+    if (strongly_damped(scene, lambda)) ++size;
   resize(mode, size, static_cast<Index>(held.size()));
   for (Index k = 0, j = 0; k < mode.basis.lambda.size(); ++k) j = add_mode(scene, k, j, mode);
   for (Index j = 0; j < static_cast<Index>(size); ++j) {

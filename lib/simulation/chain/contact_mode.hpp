@@ -46,6 +46,11 @@ struct ModalCoordinates {
   }
 };
 
+// A change of y', and of y, which only decays have; else that is empty.
+struct SpeedChange {
+  PerCoordinate slope, value;
+};
+
 // A stop that a mass of this contact mode may come to, or is held at, with what stays positive
 // until something happens there: the gap sigma (s - x) of a free mass, or the force that presses a
 // held one. Both are offset + row . y + damping row . y' + Re(forcing e^(i Omega t)) (3); a gap has
@@ -58,13 +63,12 @@ struct Contact {
   std::complex<double> forcing = 0.0;
   double forcing_modulus = 0.0;
   PerCoordinate row;
-  PerCoordinate modulus;        // |row|
-  PerCoordinate impulse;        // change of y' by a unit jump of the gap speed
-  PerCoordinate impulse_value;  // and of y, which only decays have; else empty
-  // Changes of y that widen the gap by 1. `placement` is the static deflection by a force at the
-  // mass, in which stiff modes hardly move. `displacement` moves this mass alone, and serves for
-  // corrections that no stiff link feels.
-  PerCoordinate placement, displacement;
+  PerCoordinate modulus;  // |row|
+  // Changes of y that widen the gap by 1, and of y' that add 1 to its speed: the static deflection
+  // by a force at the mass, in which stiff modes hardly move, and the same shape of the velocities.
+  PerCoordinate placement;
+  SpeedChange drift;
+  SpeedChange impulse;  // by an impulse on the mass that adds 1 to the gap speed
   // (3) in the steady response is offset + static_value + Re(steady e^(i Omega t)).
   std::complex<double> steady = 0.0;
   double static_value = 0.0;

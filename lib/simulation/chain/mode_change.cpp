@@ -17,9 +17,9 @@ using Eigen::VectorXd;
 void set_values(const ModalBasis &basis, const VectorXd &x, const VectorXd &t, VectorXd &values) {
   const Index modes = basis.lambda.size();
   for (Index k = 0; k < modes; ++k) values(k) = basis.inverse.row(k).dot(x);
-  const double inertia = values.head(modes).squaredNorm(), stretch = t.squaredNorm();
+  const double inertia = values.head(modes).stableNorm(), stretch = t.stableNorm();
   for (Index k = 0; k < modes; ++k)
-    if (basis.lambda(k) * inertia > stretch)
+    if (std::sqrt(basis.lambda(k)) * inertia > stretch)
       values(k) = basis.tension.col(k).dot(t) / basis.lambda(k);
 }
 

@@ -96,39 +96,6 @@ bool is_resolved(const Contact &contact, const Motion &motion) {
   return evaluate(contact, motion) > resolved_ratio * terms_of(contact, motion);
 }
 
-namespace {
-
-// Adds factor a_j to y_j + low_j.
-void add(double factor, const PerCoordinate &a, PerCoordinate &y, PerCoordinate &low) {
-  for (Eigen::Index j = 0; j < y.size(); j += 2)
-    store(twofold(y, low, j) + factor * pair(a.data() + j), y, low, j);
-}
-
-}  // namespace
-
-void place(const Contact &contact, const Gap &gap, Motion &motion) {
-  const auto add_jump = [&](double jump) {
-    add(jump, contact.impulse, motion.dy, motion.dy_low);
-    if (contact.impulse_value.size() > 0) add(jump, contact.impulse_value, motion.y, motion.y_low);
-  };
-  const Gap before = gap_at(contact, motion);
-  const double jump = gap.speed - before.speed;
-  add(gap.value - before.value, contact.placement, motion.y, motion.y_low);
-  add_jump(jump);
-  complete_change(motion);
-  // The jump is rounded. A speed far below the jump gets its digits from a second one.
-  if (!(std::abs(gap.speed) < resolved_ratio * std::abs(jump))) return;
-  const Gap left = gap_at(contact, motion);
-  add(gap.value - left.value, contact.placement, motion.y, motion.y_low);
-  add_jump(gap.speed - left.speed);
-  complete_change(motion);
-}
-
-void place_alone(const Contact &contact, double gap, Motion &motion) {
-  add(gap - gap_at(contact, motion).value, contact.displacement, motion.y, motion.y_low);
-  complete_change(motion);
-}
-
 void set_state(const Motion &motion, const std::vector<StopState> &stops, const Scene &scene,
                MotionState &state) {
   const ContactMode &mode = *motion.mode;

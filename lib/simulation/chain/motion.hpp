@@ -91,13 +91,6 @@ double terms_of(const Contact &contact, const Motion &motion);
 // lose more bits to cancellation in coordinates of one precision.
 bool is_resolved(const Contact &contact, const Motion &motion);
 
-// Changes the coordinates so that (3) gives this gap and gap speed.
-void place(const Contact &contact, const Gap &gap, Motion &motion);
-
-// Corrects a gap by a displacement of its mass alone, where placing others has changed it. The
-// correction is so small that no stiff link feels it.
-void place_alone(const Contact &contact, double gap, Motion &motion);
-
 // Sets the displacements and velocities of all masses.
 void set_state(const Motion &motion, const std::vector<StopState> &stops, const Scene &scene,
                MotionState &state);

@@ -55,6 +55,8 @@ constexpr double same_instant = 0x1p-46;
 // however small u1 is, and at most the rounding of both roots.
 constexpr double same_instant_of_flight = 0x1p-16;
 
+// Orders of a decision at rest that take as long as a step, for chains of 2 to 200 masses.
+constexpr int orders_as_a_step = 20;
 // Largest number of iterations of the search for a root. Searches of ordinary scenes need some ten.
 constexpr int most_root_iterations = 10000;
 

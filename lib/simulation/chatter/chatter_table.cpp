@@ -26,9 +26,9 @@ void predict(const Motion &motion, const Chatter &chatter, double time_left,
     for (std::size_t hit = 0; hit < chatter.contacts.size(); ++hit) {
       const Contact &contact = contacts[chatter.contacts[hit]];
       const double to_come = chatter.jumps[hit] * contact.restitution / (1.0 - contact.restitution);
-      slope += to_come * pair(contact.impulse.data() + j);
-      if (contact.impulse_value.size() > 0)
-        value += to_come * pair(contact.impulse_value.data() + j);
+      slope += to_come * pair(contact.impulse.slope.data() + j);
+      if (contact.impulse.value.size() > 0)
+        value += to_come * pair(contact.impulse.value.data() + j);
     }
     store(twofold(motion.y, motion.y_low, j) + value, state.y, state.y_low, j);
     store(twofold(motion.dy, motion.dy_low, j) + slope, state.dy, state.dy_low, j);

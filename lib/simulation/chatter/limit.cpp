@@ -51,7 +51,7 @@ double error_of_state(const ContactMode &mode, const Chatter &chatter, double ol
   for (const std::size_t k : chatter.contacts) {
     const Contact &hit = mode.contacts[k];
     state.difference -= dot(hit.row, state.difference) * hit.placement;
-    state.slope_difference -= dot(hit.row, state.slope_difference) * hit.impulse;
+    state.slope_difference -= dot(hit.row, state.slope_difference) * hit.impulse.slope;
   }
   double sum = 0.0;
   for (Index j = 0; j < state.difference.size(); ++j) {
@@ -77,7 +77,7 @@ bool others_stay_out_of_reach(const Chatter &chatter, const Motion &motion,
   for (std::size_t j = 0; j < chatter.contacts.size(); ++j) {
     const Contact &hit = mode.contacts[chatter.contacts[j]];
     const double to_come = hit.restitution / (1.0 - hit.restitution) * chatter.jumps[j];
-    jumps += jump_sum_factor * to_come * hit.impulse.abs();
+    jumps += jump_sum_factor * to_come * hit.impulse.slope.abs();
   }
   // |y'| + sqrt(lambda) |y| + |force| time_left bounds |y'| up to the limit without impacts,
   // because y'^2 + lambda y^2 grows by the forcing alone.
@@ -109,9 +109,9 @@ void set_limit_state(const Chatter &chatter, const ChatterLimit &limit, const Cl
   state.error = error_of_state(mode, chatter, chatter.node(limit.oldest).jump, state);
   pass_time(state.motion, clock, limit.time_left);
   complete_change(state.motion);
-  for (const std::size_t k : chatter.contacts) place(mode.contacts[k], {0.0, 0.0}, state.motion);
-  for (const std::size_t k : chatter.contacts)
-    if (chatter.contacts.size() > 1) place_alone(mode.contacts[k], 0.0, state.motion);
+  state.placed.clear();
+  for (const std::size_t k : chatter.contacts) state.placed.add(mode.contacts[k], {});
+  state.placed.apply(state.motion);
   forget_instant(state.stops);
   for (const std::size_t k : chatter.contacts)
     state.stops[mode.contacts[k].stop].contact = {.at_rest = true};

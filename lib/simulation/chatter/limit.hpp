@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chatter_table.hpp"
+#include "simulation/chain/placement.hpp"
 
 namespace vibro_impact::detail {
 
@@ -16,6 +17,7 @@ struct LimitState {
       0.0;  // estimated error of the speeds, relative to the jump of the oldest node used
   PerCoordinate difference, slope_difference;  // what the oldest node changes in y and y'
   PerCoordinate jumps, speed;                  // bounds of the impacts to come, and of |y'|
+  Placement placed;                            // the gaps of the masses hit
 };
 
 // True when no contact outside the chatter can come to zero up to the limit. A mass that rests

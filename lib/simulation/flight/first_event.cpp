@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "simulation/chain/pair.hpp"
+#include "simulation/chain/placement.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {

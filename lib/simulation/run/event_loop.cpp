@@ -229,7 +229,8 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
   take_limit(run, recorders);  // a chatter may stand at a node since the call before
   while (!run.progress.over) {
     run_step(run, recorders);
-    if (!run.progress.over && run.counters.expansions >= run.problem.options.max_steps)
+    const long long steps = run.counters.expansions + run.counters.rest_orders / orders_as_a_step;
+    if (!run.progress.over && steps >= run.problem.options.max_steps)
       stop_run(run, Ending::given_up,
                line("more than ", run.problem.options.max_steps,
                     " steps, given up at t = ", time_of(run.motion.now, run.problem.clock),

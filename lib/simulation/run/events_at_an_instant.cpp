@@ -38,16 +38,13 @@ void enter_mode(Run &run, const MotionState &state, bool at_start) {
       gaps[contact.stop] = gap_of(contact, run.stops[contact.stop], run.motion);
     change_mode(mode, run.scratch.chain, run.motion);
   }
-  std::vector<const Contact *> &placed = run.scratch.placed;
+  Placement &placed = run.scratch.placed;
   placed.clear();
   for (const Contact &contact : mode.contacts) {
     const std::optional<Gap> &gap = gaps[contact.stop];
-    if (!gap || contact.held || is_resolved(contact, run.motion)) continue;
-    place(contact, *gap, run.motion);
-    placed.push_back(&contact);
+    if (gap && !contact.held && !is_resolved(contact, run.motion)) placed.add(contact, *gap);
   }
-  for (const Contact *contact : placed)
-    if (placed.size() > 1) place_alone(*contact, gaps[contact->stop]->value, run.motion);
+  placed.apply(run.motion);
 }
 
 // Counts an impact at a stop, at this closing speed, among those of its chatter.
@@ -112,7 +109,9 @@ bool is_pushed(const Run &run, std::span<const std::size_t> hits, std::size_t ma
 // Gathers the masses at rest at a stop whose force is in question. A mass that is not held is in
 // question. A held mass is in question when its force is zero at this instant, when its force was
 // decided at this instant before, when its decision was postponed, or when the force has jumped to
-// a value that is small or negative. At the start of a run every held mass is in question.
+// a value that is small or negative. At the start of a run every held mass is in question. Later a
+// mass whose bounces have died down is in question with the others: in flight, its acceleration
+// would be the rounding of theirs.
 void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) {
   const std::span<const std::size_t> roots = contacts.roots;
   std::vector<RestingMass> &masses = run.scratch.rest.masses;
@@ -134,6 +133,15 @@ void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) 
         (root && evaluate(contact, run.motion) >= -row_rounding * terms_of(contact, run.motion)) ||
         (decided && (decided->zeros > 0 || decided->none));
     masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
+  }
+  if (masses.empty() || at_start) return;
+  for (const Contact &contact : run.motion.mode->contacts) {
+    const AtStop &state = run.stops[contact.stop].contact;
+    if (contact.held || state.at_rest || state.speed == 0.0) continue;
+    const Gap gap = gap_of(contact, run.stops[contact.stop], run.motion);
+    if (!is_as_at_rest(run.scene(), contact, gap, run.problem.rate_bound)) continue;
+    leave_stop(contact, 0.0, run.motion, run.stops);
+    masses.push_back({contact.stop, contact.mass, contact.sigma, false, false});
   }
 }
 
@@ -166,7 +174,7 @@ void follow_chatter(Run &run, const std::vector<std::size_t> &hits,
   for (std::size_t i = 0; i < hits.size() && leaving; ++i) {
     const Contact &contact = mode.contacts[hits[i]];
     const StopState &stop = run.stops[contact.stop];
-    const double speed = *stop.contact.speed;
+    const double speed = stop.contact.speed.value_or(0.0);  // none of a mass at rest
     leaving = speed > 0.0;
     jumps.push_back(stop.last_speed + speed);
     flight_time = std::max(flight_time, run.scratch.flight_times[i]);
@@ -208,6 +216,7 @@ void hold_or_release(Run &run, const ContactsOfInstant &contacts, Recorders reco
     set_chain(run.motion, run.scratch.chain);
     rest.decide(run.scene(), state.held, run.scratch.chain, run.motion.now.phase, rate);
   }
+  run.counters.rest_orders += rest.orders;
   for (RestingMass &mass : rest.masses) {
     const std::optional<Instant> &changed = run.stops[mass.stop].changed;
     // A mass does not stick and leave, or leave and stick, at one instant of the clock.

@@ -53,7 +53,7 @@ struct Scratch {
   std::vector<std::optional<Gap>> gaps;  // one for each stop, before a mode change
   Motion sampled;                        // the motion at a sample or at the end of a call,
   std::vector<StopState> sampled_stops;  // with the stops
-  std::vector<const Contact *> placed;   // in the new mode
+  Placement placed;                      // gaps in the new mode
   // Storage of ContactsOfInstant.
   std::vector<std::size_t> hits, roots;
   // For each hit the expected time of the flight after it, and the jump of the gap speed.

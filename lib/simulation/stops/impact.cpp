@@ -1,5 +1,6 @@
 #include "impact.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "simulation/chain/pair.hpp"
@@ -9,12 +10,21 @@ namespace vibro_impact::detail {
 
 void leave_stop(const Contact &contact, double speed, Motion &motion,
                 std::vector<StopState> &stops) {
-  place(contact, {0.0, speed}, motion);
+  hit(contact, speed, motion);
   stops[contact.stop].contact = {.speed = speed};
 }
 
 bool is_negligible(const Contact &contact, double speed, const Motion &motion) {
   return speed < negligible * dot_moduli(contact.modulus, motion.dy);
+}
+
+bool is_as_at_rest(const Scene &scene, const Contact &contact, const Gap &gap, double rate) {
+  double force = 0.0;
+  for (const auto *forces : {&scene.amplitude, &scene.sine, &scene.constant})
+    for (const double entry : *forces) force += std::abs(entry);
+  const double reach = force / (scene.mass[contact.mass] * rate * rate),
+               rounding = negligible * negligible * reach;
+  return gap.value <= rounding && std::abs(gap.speed) <= rounding * rate;
 }
 
 double next_flight(const Scene &scene, const Contact &contact, double speed, const Motion &motion) {

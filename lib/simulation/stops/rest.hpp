@@ -26,6 +26,7 @@ struct RestingMass {
 class RestDecision {
  public:
   std::vector<RestingMass> masses;
+  int orders = 0;  // that the decision took
 
   // Decides whether each of `masses` is held. The other masses are free or held as in `held`.
   // `phase` is that of the forcing, and `rate` the unit of time. A mass on which no force acts in
