@@ -24,9 +24,15 @@ const char *action_of(int mass, double time, const std::vector<Event> &events) {
   for (const Event &event : events)
     if (event.mass == mass && event.time <= time) last = &event;
   if (last == nullptr) return no_action;
-  if (last->kind == EventKind::stick) return "sticks";
-  if (last->kind == EventKind::release) return time < last->time + 2.0 ? "released" : no_action;
-  return time < last->time + step ? "impact" : "chatters";
+  switch (last->kind) {
+    case EventKind::impact:
+      return time < last->time + step ? "impact" : "chatters";
+    case EventKind::stick:
+      return "sticks";
+    case EventKind::release:
+      return time < last->time + 2.0 ? "released" : no_action;
+  }
+  return no_action;
 }
 
 bool near_an_impact(double time, const std::vector<Event> &events) {
@@ -53,7 +59,7 @@ void draw(const std::filesystem::path &output) {
   for (std::size_t i = 0; i < samples.times.size(); ++i) {
     const double time = samples.times[i];
     if (i % 3 == 0 || near_an_impact(time, recorder.events))
-      motion.row(time, samples.displacements[2 * i], samples.displacements[2 * i + 1],
+      motion.row(time, figures::displacement(samples, i, 1), figures::displacement(samples, i, 2),
                  action_of(1, time, recorder.events), action_of(2, time, recorder.events));
   }
   write(motion, output / "figure1_motion.csv");

@@ -97,21 +97,22 @@ inline Chatter chatter_after(const std::vector<Event> &events, int mass, double 
   const Event *impact = nullptr;  // the one before
   for (const Event &event : events) {
     if (event.mass != mass) continue;
-    if (event.kind == EventKind::release) {
-      chatter = {};
-      impact = nullptr;
-      continue;
+    switch (event.kind) {
+      case EventKind::impact:
+        if (std::isnan(chatter.first_impact)) chatter.first_impact = event.time;
+        if (impact && std::abs(impact->velocity_after) * (event.time - impact->time) / 4 > height)
+          chatter.last_bounce_ends = event.time;
+        impact = &event;
+        break;
+      case EventKind::stick:
+        if (event.time < from) break;
+        chatter.stick = event.time;
+        return chatter;
+      case EventKind::release:
+        chatter = {};
+        impact = nullptr;
+        break;
     }
-    if (event.kind == EventKind::stick && event.time >= from) {
-      chatter.stick = event.time;
-      return chatter;
-    }
-    if (event.kind != EventKind::impact) continue;
-    if (std::isnan(chatter.first_impact)) chatter.first_impact = event.time;
-    if (impact && std::abs(impact->velocity_after) * (event.time - impact->time) / 4 > height) {
-      chatter.last_bounce_ends = event.time;
-    }
-    impact = &event;
   }
   return {};
 }
@@ -182,7 +183,7 @@ inline Trial try_figure5b(double omega) {
   require_complete(simulate(scene, box.to, all_visible_chatter, samples, events));
   double time = never, gap = std::numeric_limits<double>::infinity();  // mass 2 nearest its stop
   for (std::size_t i = 0; i < samples.times.size(); ++i) {
-    const double x1 = samples.displacements[2 * i], x2 = samples.displacements[2 * i + 1];
+    const double x1 = displacement(samples, i, 1), x2 = displacement(samples, i, 2);
     if (x1 != scene.stops[0].position || !(scene.stops[1].position - x2 < gap)) continue;
     time = samples.times[i];
     gap = scene.stops[1].position - x2;

@@ -19,7 +19,7 @@ inline const RunOptions all_visible_chatter{.limit_below_speed = paper::slowest_
 inline Table displacement_table(const SampleRecorder &samples) {
   Table table("t,x1,x2");
   for (std::size_t i = 0; i < samples.times.size(); ++i)
-    table.row(samples.times[i], samples.displacements[2 * i], samples.displacements[2 * i + 1]);
+    table.row(samples.times[i], displacement(samples, i, 1), displacement(samples, i, 2));
   return table;
 }
 
@@ -32,10 +32,8 @@ inline Table displacements(const Scene &scene, const paper::AxisBox &box, double
 
 // The impacts across the window of a panel: when, of which mass, and how fast.
 inline Table impacts(const Scene &scene, const paper::AxisBox &box) {
-  EventRecorder recorder{box.from};
-  require_complete(simulate(scene, box.to, all_visible_chatter, recorder));
   Table table("t,mass,speed");
-  for (const Event &event : recorder.events)
+  for (const Event &event : events_of(scene, box.from, box.to, all_visible_chatter))
     if (event.kind == EventKind::impact)
       table.row(event.time, event.mass, std::abs(event.velocity_before));
   return table;
@@ -78,11 +76,16 @@ struct StickingPhaseRecorder : Recorder {
     if (!std::isnan(force)) add("orbit", force, moment);
   }
   void event(const Event &event, const Moment &moment) override {
-    if (event.mass != mass || event.kind == EventKind::impact) return;
-    if (event.time < from || event.time > to) return;
-    if (event.kind == EventKind::stick) ++phase;
-    const bool at_root = event.kind == EventKind::release && !event.by_a_jump;
-    add(name(event.kind), at_root ? 0.0 : moment.hold_force(mass), moment);
+    if (event.mass != mass || event.time < from || event.time > to) return;
+    switch (event.kind) {
+      case EventKind::impact:
+        return;
+      case EventKind::stick:
+        ++phase;
+        return add(name(event.kind), moment.hold_force(mass), moment);
+      case EventKind::release:
+        return add(name(event.kind), event.by_a_jump ? moment.hold_force(mass) : 0.0, moment);
+    }
   }
   void add(const char *kind, double force, const Moment &moment) {
     rows.push_back({phase, kind, moment.instant.phase, force});

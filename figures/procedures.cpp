@@ -195,9 +195,7 @@ Table dual_sticking() {
       scene.stops[1].position = row.front();
       const double period = Clock(scene.omega).period, last = std::floor(1000.0 / period),
                    first = std::floor(last / 3.0);
-      const double sticks =
-          figures::dual_sticks(scene, last * period) - figures::dual_sticks(scene, first * period);
-      row.push_back(sticks / (last - first));
+      row.push_back(figures::dual_sticks(scene, first * period, last * period) / (last - first));
     }
     return row;
   });
@@ -217,14 +215,14 @@ Table nearly_equal_stops() {
     scene.restitution = restitution;
     scene.stops[1].position -= difference;
     const double period = Clock(omega).period;
-    const auto events = figures::events_of(scene, 3.5 * period, 2.5 * period);
-    const double release = figures::first_time(events, EventKind::release, 1, 0.0);
-    double stick = NAN, speed = NAN;
-    for (const Event &event : events) {
-      if (event.time >= release) break;
-      if (event.mass != 2) continue;
-      if (event.kind == EventKind::impact) speed = event.velocity_before;
-      if (event.kind == EventKind::stick) stick = event.time;
+    double release = NAN, stick = NAN, speed = NAN;
+    for (const Event &event : figures::events_of(scene, 2.5 * period, 3.5 * period)) {
+      if (event.mass == 1 && event.kind == EventKind::release) {
+        release = event.time;
+        break;
+      }
+      if (event.mass == 2 && event.kind == EventKind::impact) speed = event.velocity_before;
+      if (event.mass == 2 && event.kind == EventKind::stick) stick = event.time;
     }
     table.row(omega, restitution, difference, release, stick, speed);
   };

@@ -38,7 +38,7 @@ struct ProcedureRecorder : Recorder {
   }
   void event(const Event &event, const Moment &) override {
     events.push_back(event);
-    mass_2_has_changed = event.mass == 2 && event.kind != EventKind::impact;
+    mass_2_has_changed = event.mass == 2 && changes_contact_mode(event.kind);
     cut_off = 0;
     if (event.kind != EventKind::impact) return;
     double &last = last_impact[static_cast<std::size_t>(event.mass - 1)];

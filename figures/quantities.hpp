@@ -28,27 +28,24 @@ struct Range {
   }
 };
 
-// The displacements of the given mass, or of both (0).
-inline Range range_of(const SampleRecorder &samples, int mass = 0) {
+// The displacement of one of two masses at a sample.
+inline double displacement(const SampleRecorder &samples, std::size_t sample, int mass) {
+  return samples.displacements[2 * sample + static_cast<std::size_t>(mass - 1)];
+}
+
+inline Range range_of(const SampleRecorder &samples, int mass) {
   Range range;
-  for (std::size_t i = 0; i < samples.displacements.size(); ++i)
-    if (mass == 0 || static_cast<int>(i % 2) == mass - 1) range.include(samples.displacements[i]);
+  for (std::size_t i = 0; i < samples.times.size(); ++i)
+    range.include(displacement(samples, i, mass));
   return range;
 }
 
-// Events of a scene from rest, from time `from` to `until`.
-inline std::vector<Event> events_of(const Scene &scene, double until, double from = 0.0) {
-  EventRecorder recorder;
-  recorder.from = from;
-  require_complete(simulate(scene, until, recorder));
+// Events of a scene from its own start, from time `from` to `until`.
+inline std::vector<Event> events_of(const Scene &scene, double from, double until,
+                                    const RunOptions &options = {}) {
+  EventRecorder recorder(from);
+  require_complete(simulate(scene, until, options, recorder));
   return recorder.events;
-}
-
-// Time of the first event of this kind and mass at or after `from`; NaN if there is none.
-inline double first_time(const std::vector<Event> &events, EventKind kind, int mass, double from) {
-  for (const Event &event : events)
-    if (event.kind == kind && event.mass == mass && event.time >= from) return event.time;
-  return std::nan("");
 }
 
 // The displacements of a mass in an interval of time, among samples every 1e-4.
@@ -59,9 +56,9 @@ inline Range range_in(const Scene &scene, int mass, double from, double to) {
 }
 
 // Number of times at which a mass comes to rest while the other one sticks.
-inline double dual_sticks(const Scene &scene, double until) {
-  const std::vector<Event> events = events_of(scene, until);
-  return static_cast<double>(std::count_if(events.begin(), events.end(), [](const Event &event) {
+inline double dual_sticks(const Scene &scene, double from, double until) {
+  const std::vector<Event> events = events_of(scene, from, until);
+  return static_cast<double>(std::ranges::count_if(events, [](const Event &event) {
     return event.kind == EventKind::stick && contact_mode_name(event.held) == "1+2";
   }));
 }

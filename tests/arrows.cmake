@@ -47,8 +47,9 @@ refuse(reference/truth "reference/(numbers|generator)/")
 # What two engines are asked has nothing of either: scenes, tables, and the kinds of events.
 refuse(reference/numbers "reference/(generator|truth/e)")
 refuse(reference/numbers "vibro_impact/(analysis|simulate|record|table|vibro_impact)")
-# The generator takes scenes and cases from the project, and reads tables. It shares no events.
-refuse(reference/generator "(vibro_impact/|reference/truth/event)")
+# The generator takes scenes, the names of their fields, cases and the kinds of events from the
+# project, and reads tables. It shares no true events.
+refuse(reference/generator "(vibro_impact/([a-df-rt-z]|event_|scene\\.)|reference/truth/event)")
 # A folder of figures may include the files that all drivers share.
 refuse(figures "(figures/)?(check|stability|beyond)/")
 foreach(folder / /stability /beyond)

@@ -35,7 +35,7 @@ Scene at_frequency(Scene scene, double omega) {
 
 std::vector<numbers::Occurrence<double>> LibraryEngine::events(const paper::NamedScene &run) {
   std::vector<numbers::Occurrence<double>> events;
-  for (const Event &event : events_of(run.scene, run.until))
+  for (const Event &event : events_of(run.scene, 0.0, run.until))
     events.push_back({event.time, event.kind, event.mass, contact_mode_name(event.held)});
   return events;
 }
@@ -70,17 +70,23 @@ double LibraryEngine::least_pressing(const paper::NamedScene &run, std::size_t s
 
 double LibraryEngine::changing_frequency(const Scene &scene, int mass, double near, double far,
                                          numbers::Motion motion) {
-  if (motion != numbers::Motion::followed)
-    return change_of(
-        [&](double omega) { return settled_sticking_phases(at_frequency(scene, omega), mass); },
-        near, far);
-  const MotionState settled =
-      state_after_periods(at_frequency(scene, near), paper::figure4_settling_periods);
-  return change_of(
-      [&](double omega) {
-        return followed_sticking_phases(at_frequency(scene, omega), mass, settled);
-      },
-      near, far);
+  switch (motion) {
+    case numbers::Motion::settled:
+    case numbers::Motion::from_rest:
+      return change_of(
+          [&](double omega) { return settled_sticking_phases(at_frequency(scene, omega), mass); },
+          near, far);
+    case numbers::Motion::followed: {
+      const MotionState settled =
+          state_after_periods(at_frequency(scene, near), paper::figure4_settling_periods);
+      return change_of(
+          [&](double omega) {
+            return followed_sticking_phases(at_frequency(scene, omega), mass, settled);
+          },
+          near, far);
+    }
+  }
+  throw std::logic_error("motion: its kind is unknown");
 }
 
 double LibraryEngine::grazing_frequency(const Scene &given, int mass, double near, double far) {
@@ -148,11 +154,7 @@ numbers::Quantities<LibraryEngine> all_quantities() {
   all["exit_intercept"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
                              return exit_boundary(given).first;
                            }};
-  for (const auto &[name, quantity] : others::quantities())
-    all[name] = {quantity.names,
-                 [&function = quantity.function](LibraryEngine &, const Arguments &given) {
-                   return function(given);
-                 }};
+  all.merge(others::quantities());
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "figures/quantities.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 
 namespace vibro_impact::others {
@@ -66,11 +67,9 @@ namespace {
 // resolved.
 Event event_of(const Scene &scene, double until, EventKind kind, double count = 1.0,
                bool every_impact = false) {
-  EventRecorder recorder;
   RunOptions options;
   if (every_impact) options.limit_below_speed = 0.0;
-  require_complete(simulate(scene, until, options, recorder));
-  for (const Event &event : recorder.events)
+  for (const Event &event : figures::events_of(scene, 0.0, until, options))
     if (event.kind == kind && --count == 0.0) return event;
   throw std::runtime_error("the run has no such event");
 }
@@ -126,20 +125,24 @@ double contact_time(int elements) {
 
 // --- The table -----------------------------------------------------------------------------------
 
-const std::map<std::string, Quantity> &quantities() {
+numbers::Quantities<figures::LibraryEngine> quantities() {
+  using Library = figures::LibraryEngine &;
   using P = const Arguments &;
-  static const std::string orbit = "c A omega r stop g n time speed",
-                           ball = "mass k force r height velocity ceiling velocity_before";
-  static const std::map<std::string, Quantity> all{
+  const std::string orbit = "c A omega r stop g n time speed",
+                    ball = "mass k force r height velocity ceiling velocity_before";
+  return {
       {"impact_speed",
-       {orbit, [](P p) { return std::abs(one_impact_orbit(p).impact.velocity_before); }}},
-      {"impact_phase", {orbit, [](P p) { return one_impact_orbit(p).impact.instant.phase; }}},
-      {"velocity_after", {orbit, [](P p) { return one_impact_orbit(p).impact.velocity_after; }}},
+       {orbit, [](Library, P p) { return std::abs(one_impact_orbit(p).impact.velocity_before); }}},
+      {"impact_phase",
+       {orbit, [](Library, P p) { return one_impact_orbit(p).impact.instant.phase; }}},
+      {"velocity_after",
+       {orbit, [](Library, P p) { return one_impact_orbit(p).impact.velocity_after; }}},
       {"doubling_multiplier",
-       {orbit, [](P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); }}},
+       {orbit,
+        [](Library, P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); }}},
       {"fold_multiplier",  // the orbit is given: two orbits meet, so Newton's method fails
        {orbit,
-        [](P p) {
+        [](Library, P p) {
           const auto [scene, start] = after_impact(p);
           const auto map =
               stroboscopic_map_and_derivative(scene, start, static_cast<int>(p.at("n")));
@@ -147,28 +150,27 @@ const std::map<std::string, Quantity> &quantities() {
         }}},
       {"release_time",
        {"omega stop",
-        [](P p) {
+        [](Library, P p) {
           const Scene scene = one_mass(0.0, 1.0, p.at("omega"), 0.5, p.at("stop"), p.at("stop"));
           return event_of(scene, Clock(p.at("omega")).period, EventKind::release).time;
         }}},
       {"chatter_limit",
-       {ball, [](P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; }}},
+       {ball, [](Library, P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; }}},
       {"impact_time",
        {ball + " impact",
-        [](P p) {
+        [](Library, P p) {
           return event_of(ball_of(p), 10.0, EventKind::impact, p.at("impact"), true).time;
         }}},
       {"bar_contact_time",
-       {"elements", [](P p) { return contact_time(static_cast<int>(p.at("elements"))); }}},
+       {"elements", [](Library, P p) { return contact_time(static_cast<int>(p.at("elements"))); }}},
       {"bar_end_of_contact",
        {"elements per_length start",
-        [](P p) {
+        [](Library, P p) {
           const Scene scene =
               bar(static_cast<int>(p.at("elements")), static_cast<int>(p.at("per_length")));
           return p.at("start") + event_of(scene, end_of_bar, EventKind::release).time;
         }}},
   };
-  return all;
 }
 
 }  // namespace vibro_impact::others

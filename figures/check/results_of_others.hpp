@@ -3,12 +3,10 @@
 #pragma once
 
 #include <complex>
-#include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "reference/numbers/arguments.hpp"
+#include "library_engine.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -34,12 +32,6 @@ struct OneImpactOrbit {
 // `speed`. Throws std::runtime_error if there is no such orbit.
 OneImpactOrbit one_impact_orbit(const Arguments &p);
 
-// A quantity of the table, and the names of its arguments, which blanks separate.
-struct Quantity {
-  std::string names;
-  double (*function)(const Arguments &);
-};
-
-const std::map<std::string, Quantity> &quantities();
+numbers::Quantities<figures::LibraryEngine> quantities();
 
 }  // namespace vibro_impact::others

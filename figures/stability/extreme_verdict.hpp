@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "figures/quantities.hpp"
 #include "reference/truth/event_comparison.hpp"
 #include "reference/truth/event_reader.hpp"
 #include "reference/truth/extreme_cases.hpp"
@@ -87,14 +88,6 @@ inline double period_of(const Scene &scene) {
 
 namespace detail {
 
-inline std::vector<Event> events_of(const Scene &scene, double from, double until,
-                                    Outcome *outcome = nullptr) {
-  EventRecorder recorder{from};
-  const Outcome result = require_complete(simulate(scene, until, recorder));
-  if (outcome != nullptr) *outcome = result;
-  return recorder.events;
-}
-
 // The perturbations of a start, relative to the motion. The smaller one is tried where the larger
 // one makes other events, as it does where it undoes a contact. An error e that comes from nothing
 // raises the sensitivity by e / 1e-13, so that 100 roundings of it excuse a fifth of e only.
@@ -122,12 +115,12 @@ inline Relative relative(const Differences &differences, double period, double s
 
 inline Relative sensitivity_of(const Scene &scene, double until, double period,
                                const Samples &motion) {
-  const std::vector<Event> unperturbed = events_of(scene, 0.0, until);
+  const std::vector<Event> unperturbed = figures::events_of(scene, 0.0, until);
   Relative largest;
   for (const double by : perturbations) {
     const Differences differences =
-        truth::compare(events_of(perturbed(scene, by * motion.size), 0.0, until), unperturbed,
-                       scene, {.reach = 1e-3 * period, .runs = true});
+        truth::compare(figures::events_of(perturbed(scene, by * motion.size), 0.0, until),
+                       unperturbed, scene, {.reach = 1e-3 * period, .runs = true});
     const Relative found = relative(differences, period, motion.speed);
     largest.time = std::max(largest.time, found.time / by);
     largest.velocity = std::max(largest.velocity, found.velocity / by);
@@ -143,13 +136,13 @@ inline Relative sensitivity_of(const Scene &scene, double until, double period,
 inline Measured measure(const Case &extreme, const EventTables &tables) {
   const Scene &scene = extreme.scene;
   const double period = period_of(scene);
-  Outcome outcome;
-  const auto events = detail::events_of(scene, extreme.from, extreme.until, &outcome);
+  EventRecorder recorder(extreme.from);
+  const Outcome outcome = require_complete(simulate(scene, extreme.until, recorder));
   const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events;
   const Differences differences =
       extreme.truth == Truth::grazing
-          ? truth::compare_grazing(events, truth, scene)
-          : truth::compare(events, truth, scene, {.reach = 1e-3 * period});
+          ? truth::compare_grazing(recorder.events, truth, scene)
+          : truth::compare(recorder.events, truth, scene, {.reach = 1e-3 * period});
 
   // A long run is sampled and perturbed over its first 1000 periods only.
   const double until =

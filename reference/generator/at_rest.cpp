@@ -49,7 +49,7 @@ void decide_at_rest(const Scene &scene, State &state, const std::vector<std::siz
   std::vector<Flow> flows;
   for (unsigned held = 0; held < 1u << in_question.size(); ++held)
     flows.push_back(
-        flow_from(scene.chain, state.time, state.x, state.v, stuck_masses(assigned(held)), known));
+        flow_from(scene, state.time, state.x, state.v, stuck_masses(assigned(held)), known));
   // A quarter of a radian of the fastest mode or of the forcing, halved while none stands.
   Real duration = Real(0.25) / fastest_rate_at(flows.front(), Real(0));
   for (int halvings = 0; halvings <= 40; ++halvings, duration /= 2) {

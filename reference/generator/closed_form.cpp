@@ -6,15 +6,16 @@
 
 namespace vibro_impact_reference {
 
-Matrix stiffness_matrix(const Chain &chain) {
-  const std::size_t n = chain.masses.size();
+Matrix stiffness_matrix(const Scene &scene) {
+  const std::size_t n = scene.masses();
+  const Vector &link = scene[&Field::stiffness];
   Matrix k(n, Vector(n));
   for (std::size_t i = 0; i < n; ++i) {
-    k[i][i] += chain.stiffnesses[i] + chain.grounds[i];
+    k[i][i] += link[i] + scene[&Field::ground][i];
     if (i == 0) continue;
-    k[i - 1][i - 1] += chain.stiffnesses[i];
-    k[i - 1][i] -= chain.stiffnesses[i];
-    k[i][i - 1] -= chain.stiffnesses[i];
+    k[i - 1][i - 1] += link[i];
+    k[i - 1][i] -= link[i];
+    k[i][i - 1] -= link[i];
   }
   return k;
 }
@@ -66,37 +67,38 @@ Eigensystem jacobi_eigensystem(Matrix a) {
 
 }  // namespace
 
-Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
+Eigensystem free_eigensystem(const Scene &scene, const Matrix &k,
                              const std::vector<std::size_t> &free) {
+  const Vector &m = scene[&Field::mass];
   const std::size_t size = free.size();
   Matrix scaled(size, Vector(size));
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < size; ++j) {
-      scaled[i][j] = k[free[i]][free[j]] / sqrt(chain.masses[free[i]] * chain.masses[free[j]]);
+      scaled[i][j] = k[free[i]][free[j]] / sqrt(m[free[i]] * m[free[j]]);
     }
   }
   Eigensystem eigen = jacobi_eigensystem(std::move(scaled));
   for (std::size_t i = 0; i < size; ++i) {
-    for (Real &entry : eigen.vectors[i]) entry /= sqrt(chain.masses[free[i]]);
+    for (Real &entry : eigen.vectors[i]) entry /= sqrt(m[free[i]]);
   }
   return eigen;
 }
 
-Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector &v,
+Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector &v,
                const std::vector<bool> &resting, Eigensystems &known) {
-  const std::size_t n = chain.masses.size();
-  Flow flow{t, chain.frequency, x, {}, {}, {}};
+  const std::size_t n = scene.masses();
+  Flow flow{t, scene[&Field::omega], x, {}, {}, {}};
   for (std::size_t p = 0; p < n; ++p) {
     if (!resting[p]) flow.free.push_back(p);
   }
   const std::size_t size = flow.free.size();
-  const Matrix k = stiffness_matrix(chain);
+  const Matrix k = stiffness_matrix(scene);
 
   // The resting neighbours act as the constant load -K_FS s_S, in addition to the constant forces.
   Vector load(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t p = flow.free[i];
-    load[i] = chain.constants[p];
+    load[i] = scene[&Field::constant][p];
     for (std::size_t s = 0; s < n; ++s) {
       if (resting[s]) load[i] -= k[p][s] * x[s];
     }
@@ -104,17 +106,17 @@ Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector 
   flow.eigen = known[resting];
   if (!flow.eigen)
     known[resting] = flow.eigen =
-        std::make_shared<Eigensystem>(free_eigensystem(chain, k, flow.free));
+        std::make_shared<Eigensystem>(free_eigensystem(scene, k, flow.free));
   const Matrix &shapes = flow.eigen->vectors;
 
-  const Real phase = chain.frequency * t;
+  const Real phase = scene[&Field::omega] * t;
   const Real cosine = cos(phase);
   const Real sine = sin(phase);
   const Real critical = Real("1e-40");
   for (std::size_t j = 0; j < size; ++j) {
     Mode mode;
     mode.lambda = flow.eigen->values[j];
-    mode.decay = chain.damping_ratio * mode.lambda / 2;
+    mode.decay = scene[&Field::beta] * mode.lambda / 2;
     const Real discriminant = mode.lambda - mode.decay * mode.decay;
     // Within 1e-40 of critical the two forms differ from the critical one by less than the working
     // precision.
@@ -125,13 +127,13 @@ Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector 
     Real q, dq, constant;
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t p = flow.free[i];
-      mode.forcing += shapes[i][j] * chain.amplitudes[p];
-      mode.sine_forcing += shapes[i][j] * chain.sines[p];
+      mode.forcing += shapes[i][j] * scene[&Field::amplitude][p];
+      mode.sine_forcing += shapes[i][j] * scene[&Field::sine][p];
       constant += shapes[i][j] * load[i];
-      q += shapes[i][j] * chain.masses[p] * x[p];
-      dq += shapes[i][j] * chain.masses[p] * v[p];
+      q += shapes[i][j] * scene[&Field::mass][p] * x[p];
+      dq += shapes[i][j] * scene[&Field::mass][p] * v[p];
     }
-    const Real omega = chain.frequency;
+    const Real omega = scene[&Field::omega];
     const Real detuning = mode.lambda - omega * omega;
     const Real drag = 2 * mode.decay * omega;
     const Real denominator = detuning * detuning + drag * drag;

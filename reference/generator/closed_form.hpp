@@ -11,13 +11,10 @@
 
 namespace vibro_impact_reference {
 
-using Vector = std::vector<Real>;
-using Matrix = std::vector<Vector>;  // rows of equal length
-
 /// The stiffness matrix K of Eq. 3 for the whole chain.
-Matrix stiffness_matrix(const Chain &chain);
+Matrix stiffness_matrix(const Scene &scene);
 
-/// Eigenvalues and, as columns, orthonormal eigenvectors of a symmetric matrix.
+/// Eigenvalues, in no order, and, as columns, eigenvectors.
 struct Eigensystem {
   Vector values;
   Matrix vectors;
@@ -64,13 +61,13 @@ using Eigensystems = std::map<std::vector<bool>, std::shared_ptr<const Eigensyst
 
 /// Modes of the masses that do not rest: M^-1/2 K M^-1/2 on their rows. The vectors are
 /// mass-normalised: x_free = vectors q.
-Eigensystem free_eigensystem(const Chain &chain, const Matrix &k,
+Eigensystem free_eigensystem(const Scene &scene, const Matrix &k,
                              const std::vector<std::size_t> &free);
 
 /// Builds the flow from positions x and velocities v at time t; `resting[p]` says that mass p is
 /// held where it is. An undamped mode driven exactly at its own frequency has no bounded particular
 /// solution and gets the growing one.
-Flow flow_from(const Chain &chain, const Real &t, const Vector &x, const Vector &v,
+Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector &v,
                const std::vector<bool> &resting, Eigensystems &known);
 
 /// The fastest rate still in motion a time tau after the start of the flow: the fast decay of an

@@ -4,6 +4,8 @@
 #include "frequencies.hpp"
 #include "turning_points.hpp"
 
+#include <stdexcept>
+
 namespace vibro_impact_reference {
 
 namespace {
@@ -12,11 +14,6 @@ namespace {
 Resolution key_number_resolution() {
   return {Real("1e-20"), {Real("1e-36"), true}};
 }
-
-/// By Event::Kind.
-constexpr vibro_impact::EventKind event_kinds[] = {vibro_impact::EventKind::impact,
-                                                   vibro_impact::EventKind::stick,
-                                                   vibro_impact::EventKind::release};
 
 std::size_t index(int mass) {
   return static_cast<std::size_t>(mass - 1);
@@ -32,13 +29,9 @@ const Run &DigitsEngine::run(const NamedScene &asked) {
 
 std::vector<numbers::Occurrence<Real>> DigitsEngine::events(const NamedScene &asked) {
   std::vector<numbers::Occurrence<Real>> events;
-  const Scene scene = in_digits(asked.scene, asked.until);
-  for (const Event &event : run(asked).events) {
-    const bool ends_a_chatter = event.kind == Event::Kind::stick && event.pressing > 0;
-    events.push_back({ends_a_chatter ? completion(scene, event) : event.time,
-                      event_kinds[static_cast<int>(event.kind)], static_cast<int>(event.mass) + 1,
+  for (const Event &event : run(asked).events)
+    events.push_back({event.time + event.left_out, event.kind, static_cast<int>(event.mass) + 1,
                       contact_mode(event.stuck)});
-  }
   return events;
 }
 
@@ -70,9 +63,14 @@ Real DigitsEngine::changing_frequency(const vibro_impact::Scene &scene, int mass
   const Scene digits = in_digits(scene, 0.0);
   const Bracket bracket{Real(near), Real(far)};
   const Count sticks = sticks_of(index(mass));
-  return motion == numbers::Motion::from_rest
-             ? jumping_frequency(digits, bracket, settling_of_a_jump, sticks)
-             : vibro_impact_reference::changing_frequency(digits, bracket, sticks);
+  switch (motion) {
+    case numbers::Motion::from_rest:
+      return jumping_frequency(digits, bracket, settling_of_a_jump, sticks);
+    case numbers::Motion::settled:
+    case numbers::Motion::followed:
+      return vibro_impact_reference::changing_frequency(digits, bracket, sticks);
+  }
+  throw std::logic_error("motion: its kind is unknown");
 }
 
 Real DigitsEngine::grazing_frequency(vibro_impact::Scene scene, int mass, double near, double far) {

@@ -10,11 +10,6 @@ Resolution resolution_down_to(const Real &floor) {
   return {floor, {std::min<Real>(Real("1e-36"), pow(floor, Real("1.6"))), true}};
 }
 
-Real completion(const Scene &scene, const Event &stick) {
-  const Real acceleration = stick.pressing / scene.chain.masses[stick.mass];
-  return stick.time + 2 * abs(stick.velocity_before) / (acceleration * (1 - scene.restitution));
-}
-
 namespace {
 
 /// First sampling step: a quarter of the shortest flight about to end, as far as gap, speed and
@@ -87,8 +82,8 @@ void decide(const Scene &scene, State &state, const std::vector<std::size_t> &in
   for (std::size_t p = 0; p < stuck.size(); ++p) {
     if (stuck[p] == state.stuck_on[p].has_value()) continue;
     stuck[p] = !stuck[p];
-    run.events.push_back({state.time, p, stuck[p] ? Event::Kind::stick : Event::Kind::release,
-                          Real(0), Real(0), stuck});
+    run.events.push_back(
+        {state.time, p, stuck[p] ? EventKind::stick : EventKind::release, Real(0), Real(0), stuck});
   }
 }
 
@@ -99,9 +94,9 @@ void decide(const Scene &scene, State &state, const std::vector<std::size_t> &in
 /// without rebound, it is decided by trial.
 void apply_events(const Scene &scene, State &state, const std::vector<std::size_t> &stops,
                   const Resolution &resolution, Run &run) {
-  const auto record = [&](std::size_t mass, Event::Kind kind, const Real &before, const Real &after,
-                          const Real &pressing = Real(0)) {
-    run.events.push_back({state.time, mass, kind, before, after, stuck_masses(state), pressing});
+  const auto record = [&](std::size_t mass, EventKind kind, const Real &before, const Real &after,
+                          const Real &left_out = Real(0)) {
+    run.events.push_back({state.time, mass, kind, before, after, stuck_masses(state), left_out});
   };
   std::vector<std::size_t> hit, fallen, in_question;
   for (const std::size_t i : stops) {
@@ -112,10 +107,10 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
       continue;
     }
     const Real before = state.v[p];
-    state.v[p] = -scene.restitution * before;
+    state.v[p] = -scene.stops[i].restitution * before;
     state.stop_start[i] = Start::touching;
     hit.push_back(i);
-    record(p, Event::Kind::impact, before, state.v[p]);
+    record(p, EventKind::impact, before, state.v[p]);
   }
   for (const std::size_t i : hit) {
     const std::size_t p = scene.stops[i].mass;
@@ -125,7 +120,11 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
       const Real before = state.v[p];
       state.v[p] = 0;
       state.stuck_on[p] = i;
-      record(p, Event::Kind::stick, before, Real(0), pressing);
+      const Real acceleration = pressing / scene[&Field::mass][p];
+      record(p, EventKind::stick, before, Real(0),
+             before == 0
+                 ? Real(0)
+                 : Real(2 * abs(before) / (acceleration * (1 - scene.stops[i].restitution))));
     } else if (pressing < -pressing_floor) {
       if (state.v[p] == 0) state.stop_start[i] = Start::pulled;  // hit without rebound
     } else if (state.v[p] == 0) {
@@ -141,7 +140,7 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
   const auto let_go = [&](std::size_t i, Start start) {
     state.stuck_on[scene.stops[i].mass].reset();
     state.stop_start[i] = start;
-    record(scene.stops[i].mass, Event::Kind::release, Real(0), Real(0));
+    record(scene.stops[i].mass, EventKind::release, Real(0), Real(0));
   };
   const bool unsettled = !in_question.empty() || !fallen.empty();
   for (const auto &stuck_on : std::vector(state.stuck_on)) {
@@ -163,7 +162,7 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
 }  // namespace
 
 State initial_state(const Scene &scene, const Resolution &resolution, Run &run) {
-  State state = free_state(scene, Real(0), scene.initial_positions, scene.initial_velocities);
+  State state = free_state(scene, Real(0), scene[&Field::displacement], scene[&Field::velocity]);
   std::vector<std::size_t> hit, at_rest, in_question;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
     const Stop &stop = scene.stops[i];
@@ -184,7 +183,7 @@ State initial_state(const Scene &scene, const Resolution &resolution, Run &run) 
     } else {
       state.stuck_on[p] = i;
       run.events.push_back(
-          {state.time, p, Event::Kind::stick, Real(0), Real(0), stuck_masses(state)});
+          {state.time, p, EventKind::stick, Real(0), Real(0), stuck_masses(state)});
     }
   }
   if (!in_question.empty()) decide(scene, state, in_question, run);
@@ -194,7 +193,7 @@ State initial_state(const Scene &scene, const Resolution &resolution, Run &run) 
 void advance(const Scene &scene, State &state, Run &run, const Resolution &resolution) {
   while (state.time < scene.end_time) {
     const std::vector<bool> stuck = stuck_masses(state);
-    const Flow flow = flow_from(scene.chain, state.time, state.x, state.v, stuck, run.known);
+    const Flow flow = flow_from(scene, state.time, state.x, state.v, stuck, run.known);
     const NextEvents next = find_next(scene, state, flow, scene.end_time - state.time, resolution);
     const Motion motion = motion_at(flow, next.duration);
     state.time += next.duration;

@@ -1,7 +1,8 @@
 // Event-driven simulation with plain means: sample the closed form, bracket, bisect, and resolve
 // every single impact.
 //
-// Nothing is shared with the library on purpose, neither code nor method. In particular a chatter
+// Nothing but scenes and kinds of events is shared with the library on purpose, neither code nor
+// method. In particular a chatter
 // sequence is not taken to its limit here: its impacts are computed one by one until the speed is
 // below 1e-20. At such a speed v the flight is some v^2 = 1e-40 high, and the gap, a difference of
 // numbers of order one known to 1e-50, still has ten digits (the cancellation would take over near
@@ -11,6 +12,7 @@
 
 #include "at_rest.hpp"
 #include "signals.hpp"
+#include "vibro_impact/event.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -30,15 +32,19 @@ Resolution resolution_down_to(const Real &floor);
 /// A hold force below this counts as zero: no stick.
 inline const Real pressing_floor = Real("1e-30");
 
+using vibro_impact::EventKind;
+
 struct Event {
-  enum class Kind { impact, stick, release };
   Real time;
   std::size_t mass;  // from 0
-  Kind kind;
+  EventKind kind;
   Real velocity_before;
   Real velocity_after;
   std::vector<bool> stuck;  // per mass, after the event
-  Real pressing = 0;        // of a stick that ends a chatter: the force into the stop
+  // Of a stick that ends a chatter: the duration of the flights that are left out, 2 v / a (1 + r +
+  // r^2 + ...), up to the relative change of the acceleration a over them, which is as small as
+  // they are.
+  Real left_out = 0;
 };
 
 /// A piece of smooth motion, and how many events came before it.
@@ -54,11 +60,6 @@ struct Run {
   std::vector<Piece> pieces = {};
   Eigensystems known = {};
 };
-
-/// When the chatter that ends in this stick is complete, with the flights that the generator leaves
-/// out: they last 2 v / a (1 + r + r^2 + ...), up to the relative change of the acceleration
-/// a over them, which is as small as they are.
-Real completion(const Scene &scene, const Event &stick);
 
 /// The next events along a flow: the time since its start and the stops concerned (several if at
 /// the same instant).

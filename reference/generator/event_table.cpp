@@ -22,10 +22,10 @@ namespace {
 std::vector<bool> kept(const std::vector<Event> &events, const Vector &slowest) {
   std::vector<bool> keep(events.size(), true);
   for (std::size_t i = 0; i < events.size(); ++i) {
-    if (events[i].kind != Event::Kind::stick) continue;
+    if (events[i].kind != EventKind::stick) continue;
     for (std::size_t j = i; j-- > 0;) {
       const Event &earlier = events[j];
-      if (earlier.kind != Event::Kind::impact || earlier.mass != events[i].mass) break;
+      if (earlier.kind != EventKind::impact || earlier.mass != events[i].mass) break;
       if (abs(earlier.velocity_before) >= slowest[earlier.mass]) break;
       keep[j] = false;
     }
@@ -42,9 +42,9 @@ std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (!keep[i]) continue;
     const Event &e = events[i];
-    table << lead << e.time.str(30) << ',' << e.mass + 1 << ','
-          << kind_names[static_cast<int>(e.kind)] << ',' << e.velocity_before.str(30) << ','
-          << e.velocity_after.str(30) << ',' << contact_mode(e.stuck) << '\n';
+    table << lead << e.time.str(30) << ',' << e.mass + 1 << ',' << name(e.kind) << ','
+          << e.velocity_before.str(30) << ',' << e.velocity_after.str(30) << ','
+          << contact_mode(e.stuck) << '\n';
   }
   return table.str();
 }

@@ -16,9 +16,6 @@ inline const Real kept_speed = Real("1e-6");
 /// The masses that stick, as `1+2`; `-` if none does.
 std::string contact_mode(const std::vector<bool> &stuck);
 
-/// By Event::Kind.
-constexpr const char *kind_names[] = {"impact", "stick", "release"};
-
 /// The rows of the kept events, each after `lead`.
 std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
                        const std::string &lead);

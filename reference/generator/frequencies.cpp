@@ -11,7 +11,7 @@ namespace {
 /// Brings the state to their end, where the phase is zero again and the time is counted anew.
 Run carried_on(Scene scene, State &state, int periods, const Resolution &resolution) {
   Run run;
-  scene.end_time = periods * 2 * acos(Real(-1)) / scene.chain.frequency;
+  scene.end_time = periods * 2 * acos(Real(-1)) / scene[&Field::omega];
   advance(scene, state, run, resolution);
   state.time = 0;
   return run;
@@ -41,12 +41,12 @@ void require_change(const Bracket &bracket, std::size_t near, std::size_t far) {
 Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
   const Resolution resolution = resolution_down_to(chatter_floor);
   const auto count_at = [&](const Real &frequency, State &state) {
-    scene.chain.frequency = frequency;
+    scene[&Field::omega] = frequency;
     carried_on(scene, state, settling_from_near, resolution);
     return count(carried_on(scene, state, counted, resolution));
   };
   const auto settled_at = [&](const Real &frequency) {
-    scene.chain.frequency = frequency;
+    scene[&Field::omega] = frequency;
     Run run;
     State state = initial_state(scene, resolution, run);
     carried_on(scene, state, settling_from_rest, resolution);
@@ -73,7 +73,7 @@ Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
 Real jumping_frequency(Scene scene, Bracket bracket, int settling, const Count &count) {
   const Resolution resolution = resolution_down_to(chatter_floor);
   const auto count_at = [&](const Real &frequency) {
-    scene.chain.frequency = frequency;
+    scene[&Field::omega] = frequency;
     Run run;
     State state = initial_state(scene, resolution, run);
     carried_on(scene, state, settling, resolution);
@@ -92,7 +92,7 @@ Count sticks_of(std::size_t mass) {
   return [mass](const Run &run) {
     return static_cast<std::size_t>(
         std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
-          return event.kind == Event::Kind::stick && event.mass == mass;
+          return event.kind == EventKind::stick && event.mass == mass;
         }));
   };
 }

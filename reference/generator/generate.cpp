@@ -29,7 +29,7 @@ std::string cases_table(const std::vector<vibro_impact::truth::Case> &cases) {
     const Scene scene = in_digits(extreme.scene, extreme.until);
     const std::vector<Event> events =
         simulate(scene, {.speed_floor = Real(extreme.slowest_impact)}).events;
-    Vector slowest(scene.chain.masses.size());
+    Vector slowest(scene.masses());
     for (const Event &e : events) {
       const Real speed = kept_speed * abs(e.velocity_before);
       if (speed > slowest[e.mass]) slowest[e.mass] = speed;

@@ -32,11 +32,12 @@ std::vector<OneImpactCase> one_impact_cases() {
 
 OneImpactOrbit one_impact_orbit(const OneImpactCase &given) {
   const Scene scene = in_digits(given.scene, 0.0);
-  const std::size_t n = scene.chain.masses.size(), hit = scene.stops[given.stop].mass;
-  const Real two_pi = 2 * acos(Real(-1)), omega = scene.chain.frequency, r = scene.restitution;
-  const Real period = two_pi * given.periods / omega, m = scene.chain.masses[hit];
+  const std::size_t n = scene.masses(), hit = scene.stops[given.stop].mass;
+  const Real two_pi = 2 * acos(Real(-1)), omega = scene[&Field::omega],
+             r = scene.stops[given.stop].restitution;
+  const Real period = two_pi * given.periods / omega, m = scene[&Field::mass][hit];
   Eigensystems known;
-  const Flow rest = flow_from(scene.chain, 0, Vector(n), Vector(n), std::vector<bool>(n), known);
+  const Flow rest = flow_from(scene, 0, Vector(n), Vector(n), std::vector<bool>(n), known);
   const Matrix &shapes = rest.eigen->vectors;
   Vector c(n), s(n), kick(n), kick_rate(n);  // c, s: damped cosine and sine / nu over the period
   Real g, b, x_cos, x_sin;                   // X = x_cos - i x_sin

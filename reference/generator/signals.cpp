@@ -19,15 +19,16 @@ Signal gap_signal(const Stop &stop, const Motion &motion) {
 
 }  // namespace
 
-Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion &motion) {
+Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motion) {
   const std::size_t p = stop.mass;
-  const Real &beta = chain.damping_ratio;
-  const Real &omega = chain.frequency;
-  const Real &amplitude = chain.amplitudes[p];
-  const Real &sine = chain.sines[p];
+  const Vector &link = scene[&Field::stiffness];
+  const Real &beta = scene[&Field::beta];
+  const Real &omega = scene[&Field::omega];
+  const Real &amplitude = scene[&Field::amplitude][p];
+  const Real &sine = scene[&Field::sine][p];
   const Real turning = amplitude * motion.cosine + sine * motion.sine;
   Real force =
-      turning + chain.constants[p] - (chain.stiffnesses[p] + chain.grounds[p]) * stop.position;
+      turning + scene[&Field::constant][p] - (link[p] + scene[&Field::ground][p]) * stop.position;
   Real rate = omega * (sine * motion.cosine - amplitude * motion.sine);
   Real curvature = -omega * omega * turning;
   const auto add_neighbour = [&](std::size_t q, const Real &k) {
@@ -35,10 +36,10 @@ Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion &motio
     rate += k * (motion.v[q] + beta * motion.a[q]);
     curvature += k * (motion.a[q] + beta * motion.jerk[q]);
   };
-  if (p > 0) add_neighbour(p - 1, chain.stiffnesses[p]);
-  if (p + 1 < chain.masses.size()) {
-    force -= chain.stiffnesses[p + 1] * stop.position;
-    add_neighbour(p + 1, chain.stiffnesses[p + 1]);
+  if (p > 0) add_neighbour(p - 1, link[p]);
+  if (p + 1 < scene.masses()) {
+    force -= link[p + 1] * stop.position;
+    add_neighbour(p + 1, link[p + 1]);
   }
   const int sign = side_sign(stop);
   return {sign * force, sign * rate, sign * curvature};
@@ -60,15 +61,15 @@ std::optional<Signal> stop_signal(const Scene &scene, const State &state, std::s
   const Stop &stop = scene.stops[index];
   const auto &stuck_on = state.stuck_on[stop.mass];
   if (!stuck_on) return gap_signal(stop, motion);
-  if (*stuck_on == index) return pressing_signal(scene.chain, stop, motion);
+  if (*stuck_on == index) return pressing_signal(scene, stop, motion);
   return std::nullopt;
 }
 
 Real pressing_now(const Scene &scene, const State &state, std::size_t stop) {
   const std::size_t n = state.x.size();
-  const Real phase = scene.chain.frequency * state.time;
+  const Real phase = scene[&Field::omega] * state.time;
   const Motion now{state.x, state.v, Vector(n), Vector(n), cos(phase), sin(phase)};
-  return pressing_signal(scene.chain, scene.stops[stop], now).value;
+  return pressing_signal(scene, scene.stops[stop], now).value;
 }
 
 std::vector<std::optional<Signal>> starting_signals(const Scene &scene, const State &state,

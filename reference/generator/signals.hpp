@@ -18,7 +18,7 @@ int side_sign(const Stop &stop);
 /// How hard the springs, dampers and the forcing push a mass that rests on its stop into it:
 /// side_sign F_p of Eqs. 12 and 13, for a general chain, and its derivatives. The mass's own motion
 /// does not enter.
-Signal pressing_signal(const Chain &chain, const Stop &stop, const Motion &motion);
+Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motion);
 
 /// What is known exactly at the start of a piece of motion, and would be noise if evaluated.
 enum class Start {

@@ -50,7 +50,7 @@ Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const 
   for (const auto &[flow, duration, events_before] : run.pieces) {
     if (moves(scene.stops[stop].mass, flow) || flow.start_time < from) continue;
     const auto pressing = [&, &held = flow](const Real &tau) {
-      return pressing_signal(scene.chain, scene.stops[stop], motion_at(held, tau));
+      return pressing_signal(scene, scene.stops[stop], motion_at(held, tau));
     };
     each_turn(
         flow, Real(0), duration, [&](const Real &tau) { return pressing(tau).rate; },

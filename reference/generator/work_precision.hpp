@@ -23,7 +23,7 @@ struct Stretch {
 inline std::vector<Stretch> stretches() {
   const auto ten_periods = [](const char *scene) {
     const double two_pi = 6.283185307179586477;
-    return 10.0 * two_pi / static_cast<double>(scene_named(scene).chain.frequency);
+    return 10.0 * two_pi / static_cast<double>(scene_named(scene)[&Field::omega]);
   };
   return {{"figure2", "figure2", 0.0, ten_periods("figure2")},
           {"figure4", "figure4a", 0.0, ten_periods("figure4a")},

@@ -30,6 +30,7 @@
 #include "arguments.hpp"
 #include "panels.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/case.hpp"
 #include "vibro_impact/event.hpp"
 
 namespace vibro_impact::numbers {
@@ -67,15 +68,6 @@ inline Motion motion_in(const Arguments &arguments) {
   if (word == "from_rest") return Motion::from_rest;
   if (word == "followed") return Motion::followed;
   throw std::runtime_error("motion '" + word + "': must be settled, from_rest or followed");
-}
-
-// Throws std::runtime_error for any other word.
-inline EventKind kind_in(const Arguments &arguments) {
-  const std::string &word = arguments.text("kind");
-  if (word == "impact") return EventKind::impact;
-  if (word == "stick") return EventKind::stick;
-  if (word == "release") return EventKind::release;
-  throw std::runtime_error("kind '" + word + "': must be impact, stick or release");
 }
 
 // The run of a scene of the paper (`scene`), with another Omega (`omega`), coefficient of
@@ -158,7 +150,7 @@ Occurrences<typename Engine::Number> asked_events(Engine &engine, const Argument
   const paper::NamedScene run = run_of(given);
   auto events = engine.events(run);
   const Interval<typename Engine::Number> asked = interval_of(engine, run, events, given);
-  const EventKind kind = kind_in(given);
+  const EventKind kind = truth::kind_in("kind", given.text("kind"));
   const int mass = given.mass("mass");
   const std::string mode = given.contains("contact_mode") ? given.text("contact_mode") : "";
   std::erase_if(events, [&](const auto &event) {

@@ -1,6 +1,7 @@
 // A case is a scene with the true events of its motion.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,13 @@ inline Event event_at(double time, int mass, EventKind kind, double velocity_bef
           .velocity_before = velocity_before};
 }
 
+// The kind of event that a table names. Throws std::runtime_error naming `place` and the word.
+inline EventKind kind_in(const std::string &place, const std::string &word) {
+  for (const EventKind kind : all_event_kinds)
+    if (word == name(kind)) return kind;
+  throw std::runtime_error(place + ": '" + word + "' must be impact, stick or release");
+}
+
 // The truth that a case is compared with.
 enum class Truth {
   digits,   // the events of the 50-digit generator, reference/tables/extreme_events.csv
@@ -26,7 +34,15 @@ enum class Truth {
 };
 
 inline const char *name(Truth truth) {
-  return truth == Truth::digits ? "digits" : truth == Truth::exact ? "exact" : "grazing";
+  switch (truth) {
+    case Truth::digits:
+      return "digits";
+    case Truth::exact:
+      return "exact";
+    case Truth::grazing:
+      return "grazing";
+  }
+  throw std::logic_error("truth: its kind is unknown");
 }
 
 struct Case {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,17 +39,6 @@ struct Matching {
 
 namespace detail {
 
-inline bool ends_a_stretch(EventKind kind) {
-  switch (kind) {
-    case EventKind::impact:
-      return false;
-    case EventKind::stick:
-    case EventKind::release:
-      return true;
-  }
-  throw std::logic_error("no kind of event");
-}
-
 // Impacts of one mass, and the stick or release that follows them as the last event. The last
 // stretch of a list has impacts only.
 using Stretch = std::vector<Event>;
@@ -60,7 +48,7 @@ inline std::vector<Stretch> stretches_of(const std::vector<Event> &events, int m
   for (const Event &event : events) {
     if (event.mass != mass) continue;
     stretches.back().push_back(event);
-    if (ends_a_stretch(event.kind)) stretches.emplace_back();
+    if (changes_contact_mode(event.kind)) stretches.emplace_back();
   }
   return stretches;
 }
@@ -71,7 +59,7 @@ inline bool is_complete_chatter(const Stretch &stretch) {
 
 // Drops the impacts behind the first `count` ones.
 inline void keep_impacts(Stretch &stretch, std::ptrdiff_t count) {
-  const auto end = std::ranges::find_if(stretch, ends_a_stretch, &Event::kind);
+  const auto end = std::ranges::find_if(stretch, changes_contact_mode, &Event::kind);
   if (count < end - stretch.begin()) stretch.erase(stretch.begin() + count, end);
 }
 

@@ -18,19 +18,13 @@ namespace vibro_impact::truth {
 
 namespace detail {
 
-// Each of the three throws std::runtime_error naming `place` and the cell.
+// Each of the two throws std::runtime_error naming `place` and the cell.
 
 inline int mass_in(const std::string &place, const std::string &cell) {
   const double mass = number_in(place, cell);
   if (!(mass >= 1.0 && mass <= 1e6) || mass != std::floor(mass))
     throw std::runtime_error(fmt::format("{}: '{}' is not a mass", place, cell));
   return static_cast<int>(mass);
-}
-
-inline EventKind kind_in(const std::string &place, const std::string &cell) {
-  for (const EventKind kind : {EventKind::impact, EventKind::stick, EventKind::release})
-    if (cell == name(kind)) return kind;
-  throw std::runtime_error(fmt::format("{}: '{}' must be impact, stick or release", place, cell));
 }
 
 // A table names the masses that are held, and not the sides of their stops: +1 stands for either

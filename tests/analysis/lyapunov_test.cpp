@@ -142,7 +142,7 @@ TEST(Lyapunov, TheSumOfAllExponentsFollowsFromDampingAndImpacts) {
     bool sticks = false;
     for (const Event &event : recorder.events) {
       sum += 2.0 * std::log(law_of(scene, stop_of(scene, event)).restitution);
-      sticks = sticks || event.kind != EventKind::impact;
+      sticks = sticks || changes_contact_mode(event.kind);
     }
     const int size = 2 * scene.masses();
     const Eigen::Map<const Eigen::MatrixXd> transposed(map.values.data(), size, size);

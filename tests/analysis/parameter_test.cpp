@@ -17,18 +17,22 @@ static_assert(sizeof(Scene) == std::size(list_fields) * sizeof(std::vector<doubl
                                    std::size(scalar_fields) * sizeof(double) +
                                    sizeof(Scene::stops));
 
-const std::string names[] = {
-    "omega",      "beta",          "restitution",   "restitution1", "restitution2", "stop1",
-    "stop2",      "mass1",         "mass2",         "stiffness1",   "stiffness2",   "amplitude1",
-    "amplitude2", "sine1",         "sine2",         "constant1",    "constant2",    "ground1",
-    "ground2",    "displacement1", "displacement2", "velocity1",    "velocity2"};
+// The name of every number of a chain of two masses with a stop each.
+std::vector<std::string> names() {
+  std::vector<std::string> all{"stop1", "stop2", "restitution1", "restitution2"};
+  for (const auto &field : scalar_fields) all.push_back(field.name);
+  for (const auto &field : list_fields)
+    for (const char *mass : {"1", "2"}) all.push_back(std::string(field.name) + mass);
+  return all;
+}
 
 // Every number of a scene, in a fixed order.
 std::vector<double> numbers_of(const Scene &scene) {
-  std::vector<double> all{scene.omega, scene.beta, scene.restitution};
-  for (const auto *list : {&scene.mass, &scene.stiffness, &scene.amplitude, &scene.sine,
-                           &scene.constant, &scene.ground, &scene.displacement, &scene.velocity})
-    for (std::size_t i = 0; i < 2; ++i) all.push_back(list->empty() ? 0.0 : (*list)[i]);
+  std::vector<double> all;
+  for (const auto &field : scalar_fields) all.push_back(scene.*field.value);
+  for (const auto &field : list_fields)
+    for (std::size_t i = 0; i < 2; ++i)
+      all.push_back((scene.*field.value).empty() ? 0.0 : (scene.*field.value)[i]);
   for (const Stop &stop : scene.stops) {
     all.push_back(stop.position);
     all.push_back(law_of(scene, stop).restitution);
@@ -41,7 +45,7 @@ std::vector<double> numbers_of(const Scene &scene) {
 TEST(Parameter, NamesOneNumberOfTheSceneEach) {
   std::set<std::size_t> places;
   const std::vector<double> before = numbers_of(paper::figure2());
-  for (const std::string &word : names) {
+  for (const std::string &word : names()) {
     const Scene scene = paper::figure2();
     EXPECT_EQ(numbers_of(with(scene, word, get(scene, word))), before) << word;
     const Scene moved = with(scene, word, 0.3125);

@@ -169,7 +169,7 @@ bool differentiable_after(const std::vector<BriefEvent> &events) {
   TangentRecorder tangents(scene, start_of(scene));
   Held held{0, 0};
   for (const auto &[time, kind, mass, speed] : events) {
-    if (kind != EventKind::impact)
+    if (changes_contact_mode(kind))
       held[static_cast<std::size_t>(mass - 1)] = kind == EventKind::stick ? 1 : 0;
     const Instant instant{0, time};
     const Event event{kind, mass, mass, Side::upper, instant, time, speed, -speed, 0, false, held};

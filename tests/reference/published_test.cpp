@@ -84,7 +84,7 @@ TEST(CheckedNumbers, UnknownQuantitiesAndArgumentsAreNamed) {
   EXPECT_EQ(message("count", count + "impact form=7").substr(0, 45),
             start + "argument 'form': must be one of ");
   EXPECT_EQ(message("count", count + "bounce"),
-            start + "kind 'bounce': must be impact, stick or release");
+            start + "kind: 'bounce' must be impact, stick or release");
   EXPECT_EQ(message("time", count + "impact from=9.9"), "row, time : the run has no such event");
   EXPECT_EQ(message("changing_frequency", "scene=figure2 mass=1 near=0.3 far=0.4 motion=up"),
             "row, changing_frequency : motion 'up': must be settled, from_rest or followed");

@@ -34,4 +34,21 @@ TEST(Generator, ComputesTheStoredEventsOfFigure5cAgain) {
   }
 }
 
+// When the first chatter is complete, followed down to a speed.
+reference::Real end_of_chatter(const char *speed) {
+  const auto scene = reference::in_digits(vibro_impact::paper::figure2(), 25.0);
+  const auto resolution = reference::resolution_down_to(reference::Real(speed));
+  for (const auto &event : reference::simulate(scene, resolution).events)
+    if (event.left_out > 0) return event.time + event.left_out;
+  return 0;
+}
+
+// The flights that are left out below a speed of 1e-18 last as long. Of such a speed some ten
+// digits are known (event_driven.hpp).
+TEST(Generator, KnowsTheTimeOfTheFlightsThatItLeavesOut) {
+  const reference::Real sooner = end_of_chatter("1e-18"), later = end_of_chatter("1e-20");
+  EXPECT_GT(later, 0);
+  EXPECT_LE(abs(sooner - later), reference::Real("1e-27"));
+}
+
 }  // namespace

@@ -75,7 +75,7 @@ TEST(Modes, TheMotionOfAQuietChainAgreesWith50Digits) {
         scene.beta > 0.0 ? std::min(fastest * until, std::sqrt(until / longest)) : fastest * until;
     const auto exact = in_digits(scene, until);
     Eigensystems known;
-    const Flow flow = flow_from(exact.chain, 0, exact.initial_positions, exact.initial_velocities,
+    const Flow flow = flow_from(exact, 0, exact[&Field::displacement], exact[&Field::velocity],
                                 std::vector<bool>(scene.mass.size()), known);
     double size = 0.0, speed = 0.0, error = 0.0;
     for (const double time : {0.0, until / 3.0, until / 2.0, until}) {

@@ -54,19 +54,26 @@ struct EventRules : Recorder {
     const double sigma = sign(event.side);
     const auto side = static_cast<signed char>(event.side);
     const auto i = static_cast<std::size_t>(event.mass - 1);
-    if (event.kind == EventKind::impact) {
-      if (held[i] != 0) return "impact of a held mass";
-      if (!(sigma * event.velocity_before >= 0.0)) return "impact while leaving";
-      const double r = stop.restitution.value_or(scene.restitution);
-      if (event.velocity_after != -(r * event.velocity_before)) return "impact law";
-    } else {
-      const bool sticks = event.kind == EventKind::stick;
-      if (sticks && held[i] != 0) return "stick of a held mass";
-      if (!sticks && held[i] != side) return "release of a mass not held there";
-      if (changed[i] && !(*changed[i] < event.instant))
-        return sticks ? "stick at the instant of a release" : "release at the instant of a stick";
-      held[i] = sticks ? side : static_cast<signed char>(0);
-      changed[i] = event.instant;
+    const double r = stop.restitution.value_or(scene.restitution);
+    const bool changed_now = changed[i] && !(*changed[i] < event.instant);
+    switch (event.kind) {
+      case EventKind::impact:
+        if (held[i] != 0) return "impact of a held mass";
+        if (!(sigma * event.velocity_before >= 0.0)) return "impact while leaving";
+        if (event.velocity_after != -(r * event.velocity_before)) return "impact law";
+        break;
+      case EventKind::stick:
+        if (held[i] != 0) return "stick of a held mass";
+        if (changed_now) return "stick at the instant of a release";
+        held[i] = side;
+        changed[i] = event.instant;
+        break;
+      case EventKind::release:
+        if (held[i] != side) return "release of a mass not held there";
+        if (changed_now) return "release at the instant of a stick";
+        held[i] = 0;
+        changed[i] = event.instant;
+        break;
     }
     recorded = event.held;
     recorded_at = event.instant;

@@ -42,16 +42,21 @@ class Witness : public Recorder {
     fly_to(event.instant);
     const auto i = static_cast<Eigen::Index>(event.mass - 1);
     const Stop &stop = stop_of(scene_, event);
-    if (event.kind == EventKind::impact) {
-      note(off_the_stop, std::abs(gap(stop, flown_)));
-      const Real off = beyond(flown_.v(i) - event.velocity_before, clock_change_.v(i));
-      note(apart_, scene_.mass[static_cast<std::size_t>(i)] * off * off / 2);
-      flown_.v(i) = event.velocity_after;
-    } else if (event.kind == EventKind::stick) {  // its last speed counts as off
-      note(off_the_stop, std::abs(gap(stop, flown_)));
-    } else if (!event.by_a_jump) {
-      note(not_zero, std::abs(press(stop, flown_, event.instant.phase)) -
-                         clock_rounding_[static_cast<std::size_t>(&stop - scene_.stops.data())]);
+    const Real off = beyond(flown_.v(i) - event.velocity_before, clock_change_.v(i));
+    switch (event.kind) {
+      case EventKind::impact:
+        note(off_the_stop, std::abs(gap(stop, flown_)));
+        note(apart_, scene_.mass[static_cast<std::size_t>(i)] * off * off / 2);
+        flown_.v(i) = event.velocity_after;
+        break;
+      case EventKind::stick:  // its last speed counts as off
+        note(off_the_stop, std::abs(gap(stop, flown_)));
+        break;
+      case EventKind::release:
+        if (event.by_a_jump) break;
+        note(not_zero, std::abs(press(stop, flown_, event.instant.phase)) -
+                           clock_rounding_[static_cast<std::size_t>(&stop - scene_.stops.data())]);
+        break;
     }
     for (Eigen::Index k = 0; k < flown_.x.size(); ++k) {
       state_of_run_.x(k) = moment.displacement(static_cast<int>(k) + 1);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "motion_state.hpp"
@@ -56,15 +57,21 @@ std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
         std::find_if(contacts.begin(), contacts.end(), [&](const StopContact &contact) {
           return contact.mass == event.mass && contact.to == infinity;
         });
-    if (event.kind == EventKind::impact) {
-      const auto kind = grazes(pressed) ? ContactKind::grazing : ContactKind::impact;
-      contacts.push_back({kind, event.mass, event.time, event.time});
-    } else if (event.kind == EventKind::release) {
-      if (phase != contacts.end()) phase->to = event.time;
-    } else if (phase == contacts.end()) {
-      contacts.push_back({ContactKind::sticking, event.mass, event.time, infinity});
-    } else {  // the mass came to stick at the first instant
-      phase->from = event.time;
+    switch (event.kind) {
+      case EventKind::impact: {
+        const auto kind = grazes(pressed) ? ContactKind::grazing : ContactKind::impact;
+        contacts.push_back({kind, event.mass, event.time, event.time});
+        break;
+      }
+      case EventKind::stick:
+        if (phase == contacts.end())
+          contacts.push_back({ContactKind::sticking, event.mass, event.time, infinity});
+        else  // the mass came to stick at the first instant
+          phase->from = event.time;
+        break;
+      case EventKind::release:
+        if (phase != contacts.end()) phase->to = event.time;
+        break;
     }
   }
   return contacts;
@@ -77,12 +84,25 @@ bool sticks_at(int mass, double time, const std::vector<StopContact> &contacts) 
   });
 }
 
+// The two kinds are in the order of the enumeration.
 EventPair kind_of(ContactKind first, ContactKind second) {
-  using enum EventPair;
-  constexpr EventPair kinds[3][3] = {{dual_grazing, grazing_sticking, grazing_impact},
-                                     {grazing_sticking, dual_sticking, sticking_impact},
-                                     {grazing_impact, sticking_impact, double_impact}};
-  return kinds[static_cast<std::size_t>(first)][static_cast<std::size_t>(second)];
+  switch (first) {
+    case ContactKind::grazing:
+      switch (second) {
+        case ContactKind::grazing:
+          return EventPair::dual_grazing;
+        case ContactKind::sticking:
+          return EventPair::grazing_sticking;
+        case ContactKind::impact:
+          return EventPair::grazing_impact;
+      }
+      break;
+    case ContactKind::sticking:
+      return second == first ? EventPair::dual_sticking : EventPair::sticking_impact;
+    case ContactKind::impact:
+      return EventPair::double_impact;
+  }
+  throw std::logic_error("contact: its kind is unknown");
 }
 
 // The pair of two contacts of different masses. Returns nullopt if they do not coincide, and for

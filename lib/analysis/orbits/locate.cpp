@@ -44,11 +44,11 @@ CountJump bisect(const std::function<int(double)> &count, double below, double a
 }
 
 int sticking_phases(const Scene &scene, int mass, int settling, int periods) {
-  MotionState start = start_of(scene);
+  Simulation simulation(scene);
   require_mass(mass, scene.masses());
-  start.instant.cycle = settling;
-  EventRecorder recorder(time_of(start.instant, Clock(scene.omega)));
-  require_complete(simulate(scene, time_after(scene, start, periods), recorder));
+  const MotionState settled{.instant = {settling, 0.0}};
+  EventRecorder recorder(time_of(settled.instant, Clock(scene.omega)));
+  require_complete(simulation.advance(time_after(scene, settled, periods), recorder));
   return static_cast<int>(std::count_if(
       recorder.events.begin(), recorder.events.end(),
       [mass](const Event &event) { return event.kind == EventKind::stick && event.mass == mass; }));

@@ -47,6 +47,14 @@ inline void require_held(const Scene &scene, const Held &held) {
   for (const int how : held) require(how >= -1 && how <= 1, "held = ", how, ": must be -1, 0 or 1");
 }
 
+// The indices of the masses that no stop holds, from 0.
+inline std::vector<std::size_t> free_masses(const Held &held) {
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] == 0) free.push_back(i);
+  return free;
+}
+
 // A run checks its start by itself; functions of a state have to. A mass may lie beyond a stop.
 inline void require_fits(const Scene &scene, const MotionState &at) {
   const std::size_t n = scene.mass.size();
@@ -70,6 +78,18 @@ inline MotionState state_at(const Moment &moment, const Held &held) {
     at.velocity.push_back(moment.velocity(mass));
   }
   return at;
+}
+
+// Replaces the velocities just after an event by those just before it. Only an impact changes one.
+inline void undo_jump(const Event &event, std::vector<double> &velocity) {
+  switch (event.kind) {
+    case EventKind::impact:
+      velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
+      break;
+    case EventKind::stick:
+    case EventKind::release:
+      break;
+  }
 }
 
 // The functions of pressing_force.hpp, of a scene, a stop and a state that have been checked.

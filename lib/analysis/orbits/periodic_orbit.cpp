@@ -64,10 +64,9 @@ bool admissible(const Scene &scene, const MotionState &at) {
 }  // namespace
 
 std::vector<std::size_t> free_coordinates(const Held &held) {
-  std::vector<std::size_t> rows;
-  for (const std::size_t part : {std::size_t{0}, held.size()})
-    for (std::size_t i = 0; i < held.size(); ++i)
-      if (held[i] == 0) rows.push_back(part + i);
+  std::vector<std::size_t> rows = free_masses(held);
+  const std::size_t masses = rows.size();
+  for (std::size_t k = 0; k < masses; ++k) rows.push_back(held.size() + rows[k]);
   return rows;
 }
 
@@ -88,9 +87,9 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options) {
+  Simulation simulation(scene, start, options);
   TangentRecorder recorder(scene, start);
-  const Outcome end =
-      Simulation(scene, start, options).advance(time_after(scene, start, periods), recorder);
+  const Outcome end = simulation.advance(time_after(scene, start, periods), recorder);
   const Eigen::MatrixXd tangents = recorder.finish(require_complete(end).state.instant);
   Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(tangents.rows(), tangents.rows());
   Eigen::Index column = 0;
@@ -124,7 +123,10 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 }
 
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options) {
-  return stroboscopic_map(scene, start_of(scene), periods, options);
+  Simulation simulation(scene, options);
+  MotionState state = require_complete(simulation.advance(time_after(scene, {}, periods))).state;
+  state.instant = {};
+  return state;
 }
 
 std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, const Held &held) {

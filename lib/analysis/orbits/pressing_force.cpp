@@ -85,8 +85,7 @@ struct BracketRecorder : Recorder {
   }
   void event(const Event &event, const Moment &moment) override {
     MotionState before = state_at(moment, held);
-    if (event.kind == EventKind::impact)
-      before.velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
+    undo_jump(event, before.velocity);
     held = event.held;
     node(before, state_at(moment, held));
   }

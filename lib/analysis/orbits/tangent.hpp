@@ -24,7 +24,6 @@
 
 #include "motion_state.hpp"
 #include "orbit_tolerances.hpp"
-#include "vibro_impact/analysis/natural_modes.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
@@ -34,29 +33,28 @@ namespace vibro_impact {
 class TangentFlow {
  public:
   TangentFlow(const Scene &scene, const Held &held)
-      : beta_(scene.beta), modes_(natural_modes(scene, held)), shape_(view(modes_.shape)) {
-    to_modal_ = shape_.transpose() * view(scene.mass).asDiagonal();
+      : beta_(scene.beta), modes_(detail::modal_basis(scene, free_masses(held))) {
   }
 
   // Rows of held masses become zero, also where no time passes.
   void move(Eigen::MatrixXd &tangents, double time) const {
-    const Eigen::Index n = shape_.rows();
-    Eigen::MatrixXd y = to_modal_ * tangents.topRows(n), dy = to_modal_ * tangents.bottomRows(n);
+    const Eigen::Index n = modes_.shape.rows();
+    Eigen::MatrixXd y = modes_.inverse * tangents.topRows(n),
+                    dy = modes_.inverse * tangents.bottomRows(n);
     for (Eigen::Index j = 0; j < y.rows(); ++j) {
-      const double lambda = modes_.lambda[static_cast<std::size_t>(j)];
+      const double lambda = modes_.lambda(j);
       const OscillatorState of_value = free_response(beta_ * lambda, lambda, {1.0, 0.0}, time);
       const OscillatorState of_slope = free_response(beta_ * lambda, lambda, {0.0, 1.0}, time);
       const Eigen::RowVectorXd value = y.row(j), slope = dy.row(j);
       y.row(j) = of_value.value * value + of_slope.value * slope;
       dy.row(j) = of_value.slope * value + of_slope.slope * slope;
     }
-    tangents << shape_ * y, shape_ * dy;
+    tangents << modes_.shape * y, modes_.shape * dy;
   }
 
  private:
   double beta_;
-  NaturalModes modes_;
-  Eigen::MatrixXd shape_, to_modal_;
+  detail::ModalBasis modes_;
 };
 
 inline double largest(const Eigen::MatrixXd &matrix) {
@@ -125,10 +123,7 @@ class TangentRecorder : public Recorder {
     state_ = state_at(moment, held_);
     if (group_.empty()) velocity_before_ = state_.velocity;
     // The moment of the first impact of an instant has the velocities after all of them.
-    if (event.kind == EventKind::impact) {
-      const auto mass = static_cast<std::size_t>(event.mass - 1);
-      velocity_before_[mass] = event.velocity_before;
-    }
+    undo_jump(event, velocity_before_);
     group_.push_back(event);
   }
 
@@ -186,15 +181,23 @@ class TangentRecorder : public Recorder {
   void apply_group() {
     const Held after = group_.back().held;
     std::vector<Event> impacts;
-    bool sticks = false;
+    bool sticks = false, releases = false;
     for (const Event &event : group_) {
-      if (event.kind == EventKind::impact) impacts.push_back(event);
-      sticks = sticks || event.kind == EventKind::stick;
+      switch (event.kind) {
+        case EventKind::impact:
+          impacts.push_back(event);
+          break;
+        case EventKind::stick:
+          sticks = true;
+          break;
+        case EventKind::release:
+          releases = true;
+          break;
+      }
     }
-    const Event &first = group_.front();
-    if (group_.size() > 1 || first.kind == EventKind::release || first.stop != nodes_stop_)
-      nodes_.clear();
-    nodes_stop_ = first.stop;
+    const int stop = group_.front().stop;
+    if (group_.size() > 1 || releases || stop != nodes_stop_) nodes_.clear();
+    nodes_stop_ = stop;
     if (!impacts.empty())
       apply_impacts(impacts, after);
     else if (sticks)

@@ -238,7 +238,6 @@ void require_fits(const Scene &scene, const Event &event) {
 
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held) {
-  check(scene);
   require(periods >= 1, "periods = ", periods, ": must be positive");
   require_held(scene, held);
   for (const Event &event : events) require_fits(scene, event);
@@ -246,8 +245,16 @@ EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int 
   EventCounts counts{periods, none, none, dual_sticking(held)};
   for (const Event &event : without_chatters(scene, events)) {
     const auto mass = static_cast<std::size_t>(event.mass - 1);
-    if (event.kind == EventKind::impact) ++counts.impacts[mass];
-    if (event.kind == EventKind::stick) ++counts.sticks[mass];
+    switch (event.kind) {
+      case EventKind::impact:
+        ++counts.impacts[mass];
+        break;
+      case EventKind::stick:
+        ++counts.sticks[mass];
+        break;
+      case EventKind::release:
+        break;
+    }
     counts.dual_sticking = counts.dual_sticking || dual_sticking(event.held);
   }
   return counts;

@@ -1,6 +1,7 @@
 // Events: a mass hits its stop, comes to stick at its stop, or is released from it.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "instant.hpp"
@@ -9,9 +10,33 @@
 namespace vibro_impact {
 
 enum class EventKind { impact, stick, release };
+inline constexpr EventKind all_event_kinds[] = {EventKind::impact, EventKind::stick,
+                                                EventKind::release};
 
 // Returns "impact", "stick" or "release".
-const char *name(EventKind kind);
+constexpr const char *name(EventKind kind) {
+  switch (kind) {
+    case EventKind::impact:
+      return "impact";
+    case EventKind::stick:
+      return "stick";
+    case EventKind::release:
+      return "release";
+  }
+  throw std::logic_error("event: its kind is unknown");
+}
+
+// True of a stick and of a release. The contact mode is the same before and after an impact.
+constexpr bool changes_contact_mode(EventKind kind) {
+  switch (kind) {
+    case EventKind::impact:
+      return false;
+    case EventKind::stick:
+    case EventKind::release:
+      return true;
+  }
+  throw std::logic_error("event: its kind is unknown");
+}
 
 // The held masses of a contact mode as text: `-` for none, or `1`, `2`, `1+2`.
 std::string contact_mode_name(const Held &held);

@@ -11,10 +11,6 @@ namespace vibro_impact {
 using detail::require;
 using detail::require_mass;
 
-const char *name(EventKind kind) {
-  return kind == EventKind::impact ? "impact" : kind == EventKind::stick ? "stick" : "release";
-}
-
 std::string contact_mode_name(const Held &held) {
   std::string text;
   for (std::size_t i = 0; i < held.size(); ++i)
