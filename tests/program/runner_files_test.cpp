@@ -28,16 +28,16 @@ TEST_F(Runner, ARunOfTooManyStepsIsGivenUpAndLeavesNoFile) {
   EXPECT_NE(result.err.find("more than 100 steps, given up at t = "), std::string::npos)
       << result.err;
   EXPECT_TRUE(fs::is_empty(folder));
-  EXPECT_NE(run("run --help").out.find("--max-steps N=5000000 "), std::string::npos);
+  EXPECT_NE(run("run --help").out.find("--max-steps N=3000000 "), std::string::npos);
   EXPECT_NE(run("sweep --help").out.find("--max-steps N=1000000 "), std::string::npos);
   const auto steps = [](const char *masses, auto... more) {
     const char *words[] = {"vibro-impact", "run", "--stop", "none", "--masses", masses, more...};
     using namespace vibro_impact::runner;
     return std::get<RunRequest>(parse(std::size(words), words)).options.max_steps;
   };
-  EXPECT_EQ(steps("1"), 5'000'000);
-  EXPECT_EQ(steps("2"), 5'000'000);
-  EXPECT_EQ(steps("100"), 100'000);
+  EXPECT_EQ(steps("1"), 3'000'000);
+  EXPECT_EQ(steps("2"), 3'000'000);
+  EXPECT_EQ(steps("100"), 60'000);
   EXPECT_EQ(steps("2000"), 20'000);
   EXPECT_EQ(steps("100", "--max-steps", "7"), 7);
 }
