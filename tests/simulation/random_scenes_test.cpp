@@ -51,7 +51,7 @@ constexpr Distribution wide[] = {stiff,
                                  dying,
                                  {"falling", falling_masses, 20000, 2e-13},
                                  standing,
-                                 {"any links", any_links, 100000, 1e-8},
+                                 {"any links", any_links, 400000, 1e-8},
                                  {"any frequency", any_frequency, 20000, 2e-13},
                                  {"other units", in_other_units, 50000, 2e-13}};
 
