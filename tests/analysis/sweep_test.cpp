@@ -179,6 +179,12 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
        },
        "periods = 0"},
       {[&] { counts_of(good, {}, 1, {0}); }, "held: 1 values"},
+      {[&] {
+         Scene bad = good;
+         bad.restitution = 1.5;
+         counts_of(bad, {}, 1, {0, 0});
+       },
+       "restitution = 1.5"},
       {[&] { record_columns(-1, {}); }, "masses = -1"},
       {[&] {
          Table table("");

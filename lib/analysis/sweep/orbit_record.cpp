@@ -7,6 +7,7 @@
 
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
+#include "counts.hpp"
 #include "vibro_impact/analysis/lyapunov.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
@@ -50,7 +51,7 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   Simulation simulation = motion.simulation;
   simulation.set_options(run);
   require_complete(simulation.advance(until, recorders));
-  record.counts = counts_of(scene, events.events, periods, motion.state.held);
+  record.counts = counts_in(scene, events.events, periods, motion.state.held);
   if (options.section) record.section = std::move(section.section);
   if (!options.impact_velocities) return;
   record.impact_velocities.resize(scene.mass.size());

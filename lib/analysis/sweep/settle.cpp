@@ -7,6 +7,7 @@
 
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
+#include "counts.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
@@ -106,7 +107,7 @@ class Sections : public Recorder {
     motion.periods_run = taken_ - 1;
     motion.state = latest(0).state;
     if (period_ > 0)
-      motion.counts = counts_of(scene_, events_of(period_, 0), period_, motion.state.held);
+      motion.counts = counts_in(scene_, events_of(period_, 0), period_, motion.state.held);
   }
 
  private:
@@ -237,6 +238,12 @@ void require_fits(const Scene &scene, const Event &event) {
 }  // namespace
 
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
+                      const Held &held) {
+  check(scene);
+  return counts_in(scene, events, periods, held);
+}
+
+EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held) {
   require(periods >= 1, "periods = ", periods, ": must be positive");
   require_held(scene, held);

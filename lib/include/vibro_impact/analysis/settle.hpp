@@ -39,8 +39,8 @@ struct EventCounts {
 };
 
 // The counts of the events of whole forcing periods, of a motion that repeats after them. `held` is
-// the contact mode at their start. Throws std::invalid_argument for periods < 1, and for a contact
-// mode or an event of a mass or stop that the scene does not have. The scene itself is not checked.
+// the contact mode at their start. Throws std::invalid_argument for a bad scene, for periods < 1,
+// and for a contact mode or an event of a mass or stop that the scene does not have.
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held);
 
