@@ -133,6 +133,13 @@ double root_modulus(double kappa, double lambda) {
   return discriminant > 0 ? alpha + std::sqrt(discriminant) : std::sqrt(lambda);
 }
 
+double force_bound(const Scene &scene) {
+  double sum = 0.0;
+  for (const auto *forces : {&scene.amplitude, &scene.sine, &scene.constant})
+    for (const double force : *forces) sum += std::abs(force);
+  return sum;
+}
+
 double rate_bound(const Scene &scene) {
   const double lambda = largest_eigenvalue_bound(scene);
   const double rate = std::max(root_modulus(scene.beta * lambda, lambda), scene.omega);

@@ -139,7 +139,10 @@ void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) 
     const AtStop &state = run.stops[contact.stop].contact;
     if (contact.held || state.at_rest || state.speed == 0.0) continue;
     const Gap gap = gap_of(contact, run.stops[contact.stop], run.motion);
-    if (!is_as_at_rest(run.scene(), contact, gap, run.problem.rate_bound)) continue;
+    // The external forces move the mass at most so far.
+    const double rate = run.problem.rate_bound,
+                 reach = run.problem.force_bound / (run.scene().mass[contact.mass] * rate * rate);
+    if (!is_as_at_rest(gap, reach, rate)) continue;
     leave_stop(contact, 0.0, run.motion, run.stops);
     masses.push_back({contact.stop, contact.mass, contact.sigma, false, false});
   }

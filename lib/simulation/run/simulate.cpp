@@ -52,6 +52,7 @@ Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &op
       options(options_of_run),
       clock(scene->omega),
       rate_bound(detail::rate_bound(*scene)),
+      force_bound(detail::force_bound(*scene)),
       forced(scene->forced()),
       orders(options.flight_tolerance) {
 }

@@ -18,12 +18,8 @@ bool is_negligible(const Contact &contact, double speed, const Motion &motion) {
   return speed < negligible * dot_moduli(contact.modulus, motion.dy);
 }
 
-bool is_as_at_rest(const Scene &scene, const Contact &contact, const Gap &gap, double rate) {
-  double force = 0.0;
-  for (const auto *forces : {&scene.amplitude, &scene.sine, &scene.constant})
-    for (const double entry : *forces) force += std::abs(entry);
-  const double reach = force / (scene.mass[contact.mass] * rate * rate),
-               rounding = negligible * negligible * reach;
+bool is_as_at_rest(const Gap &gap, double reach, double rate) {
+  const double rounding = negligible * negligible * reach;
   return gap.value <= rounding && std::abs(gap.speed) <= rounding * rate;
 }
 

@@ -17,8 +17,8 @@ void leave_stop(const Contact &contact, double speed, Motion &motion,
 bool is_negligible(const Contact &contact, double speed, const Motion &motion);
 
 // True of a mass in flight whose gap and gap speed are so small that twice the precision does not
-// resolve them beside the motion that the external forces give it within 1 / rate.
-bool is_as_at_rest(const Scene &scene, const Contact &contact, const Gap &gap, double rate);
+// resolve them beside a motion that reaches this far within 1 / rate.
+bool is_as_at_rest(const Gap &gap, double reach, double rate);
 
 // The time 2 m v / F to the next impact, to leading order, of a mass that has just left its stop
 // with this speed v. F is the force that presses the mass towards the stop; without one the time is
