@@ -29,6 +29,12 @@ Trial run_of(unsigned seed) {
   return {scene, run_length(scene, static_cast<double>(radians))};
 }
 
+// Gives a mass an upper stop half of the time, and a lower one every fourth time, near zero.
+inline void add_stops_nearby(int mass, Draw &draw, Scene &scene) {
+  if (draw.one_in(2)) scene.stops.push_back({mass, Side::upper, draw.spread(1e-3, 0.3)});
+  if (draw.one_in(4)) scene.stops.push_back({mass, Side::lower, -draw.spread(1e-3, 0.3)});
+}
+
 // Two to five ordinary masses on damped links, of which some are stiff, up to 1e12. A slow forcing
 // presses the masses onto their stops and releases them again, four times.
 inline Trial stiff_release(unsigned seed) {
@@ -40,8 +46,7 @@ inline Trial stiff_release(unsigned seed) {
     const bool soft = i == 1 || draw.one_in(2);
     scene.stiffness.push_back(soft ? draw.uniform(0.5, 2.0) : draw.spread(1e4, 1e12));
     scene.amplitude.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0));
-    if (draw.one_in(2)) scene.stops.push_back({i, Side::upper, draw.spread(1e-3, 0.3)});
-    if (draw.one_in(4)) scene.stops.push_back({i, Side::lower, -draw.spread(1e-3, 0.3)});
+    add_stops_nearby(i, draw, scene);
   }
   if (draw.one_in(2)) scene.amplitude[0] = 0.5;
   scene.beta = draw.spread(0.03, 1.0);
@@ -174,8 +179,7 @@ inline Trial any_links(unsigned seed) {
     scene.mass.push_back(draw.uniform(0.5, 2.0));
     scene.stiffness.push_back(draw.one_in(3) ? draw.uniform(0.5, 2.0) : draw.spread(1e-12, 1e12));
     scene.amplitude.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0));
-    if (draw.one_in(2)) scene.stops.push_back({i, Side::upper, draw.spread(1e-3, 0.3)});
-    if (draw.one_in(4)) scene.stops.push_back({i, Side::lower, -draw.spread(1e-3, 0.3)});
+    add_stops_nearby(i, draw, scene);
   }
   scene.beta = draw.spread(1e-4, 1.0);
   scene.omega = draw.spread(0.1, 1.0);
