@@ -28,7 +28,7 @@ struct RunOptions {
   // to below 1. The order of the series follows from it. The default lies below rounding.
   double flight_tolerance = 0x1p-56;
   // A run is given up after this many steps in one call of `advance`. Every impact ends a step, so
-  // that this number bounds the impacts, too. Twenty orders of decisions who sticks are as much work
+  // that this number bounds the impacts, too. Twenty orders of decisions who sticks take as long
   // as a step, and count as one. A sample inside a chatter that is taken to its limit needs further
   // impacts, at most as many again. An undamped mode of frequency w takes at least w/2 steps per
   // unit of time while an impact is near.
