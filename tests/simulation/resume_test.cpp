@@ -57,6 +57,24 @@ TEST(Resume, ACopyGoesOnAsTheOriginalAndDoesNotMoveIt) {
                    "until = 700: lies before the start at 750"}});
 }
 
+// The simulation leaves the chatter that it was in. A start that does not fit leaves it as it was.
+TEST(Resume, AnotherStartGivesTheEventsOfANewSimulation) {
+  const Scene scene = paper::figure2();
+  const MotionState start = simulate(scene, 716.0).state;
+  Simulation moved(scene);
+  require_complete(moved.advance(740.0));
+  moved.start_from(start);
+  EventRecorder events, of_new;
+  require_complete(moved.advance(750.0, events));
+  require_complete(Simulation(scene, start).advance(750.0, of_new));
+  EXPECT_TRUE(events.events == of_new.events);
+  MotionState beyond = start;
+  beyond.displacement[1] = 1.0;
+  expect_refused(
+      {{[&] { moved.start_from(beyond); }, "start: mass 2 at 1, beyond its upper stop"}});
+  EXPECT_EQ(require_complete(moved.advance(760.0)).time, 760.0);
+}
+
 // Keeps the first sample from a time on, and asks for the end there.
 struct FirstSample : Recorder {
   double at;

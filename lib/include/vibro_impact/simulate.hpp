@@ -69,8 +69,16 @@ class Simulation {
   Simulation &operator=(Simulation other) noexcept;
   ~Simulation();
 
+  // Non-dimensional. The reference is valid until the simulation is assigned to or destroyed.
+  const Scene &scene() const;
+
   // Goes on with other options. Throws std::invalid_argument for options out of range.
   void set_options(const RunOptions &options);
+
+  // Goes on from another motion of the scene, as a new simulation with these options would start
+  // from it. Throws std::invalid_argument for a start that does not fit the scene, which is not
+  // checked again.
+  void start_from(const MotionState &start);
 
   // Runs on to time `until`, counted from t = 0, and calls the recorders on the way. The events do
   // not depend on the times at which calls end. The counters of the outcome are those of this call.

@@ -29,18 +29,15 @@ void check_options(const RunOptions &options) {
   require(options.max_steps > 0, "max_steps = ", options.max_steps, ": must be positive");
 }
 
-// A motion of the scene, after both have been checked.
-const MotionState &checked(const Scene &scene, const MotionState &start) {
-  check(scene);
-  check(scene, start);
-  return start;
+// The problem of a scene that has been checked.
+Problem problem_of(const Scene &scene, const RunOptions &options) {
+  check_options(options);
+  return {std::make_shared<const Scene>(scene), options};
 }
 
 // A run before its first step, from a motion that has been checked.
-std::unique_ptr<Run> start_run(const Scene &scene, const MotionState &start,
-                               const RunOptions &options) {
-  check_options(options);
-  Run run{.problem = Problem(std::make_shared<const Scene>(scene), options), .start = start};
+std::unique_ptr<Run> start_run(Problem problem, const MotionState &start) {
+  Run run{.problem = std::move(problem), .start = start};
   run.motion.now = start.instant;
   return std::make_unique<Run>(std::move(run));
 }
@@ -64,12 +61,15 @@ Outcome require_complete(Outcome outcome) {
   return outcome;
 }
 
-Simulation::Simulation(const Scene &scene, const RunOptions &options)
-    : run_(detail::start_run(scene, start_of(scene), options)) {
+Simulation::Simulation(const Scene &scene, const RunOptions &options) {
+  const MotionState start = start_of(scene);  // checks the scene
+  run_ = detail::start_run(detail::problem_of(scene, options), start);
 }
 
-Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options)
-    : run_(detail::start_run(scene, detail::checked(scene, start), options)) {
+Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options) {
+  check(scene);
+  check(scene, start);
+  run_ = detail::start_run(detail::problem_of(scene, options), start);
 }
 
 Simulation::Simulation(const Simulation &other) : run_(std::make_unique<detail::Run>(*other.run_)) {
@@ -83,6 +83,15 @@ Simulation &Simulation::operator=(Simulation other) noexcept {
 }
 
 Simulation::~Simulation() = default;
+
+const Scene &Simulation::scene() const {
+  return run_->scene();
+}
+
+void Simulation::start_from(const MotionState &start) {
+  check(scene(), start);
+  run_ = detail::start_run(run_->problem, start);
+}
 
 void Simulation::set_options(const RunOptions &options) {
   detail::check_options(options);
