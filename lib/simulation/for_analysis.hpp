@@ -12,6 +12,7 @@ namespace vibro_impact {
 using detail::check_place;
 using detail::entry_of;
 using detail::external_force;
+using detail::first_motion;
 using detail::force_on;
 using detail::forcing_at;
 using detail::free_response;

@@ -31,9 +31,8 @@ inline Matrix matrix_of(const Eigen::MatrixXd &from) {
   return matrix;
 }
 
-// The scene need not contain the stop.
+// The scene, which has been checked, need not contain the stop.
 inline void require_stop(const Scene &scene, const Stop &stop) {
-  check(scene);
   require_mass(stop.mass, scene.masses());
   require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
           ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
@@ -102,9 +101,8 @@ inline bool holds(const Stop &stop, const Held &held) {
 }
 
 // The state in this scene, which may not be quite the one it was found in: its phase lies within
-// the period, and held masses are at rest at their stops.
+// the period, and held masses are at rest at their stops. The scene has been checked.
 inline MotionState moved_into(const Scene &scene, MotionState state) {
-  check(scene);
   require(std::isfinite(state.instant.phase), "start: phase = ", state.instant.phase,
           ": must be finite");
   state.instant = later({state.instant.cycle, 0.0}, state.instant.phase, Clock(scene.omega));

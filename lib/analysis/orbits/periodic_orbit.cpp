@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "motion_state.hpp"
+#include "orbit_runs.hpp"
 #include "orbit_tolerances.hpp"
 #include "tangent.hpp"
 
@@ -25,8 +26,8 @@ struct Iterate {
   std::string why_not_usable;  // empty: it returns in its own contact mode, with finite numbers
 };
 
-Iterate evaluate(const Scene &scene, const MotionState &at, int periods) {
-  Iterate iterate{stroboscopic_map_and_derivative(scene, at, periods), {}, {}, {}};
+Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
+  Iterate iterate{stroboscopic_map_and_derivative(simulation, at, periods), {}, {}, {}};
   if (iterate.image.state.held != at.held) {
     iterate.why_not_usable =
         line("returns with other masses held (", contact_mode_name(iterate.image.state.held),
@@ -87,7 +88,14 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options) {
-  Simulation simulation(scene, start, options);
+  Simulation simulation(scene, options);
+  return stroboscopic_map_and_derivative(simulation, start, periods);
+}
+
+StroboscopicImage stroboscopic_map_and_derivative(Simulation &simulation, const MotionState &start,
+                                                  int periods) {
+  simulation.start_from(start);
+  const Scene &scene = simulation.scene();
   TangentRecorder recorder(scene, start);
   const Outcome end = simulation.advance(time_after(scene, start, periods), recorder);
   const Eigen::MatrixXd tangents = recorder.finish(require_complete(end).state.instant);
@@ -102,9 +110,14 @@ StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const Moti
 
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options) {
-  const Clock clock(scene.omega);
+  Simulation simulation(scene, options);
+  return at_quiet_phase(simulation, start);
+}
+
+MotionState at_quiet_phase(Simulation &simulation, const MotionState &start) {
+  const Clock clock(simulation.scene().omega);
   EventRecorder recorder(-std::numeric_limits<double>::infinity());
-  stroboscopic_map(scene, start, 1, options, recorder);
+  stroboscopic_map(simulation, start, 1, recorder);
   double after = 0.0, widest = 0.0, last = 0.0;
   const auto end_interval = [&](double time) {
     if (time - last > widest) {
@@ -117,7 +130,8 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
     end_interval(elapsed(start.instant, event.instant, clock));
   end_interval(clock.period);  // the motion need not be periodic: the period ends the last interval
   const double until = time_of(start.instant, clock) + after;
-  MotionState state = require_complete(Simulation(scene, start, options).advance(until)).state;
+  simulation.start_from(start);
+  MotionState state = require_complete(simulation.advance(until)).state;
   state.instant.cycle = 0;
   return state;
 }
@@ -149,6 +163,7 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods,
                                   int most_iterations) {
   require(most_iterations >= 0, "most_iterations = ", most_iterations, ": must be non-negative");
+  Simulation simulation(scene);
   PeriodicOrbit orbit;
   MotionState at = orbit.state = moved_into(scene, guess);
   double best = std::numeric_limits<double>::infinity();
@@ -157,7 +172,7 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
     return orbit;
   };
   for (int iteration = 0;; ++iteration) {
-    const Iterate iterate = evaluate(scene, at, periods);
+    const Iterate iterate = evaluate(simulation, at, periods);
     if (!iterate.why_not_usable.empty())
       return ended(line("iterate ", iteration, ": ", iterate.why_not_usable));
     const double size = largest_component(iterate.residual);

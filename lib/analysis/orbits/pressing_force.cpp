@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "motion_state.hpp"
+#include "orbit_runs.hpp"
 #include "orbit_tolerances.hpp"
 #include "vibro_impact/analysis/locate.hpp"
-#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
@@ -99,21 +99,21 @@ struct BracketRecorder : Recorder {
   }
 };
 
-std::optional<LeastValue> least_minimum(const Scene &scene, MotionState start,
+std::optional<LeastValue> least_minimum(Simulation &simulation, MotionState start,
                                         const Quantity &quantity) {
+  const Scene &scene = simulation.scene();
   start.instant.cycle = 0;  // times are then exact phases; the motion is the same in all periods
   const double period = Clock(scene.omega).period;
   const double every = std::min(period / fewest_nodes, node_distance / rate_bound(scene));
   require(period <= most_nodes * every, "rate = ", rate_bound(scene),
           ": too fast to look at a whole forcing period of ", period);
   BracketRecorder nodes(scene, quantity, start, every);
-  stroboscopic_map(scene, start, 1, {}, nodes);
+  stroboscopic_map(simulation, start, 1, nodes);
   std::optional<LeastValue> least;
   for (const Bracket &bracket : nodes.brackets) {
-    const Simulation from(scene, bracket.start);
     const double begin = time_of(bracket.start.instant, Clock(scene.omega));
     const auto state_after = [&](double time) {
-      Simulation simulation = from;
+      simulation.start_from(bracket.start);
       return require_complete(simulation.advance(begin + time)).state;
     };
     const auto rate = [&](double time) {
@@ -156,6 +156,7 @@ std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
 }
 
 double pressing_force(const Scene &scene, const Stop &stop, const MotionState &state) {
+  check(scene);
   require_stop(scene, stop);
   require_fits(scene, state);
   return pressing_force_of(scene, stop, state);
@@ -163,9 +164,10 @@ double pressing_force(const Scene &scene, const Stop &stop, const MotionState &s
 
 std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionState &start,
                                                const Stop &stop) {
+  Simulation simulation(scene);
   require_stop(scene, stop);
   return least_minimum(
-      scene, start,
+      simulation, start,
       {[&](const MotionState &at) { return holds(stop, at.held); },
        [&](const MotionState &at) { return pressing_force_of(scene, stop, at); },
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
@@ -173,11 +175,12 @@ std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionS
 
 std::optional<LeastValue> least_gap(const Scene &scene, const MotionState &start,
                                     const Stop &stop) {
+  Simulation simulation(scene);
   require_stop(scene, stop);
   const double sigma = sign(stop.side);
   const std::size_t p = index_of(stop);
   return least_minimum(
-      scene, start,
+      simulation, start,
       {[p](const MotionState &at) { return at.held[p] == 0; },
        [&](const MotionState &at) { return sigma * (stop.position - at.displacement[p]); },
        [&](const MotionState &at) { return -sigma * at.velocity[p]; }});

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "analysis/orbits/motion_state.hpp"
+#include "analysis/orbits/orbit_runs.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
-#include "vibro_impact/analysis/periodic_orbit.hpp"
+#include "settled_runs.hpp"
 
 namespace vibro_impact {
 
@@ -25,7 +26,12 @@ bool is_certain(const std::vector<double> &blocks) {
 
 Growth mean_growth(const Scene &scene, const MotionState &start, int longest,
                    const RunOptions &options) {
-  check(scene);
+  Simulation simulation(scene, options);
+  return mean_growth(simulation, start, longest);
+}
+
+Growth mean_growth(Simulation &simulation, const MotionState &start, int longest) {
+  const Scene &scene = simulation.scene();
   check(scene, start);
   require(longest >= 1, "longest = ", longest, ": must be positive");
   time_after(scene, start, longest);  // refuses a length that cannot be run
@@ -39,7 +45,7 @@ Growth mean_growth(const Scene &scene, const MotionState &start, int longest,
   int done = 0;
   while (done < longest && !is_certain(blocks)) {
     const int periods = std::min(rescaled_after, longest - done);
-    const StroboscopicImage image = stroboscopic_map_and_derivative(scene, state, periods, options);
+    const StroboscopicImage image = stroboscopic_map_and_derivative(simulation, state, periods);
     perturbation = view(image.derivative) * perturbation;
     const double length = perturbation.stableNorm();  // neither overflows nor underflows
     state = image.state;

@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
+#include "analysis/orbits/orbit_runs.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
-#include "counts.hpp"
-#include "vibro_impact/analysis/lyapunov.hpp"
-#include "vibro_impact/analysis/periodic_orbit.hpp"
+#include "settled_runs.hpp"
 
 namespace vibro_impact {
 
@@ -62,27 +61,24 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
 }
 
 // The exponent, or nullopt where its sign is not certain.
-std::optional<double> exponent_of(const Scene &scene, const RecordOptions &options,
-                                  OrbitRecord &record) {
-  const RunOptions &run = options.settle.run;
-  const MotionState start = at_quiet_phase(scene, record.state, run);
+std::optional<double> exponent_of(Simulation &simulation, const OrbitRecord &record) {
+  const MotionState start = at_quiet_phase(simulation, record.state);
   if (record.period > 0) {
     const StroboscopicImage image =
-        stroboscopic_map_and_derivative(scene, start, record.period, run);
+        stroboscopic_map_and_derivative(simulation, start, record.period);
     const auto multipliers = floquet_multipliers(image.derivative, start.held);
     return std::log(multipliers.empty() ? 0.0 : std::abs(multipliers.front())) /
-           (record.period * Clock(scene.omega).period);
+           (record.period * Clock(simulation.scene().omega).period);
   }
-  const Growth growth = mean_growth(scene, start, most_averaged, run);
+  const Growth growth = mean_growth(simulation, start, most_averaged);
   if (!growth.sign_is_certain) return std::nullopt;
   return growth.exponent;
 }
 
-std::vector<EventPair> pairs_of(const Scene &scene, const RecordOptions &options,
-                                OrbitRecord &record) {
+std::vector<EventPair> pairs_of(Simulation &simulation, const OrbitRecord &record) {
   const int periods = 2 * (record.period > 0 ? record.period : periods_counted);
-  PressedEventRecorder recorder(scene);
-  stroboscopic_map(scene, record.state, periods, options.settle.run, recorder);
+  PressedEventRecorder recorder(simulation.scene());
+  stroboscopic_map(simulation, record.state, periods, recorder);
   const std::vector<PairedEvents> pairs = event_pairs(recorder.events);
   std::vector<EventPair> found;
   for (const EventPair kind : all_event_pairs)
@@ -91,11 +87,11 @@ std::vector<EventPair> pairs_of(const Scene &scene, const RecordOptions &options
   return found;
 }
 
-}  // namespace
-
-OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
+OrbitRecord record_of(Simulation simulation, const MotionState &start,
+                      const RecordOptions &options) {
   require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
-  SettledMotion motion = settle(scene, start, options.settle);
+  SettledMotion motion = settle(std::move(simulation), start, options.settle);
+  const Scene &scene = motion.simulation.scene();
   OrbitRecord record;
   record.period = motion.period;
   if (motion.period == 0 || options.impact_velocities || options.section)
@@ -104,16 +100,23 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
     record.counts = std::move(motion.counts);
   record.state = std::move(motion.state);
   record.state.instant.cycle = 0;
-  if (options.lyapunov) record.lyapunov = exponent_of(scene, options, record);
-  if (options.pairs) record.pairs = pairs_of(scene, options, record);
+  if (options.lyapunov) record.lyapunov = exponent_of(motion.simulation, record);
+  if (options.pairs) record.pairs = pairs_of(motion.simulation, record);
   return record;
 }
 
+}  // namespace
+
+OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
+  return record_of(Simulation(scene, start, options.settle.run), start, options);
+}
+
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
-  return record_of(scene, start_of(scene), options);
+  return record_of(Simulation(scene, options.settle.run), first_motion(scene), options);
 }
 
 MotionState start_near(const Scene &scene, MotionState state) {
+  check(scene);
   state = moved_into(scene, std::move(state));
   for (const Stop &stop : scene.stops) {
     double &x = state.displacement[static_cast<std::size_t>(stop.mass - 1)];

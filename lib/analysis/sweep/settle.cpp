@@ -7,7 +7,7 @@
 
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
-#include "counts.hpp"
+#include "settled_runs.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
@@ -268,9 +268,15 @@ EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int 
 }
 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
+  return settle(Simulation(scene, start, options.run), start, options);
+}
+
+SettledMotion settle(Simulation simulation, const MotionState &start,
+                     const SettleOptions &options) {
   require(options.longest >= 1 && options.longest <= most_periods_run,
           "longest = ", options.longest, ": must lie from 1 to ", most_periods_run);
-  SettledMotion motion{.simulation = Simulation(scene, start, options.run)};
+  SettledMotion motion{.simulation = std::move(simulation)};
+  const Scene &scene = motion.simulation.scene();
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
   require_complete(motion.simulation.advance(until, sections));

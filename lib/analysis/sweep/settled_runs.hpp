@@ -1,11 +1,18 @@
-// The function of settle.hpp, of a scene that has been checked.
+// The functions of settle.hpp and lyapunov.hpp, of a simulation whose scene has been checked and
+// whose options are those of the runs.
 #pragma once
 
+#include "vibro_impact/analysis/lyapunov.hpp"
 #include "vibro_impact/analysis/settle.hpp"
 
 namespace vibro_impact {
 
 EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held);
+
+// The simulation has not run yet.
+SettledMotion settle(Simulation simulation, const MotionState &start, const SettleOptions &options);
+
+Growth mean_growth(Simulation &simulation, const MotionState &start, int longest);
 
 }  // namespace vibro_impact

@@ -20,15 +20,6 @@ void require_one_per_mass(const std::vector<double> &values, const Scene &scene,
   for (double value : values) require(std::isfinite(value), what, " = ", value, ": must be finite");
 }
 
-// The initial motion, not yet checked.
-MotionState first_motion(const Scene &scene) {
-  const std::size_t n = scene.mass.size();
-  const auto or_zero = [n](const std::vector<double> &values) {
-    return values.empty() ? std::vector<double>(n, 0.0) : values;
-  };
-  return {Instant{}, or_zero(scene.displacement), or_zero(scene.velocity), Held(n, 0)};
-}
-
 void require_restitution(double restitution) {
   require(restitution >= 0.0 && restitution <= 1.0, "restitution = ", restitution,
           ": must lie in [0, 1]");
@@ -60,7 +51,7 @@ const char *name(Side side) {
 
 MotionState start_of(const Scene &scene) {
   check(scene);
-  return first_motion(scene);
+  return detail::first_motion(scene);
 }
 
 void check(const Scene &scene) {
@@ -86,7 +77,7 @@ void check(const Scene &scene) {
   require(std::isfinite(rate * rate), "rate = ", rate,
           ": the largest rate that k, m, beta and omega allow, and its square, must be finite");
   for (const Stop &stop : scene.stops) check_stop(stop, scene);
-  check(scene, first_motion(scene));
+  check(scene, detail::first_motion(scene));
 }
 
 void check(const Scene &scene, const MotionState &start) {
@@ -144,6 +135,14 @@ double rate_bound(const Scene &scene) {
   const double lambda = largest_eigenvalue_bound(scene);
   const double rate = std::max(root_modulus(scene.beta * lambda, lambda), scene.omega);
   return rate > 0.0 ? rate : 1.0;
+}
+
+MotionState first_motion(const Scene &scene) {
+  const std::size_t n = scene.mass.size();
+  const auto or_zero = [n](const std::vector<double> &values) {
+    return values.empty() ? std::vector<double>(n, 0.0) : values;
+  };
+  return {Instant{}, or_zero(scene.displacement), or_zero(scene.velocity), Held(n, 0)};
 }
 
 void check_place(const Scene &scene, const Instant &instant, const Held &held) {
