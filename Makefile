@@ -9,7 +9,6 @@
 # make peers          install SUNDIALS and Siconos, and draw error against run time with them
 # make pictures       draw all and renew figures/pictures, which the documents show
 # make check          compare every key number and published number
-# make readme         write the generated tables and counts of the documents
 # make build          build the library and the program only
 # make test-sanitize  run the tests under the address and undefined-behaviour sanitizers
 # make reference      recompute the 50-digit tables in reference/tables/ (about an hour)
@@ -23,7 +22,7 @@ jobs   := $(shell nproc 2>/dev/null || echo 1)
 preset := release
 folder := build$(addprefix /,$(filter clang sanitize,$(preset)))
 
-.PHONY: help figures beyond pictures $(drawn) peers check readme build test test-sanitize reference docs clean
+.PHONY: help figures beyond pictures $(drawn) peers check build test test-sanitize reference docs clean
 .NOTPARALLEL:  # the targets share build/, and each uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -68,11 +67,6 @@ test: configured-tests
 check: configured-figures
 	$(make_target) check
 	@$(folder)/bin/check
-
-# The computed parts of the documents, which stand between markers.
-readme: configured-figures
-	$(make_target) check
-	@$(folder)/bin/check --write . >$(folder)/check.log || { cat $(folder)/check.log; exit 1; }
 
 test-sanitize:
 	@$(MAKE) test preset=sanitize

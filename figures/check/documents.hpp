@@ -1,29 +1,29 @@
-// The parts of a document that are computed. In the text <!--check NAME-->...<!--end--> encloses
-// the text that belongs to NAME: a table, a sentence with counts, the class of a key number, or its
-// value. Outside, every number of five or more significant digits must be a key number, rounded to
-// the digits shown.
+// Documents that quote what `make check` computes. Each quotes some texts word for word: counts,
+// sentences, tables. A link to checked_numbers.csv whose title is the id of a key number shows the
+// verdict of that number:
+//   [agrees](../reference/tables/checked_numbers.csv "lambda1")
+// In the documents about the paper, every number of five or more significant digits is a key
+// number, rounded to the digits shown.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "figures/error_vs_runtime/measured.hpp"
 #include "findings.hpp"
 
 namespace vibro_impact::figures {
 
-// The findings of `make check`, for the documents.
-struct Results {
-  Findings findings;
-  std::vector<comparison::Measured> measured = {};
+struct Document {
+  std::string name;
+  std::vector<std::string> quoted;
+  bool only_key_numbers;
 };
 
-// The document with its computed parts written anew: counts, published, speed, methods, "few" with
-// ids, "class" with an id, or an id with a format, as in "figure5b_nearest_gap .1e". Throws
-// std::runtime_error for a part of another name, or without an end.
-std::string with_computed_parts(const Results &results, const std::string &document);
-
-// The numbers of five or more significant digits, outside code and links, that are no key number.
-std::vector<std::string> unknown_numbers(const Results &results, const std::string &document);
+// The faults of a document with this text, a line for each: a text that it does not quote, a
+// verdict that is another one, a number that is no key number. Line breaks and the
+// number of blanks do not matter. Throws std::runtime_error for a verdict of a number that the
+// table lacks.
+std::vector<std::string> faults_of(const Findings &findings, const Document &document,
+                                   const std::string &text);
 
 }  // namespace vibro_impact::figures

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 #include "library_engine.hpp"
@@ -82,10 +81,9 @@ const Finding &number_of(const Findings &findings, const std::string &id) {
   throw std::runtime_error("checked number '" + id + "': the table has no such row");
 }
 
-std::string table_of_few(const Findings &findings, const std::string &ids) {
+std::string table_of_few(const Findings &findings, const std::vector<std::string> &ids) {
   truth::Rows rows{{"number", "the paper", "here", "class"}};
-  std::istringstream words(ids);
-  for (std::string id; words >> id;) {
+  for (const std::string &id : ids) {
     const Finding &finding = number_of(findings, id);
     rows.push_back({finding.number.meaning, finding.number.printed.words,
                     finding.number.formatted(finding.computed), name(finding.verdict())});
