@@ -7,6 +7,7 @@
 #include "forces.hpp"
 #include "modes.hpp"
 #include "pair.hpp"
+#include "strong_damping.hpp"
 #include "tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -15,16 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-
-// A mode of which the two decays are well apart, with the damping ratio beta sqrt(lambda) / 2 (Eq.
-// 7), and the fast one, about beta lambda, is faster than the forcing. The drives f / (fast - slow)
-// of two slower decays are larger than the velocity f / Omega, which would lose digits as their
-// sum.
-bool strongly_damped(const Scene &scene, double lambda) {
-  const double beta = scene.beta, forcing_rate = scene.forced() ? scene.omega : 0.0;
-  return beta * beta * lambda > 4.0 * strong_damping * strong_damping &&
-         beta * lambda > forcing_rate;
-}
 
 void resize(ContactMode &mode, std::size_t size, Index masses) {
   ModalCoordinates &all = mode.coordinates;
@@ -40,12 +31,6 @@ void resize(ContactMode &mode, std::size_t size, Index masses) {
   mode.shape.setZero(masses, padded);
 }
 
-// The share of a mode in the external forces: Re(turning e^(i Omega t)) + constant.
-struct ModalForce {
-  Complex turning;
-  double constant;
-};
-
 // Psi^T A of Eq. 7, and the same of the other forces. The reference positions leave the springs to
 // the ground out, which adds their forces there.
 ModalForce modal_force(const Scene &scene, const ContactMode &mode, Index k) {
@@ -57,11 +42,6 @@ ModalForce modal_force(const Scene &scene, const ContactMode &mode, Index k) {
                                entry_of(scene.ground, i) * mode.equilibrium(static_cast<Index>(i)));
   }
   return force;
-}
-
-void set_steady(Complex steady, Index j, ModalCoordinates &all) {
-  all.steady_re(j) = steady.real();
-  all.steady_im(j) = steady.imag();
 }
 
 // Sets a coordinate of (1), with its steady response.
@@ -77,22 +57,8 @@ void set_oscillator(const Scene &scene, double kappa, double lambda, const Modal
   if (lambda > 0.0) all.static_value(j) = force.constant / lambda;
   if (force.turning == 0.0) return;
   const Complex detuning(lambda - scene.omega * scene.omega, kappa * scene.omega);
-  set_steady(detuning == 0.0 ? std::numeric_limits<double>::infinity() : force.turning / detuning,
-             j, all);
-}
-
-// Sets a coordinate of (2) likewise.
-void set_decay(const Scene &scene, double kappa, const ModalForce &drive, Index j,
-               ModalCoordinates &all) {
-  all.kappa(j) = all.rate(j) = kappa;
-  all.decay[static_cast<std::size_t>(j)] = all.any_decay = true;
-  all.drive_re(j) = drive.turning.real();
-  all.drive_im(j) = drive.turning.imag();
-  all.pull(j) = drive.constant;
-  all.static_value(j) = drive.constant / kappa;
-  all.force_re(j) = -scene.omega * drive.turning.imag();
-  all.force_im(j) = scene.omega * drive.turning.real();
-  set_steady(drive.turning / Complex(kappa, scene.omega), j, all);
+  all.set_steady(
+      detuning == 0.0 ? std::numeric_limits<double>::infinity() : force.turning / detuning, j);
 }
 
 // Enters mode `k` of the basis as coordinate `j`, or as two where it is strongly damped. Returns
@@ -108,10 +74,7 @@ Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
     if (lambda == 0.0) mode.drift = j;
     return j + 1;
   }
-  const double fast = kappa / 2 + std::sqrt(kappa * kappa / 4 - lambda), slow = lambda / fast;
-  const ModalForce drive{force.turning / (fast - slow), force.constant / (fast - slow)};
-  set_decay(scene, slow, drive, j, all);
-  set_decay(scene, fast, {-drive.turning, -drive.constant}, j + 1, all);
+  set_decays(scene, kappa, lambda, force, j, all);
   mode.shape.col(j + 1) = mode.basis.shape.col(k);
   return j + 2;
 }
@@ -223,11 +186,7 @@ void set_mode(const ContactMode &mode, Index k, double value, double velocity, P
     dy(j) = velocity;
     return;
   }
-  const double slow = all.kappa(j), fast = all.kappa(j + 1);
-  y(j) = (fast * value + velocity) / (fast - slow);
-  y(j + 1) = -(slow * value + velocity) / (fast - slow);
-  dy(j) = -slow * y(j);
-  dy(j + 1) = -fast * y(j + 1);
+  start_decays(all, j, value, velocity, y, dy);
 }
 
 ContactMode build_contact_mode(const Scene &scene, const Held &held) {
@@ -274,19 +233,6 @@ ContactMode build_contact_mode(const Scene &scene, const Held &held) {
   mode.acceleration_weight = mode.speed_weight * rate;
   add_contacts(scene, mode);
   return mode;
-}
-
-const ContactMode &ContactModes::enter(const Scene &scene, const Held &held, bool &built) {
-  const auto latest = std::find_if(recent_.rbegin(), recent_.rend(),
-                                   [&held](const auto &mode) { return mode->held == held; });
-  built = latest == recent_.rend();
-  if (!built) {
-    std::rotate(latest.base() - 1, latest.base(), recent_.end());
-    return *recent_.back();
-  }
-  if (recent_.size() == most_contact_modes) recent_.erase(recent_.begin());
-  recent_.push_back(std::make_shared<const ContactMode>(build_contact_mode(scene, held)));
-  return *recent_.back();
 }
 
 }  // namespace vibro_impact::detail

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "modes.hpp"
@@ -44,6 +43,16 @@ struct ModalCoordinates {
   std::complex<double> steady_of(Eigen::Index j) const {
     return {steady_re(j), steady_im(j)};
   }
+  void set_steady(std::complex<double> response, Eigen::Index j) {
+    steady_re(j) = response.real();
+    steady_im(j) = response.imag();
+  }
+};
+
+// The share of a mode in the external forces: Re(turning e^(i Omega t)) + constant.
+struct ModalForce {
+  std::complex<double> turning;
+  double constant;
 };
 
 // A change of y', and of y, which only decays have; else that is empty.
@@ -103,24 +112,10 @@ struct ContactMode {
   }
 };
 
-// Sets the coordinate of mode k to this value and velocity. A strongly damped mode has the value
-// y_slow + y_fast and, without its forcing, the velocity -slow y_slow - fast y_fast.
+// Sets the coordinate of mode k, or its two decays, to this value and velocity.
 void set_mode(const ContactMode &mode, Eigen::Index k, double value, double velocity,
               PerCoordinate &y, PerCoordinate &dy);
 
 ContactMode build_contact_mode(const Scene &scene, const Held &held);
-
-// The contact modes of one run. A mode is built when the run enters it. The run keeps the latest
-// `most_contact_modes` and drops the mode entered least recently. Copies of a run share the modes,
-// which never change.
-class ContactModes {
- public:
-  // `built` is set to whether the mode had to be built. The mode lives at least until
-  // `most_contact_modes` others have been entered.
-  const ContactMode &enter(const Scene &scene, const Held &held, bool &built);
-
- private:
-  std::vector<std::shared_ptr<const ContactMode>> recent_;  // the latest entered last
-};
 
 }  // namespace vibro_impact::detail

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/chain/contact_modes.hpp"
 #include "simulation/chain/mode_change.hpp"
 #include "simulation/chatter/limit.hpp"
 #include "simulation/flight/first_event.hpp"
