@@ -71,14 +71,15 @@ int conclude(const Findings &findings, const std::vector<std::string> &faults) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string reference = REFERENCE_DIR, documents;
+  std::string reference, documents;
   const std::string measured = SOURCE_DIR "/figures/error_vs_runtime/measured.csv";
   return command(
       argc, argv, "Computes every key number and every published result and compares them",
-      {{"--reference", "Folder of the tables of references", &reference},
+      {{"--reference", "Folder of the tables of references, if not that of the project",
+        &reference},
        {"--documents", "Folder of the project, whose documents are compared", &documents}},
       [&] {
-        const Findings found = findings(reference);
+        const Findings found = findings(reference.empty() ? REFERENCE_DIR : reference);
         fmt::print("{}{}\n**Published by others**\n\n{}\n{}", explanation, tables_by_verdict(found),
                    explanation_of_published, table_of_results(found));
         std::vector<std::string> faults;
