@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <regex>
 
 #include "scene_text.hpp"
 
@@ -29,7 +28,7 @@ std::string script() {
 
 // A word of a command of the shell.
 std::string quoted(const std::string &word) {
-  return fmt::format(" '{}'", std::regex_replace(word, std::regex("'"), "'\\''"));
+  return fmt::format(" '{}'", CLI::detail::find_and_replace(word, "'", "'\\''"));
 }
 
 // Runs gnuplot without the settings of the user. Returns its output, or nothing if it fails.

@@ -2,7 +2,7 @@
 
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/StringTools.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
