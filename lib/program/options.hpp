@@ -12,8 +12,8 @@
 
 namespace vibro_impact::runner {
 
-// What both commands have: the file of the scene, which no output may replace, and the head of the
-// tables, lines of comments or nothing.
+// Both commands have the file of the scene, which no output may replace, and the head of the
+// tables: lines of comments, or nothing.
 struct Common {
   std::string scene_file, head;
 };
@@ -48,7 +48,7 @@ using Request = std::variant<RunRequest, SweepRequest, std::string>;
 // command line that makes no sense, and for a scene or a grid that `check` refuses.
 Request parse(int argc, const char *const *argv);
 
-// What --help says below the options: examples, formats of the tables and exit status.
+// The text of --help below the options: examples, formats of the tables and exit status.
 std::string footer();
 
 // Runs the scene and writes its files. Throws std::invalid_argument for a file that cannot be

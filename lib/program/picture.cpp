@@ -32,7 +32,7 @@ std::string quoted(const std::string &word) {
   return fmt::format(" '{}'", std::regex_replace(word, std::regex("'"), "'\\''"));
 }
 
-// What gnuplot writes by these arguments, without the settings of the user, or nothing if it fails.
+// Runs gnuplot without the settings of the user. Returns its output, or nothing if it fails.
 std::optional<std::string> gnuplot(const std::string &arguments) {
   std::FILE *output = popen(("gnuplot -d " + arguments).c_str(), "r");
   if (output == nullptr) throw std::runtime_error("gnuplot cannot be started");
