@@ -37,7 +37,7 @@ std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event>
     for (std::size_t j = k; j-- > 0;) {
       const Event &before = twice[j];
       if (before.mass != stick.mass) continue;
-      if (before.kind != EventKind::impact || before.stop != stick.stop) break;
+      if (changes_contact_mode(before.kind) || before.stop != stick.stop) break;
       left_out[j] = true;
       if (before.falling == 0) break;
     }

@@ -33,19 +33,20 @@ void resize(ContactMode &mode, std::size_t size, Index masses) {
 
 // Psi^T A of Eq. 7, and the same of the other forces. The reference positions leave the springs to
 // the ground out, which adds their forces there.
-ModalForce modal_force(const Scene &scene, const ContactMode &mode, Index k) {
-  ModalForce force{0.0, 0.0};
+ExternalForce modal_force(const Scene &scene, const ContactMode &mode, Index k) {
+  ExternalForce force{0.0, 0.0};
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
     const double shape = mode.basis.shape(static_cast<Index>(i), k);
-    force.turning += shape * Complex(entry_of(scene.amplitude, i), -entry_of(scene.sine, i));
-    force.constant += shape * (entry_of(scene.constant, i) -
+    const ExternalForce own = external_force_of(scene, i);
+    force.turning += shape * own.turning;
+    force.constant += shape * (own.constant -
                                entry_of(scene.ground, i) * mode.equilibrium(static_cast<Index>(i)));
   }
   return force;
 }
 
 // Sets a coordinate of (1), with its steady response.
-void set_oscillator(const Scene &scene, double kappa, double lambda, const ModalForce &force,
+void set_oscillator(const Scene &scene, double kappa, double lambda, const ExternalForce &force,
                     Index j, ModalCoordinates &all) {
   all.kappa(j) = kappa;
   all.lambda(j) = lambda;
@@ -66,7 +67,7 @@ void set_oscillator(const Scene &scene, double kappa, double lambda, const Modal
 Index add_mode(const Scene &scene, Index k, Index j, ContactMode &mode) {
   ModalCoordinates &all = mode.coordinates;
   const double lambda = mode.basis.lambda(k), kappa = scene.beta * lambda;
-  const ModalForce force = modal_force(scene, mode, k);
+  const ExternalForce force = modal_force(scene, mode, k);
   mode.first_coordinate.push_back(j);
   mode.shape.col(j) = mode.basis.shape.col(k);
   if (!strongly_damped(scene, lambda)) {
@@ -85,16 +86,15 @@ void set_hold_force(const Scene &scene, const ContactMode &mode, Contact &contac
   const auto pressed_by = [&](const auto &tension) {
     return contact.sigma * force_of_tensions(scene, contact.mass, tension);
   };
-  contact.offset =
-      pressed_by(mode.tension) + contact.sigma * entry_of(scene.constant, contact.mass);
+  const ExternalForce force = external_force_of(scene, contact.mass);
+  contact.offset = pressed_by(mode.tension) + contact.sigma * force.constant;
   for (Index k = 0; k < mode.basis.lambda.size(); ++k) {
     const Index j = mode.first_coordinate[static_cast<std::size_t>(k)];
     contact.row(j) = pressed_by(mode.basis.tension.col(k));
     if (mode.coordinates.decay[static_cast<std::size_t>(j)]) contact.row(j + 1) = contact.row(j);
   }
   contact.damping = scene.beta;
-  contact.forcing = contact.sigma * Complex(entry_of(scene.amplitude, contact.mass),
-                                            -entry_of(scene.sine, contact.mass));
+  contact.forcing = contact.sigma * force.turning;
   contact.forcing_modulus = std::abs(contact.forcing);
 }
 

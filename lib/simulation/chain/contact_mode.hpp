@@ -49,12 +49,6 @@ struct ModalCoordinates {
   }
 };
 
-// The share of a mode in the external forces: Re(turning e^(i Omega t)) + constant.
-struct ModalForce {
-  std::complex<double> turning;
-  double constant;
-};
-
 // A change of y', and of y, which only decays have; else that is empty.
 struct SpeedChange {
   PerCoordinate slope, value;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <cstddef>
 
 #include "vibro_impact/scene.hpp"
@@ -49,9 +50,21 @@ inline ForcingFactors forcing_at(double cosine, double sine) {
   return {cosine, sine, 1.0};
 }
 
+// A force Re(turning e^(i Omega t)) + constant, on a mass or on a mode.
+struct ExternalForce {
+  std::complex<double> turning;
+  double constant;
+};
+
+// The external force on mass i (from 0). The kinds of force are put together here alone.
+inline ExternalForce external_force_of(const Scene &scene, std::size_t i) {
+  return {{entry_of(scene.amplitude, i), -entry_of(scene.sine, i)}, entry_of(scene.constant, i)};
+}
+
 inline double external_force(const Scene &scene, std::size_t i, const ForcingFactors &factors) {
-  return entry_of(scene.amplitude, i) * factors.cosine + entry_of(scene.sine, i) * factors.sine +
-         entry_of(scene.constant, i) * factors.constant;
+  const ExternalForce force = external_force_of(scene, i);
+  return force.turning.real() * factors.cosine - force.turning.imag() * factors.sine +
+         force.constant * factors.constant;
 }
 
 // The force on mass i (from 0) towards +x (Eq. 4): springs, dampers and external forces, by the

@@ -126,8 +126,11 @@ double root_modulus(double kappa, double lambda) {
 
 double force_bound(const Scene &scene) {
   double sum = 0.0;
-  for (const auto *forces : {&scene.amplitude, &scene.sine, &scene.constant})
-    for (const double force : *forces) sum += std::abs(force);
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const ExternalForce force = external_force_of(scene, i);
+    sum +=
+        std::abs(force.turning.real()) + std::abs(force.turning.imag()) + std::abs(force.constant);
+  }
   return sum;
 }
 

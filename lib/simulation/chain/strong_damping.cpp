@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 
 // Sets a coordinate of (2).
-void set_decay(const Scene &scene, double kappa, const ModalForce &drive, Index j,
+void set_decay(const Scene &scene, double kappa, const ExternalForce &drive, Index j,
                ModalCoordinates &all) {
   all.kappa(j) = all.rate(j) = kappa;
   all.decay[static_cast<std::size_t>(j)] = all.any_decay = true;
@@ -32,10 +32,10 @@ bool strongly_damped(const Scene &scene, double lambda) {
          beta * lambda > forcing_rate;
 }
 
-void set_decays(const Scene &scene, double kappa, double lambda, const ModalForce &force, Index j,
-                ModalCoordinates &all) {
+void set_decays(const Scene &scene, double kappa, double lambda, const ExternalForce &force,
+                Index j, ModalCoordinates &all) {
   const double fast = kappa / 2 + std::sqrt(kappa * kappa / 4 - lambda), slow = lambda / fast;
-  const ModalForce drive{force.turning / (fast - slow), force.constant / (fast - slow)};
+  const ExternalForce drive{force.turning / (fast - slow), force.constant / (fast - slow)};
   set_decay(scene, slow, drive, j, all);
   set_decay(scene, fast, {-drive.turning, -drive.constant}, j + 1, all);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact_mode.hpp"
+#include "forces.hpp"
 
 namespace vibro_impact::detail {
 
@@ -13,7 +14,7 @@ namespace vibro_impact::detail {
 bool strongly_damped(const Scene &scene, double lambda);
 
 // Sets both coordinates, with their steady responses.
-void set_decays(const Scene &scene, double kappa, double lambda, const ModalForce &force,
+void set_decays(const Scene &scene, double kappa, double lambda, const ExternalForce &force,
                 Eigen::Index j, ModalCoordinates &all);
 
 // Sets both to the value and velocity of their mode. It has the value y_slow + y_fast and, without

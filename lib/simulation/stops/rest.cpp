@@ -58,7 +58,7 @@ std::size_t RestDecision::decide_by_order(const Scene &scene, double phase, doub
     const auto total_force = [&](std::size_t i) {
       Bounded force = force_on(scene, i, rate);
       force.value += power * external_force(scene, i, forcing);
-      if (order == 0) force.value += entry_of(scene.constant, i);
+      if (order == 0) force.value += external_force_of(scene, i).constant;
       return force;
     };
     const auto acceleration = [&](std::size_t i, const Bounded &force) {
