@@ -61,6 +61,26 @@ TEST(Parameter, NamesOneNumberOfTheSceneEach) {
   }
 }
 
+// Every number of a scene enters the motion: none is read and then forgotten.
+TEST(Parameter, ChangesTheMotion) {
+  const auto end_of = [](const Scene &scene) { return simulate(scene, 60.0).state.displacement; };
+  const Scene scene = paper::figure2();
+  for (const std::string &word : names())
+    EXPECT_NE(end_of(with(scene, word, get(scene, word) + 0.0625)), end_of(scene)) << word;
+}
+
+// No number of a scene may be infinite or none.
+TEST(Parameter, MustBeFinite) {
+  for (const std::string &word : names())
+    EXPECT_THROW(check(with(paper::figure2(), word, std::nan(""))), std::invalid_argument) << word;
+}
+
+// The list of the kinds of events ends with the last kind.
+TEST(EventKinds, AreAllInTheList) {
+  for (const EventKind kind : all_event_kinds) EXPECT_NO_THROW(name(kind));
+  EXPECT_THROW(name(static_cast<EventKind>(std::size(all_event_kinds))), std::logic_error);
+}
+
 // A stop with a restitution of its own does not follow the scene's.
 TEST(Parameter, RestitutionOfAStopIsItsOwn) {
   const Scene own = with(paper::figure2(), "restitution1", 0.5);

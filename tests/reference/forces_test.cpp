@@ -67,6 +67,17 @@ TEST(Forces, OfCoupledMassesAgreeWith50Digits) {
   }
 }
 
+// The scene of three masses has every field, but for a start: a new one must be given here.
+TEST(Forces, AreAllInTheSceneOfThreeMasses) {
+  const Scene scene = three_masses(), none;
+  for (const auto &field : list_fields)
+    if (field.value != &Scene::displacement && field.value != &Scene::velocity) {
+      EXPECT_FALSE((scene.*field.value).empty()) << field.name;
+    }
+  for (const auto &field : scalar_fields)
+    EXPECT_NE(scene.*field.value, none.*field.value) << field.name;
+}
+
 // All forces enter the derivative of the stroboscopic map, also at impacts and releases. Central
 // differences of 1e-6 have six digits of this derivative.
 TEST(Forces, EnterTheDerivativeOfTheMap) {
