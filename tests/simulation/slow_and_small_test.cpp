@@ -188,20 +188,6 @@ TEST(SmallMotion, MissesNoImpact) {
   EXPECT_EQ(simulate(scene, 10.0).counters.impacts, 2);
 }
 
-// Two flights of 1e-15 that differ by a third.
-TEST(SmallMotion, KeepsShortFlightsApart) {
-  Scene scene;
-  scene.mass = scene.stiffness = {1.0, 1.0};
-  scene.restitution = 0.5;
-  scene.stops = {{1, Side::upper, 1e-15}, {2, Side::upper, 1e-15}};
-  scene.velocity = {1.0, 0.7};
-  EventRecorder events;
-  require_complete(simulate(scene, 2e-15, events));
-  ASSERT_EQ(events.events.size(), 2u);
-  EXPECT_DOUBLE_EQ(events.events[0].time, 1e-15);
-  EXPECT_NEAR(events.events[1].time, 1e-15 / 0.7, 1e-29);  // ten roundings
-}
-
 // Gaps of 1e-20 beside a mass that is displaced by one: the rounding of a common displacement would
 // close or widen either by 1e-17. Twice the precision of the displacement leaves 1e-32.
 TEST(SmallMotion, KeepsTwoSmallGaps) {
