@@ -138,11 +138,14 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
   };
   MotionState start = start_of(good), far_out = start;
   far_out.instant.cycle = std::numeric_limits<long long>::max();
-  const auto of_mass = [](int mass, int stop = 1) {
-    Event event;
-    event.mass = mass;
-    event.stop = stop;
-    return event;
+  // Counts the events of a run of the scene that has one impact, of this mass and stop.
+  const auto counted = [&good](int mass, int stop, int periods = 1, const Held &held = {0, 0}) {
+    return [&good, mass, stop, periods, held] {
+      Event event;
+      event.mass = mass;
+      event.stop = stop;
+      counts_of(good, {event}, periods, held);
+    };
   };
   Scene unforced = good;
   unforced.omega = 0.0;
@@ -162,23 +165,11 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       {[&] { record_of(unforced); }, "omega = 0"},
       {[&] { settle(good, far_out); }, "period 9223372036854775807"},
       {[&] { mean_growth(good, start, 0); }, "longest = 0"},
-      {[&] {
-         counts_of(good, {of_mass(0)}, 1, {0, 0});
-       },
-       "mass 0: the chain has"},
-      {[&] {
-         counts_of(good, {of_mass(3)}, 1, {0, 0});
-       },
-       "mass 3: the chain has"},
-      {[&] {
-         counts_of(good, {of_mass(1, 3)}, 1, {0, 0});
-       },
-       "stop 3: the scene has 2"},
-      {[&] {
-         counts_of(good, {}, 0, {0, 0});
-       },
-       "periods = 0"},
-      {[&] { counts_of(good, {}, 1, {0}); }, "held: 1 values"},
+      {counted(0, 1), "mass 0: the chain has"},
+      {counted(3, 1), "mass 3: the chain has"},
+      {counted(1, 3), "stop 3: the scene has 2"},
+      {counted(1, 1, 0), "periods = 0"},
+      {counted(1, 1, 1, {0}), "held: 1 values"},
       {[&] {
          Scene bad = good;
          bad.restitution = 1.5;

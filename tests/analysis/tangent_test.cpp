@@ -17,13 +17,16 @@ namespace {
 using namespace vibro_impact;
 using Values = std::vector<double>;
 
-// Five unequal masses, three of them forced, three stops of which the first has its own r.
+// Five unequal masses under all forces, three stops of which the first has its own r.
 Scene chain_of_five() {
   Scene scene;
   scene.mass = {1.0, 1.2, 0.8, 1.0, 0.9};
   scene.stiffness = {1.0, 0.9, 1.1, 1.3, 1.0};
   scene.beta = 0.1;
   scene.amplitude = {0.5, 0.0, 0.1, 0.0, -0.2};
+  scene.sine = {0.1, -0.3, 0.0, 0.0, 0.2};
+  scene.constant = {-0.05, 0.1, 0.02, 0.0, 0.0};
+  scene.ground = {0.0, 0.4, 0.2, 0.0, 0.1};
   scene.omega = 0.3;
   scene.restitution = 0.6;
   scene.stops = {{1, Side::lower, -0.3, 0.7}, {3, Side::upper, 0.2}, {5, Side::upper, 0.15}};

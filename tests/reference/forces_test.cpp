@@ -78,33 +78,6 @@ TEST(Forces, AreAllInTheSceneOfThreeMasses) {
     EXPECT_NE(scene.*field.value, none.*field.value) << field.name;
 }
 
-// All forces enter the derivative of the stroboscopic map, also at impacts and releases. Central
-// differences of 1e-6 have six digits of this derivative.
-TEST(Forces, EnterTheDerivativeOfTheMap) {
-  for (const Scene &scene : {two_masses(), three_masses()}) {
-    const MotionState start = at_quiet_phase(scene, state_after_periods(scene, 40));
-    const StroboscopicImage image = stroboscopic_map_and_derivative(scene, start, 1);
-    ASSERT_TRUE(image.differentiable);
-    const std::size_t n = scene.mass.size();
-    double largest = 0.0;
-    for (std::size_t k = 0; k < 2 * n; ++k) {
-      if (start.held[k % n] != 0) continue;
-      MotionState moved[2] = {start, start};
-      for (const int side : {0, 1}) {
-        MotionState &state = moved[side];
-        (k < n ? state.displacement[k] : state.velocity[k - n]) += side == 0 ? -1e-6 : 1e-6;
-        state = stroboscopic_map(scene, state, 1);
-      }
-      const std::vector<double> low = coordinates(moved[0]), high = coordinates(moved[1]);
-      for (std::size_t i = 0; i < 2 * n; ++i) {
-        EXPECT_NEAR(image.derivative(i, k), (high[i] - low[i]) / 2e-6, 1e-6) << i << " " << k;
-        largest = std::max(largest, std::abs(image.derivative(i, k)));
-      }
-    }
-    EXPECT_GT(largest, 1e-3);
-  }
-}
-
 // Forces that a scene leaves out cost nothing: the work is the same to the last operation, and so
 // is the motion.
 TEST(Forces, OfZeroChangeNothing) {

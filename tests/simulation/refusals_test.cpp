@@ -68,6 +68,8 @@ TEST(Refusals, OfScenes) {
             s.stops[1] = {1, Side::upper, -0.4};
           },
           "the lower must lie below"),
+      spoilt_scene([](Scene &s) { s.mass[0] = 1e-310; }, "rate = inf"),
+      spoilt_scene([](Scene &s) { s.beta = 1e200; }, "and its square, must be finite"),
       {[&] { check(without_links); }, "0 values given, the chain has 2"},
       {[&] { start_of(two_starts); }, "displacement: 2 values given"},
   });
@@ -132,6 +134,8 @@ TEST(Refusals, OfTimesAndOptions) {
   });
   EXPECT_EQ(simulate(scene, 1.0, {.max_steps = most}).ending, Ending::reached);
 }
+
+static_assert(!std::is_reference_v<decltype(require_complete(simulate(Scene{}, 0.0)))>);
 
 TEST(Refusals, OfMotionsBeyondTheRangeOfDoubles) {
   const Scene leaving{.mass = {1.0}, .stiffness = {0.0}, .velocity = {1e307}};

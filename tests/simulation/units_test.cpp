@@ -44,21 +44,6 @@ TEST(Impacts, OfFallingMassesAreSimultaneousOnlyWithinRounding) {
   }
 }
 
-// Speeds that differ by 5e-9, on an elastic link with dampers that no one feels.
-TEST(Impacts, OfDriftingMassesAreSimultaneousOnlyWithinRounding) {
-  const Scene scene{.mass = {1.0, 1.0},
-                    .stiffness = {0.0, 1e-12},
-                    .beta = 0.1,
-                    .omega = 0.0,
-                    .restitution = 1.0,
-                    .stops = {{1, Side::upper, 1.0}, {2, Side::upper, 1.0}},
-                    .velocity = {1.0, 1.000000005}};
-  const std::vector<Event> events = events_of(scene, 0.0, 2.0);
-  ASSERT_EQ(events.size(), 2u);
-  EXPECT_NEAR(events[0].time, 1.0 / 1.000000005, 4.5e-16);
-  EXPECT_NEAR(events[1].time, 1.0, 4.5e-16);
-}
-
 struct Ball {
   double mass, stiffness, force, omega, restitution, height;
 };
