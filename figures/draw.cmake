@@ -3,6 +3,6 @@
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 ${gnuplot} -e "data='${tables}'; kind='${kind}'" ${script}
   RESULT_VARIABLE status ERROR_VARIABLE error)
-if(NOT status EQUAL 0 OR NOT error STREQUAL "")
+if(NOT status EQUAL 0 OR error MATCHES "warning")
   message(FATAL_ERROR "${script}: ${error}")
 endif()
