@@ -6,16 +6,6 @@
 
 namespace vibro_impact {
 
-template <std::derived_from<Recorder>... Recorders>
-MotionState stroboscopic_map(Simulation &simulation, const MotionState &start, int periods,
-                             Recorders &...recorders) {
-  const double until = time_after(simulation.scene(), start, periods);
-  simulation.start_from(start);
-  MotionState state = require_complete(simulation.advance(until, recorders...)).state;
-  state.instant = start.instant;
-  return state;
-}
-
 StroboscopicImage stroboscopic_map_and_derivative(Simulation &simulation, const MotionState &start,
                                                   int periods);
 

@@ -69,7 +69,7 @@ class Simulation {
   Simulation &operator=(Simulation other) noexcept;
   ~Simulation();
 
-  // Non-dimensional. The reference is valid until the simulation is assigned to or destroyed.
+  // The scene of the run. The reference is valid until the simulation is assigned to or destroyed.
   const Scene &scene() const;
 
   // Goes on with other options. Throws std::invalid_argument for options out of range.

@@ -29,15 +29,22 @@ std::vector<double> coordinates(const MotionState &motion);
 double time_after(const Scene &scene, const MotionState &start, int periods);
 
 // The state `periods` forcing periods after `start`; the period has the number that it had at the
-// start. `recorders` see the run.
+// start. `recorders` see the run. Of a simulation, its scene and options count, and it stands at
+// the end of the run afterwards.
 template <std::derived_from<Recorder>... Recorders>
-MotionState stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
-                             const RunOptions &options = {}, Recorders &...recorders) {
-  const double until = time_after(scene, start, periods);
-  Simulation simulation(scene, start, options);
+MotionState stroboscopic_map(Simulation &simulation, const MotionState &start, int periods,
+                             Recorders &...recorders) {
+  const double until = time_after(simulation.scene(), start, periods);
+  simulation.start_from(start);
   MotionState state = require_complete(simulation.advance(until, recorders...)).state;
   state.instant = start.instant;
   return state;
+}
+template <std::derived_from<Recorder>... Recorders>
+MotionState stroboscopic_map(const Scene &scene, const MotionState &start, int periods,
+                             const RunOptions &options = {}, Recorders &...recorders) {
+  Simulation simulation(scene, options);
+  return stroboscopic_map(simulation, start, periods, recorders...);
 }
 
 struct StroboscopicImage {
