@@ -41,8 +41,8 @@ struct Event {
   Real velocity_before;
   Real velocity_after;
   std::vector<bool> stuck;  // per mass, after the event
-  // Of a stick that ends a chatter: the duration of the flights that are left out, 2 v / a (1 + r +
-  // r^2 + ...), up to the relative change of the acceleration a over them, which is as small as
+  // A stick that ends a chatter has here the duration of the flights left out, 2 v / a (1 + r + r^2
+  // + ...). It is off by the relative change of the acceleration a over them, which is as small as
   // they are.
   Real left_out = 0;
 };

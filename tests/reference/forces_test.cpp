@@ -9,7 +9,6 @@
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
 #include "tests/support/events.hpp"
-#include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
