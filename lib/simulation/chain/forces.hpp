@@ -85,8 +85,8 @@ double largest_eigenvalue_bound(const Scene &scene);
 // Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
 double root_modulus(double kappa, double lambda);
 
-// The sum of the moduli of all external forces: A, B and P of every mass.
-double force_bound(const Scene &scene);
+// The sum of the moduli of the forcing: A and B of every mass.
+double forcing_bound(const Scene &scene);
 
 // A bound of the rates of all contact modes and of the forcing, or 1 if all are zero. It is the
 // unit in which derivatives of forces are carried.

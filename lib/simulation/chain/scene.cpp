@@ -124,12 +124,11 @@ double root_modulus(double kappa, double lambda) {
   return discriminant > 0 ? alpha + std::sqrt(discriminant) : std::sqrt(lambda);
 }
 
-double force_bound(const Scene &scene) {
+double forcing_bound(const Scene &scene) {
   double sum = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const ExternalForce force = external_force_of(scene, i);
-    sum +=
-        std::abs(force.turning.real()) + std::abs(force.turning.imag()) + std::abs(force.constant);
+    const std::complex<double> turning = external_force_of(scene, i).turning;
+    sum += std::abs(turning.real()) + std::abs(turning.imag());
   }
   return sum;
 }

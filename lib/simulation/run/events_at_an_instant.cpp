@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "observers.hpp"
+#include "simulation/chain/pair.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chain/tolerances.hpp"
 #include "simulation/stops/impact.hpp"
@@ -135,13 +136,15 @@ void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) 
     masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
   if (masses.empty() || at_start) return;
-  for (const Contact &contact : run.motion.mode->contacts) {
+  const ContactMode &mode = *run.motion.mode;
+  for (const Contact &contact : mode.contacts) {
     const AtStop &state = run.stops[contact.stop].contact;
     if (contact.held || state.at_rest || state.speed == 0.0) continue;
     const Gap gap = gap_of(contact, run.stops[contact.stop], run.motion);
-    // The external forces move the mass at most so far.
+    // Within 1 / rate, the motion of the chain and the forcing move the mass at most so far.
     const double rate = run.problem.rate_bound,
-                 reach = run.problem.force_bound / (run.scene().mass[contact.mass] * rate * rate);
+                 acceleration = run.problem.forcing_bound / run.scene().mass[contact.mass],
+                 reach = (dot_moduli(mode.extent, run.motion.dy) + acceleration / rate) / rate;
     if (!is_as_at_rest(gap, reach, rate)) continue;
     leave_stop(contact, 0.0, run.motion, run.stops);
     masses.push_back({contact.stop, contact.mass, contact.sigma, false, false});

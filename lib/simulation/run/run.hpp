@@ -25,8 +25,8 @@ struct Problem {
   std::shared_ptr<const Scene> scene;
   RunOptions options;
   Clock clock;
-  double rate_bound;   // of the scene: see rate_bound in forces.hpp
-  double force_bound;  // the sum of the moduli of the external forces
+  double rate_bound;     // of the scene: see rate_bound in forces.hpp
+  double forcing_bound;  // the sum of the moduli of the forcing
   bool forced;
   OrderTable orders;
 

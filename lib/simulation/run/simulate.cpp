@@ -49,7 +49,7 @@ Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &op
       options(options_of_run),
       clock(scene->omega),
       rate_bound(detail::rate_bound(*scene)),
-      force_bound(detail::force_bound(*scene)),
+      forcing_bound(detail::forcing_bound(*scene)),
       forced(scene->forced()),
       orders(options.flight_tolerance) {
 }
