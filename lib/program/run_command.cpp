@@ -1,7 +1,6 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -100,16 +99,15 @@ void draw_pictures(const RunRequest &request) {
 
 // The chain, of which the user may have given little, and what happened to it.
 void print_summary(const Scene &scene, const Outcome &outcome) {
-  std::vector<bool> forced(scene.mass.size());
-  for (const std::vector<double> &forcing : {scene.amplitude, scene.sine})
-    for (std::size_t i = 0; i < forcing.size(); ++i) forced[i] = forced[i] || forcing[i] != 0.0;
+  int forced = 0;
+  for (int mass = 1; mass <= scene.masses(); ++mass) forced += scene.forced(mass);
   const Counters &counters = outcome.counters;
   fmt::print(stderr,
              "masses: {}, forced: {}, stops: {}; t = {:.17g}: since t = 0, {} impacts "
              "resolved, {} sticks, {} releases; chatter {} times carried to its limit, {} times "
              "incomplete\n",
-             scene.masses(), std::ranges::count(forced, true), scene.stops.size(), outcome.time,
-             counters.impacts, counters.sticks, counters.releases, counters.chatter_limits,
+             scene.masses(), forced, scene.stops.size(), outcome.time, counters.impacts,
+             counters.sticks, counters.releases, counters.chatter_limits,
              counters.chatter_incomplete);
 }
 

@@ -144,9 +144,16 @@ void PressedEventRecorder::check(const Scene &of_run) const {
 
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.time < from) return;
-  if (event.kind != EventKind::impact) return events.push_back({event, 0.0});
-  events.push_back(
-      {event, pressing_force_of(scene, stop_of(scene, event), state_at(moment, event.held))});
+  double press = 0.0;
+  switch (event.kind) {
+    case EventKind::impact:
+      press = pressing_force_of(scene, stop_of(scene, event), state_at(moment, event.held));
+      break;
+    case EventKind::stick:
+    case EventKind::release:
+      break;
+  }
+  events.push_back({event, press});
 }
 
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {

@@ -7,7 +7,6 @@
 // Everything is non-dimensional, as in the paper. Masses are counted from 1.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -63,11 +62,16 @@ struct Scene {
   int masses() const {
     return static_cast<int>(mass.size());
   }
-  // True when some A_i or B_i is not zero: without forcing no forcing terms are carried.
+  // True when A or B of mass i, from 1 to N, is not zero.
+  bool forced(int i) const {
+    const auto k = static_cast<std::size_t>(i - 1);
+    return (k < amplitude.size() && amplitude[k] != 0.0) || (k < sine.size() && sine[k] != 0.0);
+  }
+  // True when some mass is forced: without forcing no forcing terms are carried.
   bool forced() const {
-    const auto acts = [](double force) { return force != 0.0; };
-    return std::any_of(amplitude.begin(), amplitude.end(), acts) ||
-           std::any_of(sine.begin(), sine.end(), acts);
+    for (int i = 1; i <= masses(); ++i)
+      if (forced(i)) return true;
+    return false;
   }
 };
 
