@@ -5,6 +5,7 @@
 
 #include "program/files.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/table_reader.hpp"
 #include "tests/support/runner_program.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
@@ -45,7 +46,7 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
   auto rows = lines(contents(folder / "t.csv"));
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[1].substr(rows[1].find(',')), ",,,,,,");
-  EXPECT_GT(std::stod(cells(rows[2])[1]), 0.0);
+  EXPECT_GT(std::stod(truth::cells_of(rows[2])[1]), 0.0);
 
   const Result result =
       run("sweep --vary restitution=0:0.9:2 --max-steps 400 --longest 20 --omega 0.3 "
@@ -97,10 +98,7 @@ TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
   fs::copy_file(VIBRO_IMPACT_PROGRAM, folder.string() + "-other");
   std::ofstream(folder.string() + "-other", std::ios::app) << 'x';
   for (const auto &[options, program, message] : refused) {
-    const Result result = run(sweep + options, "true", "", program);
-    EXPECT_EQ(result.status, 2);
-    EXPECT_TRUE(is_one_message(result.err)) << result.err;
-    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    expect_message(run(sweep + options, "true", "", program), message);
     EXPECT_EQ(contents(path), partial);
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
   }
@@ -130,9 +128,8 @@ TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
       "sweep --vary omega=1.1:1.2:40 --back --masses 1 --amplitude 0.1 --stop 1:upper:0.3 ";
   ASSERT_EQ(run(sweep + "--table whole.csv", one_thread + "true").status, 0);
   const std::string whole = contents(folder / "whole.csv");
-  const Result full = run(sweep + "--table t.csv", one_thread + full_disk(1024));
-  EXPECT_EQ(full.status, 1);
-  EXPECT_EQ(full.err, "vibro-impact: t.csv.partial: cannot be written: File too large\n");
+  expect_message(run(sweep + "--table t.csv", one_thread + full_disk(1024)),
+                 "vibro-impact: t.csv.partial: cannot be written: File too large\n", 1);
   const std::string journal = contents(folder / "t.csv.partial");
   EXPECT_EQ(journal.size(), 1024u);
   ASSERT_EQ(run(sweep + "--resume --table t.csv").status, 0);
@@ -163,9 +160,8 @@ TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
     fs::remove(folder / "t.csv.partial");
     runner::Journal((folder / "t.csv.partial").string(), head, false, {})
         .add({rows_of_block + '\n', "", ""});
-    const Result result = run(sweep + "--resume --table t.csv");
-    EXPECT_EQ(result.status, status);
-    EXPECT_EQ(result.err, "vibro-impact: " + message + "\n");
+    expect_message(run(sweep + "--resume --table t.csv"), "vibro-impact: " + message + '\n',
+                   status);
     EXPECT_FALSE(fs::exists(folder / "t.csv"));
   }
 }
@@ -173,9 +169,8 @@ TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
 TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {
   const runner::Journal held(folder / "t.csv.partial", "a head\n", false,
                              [](auto...) { return true; });
-  const Result second = run("sweep --vary omega=0.3:0.5:2 --resume --table t.csv");
-  EXPECT_EQ(second.status, 2);
-  EXPECT_EQ(second.err, "vibro-impact: t.csv.partial: another sweep is writing it\n");
+  expect_message(run("sweep --vary omega=0.3:0.5:2 --resume --table t.csv"),
+                 "vibro-impact: t.csv.partial: another sweep is writing it\n");
   EXPECT_EQ(contents(folder / "t.csv.partial"), "a head\n");
 }
 
