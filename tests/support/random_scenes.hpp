@@ -1,6 +1,8 @@
 // Random scenes, seeded, what rounding does to them, and their mirror images.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
