@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "drawn.hpp"
+#include "events.hpp"
 #include "figures/inferred_frequencies.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_reader.hpp"
@@ -25,15 +26,19 @@ inline std::vector<Event> true_events(const std::string &scene) {
   return truth::read_event_table(REFERENCE_DIR "/" + scene + "_events.csv");
 }
 
+// Each mass of the paper's scenes has one stop.
+inline double stop_position(const Scene &scene, int mass) {
+  return scene.stops[static_cast<std::size_t>(mass - 1)].position;
+}
+
 // The stops at which these masses have an impact within the window, mostly between two samples.
 inline figures::Range stops_hit(const std::string &truth, const paper::AxisBox &box,
                                 const std::vector<int> &masses) {
   figures::Range stops;
-  for (const Event &event : true_events(truth))
-    if (event.kind == EventKind::impact && event.time >= box.from && event.time <= box.to &&
-        std::count(masses.begin(), masses.end(), event.mass) > 0)
-      stops.include(
-          paper::scene_named(truth).scene.stops[static_cast<std::size_t>(event.mass - 1)].position);
+  for (const int mass : masses)
+    for (const Event &event : select(true_events(truth), EventKind::impact, mass))
+      if (event.time >= box.from && event.time <= box.to)
+        stops.include(stop_position(paper::scene_named(truth).scene, mass));
   return stops;
 }
 
