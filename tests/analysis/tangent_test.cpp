@@ -181,8 +181,7 @@ bool differentiable_after(const std::vector<BriefEvent> &events) {
 // nothing else in between. Neither two impacts at once nor a contact without speed are
 // differentiable.
 TEST(Tangents, SayWhereTheMotionIsNotDifferentiable) {
-  constexpr EventKind impact = EventKind::impact, stick = EventKind::stick,
-                      release = EventKind::release;
+  using enum EventKind;
   EXPECT_TRUE(differentiable_after({{1, impact, 1}, {2, stick, 1}}));
   EXPECT_TRUE(differentiable_after({{1, impact, 1}, {1, stick, 1}}));
   EXPECT_TRUE(differentiable_after({{0, stick, 1}}));  // as it starts
