@@ -61,7 +61,8 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCells) {
 TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
   const std::string sweep =
       "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 --table t.csv ";
-  ASSERT_EQ(run(sweep).status, 0);
+  const std::string all_computed = "905 points, 905 computed now";
+  ASSERT_NE(run(sweep).err.find(all_computed), std::string::npos);
   const std::string whole = contents(folder / "t.csv");
   const fs::path path = folder / "t.csv.partial";
   // The shell kills the sweep as soon as a block stands in its journal, unless the sweep ends
@@ -97,7 +98,7 @@ TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
   std::ofstream{scene};
   const Result rest = run(sweep + "--resume --scene " + scene, "true", with_mpi ? mpirun(2) : "");
   ASSERT_EQ(rest.status, 0) << rest.err;
-  EXPECT_EQ(rest.err.find("905 points, 905 computed now"), std::string::npos) << rest.err;
+  EXPECT_EQ(rest.err.find(all_computed), std::string::npos) << rest.err;
   EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole));
   EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
   fs::remove(scene);
