@@ -42,9 +42,7 @@ TEST(Lyapunov, IsMinusInfinityWhereEveryPerturbationDiesOut) {
                     .amplitude = {0.5},
                     .omega = 0.28,
                     .restitution = 0.7,
-                    .stops = {{1, Side::lower, -0.3}},
-                    .displacement = {0.0},
-                    .velocity = {0.0}};
+                    .stops = {{1, Side::lower, -0.3}}};
   const OrbitRecord record = record_within(400, scene);
   ASSERT_GT(record.counts.sticks[0], 0);
   EXPECT_EQ(record.lyapunov.value(), -INFINITY);

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <regex>
 #include <string>
 
 #include "figures/error_vs_runtime/methods/method.hpp"
-#include "reference/truth/table_reader.hpp"
+#include "tests/support/panels.hpp"
 
 namespace {
 
@@ -38,13 +36,10 @@ std::vector<ReadmeRow> rows_of(const std::string &file) {
   const std::map<std::string, std::string> problems{{"ten periods of Figure 2", "figure2"},
                                                     {"one flight", "flight"},
                                                     {"one sticking phase", "sticking"}};
-  std::ifstream stream = truth::opened(SOURCE_DIR "/" + file);
-  const std::regex row(R"(\| (\S[^|]*?) +\| (\S[^|]*?) +\| (\S+) +\| (\S+) +\|.*)");
   std::vector<ReadmeRow> rows;
-  std::smatch cells;
-  for (std::string line; std::getline(stream, line);)
-    if (std::regex_match(line, cells, row) && problems.contains(cells[1]))
-      rows.push_back({problems.at(cells[1]), cells[2], std::stod(cells[3]), std::stod(cells[4])});
+  for (const truth::Row &row : vibro_impact::testing::rows_in_document(file))
+    if (problems.contains(row[0]))
+      rows.push_back({problems.at(row[0]), row[1], std::stod(row[2]), std::stod(row[3])});
   return rows;
 }
 

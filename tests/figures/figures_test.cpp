@@ -98,9 +98,10 @@ void expect_bar(const Curve &curve, Columns &columns, int mass, double stop, boo
 // axes, bars where these masses stick, and the displacements of these masses, each in its own
 // colour and under no other name. `further` curves follow.
 void expect_displacements(const Panel &panel, const std::string &table, const std::string &truth,
-                          const AxisBox &box, const std::vector<int> &sticking,
-                          const std::vector<int> &masses = {1, 2}, std::size_t further = 0) {
+                          const std::vector<int> &sticking, const std::vector<int> &masses = {1, 2},
+                          std::size_t further = 0) {
   SCOPED_TRACE(table);
+  const AxisBox box = paper::panel(table);
   auto columns = columns_of(folder_of(table.substr(0, 7)) + "/" + table + ".csv");
   expect_motion(columns, truth, box);
   std::set<double> stops;
@@ -127,20 +128,19 @@ TEST(Figure2, IsDrawnFromTheMotionOfItsScene) {
   const auto panels = drawn("figure2", folder_of("figure2"));
   ASSERT_EQ(panels.size(), 2u);
   EXPECT_NE(colour_of_line_type(1), colour_of_line_type(2));
-  expect_displacements(panels[0], "figure2a", "figure2", paper::panel("figure2a"), {1, 2});
-  expect_displacements(panels[1], "figure2b", "figure2", paper::panel("figure2b"), {2}, {2});
+  expect_displacements(panels[0], "figure2a", "figure2", {1, 2});
+  expect_displacements(panels[1], "figure2b", "figure2", {2}, {2});
   expect_parameters(panels[0], paper::figure2(), "Ω");
 }
 
 // The points are the true impacts of mass 2 within the window: at its stop, or as high as they are
 // fast.
-void expect_impacts_of_mass_2(const Curve &curve, const std::string &truth, const AxisBox &box,
-                              bool at_stop) {
+void expect_impacts_of_mass_2(const Curve &curve, const std::string &figure, bool at_stop) {
   std::vector<double> times, heights;
-  for (const Event &event : select(true_events(truth), EventKind::impact, 2)) {
-    if (event.time < box.from) continue;
+  for (const Event &event : select(true_events(figure), EventKind::impact, 2)) {
+    if (event.time < paper::panel(figure).from) continue;
     times.push_back(event.time);
-    heights.push_back(at_stop ? stop_position(paper::scene_named(truth).scene, 2)
+    heights.push_back(at_stop ? stop_position(paper::scene_named(figure).scene, 2)
                               : std::abs(event.velocity_before));
   }
   EXPECT_GT(times.size(), 1u);
@@ -151,9 +151,9 @@ void expect_impacts_of_mass_2(const Curve &curve, const std::string &truth, cons
 TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
   const auto panels = drawn("figure5", folder_of("figure5"));
   ASSERT_EQ(panels.size(), 5u) << "three panels and two insets";
-  expect_displacements(panels[0], "figure5a", "figure5a", paper::panel("figure5a"), {1}, {1, 2}, 1);
-  expect_displacements(panels[1], "figure5b", "figure5b", paper::panel("figure5b"), {1}, {1, 2}, 1);
-  expect_displacements(panels[2], "figure5c", "figure5c", paper::panel("figure5c"), {1}, {1, 2}, 1);
+  expect_displacements(panels[0], "figure5a", "figure5a", {1}, {1, 2}, 1);
+  expect_displacements(panels[1], "figure5b", "figure5b", {1}, {1, 2}, 1);
+  expect_displacements(panels[2], "figure5c", "figure5c", {1}, {1, 2}, 1);
   expect_parameters(panels[0], paper::figure5a(), "Ω");
   expect_parameters(panels[1], paper::figure5b(), "Ω s₁");
   expect_parameters(panels[2], paper::figure5c(), "s₁ = s₂");
@@ -170,9 +170,9 @@ TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
 
   // Dots in (a): the impacts of mass 2. Inset of (c): the speeds of those, down to the release of
   // mass 1, up to which its bar reaches.
-  expect_impacts_of_mass_2(panels[0].curves.back(), "figure5a", paper::panel("figure5a"), true);
+  expect_impacts_of_mass_2(panels[0].curves.back(), "figure5a", true);
   ASSERT_EQ(panels[4].curves.size(), 2u);
-  expect_impacts_of_mass_2(panels[4].curves[1], "figure5c", paper::panel("figure5c"), false);
+  expect_impacts_of_mass_2(panels[4].curves[1], "figure5c", false);
   const double released = panels[4].curves[0].points.back()[0];
   const auto releases = select(true_events("figure5c"), EventKind::release, 1);
   EXPECT_NEAR(released, releases.back().time, 0.006) << "samples are 0.005 apart";

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,36 +18,16 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::follow, figures::Procedure, truth::number_in;
-
-using Rows = std::vector<std::vector<std::string>>;
+using figures::follow, figures::Procedure, truth::Rows;
 
 Rows table(const std::string &name, std::size_t columns) {
   return truth::read_rows(folder_of("procedures") + "/procedures_" + name + ".csv", columns);
 }
 
-// The rows of a table of Markdown with so many cells, without blanks around the cells.
-Rows rows_in_document(std::size_t cells) {
-  Rows rows;
-  std::ifstream document = truth::opened(SOURCE_DIR "/figures/README.md");
-  for (std::string line; std::getline(document, line);) {
-    if (!line.starts_with("| ")) continue;
-    std::vector<std::string> row;
-    std::istringstream text(line.substr(2));
-    for (std::string cell; std::getline(text, cell, '|');) {
-      cell.erase(0, cell.find_first_not_of(' '));
-      cell.erase(cell.find_last_not_of(' ') + 1);
-      row.push_back(cell);
-    }
-    if (row.size() == cells) rows.push_back(row);
-  }
-  return rows;
-}
-
 void expect_rows_in_document(const Rows &computed) {
   int shown = 0;
-  for (std::vector<std::string> row : rows_in_document(5)) {
-    if (row[0] == "procedure" || row[0].starts_with("the paper")) continue;
+  for (truth::Row row : rows_in_document("figures/README.md")) {
+    if (row.size() != 5 || row[0] == "procedure" || row[0].starts_with("the paper")) continue;
     std::replace(row.begin(), row.end(), std::string("none"), std::string());
     EXPECT_EQ(std::count(computed.begin(), computed.end(), row), 1) << row[0];
     ++shown;

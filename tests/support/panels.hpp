@@ -1,11 +1,12 @@
-// Shared by the tests of the figures: the true events, and the comparison of a drawn panel with
-// its axes and its table.
+// Shared by the tests of the figures: the true events, the comparison of a drawn panel with its
+// axes and its table, and the tables in documents.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,20 @@ inline figures::Range stops_hit(const std::string &truth, const paper::AxisBox &
       if (event.time >= box.from && event.time <= box.to)
         stops.include(stop_position(paper::scene_named(truth).scene, mass));
   return stops;
+}
+
+// The rows of the tables in a document, without the blanks around their cells.
+inline truth::Rows rows_in_document(const std::string &path) {
+  const std::regex cell(R"(\| *([^|]*?) *(?=\|))");
+  truth::Rows rows;
+  std::ifstream document = truth::opened(SOURCE_DIR "/" + path);
+  for (std::string line; std::getline(document, line);) {
+    if (!line.starts_with("| ")) continue;
+    rows.emplace_back();
+    for (std::sregex_iterator found(line.begin(), line.end(), cell), end; found != end; ++found)
+      rows.back().push_back((*found)[1]);
+  }
+  return rows;
 }
 
 inline bool holds(const Held &held, int mass) {
