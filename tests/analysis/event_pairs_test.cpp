@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reference/scenes/table1_scenes.hpp"
+#include "reference/truth/case.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -46,20 +47,14 @@ TEST(TableI, EachSceneShowsItsPairAndNoOther) {
   }
 }
 
+using enum EventKind;
+
 PressedEvent event_at(EventKind kind, int mass, double time, Held held, double speed = 0.1,
                       double press = 0.0) {
-  PressedEvent pressed;
-  pressed.event.kind = kind;
-  pressed.event.mass = mass;
-  pressed.event.time = time;
-  pressed.event.velocity_before = kind == EventKind::impact ? speed : 0.0;
+  PressedEvent pressed{truth::event_at(time, mass, kind, kind == impact ? speed : 0.0), press};
   pressed.event.held = std::move(held);
-  pressed.press = press;
   return pressed;
 }
-
-constexpr EventKind impact = EventKind::impact, stick = EventKind::stick,
-                    release = EventKind::release;
 
 // Within the tolerance of the end of a chatter both readings apply; sticking takes precedence.
 TEST(EventPairs, AnImpactAtTheEndOfAChatterIsAStickingImpact) {

@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/random_scenes.hpp"
@@ -15,7 +14,10 @@ namespace {
 
 using namespace vibro_impact;
 
-const RecordOptions with_exponent{.settle = {}, .lyapunov = true};
+// The record of a motion that is given at most so many periods to settle.
+OrbitRecord record_within(int longest, const Scene &scene) {
+  return record_of(scene, {.settle = {.longest = longest}, .lyapunov = true});
+}
 
 // ln of the length of the image of the perturbation (1, 1, 1, 1) / 2 of the free coordinates after
 // `periods` forcing periods, by one map of all of them.
@@ -40,10 +42,8 @@ TEST(Lyapunov, IsMinusInfinityWhereEveryPerturbationDiesOut) {
                     .amplitude = {0.5},
                     .omega = 0.28,
                     .restitution = 0.7,
-                    .stops = {{1, Side::lower, -0.3}},
-                    .displacement = {0.0},
-                    .velocity = {0.0}};
-  const OrbitRecord record = record_of(scene, with_exponent);
+                    .stops = {{1, Side::lower, -0.3}}};
+  const OrbitRecord record = record_within(400, scene);
   ASSERT_GT(record.counts.sticks[0], 0);
   EXPECT_EQ(record.lyapunov.value(), -INFINITY);
   const Growth growth = mean_growth(scene, at_quiet_phase(scene, record.state), 200);
@@ -56,9 +56,7 @@ TEST(Lyapunov, OfALinearMotionIsTheSlowestDecay) {
   Scene scene = paper::figure2();
   for (Stop &stop : scene.stops) stop.position *= 1e3;
   const double expected = -0.05 * (3.0 - std::sqrt(5.0)) / 2.0;
-  RecordOptions options = with_exponent;
-  options.settle.longest = 2000;
-  const OrbitRecord record = record_of(scene, options);
+  const OrbitRecord record = record_within(2000, scene);
   ASSERT_EQ(record.period, 1);
   EXPECT_NEAR(*record.lyapunov, expected, 1e-12);  // rounding of the multipliers
   // The mean growth also depends on the angle of the perturbation, by a factor of order 1 of its
@@ -84,8 +82,6 @@ TEST(Lyapunov, ScalingThePerturbationDoesNotChangeItsGrowth) {
 // ones and slow ones. Over the first 40 periods the growth has the wrong sign at half of them. The
 // exponent is negative where the motion has settled within 4,000 periods, and positive elsewhere.
 TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
-  RecordOptions options = with_exponent;
-  options.settle.longest = 200;
   int chaotic = 0, slow = 0;
   for (const auto &[omega, amplitude] : {std::pair{0.69, 0.5},
                                          {0.748605, 0.924352},
@@ -93,9 +89,8 @@ TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
                                          {0.6325, 0.5},
                                          {0.689273, 0.611763},
                                          {0.777921, 1.063141}}) {
-    Scene scene = paper::figure3(omega);
-    scene.amplitude[0] = amplitude;
-    const OrbitRecord record = record_of(scene, options);
+    const Scene scene = with(paper::figure3(omega), "amplitude1", amplitude);
+    const OrbitRecord record = record_within(200, scene);
     ASSERT_EQ(record.period, 0) << omega;
     ASSERT_TRUE(record.lyapunov) << omega;
     const bool settles = settle(scene, start_of(scene), {.longest = 4000}).period > 0;
@@ -109,13 +104,10 @@ TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
 // Motions on a torus never settle, and their exponent is zero: its sign is never certain, although
 // the mean over the first four blocks has one.
 TEST(Lyapunov, TheSignOfAZeroExponentIsNotGiven) {
-  RecordOptions options = with_exponent;
-  options.settle.longest = 200;
   for (const auto &[omega, amplitude] :
        {std::pair{0.711738, 0.688186}, {0.674954, 0.768820}, {0.456886, 0.224487}}) {
-    Scene scene = paper::figure3(omega);
-    scene.amplitude[0] = amplitude;
-    const OrbitRecord record = record_of(scene, options);
+    const OrbitRecord record =
+        record_within(200, with(paper::figure3(omega), "amplitude1", amplitude));
     EXPECT_EQ(record.period, 0) << omega;
     EXPECT_FALSE(record.lyapunov.has_value()) << omega << ": " << *record.lyapunov;
   }

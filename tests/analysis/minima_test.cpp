@@ -53,12 +53,8 @@ TEST(LeastGap, OfASteadyMotionIsTheDistanceToItsTurningPoint) {
 // A damped oscillation turns at ever smaller displacements, so the first turning point is nearest
 // to the stop. An impact is no turning point.
 TEST(LeastGap, IsTheLeastOfSeveralMinima) {
-  const Scene scene{.mass = {1.0},
-                    .stiffness = {9.0},
-                    .beta = 0.02,
-                    .omega = 1.0,
-                    .displacement = {0.0},
-                    .velocity = {1.0}};
+  const Scene scene{
+      .mass = {1.0}, .stiffness = {9.0}, .beta = 0.02, .omega = 1.0, .velocity = {1.0}};
   const auto least = least_gap(scene, start_of(scene), {1, Side::upper, 1.0});
   ASSERT_TRUE(least.has_value());
   const double decay = 0.09, frequency = std::sqrt(9.0 - decay * decay);

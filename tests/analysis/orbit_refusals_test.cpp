@@ -22,19 +22,6 @@ constexpr int most = std::numeric_limits<int>::max();
 const Scene scene = paper::figure2();
 const MotionState start = start_of(scene);
 
-// The start with a displacement too few; below, the start in the last period that can be counted.
-MotionState short_of_one() {
-  MotionState at = start;
-  at.displacement.pop_back();
-  return at;
-}
-
-MotionState far() {
-  MotionState at = start;
-  at.instant.cycle = std::numeric_limits<long long>::max();
-  return at;
-}
-
 template <class Change>
 MotionState changed(const Change &change) {
   MotionState at = start;
@@ -42,19 +29,15 @@ MotionState changed(const Change &change) {
   return at;
 }
 
-Scene unforced() {
-  Scene without = scene;
-  without.omega = 0.0;
-  return without;
-}
+const Scene unforced = with(scene, "omega", 0.0);
 
-double line(double x) {
-  return x - 0.5;
-}
+// The start with a displacement too few, and in the last period that can be counted.
+const MotionState short_of_one = changed([](auto &at) { at.displacement.pop_back(); }),
+                  far = changed(
+                      [](auto &at) { at.instant.cycle = std::numeric_limits<long long>::max(); });
 
-int step(double x) {
-  return x > 0.5 ? 1 : 0;
-}
+const auto line = [](double x) { return x - 0.5; };
+const auto step = [](double x) { return x > 0.5 ? 1 : 0; };
 
 TEST(Refusals, OfOrbits) {
   const Stop none{5, Side::upper, 0.1}, on_no_side{1, Side{9}, 0.1}, nowhere{1, Side::upper, nan};
@@ -66,7 +49,7 @@ TEST(Refusals, OfOrbits) {
   expect_refused({
       {[&] { natural_modes(scene, too_few); }, "held: 1 values given, the chain has 2 masses"},
       {[&] { natural_modes(scene, wrong); }, "held = 9: must be -1, 0 or 1"},
-      {[&] { acceleration(scene, short_of_one()); }, "displacement: 1 values given"},
+      {[&] { acceleration(scene, short_of_one); }, "displacement: 1 values given"},
       {[&] { acceleration({}, start); }, "masses = 0"},
       {[&] { acceleration(scene, changed([](auto &at) { at.displacement[1] = nan; })); }, "nan"},
       {[&] { acceleration(scene, changed([](auto &at) { at.velocity[0] = infinity; })); }, "inf"},
@@ -95,16 +78,16 @@ TEST(Refusals, OfOrbits) {
       {[] { sticking_phases(scene, 3, 1, 1); }, "mass 3: the chain has masses 1 to 2"},
       {[] { sticking_phases(scene, 1, -1, 1); }, "period -1: must lie in"},
       {[] { sticking_phases(scene, 1, 1, 0); }, "periods = 0: must be at least 1"},
-      {[] { time_after(unforced(), start, 1); }, "omega = 0: a stroboscopic map needs a forcing"},
+      {[] { time_after(unforced, start, 1); }, "omega = 0: a stroboscopic map needs a forcing"},
       {[] { time_after(scene, start, -most); }, "periods = -2147483647: must be at least 1"},
-      {[] { time_after(scene, far(), most); }, "period 9223372036854775807: must lie in"},
-      {[] { stroboscopic_map(scene, short_of_one(), 1); }, "displacement: 1 values given"},
-      {[] { stroboscopic_map_and_derivative(scene, short_of_one(), 1); }, "1 values given"},
+      {[] { time_after(scene, far, most); }, "period 9223372036854775807: must lie in"},
+      {[] { stroboscopic_map(scene, short_of_one, 1); }, "displacement: 1 values given"},
+      {[] { stroboscopic_map_and_derivative(scene, short_of_one, 1); }, "1 values given"},
       {[] { state_after_periods(scene, 0); }, "periods = 0: must be at least 1"},
-      {[] { at_quiet_phase(unforced(), start); }, "omega = 0: a stroboscopic map needs"},
+      {[] { at_quiet_phase(unforced, start); }, "omega = 0: a stroboscopic map needs"},
       {[] { find_periodic_orbit(scene, start, 0); }, "periods = 0: must be at least 1"},
       {[] { find_periodic_orbit(scene, start, 1, -1); }, "= -1: must be"},
-      {[] { find_periodic_orbit(scene, short_of_one()); }, "displacement: 1 values given"},
+      {[] { find_periodic_orbit(scene, short_of_one); }, "displacement: 1 values given"},
       {[&] {
          floquet_multipliers({3, 4, {}}, free);
        },

@@ -84,11 +84,8 @@ EventCounts counted_far_out(const Scene &scene, int periods, int after) {
       aside[static_cast<std::size_t>(event.stop - 1)] = 0;
       if (inside(event)) ++counts.sticks[mass];
     }
-    if (inside(event)) {
-      int held = 0;
-      for (const signed char side : event.held) held += side != 0 ? 1 : 0;
-      counts.dual_sticking = counts.dual_sticking || held > 1;
-    }
+    if (inside(event) && std::ranges::count(event.held, 0) + 1 < std::ssize(event.held))
+      counts.dual_sticking = true;
   }
   for (std::size_t stop = 0; stop < aside.size(); ++stop)
     counts.impacts[static_cast<std::size_t>(scene.stops[stop].mass - 1)] += aside[stop];
@@ -189,8 +186,7 @@ TEST(Settle, AnyPhaseMayBeTheSection) {
 }
 
 TEST(EventCounts, WithoutReboundAllImpactsCount) {
-  Scene scene = paper::figure2();
-  scene.restitution = 0.0;
+  const Scene scene = with(paper::figure2(), "restitution", 0.0);
   const OrbitRecord record = record_of(scene);
   ASSERT_EQ(record.period, 1);
   expect_same_counts(record.counts, counted_far_out(scene, 1, 100), scene.omega);

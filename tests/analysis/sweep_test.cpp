@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/table_reader.hpp"
 #include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -84,16 +85,12 @@ TEST(Sweep, RecordsAreRowsOfATable) {
   Table table = sweep_table(grid, options);
   add_row(table, grid, options, 0, record);
   add_row(table, grid, options, 1, std::nullopt);
-  std::vector<std::vector<std::string>> rows;
+  const truth::Row names = truth::cells_of(table.text.substr(0, table.text.find('\n')));
   std::istringstream text(table.text);
-  for (std::string line; std::getline(text, line);) {
-    rows.emplace_back();
-    std::istringstream cells(line + ",");  // the last cell may be empty, too
-    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-  }
-  ASSERT_EQ(rows.size(), 3u);
+  const truth::Rows rows = truth::read_rows(text, "table", names.size());
+  ASSERT_EQ(rows.size(), 2u);
   std::map<std::string, std::string> cell;
-  for (std::size_t k = 0; k < rows[0].size(); ++k) cell[rows[0][k]] = rows[1].at(k);
+  for (std::size_t k = 0; k < names.size(); ++k) cell[names[k]] = rows[0][k];
   const std::map<std::string, std::string> expected = {{"omega", "0.28000000000000003"},
                                                        {"period", "2"},
                                                        {"sticks1", "0.75"},
@@ -104,9 +101,9 @@ TEST(Sweep, RecordsAreRowsOfATable) {
                                                        {"lyapunov", ""},
                                                        {"pairs", "DS SI"}};
   for (const auto &[name, value] : expected) EXPECT_EQ(cell.at(name), value) << name;
-  std::vector<std::string> empty(rows[0].size());
+  truth::Row empty(names.size());
   empty[0] = "0.68999999999999995";
-  EXPECT_EQ(rows[2], empty);
+  EXPECT_EQ(rows[1], empty);
 }
 
 TEST(Grid, TheLastAxisIsInnermost) {
@@ -147,8 +144,6 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       counts_of(good, {event}, periods, held);
     };
   };
-  Scene unforced = good;
-  unforced.omega = 0.0;
   expect_refused({
       {axes({{omega, 0.0, 1.0, 3}}), "omega = 0"},
       {axes({{omega, 0.2, 1.0, 0}}), "omega: 0 values"},
@@ -162,7 +157,7 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       {[&] { sweep(3, number, -1); }, "threads = -1: must lie from 0 to"},
       {record([](auto &o) { o.settle.longest = 0; }), "longest = 0"},
       {record([](auto &o) { o.slowest = -1.0; }), "slowest = -1"},
-      {[&] { record_of(unforced); }, "omega = 0"},
+      {[&] { record_of(with(good, "omega", 0.0)); }, "omega = 0"},
       {[&] { settle(good, far_out); }, "period 9223372036854775807"},
       {[&] { mean_growth(good, start, 0); }, "longest = 0"},
       {counted(0, 1), "mass 0: the chain has"},
@@ -171,9 +166,7 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       {counted(1, 1, 0), "periods = 0"},
       {counted(1, 1, 1, {0}), "held: 1 values"},
       {[&] {
-         Scene bad = good;
-         bad.restitution = 1.5;
-         counts_of(bad, {}, 1, {0, 0});
+         counts_of(with(good, "restitution", 1.5), {}, 1, {0, 0});
        },
        "restitution = 1.5"},
       {[&] { record_columns(-1, {}); }, "masses = -1"},

@@ -33,22 +33,17 @@ Scene chain_of_five() {
   return scene;
 }
 
-Scene with_restitution(Scene scene, double r) {
-  scene.restitution = r;
-  return scene;
-}
-
 // r = 0 with stops that differ. At equal stops (Figure 5(a)) the force on a second held mass is
 // zero.
 Scene plastic() {
-  Scene scene = with_restitution(paper::figure5a(), 0.0);
+  Scene scene = with(paper::figure5a(), "restitution", 0.0);
   scene.stops[1].position = 0.28;
   return scene;
 }
 
 // A slow forcing leaves a slow chatter the time to complete.
 Scene slow_chatter() {
-  Scene scene = with_restitution(paper::figure2(), 0.95);
+  Scene scene = with(paper::figure2(), "restitution", 0.95);
   scene.omega = 0.05;
   return scene;
 }
@@ -84,8 +79,8 @@ std::vector<Case> cases() {
           case_of("impacts only", paper::stops_of_different_sign(0.6)),
           case_of("Figure 5(a)", paper::figure5a()),
           case_of("r = 0", plastic()),
-          case_of("r = 0.001", with_restitution(plastic(), 0.001)),
-          case_of("r = 0.95", with_restitution(paper::figure5a(), 0.95)),
+          case_of("r = 0.001", with(plastic(), "restitution", 0.001)),
+          case_of("r = 0.95", with(paper::figure5a(), "restitution", 0.95)),
           case_of("slow chatter", slow_chatter()),
           case_of("released by a jump", released_by_a_jump()),
           case_of("chain of five", chain_of_five())};
@@ -126,7 +121,7 @@ TEST(Tangents, EqualDifferences) {
 // slower, agree relative to the derivative: measured 3e-14 for r up to 0.7, and 2e-11 for r = 0.95.
 TEST(Tangents, DoNotDependOnWhereChatterIsCarriedToItsLimit) {
   for (const Case &of : {case_of("Figure 2", paper::figure2()),
-                         case_of("r = 0.5", with_restitution(paper::figure5a(), 0.5)),
+                         case_of("r = 0.5", with(paper::figure5a(), "restitution", 0.5)),
                          case_of("slow chatter", slow_chatter())}) {
     const StroboscopicImage early = stroboscopic_map_and_derivative(of.scene, of.at, 1);
     const StroboscopicImage late =
@@ -186,8 +181,7 @@ bool differentiable_after(const std::vector<BriefEvent> &events) {
 // nothing else in between. Neither two impacts at once nor a contact without speed are
 // differentiable.
 TEST(Tangents, SayWhereTheMotionIsNotDifferentiable) {
-  constexpr EventKind impact = EventKind::impact, stick = EventKind::stick,
-                      release = EventKind::release;
+  using enum EventKind;
   EXPECT_TRUE(differentiable_after({{1, impact, 1}, {2, stick, 1}}));
   EXPECT_TRUE(differentiable_after({{1, impact, 1}, {1, stick, 1}}));
   EXPECT_TRUE(differentiable_after({{0, stick, 1}}));  // as it starts

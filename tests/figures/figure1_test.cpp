@@ -88,7 +88,7 @@ TEST(Figure1, EveryFrameShowsTheWordsOfItsTableAndNoOthers) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto texts = texts_of(folder + fmt::format("/motion{:04}.svg", k + 1));
     std::multiset<std::string> words, expected = words_of_every_frame(scene, window, rows[k][0]);
-    for (const PlacedText &text : texts) words.insert(text.text);
+    for (const auto &[text, x] : texts) words.insert(text);
     for (const std::size_t i : {3u, 4u})
       if (rows[k][i] != "-") expected.insert(rows[k][i]);
     ASSERT_EQ(words, expected) << "frame " << k + 1;
@@ -96,18 +96,12 @@ TEST(Figure1, EveryFrameShowsTheWordsOfItsTableAndNoOthers) {
     for (const int mass : {1, 2}) {
       const std::string &action = rows[k][static_cast<std::size_t>(mass) + 2];
       if (action == "-") continue;
-      const auto place_of = [&](const std::string &name) {
-        return std::find_if(texts.begin(), texts.end(),
-                            [&](const PlacedText &text) { return text.text == name; })
-            ->x;
-      };
-      const double distance = std::abs(place_of("m2") - place_of("m1"));
-      const double place = place_of(fmt::format("m{}", mass));
-      EXPECT_TRUE(std::any_of(texts.begin(), texts.end(),
-                              [&](const PlacedText &text) {
-                                return text.text == action &&
-                                       std::abs(text.x - place) < distance / 2;
-                              }))
+      const double place = texts.find(fmt::format("m{}", mass))->second,
+                   distance = std::abs(texts.find("m2")->second - texts.find("m1")->second);
+      const auto [first, last] = texts.equal_range(action);
+      EXPECT_TRUE(std::any_of(
+          first, last,
+          [=](const auto &text) { return std::abs(text.second - place) < distance / 2; }))
           << action << " above mass " << mass << ", frame " << k + 1;
     }
   }

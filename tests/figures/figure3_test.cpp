@@ -78,9 +78,8 @@ TEST(Figure3, IsDrawnFromTheImpactVelocitiesOfItsMasses) {
     const std::vector<Event> events = true_events("figure4a");
     const double last = events.back().time - 2 * Clock(paper::figure4a().omega).period;
     std::vector<double> truth;
-    for (const Event &event : events)
-      if (event.mass == mass && event.kind == EventKind::impact && event.time > last &&
-          std::abs(event.velocity_before) > paper::slowest_impact_shown)
+    for (const Event &event : select(events, EventKind::impact, mass))
+      if (event.time > last && std::abs(event.velocity_before) > paper::slowest_impact_shown)
         truth.push_back(event.velocity_before);
     truth = figures::distinct(truth);
     const auto of_figure4a = velocities_at(paper::figure4a().omega);

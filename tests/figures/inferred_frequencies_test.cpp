@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "tests/support/events.hpp"
+
 namespace {
 
 using namespace vibro_impact;
@@ -100,15 +102,15 @@ TEST(InferredFrequencies, EveryConditionRefusesSome) {
 // The bounces of mass 2 that Figure 2(b) can show end before its window does. The limit of the
 // chatter lies beyond the window.
 TEST(InferredFrequencies, ChatterIsShownByItsVisibleBounces) {
-  EventRecorder events{690.0};
-  require_complete(simulate(paper::figure2(), 750.0, all_visible_chatter, events));
+  const auto events =
+      vibro_impact::testing::events_of(paper::figure2(), 690.0, 750.0, all_visible_chatter);
   const paper::AxisBox box = paper::panel("figure2b");
-  const Chatter chatter = chatter_after(events.events, 2, box.from, invisible(box));
+  const Chatter chatter = chatter_after(events, 2, box.from, invisible(box));
   EXPECT_NEAR(chatter.first_impact, 716.008, 1e-3);
   EXPECT_LT(chatter.last_bounce_ends, box.to);
   EXPECT_GT(chatter.last_bounce_ends, box.to - 0.3);
   EXPECT_GT(chatter.stick, box.to);
-  EXPECT_GT(chatter_after(events.events, 2, box.from).last_bounce_ends, box.to);
+  EXPECT_GT(chatter_after(events, 2, box.from).last_bounce_ends, box.to);
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,36 +18,16 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::follow, figures::Procedure, truth::number_in;
-
-using Rows = std::vector<std::vector<std::string>>;
+using figures::follow, figures::Procedure, truth::Rows;
 
 Rows table(const std::string &name, std::size_t columns) {
   return truth::read_rows(folder_of("procedures") + "/procedures_" + name + ".csv", columns);
 }
 
-// The rows of a table of Markdown with so many cells, without blanks around the cells.
-Rows rows_in_document(std::size_t cells) {
-  Rows rows;
-  std::ifstream document = truth::opened(SOURCE_DIR "/figures/README.md");
-  for (std::string line; std::getline(document, line);) {
-    if (!line.starts_with("| ")) continue;
-    std::vector<std::string> row;
-    std::istringstream text(line.substr(2));
-    for (std::string cell; std::getline(text, cell, '|');) {
-      cell.erase(0, cell.find_first_not_of(' '));
-      cell.erase(cell.find_last_not_of(' ') + 1);
-      row.push_back(cell);
-    }
-    if (row.size() == cells) rows.push_back(row);
-  }
-  return rows;
-}
-
 void expect_rows_in_document(const Rows &computed) {
   int shown = 0;
-  for (std::vector<std::string> row : rows_in_document(5)) {
-    if (row[0] == "procedure" || row[0].starts_with("the paper")) continue;
+  for (truth::Row row : rows_in_document("figures/README.md")) {
+    if (row.size() != 5 || row[0] == "procedure" || row[0].starts_with("the paper")) continue;
     std::replace(row.begin(), row.end(), std::string("none"), std::string());
     EXPECT_EQ(std::count(computed.begin(), computed.end(), row), 1) << row[0];
     ++shown;
@@ -82,7 +60,8 @@ void expect_bars(const Panel &panel, const Rows &windows) {
   }
 }
 
-// Below 0.47 every random start leads to one motion, from 0.645 to 0.67 every one to sticking.
+// Below 0.47 every random start leads to one motion, from 0.645 to 0.67 every one to sticking of
+// mass 1. At 0.62 there are several motions, and some starts lead to sticking.
 void expect_starts(const Rows &starts) {
   ASSERT_EQ(starts.size(), 31u);
   for (const auto &row : starts) {
@@ -91,6 +70,10 @@ void expect_starts(const Rows &starts) {
       EXPECT_EQ(row[2] + " " + row[3], "1 0") << omega;
     } else if (omega > 0.64) {
       EXPECT_EQ(row[4], row[1]) << omega;
+    } else if (omega == 0.62) {
+      EXPECT_GT(std::stoi(row[2]), 1);
+      EXPECT_GT(std::stoi(row[4]), 0);
+      EXPECT_LT(std::stoi(row[4]), std::stoi(row[1]));
     }
   }
 }
@@ -148,14 +131,18 @@ TEST(Procedures, TheDocumentAndThePictureShowTheTablesOfTheDriver) {
   expect_figure5c(table("figure5c", 6));
 }
 
-// Sticks of mass 1 in periods 61 to 70 of the scene of Figure 3, by the procedure.
+// The sticks of mass 1 after period 60.
+std::ptrdiff_t late_sticks(const std::vector<Event> &events, double omega) {
+  return std::ranges::count_if(select(events, EventKind::stick, 1), [=](const Event &event) {
+    return event.time > 60 * Clock(omega).period;
+  });
+}
+
+// Those in periods 61 to 70 of the scene of Figure 3, by the procedure.
 std::ptrdiff_t sticks(double omega, const Procedure &procedure) {
   const Scene scene = paper::figure3(omega);
-  const double period = Clock(omega).period;
-  const auto events = follow(scene, start_of(scene), 70 * period, procedure).events;
-  return std::count_if(events.begin(), events.end(), [=](const Event &event) {
-    return event.kind == EventKind::stick && event.mass == 1 && event.time > 60 * period;
-  });
+  return late_sticks(follow(scene, start_of(scene), 70 * Clock(omega).period, procedure).events,
+                     omega);
 }
 
 // The plain event-driven scheme, which cuts a chatter off by the speed after the impact, and the
@@ -163,14 +150,10 @@ std::ptrdiff_t sticks(double omega, const Procedure &procedure) {
 TEST(Procedures, ACutOffBySpeedIsThatOfThePlainScheme) {
   const comparison::Method plain = comparison::plain_event_driven().front();
   for (const double omega : {0.328, 0.329, 0.400, 0.401}) {
-    const Scene scene = paper::figure3(omega);
-    const double period = Clock(omega).period;
-    const auto result = plain.run({"", scene, {}, 70 * period}, 0.7 * 1e-3);
+    const auto result =
+        plain.run({"", paper::figure3(omega), {}, 70 * Clock(omega).period}, 0.7 * 1e-3);
     ASSERT_EQ(result.failure, "");
-    const auto count =
-        std::count_if(result.events.begin(), result.events.end(), [=](const auto &event) {
-          return event.kind == EventKind::stick && event.mass == 1 && event.time > 60 * period;
-        });
+    const auto count = late_sticks(result.events, omega);
     EXPECT_EQ(count, sticks(omega, {.slowest_impact = 1e-3})) << omega;
     EXPECT_EQ(count > 0, omega == 0.329 || omega == 0.401) << omega;
   }
@@ -233,14 +216,10 @@ TEST(Procedures, ThePrintedEquation24ContradictsFigure4a) {
   EXPECT_EQ(sticks(omega, {.printed_equation24 = true}), 20);
 }
 
-// Sticks of a mass in ten forcing periods of the scene of Figure 3, after so many periods from a
-// start with both masses at rest.
-std::size_t sticks_in_ten_periods(double omega, int mass, const std::vector<double> &start = {},
-                                  double periods = 190.0) {
-  Scene scene = paper::figure3(omega);
-  scene.displacement = start;
+// Sticks of a mass in periods 191 to 200 of the scene of Figure 3, from rest.
+std::size_t sticks_in_ten_periods(double omega, int mass) {
   const double period = Clock(omega).period;
-  const auto events = events_of(scene, periods * period, (periods + 10.0) * period);
+  const auto events = events_of(paper::figure3(omega), 190.0 * period, 200.0 * period);
   return select(events, EventKind::stick, mass).size();
 }
 
@@ -248,27 +227,13 @@ std::size_t sticks_in_ten_periods(double omega, int mass, const std::vector<doub
 // mass 1 sticks again between 0.632 and about 0.69, every period or every other one, with gaps;
 // mass 2 does not.
 TEST(Procedures, FromRestMass1SticksAgainAboveTheFrequencyOneHalf) {
-  for (const double omega : {0.48, 0.51, 0.6, 0.63, 0.68, 0.695})
+  for (const double omega : {0.48, 0.51, 0.6, 0.62, 0.63, 0.68, 0.695})
     EXPECT_EQ(sticks_in_ten_periods(omega, 1), 0u) << omega;
   for (const double omega : {0.633, 0.65, 0.685})  // every other period
     EXPECT_EQ(sticks_in_ten_periods(omega, 1), 5u) << omega;
   EXPECT_EQ(sticks_in_ten_periods(0.665, 1), 10u);
   for (const double omega : {0.51, 0.6, 0.65, 0.665, 0.695})
     EXPECT_EQ(sticks_in_ten_periods(omega, 2), 0u) << omega;
-}
-
-// From other starts mass 1 sticks below 0.632, too, for good: still at t = 40,000.
-TEST(Procedures, FromOtherStartsMass1SticksWhereFromRestItDoesNot) {
-  EXPECT_EQ(sticks_in_ten_periods(0.62, 1), 0u);
-  EXPECT_EQ(sticks_in_ten_periods(0.62, 1, {0.532, -0.265}, 3950.0), 5u);
-  EXPECT_EQ(sticks_in_ten_periods(0.622, 1, {0.63, -0.267}, 3960.0), 5u);
-}
-
-// Starts far from those of the driver.
-TEST(Procedures, AFarStartSticksWhereTheOthersDo) {
-  for (const double omega : {0.34, 0.645, 0.66})
-    EXPECT_GE(sticks_in_ten_periods(omega, 1, {2.0, -3.0}), 5u) << omega;
-  EXPECT_EQ(sticks_in_ten_periods(0.385, 1, {2.0, -3.0}), 0u);
 }
 
 }  // namespace

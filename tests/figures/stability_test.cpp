@@ -100,18 +100,14 @@ bool passes_with(const std::string &name, const Spoil &spoil) {
   return passes(measure(extreme, tables), extreme.truth);
 }
 
-// The sensitivity of the ordinary case is 2: its times and velocities must be right to 1e-10.
+// The sensitivity of the ordinary case is 2: its times and velocities must be right to 1e-10. The
+// events are compared as in reference_test.
 TEST(Verdict, FailsForAWrongTimeVelocityOrSequence) {
   using Events = std::vector<Event>;
   EXPECT_TRUE(passes_with(ordinary, [](Events &) {}));
   EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].instant.phase += 1e-8; }));
   EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].velocity_before *= 1 + 1e-8; }));
   EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth.erase(truth.begin() + 3); }));
-  EXPECT_FALSE(passes_with(ordinary, [](Events &truth) { truth[3].kind = EventKind::release; }));
-  EXPECT_FALSE(passes_with(ordinary, [](Events &truth) {
-    truth.push_back(truth.back());
-    truth.back().kind = EventKind::release;
-  }));
   EXPECT_FALSE(passes_with(touching, [](Events &truth) { truth[0].time += 1e-6; }));
 }
 

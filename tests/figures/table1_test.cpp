@@ -2,8 +2,6 @@
 // of its driver.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -34,10 +32,7 @@ TEST(Table1, EveryPanelSaysItsParametersAndMarksItsEvents) {
                                        : fmt::format("s₁ = {:.5g},  s₂ = {:.5g}", s1, s2);
     const std::string parameters =
         fmt::format("Ω = {:.6g},  r = {:g},  {}", scene.omega, scene.restitution, stops);
-    EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
-                            [&](const PlacedText &text) { return text.text == parameters; }),
-              1)
-        << parameters;
+    EXPECT_EQ(texts.count(parameters), 1u) << parameters;
     ASSERT_EQ(panels[n].curves.size(), 10u);
     for (const std::size_t mass : {1u, 2u})
       for (const auto &[letter, curve] : {std::pair{"G", panels[n].curves[5 + mass]},

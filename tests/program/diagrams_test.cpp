@@ -1,9 +1,10 @@
 // The diagrams of the program: impacts, sections, branches, and their pictures.
-#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "figures/frequency_diagram.hpp"
+#include "reference/truth/table_reader.hpp"
 #include "tests/support/runner_program.hpp"
 
 namespace {
@@ -12,13 +13,12 @@ using namespace vibro_impact::testing;
 using namespace vibro_impact;
 
 // The rows of a table as numbers; an empty cell is NaN.
-std::vector<std::vector<double>> numbers(const std::string &table) {
+std::vector<std::vector<double>> numbers(const fs::path &table) {
   std::vector<std::vector<double>> rows;
-  for (const std::string &line : lines(table)) {
-    if (rows.empty() && line.find_first_not_of("0123456789.,-+e") != std::string::npos) continue;
-    std::vector<double> row;
-    for (const std::string &cell : cells(line)) row.push_back(cell.empty() ? NAN : std::stod(cell));
-    rows.push_back(row);
+  for (const truth::Row &cells : truth::read_rows(table, 1)) {
+    rows.emplace_back();
+    for (const std::string &cell : cells)
+      rows.back().push_back(truth::as_number(cell).value_or(NAN));
   }
   return rows;
 }
@@ -32,7 +32,7 @@ TEST_F(Runner, FigureThreeIsOneCommand) {
   const Result result = run(command);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(contents(folder / "f.png").empty(), !there_is_gnuplot());
-  const auto rows = numbers(contents(folder / "i.csv"));
+  const auto rows = numbers(folder / "i.csv");
   const auto records = sweep(grid, figures::recorded_in_figure3);
   for (const int mass : {1, 2}) {
     Table of_program("omega,v" + std::to_string(mass));
@@ -57,7 +57,7 @@ constexpr double upper_graze = 1.145870429873032;
 // does not leave its stop before the graze.
 TEST_F(Runner, ABranchIsFollowedUpAndDown) {
   ASSERT_EQ(run("sweep --vary omega=1.1:1.5:81 --back --table t.csv" + oscillator).status, 0);
-  const auto rows = numbers(contents(folder / "t.csv"));
+  const auto rows = numbers(folder / "t.csv");
   ASSERT_EQ(rows.size(), 162u);
   double last_up = 0.0, first_down = 0.0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -72,7 +72,7 @@ TEST_F(Runner, ABranchIsFollowedUpAndDown) {
   EXPECT_GT(first_down, upper_graze - 0.0051) << "the distance of the frequencies is 0.005";
   // A range that goes down, alone, is the second half but for its start.
   ASSERT_EQ(run("sweep --vary omega=1.5:1.1:81 --follow --table d.csv" + oscillator).status, 0);
-  const auto down = numbers(contents(folder / "d.csv"));
+  const auto down = numbers(folder / "d.csv");
   ASSERT_EQ(down.size(), 81u);
   EXPECT_EQ(down.front()[0], 1.5);
   for (std::size_t k = 0; k < down.size(); ++k)
@@ -108,8 +108,7 @@ TEST_F(Runner, ASectionHasTheStatesAtWholePeriods) {
       0);
   EXPECT_EQ(lines(contents(folder / "s.csv"))[0], "omega,x1,v1");
   EXPECT_EQ(lines(contents(folder / "r.csv"))[0], "time,x1,v1");
-  const auto section = numbers(contents(folder / "s.csv")),
-             run_rows = numbers(contents(folder / "r.csv"));
+  const auto section = numbers(folder / "s.csv"), run_rows = numbers(folder / "r.csv");
   ASSERT_EQ(section.size(), 2u);
   ASSERT_EQ(run_rows.size(), 3u);
   for (const auto &row : run_rows) {

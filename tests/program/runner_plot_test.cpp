@@ -3,11 +3,13 @@
 #include <utility>
 #include <vector>
 
+#include "reference/truth/table_reader.hpp"
 #include "tests/support/runner_program.hpp"
 
 namespace {
 
 using namespace vibro_impact::testing;
+namespace truth = vibro_impact::truth;
 
 // The rows that the script draws as points, or as pieces of a line, with numbers in both columns.
 // With `set table`, gnuplot writes one block of rows for each plot instead of drawing.
@@ -30,11 +32,9 @@ TEST_F(Runner, ThePictureHasEveryImpactAtItsStopAndEverySticking) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(files(), (std::vector<std::string>{"e.csv", "p.svg", "s.csv"}));
   std::vector<int> impacts(2, 0), stuck_samples(2, 0);
-  for (const std::string &line : lines(contents(folder / "e.csv")))
-    if (cells(line)[2] == "impact") ++impacts[cells(line)[1] == "1" ? 0 : 1];
-  for (const std::string &line : lines(contents(folder / "s.csv"))) {
-    const auto row = cells(line);
-    if (row[0] == "time") continue;
+  for (const truth::Row &row : truth::read_rows(folder / "e.csv", 3))
+    if (row[2] == "impact") ++impacts[row[1] == "1" ? 0 : 1];
+  for (const truth::Row &row : truth::read_rows(folder / "s.csv", 3)) {
     const double x1 = std::stod(row[1]), x2 = std::stod(row[2]);
     stuck_samples[0] += x1 == -0.3 || x1 == 0.33 ? 1 : 0;
     stuck_samples[1] += x2 == 0.1 ? 1 : 0;
@@ -67,18 +67,16 @@ TEST_F(Runner, GnuplotDrawsEveryKindOfFileWhateverItsName) {
 }
 
 TEST_F(Runner, APictureThatCannotBeDrawnLeavesTheTablesAlone) {
-  const Result without = run("run --samples s.csv --plot p.png", "PATH=$PWD/missing");
-  EXPECT_EQ(without.status, 2);
-  EXPECT_EQ(without.err,
-            "vibro-impact: --plot p.png: needs gnuplot with its terminal pngcairo, not found\n");
+  expect_message(
+      run("run --samples s.csv --plot p.png", "PATH=$PWD/missing"),
+      "vibro-impact: --plot p.png: needs gnuplot with its terminal pngcairo, not found\n");
   EXPECT_TRUE(fs::is_empty(folder));
 
   // A program without its script.
   fs::create_directory(folder / "bin");
   fs::copy_file(VIBRO_IMPACT_PROGRAM, folder / "bin/program");
-  const Result alone = run("run --samples s.csv --plot p.png", "true", "", "bin/program");
-  EXPECT_EQ(alone.status, 2);
-  EXPECT_NE(alone.err.find("plot.gp, which is not there"), std::string::npos) << alone.err;
+  expect_message(run("run --samples s.csv --plot p.png", "true", "", "bin/program"),
+                 "plot.gp, which is not there");
   fs::remove_all(folder / "bin");
   EXPECT_TRUE(fs::is_empty(folder));
 
@@ -86,10 +84,8 @@ TEST_F(Runner, APictureThatCannotBeDrawnLeavesTheTablesAlone) {
   std::ofstream(folder / "gnuplot") << "#!/bin/sh\ntest \"$2\" = -e || { printf 'plot\\n\"p.gp\" "
                                        "line 7: bad\\n\\n' >&2; false; }\n";
   fs::permissions(folder / "gnuplot", fs::perms::owner_all);
-  const Result failed =
-      run("run --samples s.csv --plot p.png", "PATH=\"$PWD:$PATH\" && export PATH");
-  EXPECT_EQ(failed.status, 1);
-  EXPECT_EQ(failed.err, "vibro-impact: --plot p.png: gnuplot could not draw it: bad\n");
+  expect_message(run("run --samples s.csv --plot p.png", "PATH=\"$PWD:$PATH\" && export PATH"),
+                 "vibro-impact: --plot p.png: gnuplot could not draw it: bad\n", 1);
   EXPECT_EQ(files(), (std::vector<std::string>{"gnuplot", "s.csv"}));
 }
 

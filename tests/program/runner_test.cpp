@@ -1,10 +1,10 @@
 // The scene runner, tested through the program itself: its options and its tables.
-#include <fstream>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/table_reader.hpp"
 #include "tests/support/runner_program.hpp"
 #include "vibro_impact/analysis/table.hpp"
 #include "vibro_impact/simulate.hpp"
@@ -14,31 +14,30 @@ namespace {
 using namespace vibro_impact::testing;
 
 // The cells of the samples are read back to the very doubles that the library gives, with 17 digits
-// and nothing rounded. The cells of events are written by the same function.
+// and nothing rounded. The cells of events, here on standard output, are written by the same
+// function.
 TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   using namespace vibro_impact;
   EventRecorder events{20.0};
   SampleRecorder samples{20.0, 60.0, 0.25};
   require_complete(simulate(paper::figure2(), 60.0, events, samples));
 
-  const Result result = run("run --until 60 --from 20 --every 0.25 --events e.csv --samples s.csv");
+  const Result result = run("run --until 60 --from 20 --every 0.25 --events - --samples s.csv");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find(" sticks, "), std::string::npos) << result.err;
   Table expected("time,mass,event,velocity_before,velocity_after,contact_mode");
   for (const Event &event : events.events)
     expected.row(event.time, event.mass, name(event.kind), event.velocity_before,
                  event.velocity_after, contact_mode_name(event.held));
-  EXPECT_EQ(lines(contents(folder / "e.csv")), lines(expected.text));
+  EXPECT_EQ(lines(result.out), lines(expected.text));
   EXPECT_GT(events.events.size(), 30u);
-  const auto rows = lines(contents(folder / "s.csv"));
-  ASSERT_EQ(rows.size(), 162u);  // the header, and 20, 20.25, ... 60
-  EXPECT_EQ(rows[0], "time,x1,x2");
-  for (std::size_t i = 0; i < samples.times.size(); ++i) {
-    const auto row = cells(rows[i + 1]);
-    ASSERT_EQ(row.size(), 3u);
-    EXPECT_EQ(std::stod(row[0]), samples.times[i]);
-    EXPECT_EQ(std::stod(row[1]), samples.displacements[2 * i]);
-    EXPECT_EQ(std::stod(row[2]), samples.displacements[2 * i + 1]);
+  EXPECT_EQ(truth::header_of(folder / "s.csv"), (truth::Row{"time", "x1", "x2"}));
+  const truth::Rows rows = truth::read_rows(folder / "s.csv", 3);
+  ASSERT_EQ(rows.size(), 161u);  // 20, 20.25, ... 60
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(std::stod(rows[i][0]), samples.times[i]);
+    EXPECT_EQ(std::stod(rows[i][1]), samples.displacements[2 * i]);
+    EXPECT_EQ(std::stod(rows[i][2]), samples.displacements[2 * i + 1]);
   }
 }
 
@@ -126,18 +125,6 @@ TEST_F(Runner, TheExamplesOfTheHelpWork) {
                          "impacts.png", "run.png", "samples.csv", "section.csv", "section.png"}));
   EXPECT_EQ(run("sweep --help").out.find("{"), std::string::npos) << "no word of CLI11's own";
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
-}
-
-// A scene that --print-scene has written runs as its options did.
-TEST_F(Runner, ReadsTheSceneThatItHasWritten) {
-  const std::string options =
-      "--masses 2 --sine 0,0.1 --constant=-0.1 --ground 0.2 "
-      "--stop 1:lower:-0.3 --stop 2:upper:0.2:0.5 ";
-  const Result scene = run("run --print-scene " + options);
-  EXPECT_EQ(scene.status, 0);
-  std::ofstream(folder / "scene.toml") << scene.out;
-  const std::string tables = " --until 30 --events -";
-  EXPECT_EQ(run("run --scene scene.toml" + tables).out, run("run " + options + tables).out);
 }
 
 }  // namespace

@@ -10,10 +10,10 @@
 #include "program/options.hpp"
 #include "program/scene_text.hpp"
 #include "reference/numbers/panels.hpp"
-#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/scenes/table1_scenes.hpp"
 #include "reference/truth/extreme_cases.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace {
 
@@ -72,25 +72,11 @@ TEST(ExtremeScenes, AreReadAlikeByTheProgramAndFromTheTable) {
   }
 }
 
-TEST(ScenesInWords, AreTheSameSceneAgain) {
-  for (Scene scene : {paper::figure2(), extremes::long_chain(), Scene{.mass = {2.0}}}) {
-    scene.stiffness.assign(scene.mass.size(), 1.0 / 3.0);
-    Scene again;
-    for (const auto &[name, words] : fields_in_words(scene))
-      EXPECT_TRUE(words.empty() || set_field(again, name, words)) << name;
-    EXPECT_TRUE(again == scene);
-  }
-}
-
 TEST(ScenesInWords, ThatBreakARuleAreRefusedWithTheirPlace) {
   const truth::Row header{"case", "masses", "mass", "stop", "amplitud"};
-  const auto refusal = [&](const truth::Row &row) -> std::string {
-    try {
-      truth::scene_in("t.csv: line 2", header, row);
-    } catch (const std::runtime_error &error) {
-      return error.what();
-    }
-    return "accepted";
+  const auto refusal = [&](const truth::Row &row) {
+    return vibro_impact::testing::refusal<std::runtime_error>(
+        [&] { truth::scene_in("t.csv: line 2", header, row); });
   };
   EXPECT_EQ(refusal({"", "2", "1,2", "none", ""}), "accepted");
   EXPECT_EQ(refusal({"", "2", "1,2,3", "none", ""}),

@@ -1,4 +1,6 @@
-// Every event of the scenes of Figures 2, 4 and 5 against the 50-digit event tables.
+// Every event of the scenes of Figures 2, 4 and 5, and of the degenerate scenes, against the
+// 50-digit event tables. The generator decides who is held where forces tie by trying every
+// assignment.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,13 +8,16 @@
 #include <fstream>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/degenerate_cases.hpp"
 #include "reference/truth/event_comparison.hpp"
 #include "reference/truth/event_reader.hpp"
 #include "tests/support/events.hpp"
+#include "tests/support/refusals.hpp"
 
 namespace {
 
 using namespace vibro_impact;
+namespace testing = vibro_impact::testing;
 
 using PaperRun = paper::NamedScene;
 
@@ -37,8 +42,8 @@ class PaperScenes : public ::testing::TestWithParam<PaperRun> {};
 TEST_P(PaperScenes, AgreeEventForEventHoweverChatterIsResolved) {
   const PaperRun &run = GetParam();
   for (const double resolved : {RunOptions{}.limit_below_speed, 1e-6, 0.0}) {
-    const auto events = vibro_impact::testing::events_of(run.scene, 0.0, run.until,
-                                                         {.limit_below_speed = resolved});
+    const auto events =
+        testing::events_of(run.scene, 0.0, run.until, {.limit_below_speed = resolved});
     const truth::Differences result = differences(run, events);
     EXPECT_EQ(result.first, "") << run.name;
     EXPECT_LT(result.time, time_tolerance) << run.name;
@@ -53,22 +58,41 @@ TEST_P(PaperScenes, AgreeEventForEventHoweverChatterIsResolved) {
 INSTANTIATE_TEST_SUITE_P(Figures, PaperScenes, ::testing::ValuesIn(paper::named_scenes()),
                          [](const auto &run) { return run.param.name; });
 
-// The comparison itself: an event taken away, added, moved or in another contact mode is found.
-TEST(EventTables, AMissingASpuriousAMovedAndAnEventInAnotherModeAreFound) {
+// Measured: below 7e-13 in time, but for 5e-12 and 1.3e-12 in two undamped chains where a mass that
+// is hardly pressed bounces ever more slowly without coming to rest (at 2e-5, with an acceleration
+// of 5e-4 that divides the rounding of the velocity); below 5e-14 in velocity.
+TEST(DegenerateScenes, AgreeEventForEventHoweverChatterIsResolved) {
+  const auto truth = truth::read_event_tables(REFERENCE_DIR "/degenerate_events.csv");
+  for (const truth::Case &degenerate : truth::degenerate_cases())
+    for (const RunOptions &options : {RunOptions{}, testing::all_impacts}) {
+      const auto events = testing::events_of(degenerate.scene, 0.0, degenerate.until, options);
+      const auto result = truth::compare(events, truth.at(degenerate.name), degenerate.scene,
+                                         {.reach = 1e-3 * Clock(degenerate.scene.omega).period});
+      EXPECT_EQ(result.first, "") << degenerate.name;
+      EXPECT_LT(result.time, 1e-11) << degenerate.name;
+      EXPECT_LT(result.velocity, 1e-12) << degenerate.name;
+    }
+}
+
+// The comparison itself: an event that is taken away, added, moved, of another kind or in another
+// contact mode is found.
+TEST(EventTables, EventsThatDifferAreFound) {
   const PaperRun run = paper::scene_named("figure2");
-  const std::vector<Event> events = vibro_impact::testing::events_of(run.scene, 0.0, run.until);
+  const std::vector<Event> events = testing::events_of(run.scene, 0.0, run.until);
   // A release: an impact late in a chatter may lie beyond a limit, and so be missing rightly.
   const auto k = std::find_if(events.begin() + 100, events.end(),
                               [](const Event &event) { return event.kind == EventKind::release; }) -
                  events.begin();
-  auto missing = events, spurious = events, moved = events, in_another_mode = events;
+  auto missing = events, spurious = events, moved = events, in_another_mode = events,
+       of_another_kind = events;
   missing.erase(missing.begin() + k);
   spurious.insert(spurious.begin() + k, events[static_cast<std::size_t>(k)]);
   (moved.begin() + k)->instant.phase += 1e-9;
   ASSERT_NE((in_another_mode.begin() + k)->held, (Held{1, 1}));
   (in_another_mode.begin() + k)->held = {1, 1};
+  (of_another_kind.begin() + k)->kind = EventKind::stick;
   EXPECT_EQ(differences(run, events).first, "");
-  for (const auto &wrong : {missing, spurious, in_another_mode})
+  for (const auto &wrong : {missing, spurious, in_another_mode, of_another_kind})
     EXPECT_NE(differences(run, wrong).first, "");
   EXPECT_NEAR(differences(run, moved).time, 1e-9, 1e-11);
 }
@@ -104,12 +128,8 @@ TEST(EventTables, AnUnknownKindOfEventIsRefusedWithItsLine) {
   const std::string path = ::testing::TempDir() + "vibro_impact_unknown_event.csv";
   std::ofstream(path) << "time,mass,event,velocity_before,velocity_after,contact_mode\n"
                          "1,1,impact,1,-1,-\n2,1,strike,1,-1,-\n";
-  try {
-    truth::read_event_table(path);
-    FAIL() << "read";
-  } catch (const std::runtime_error &error) {
-    EXPECT_EQ(error.what(), path + ": line 3: 'strike' must be impact, stick or release");
-  }
+  EXPECT_EQ(testing::refusal<std::runtime_error>([&] { truth::read_event_table(path); }),
+            path + ": line 3: 'strike' must be impact, stick or release");
 }
 
 }  // namespace

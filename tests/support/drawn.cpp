@@ -46,10 +46,19 @@ std::vector<Panel> panels_in_table(const std::string &path) {
   return panels;
 }
 
+// The text in a line of SVG, without its fonts. It is empty if the line has none.
+std::string text_in(const std::string &line) {
+  static const std::regex tag("<[^>]*>");
+  if (line.find("<text") == std::string::npos) return "";
+  std::string text = std::regex_replace(line, tag, "");
+  text.erase(0, text.find_first_not_of(" \t"));
+  return text;
+}
+
 // Adds what the picture tells. Its group gnuplot_plot_2b is the second curve of the second panel
 // (an opaque key draws them twice); tick labels and letter of a panel come before its first curve.
 void add_picture(std::vector<Panel> &panels, const std::string &path) {
-  const std::regex plot("id=\"gnuplot_plot_([0-9]+)([a-z])"), text("<tspan[^>]*> *([^<]*)<"),
+  const std::regex plot("id=\"gnuplot_plot_([0-9]+)([a-z])"),
       colour("(?:stroke|color|fill) ?= ?'(rgb\\([^)]*\\))");
   std::vector<std::string> texts;  // since the last curve
   Curve *curve = nullptr;
@@ -61,8 +70,8 @@ void add_picture(std::vector<Panel> &panels, const std::string &path) {
       if (panel.texts.empty()) panel.texts = texts;
       texts.clear();
       curve = &panel.curves.at(std::stoul(found[1]) - 1);
-    } else if (std::regex_search(line, found, text)) {
-      texts.push_back(found[1]);
+    } else if (const std::string text = text_in(line); !text.empty()) {
+      texts.push_back(text);
     } else if (curve != nullptr && curve->colour.empty() &&
                std::regex_search(line, found, colour)) {
       curve->colour = found[1];
@@ -72,34 +81,27 @@ void add_picture(std::vector<Panel> &panels, const std::string &path) {
 
 }  // namespace
 
-std::vector<PlacedText> texts_of(const std::string &path) {
-  const std::regex place("translate\\(([-0-9.]+),"), tag("<[^>]*>");
-  std::vector<PlacedText> texts;
+std::multimap<std::string, double> texts_of(const std::string &path) {
+  const std::regex place("translate\\(([-0-9.]+),");
+  std::multimap<std::string, double> texts;
   std::ifstream file = truth::opened(path);
   double x = 0.0;
   std::smatch found;
   for (std::string line; std::getline(file, line);) {
     if (std::regex_search(line, found, place)) x = std::stod(found[1]);
-    if (line.find("<text") == std::string::npos) continue;
-    std::string text = std::regex_replace(line, tag, "");
-    text.erase(0, text.find_first_not_of(" \t"));
-    if (!text.empty()) texts.push_back({text, x});
+    if (const std::string text = text_in(line); !text.empty()) texts.emplace(text, x);
   }
   return texts;
 }
 
-std::vector<Panel> drawn_from(const std::string &folder, const std::string &figure) {
+std::vector<Panel> drawn(const std::string &figure, const std::string &folder) {
+  run(std::string(PROGRAM_DIR "/") + figure + " --output " + folder + " 2>/dev/null");
   for (const char *kind : {"table", "svg"})
     run("cd " SOURCE_DIR " && gnuplot -e \"data='" + folder + "'; kind='" + kind + "'\" figures/" +
         figure + ".gp");
   std::vector<Panel> panels = panels_in_table(folder + "/" + figure + ".table");
   add_picture(panels, folder + "/" + figure + ".svg");
   return panels;
-}
-
-std::vector<Panel> drawn(const std::string &figure, const std::string &folder) {
-  run(std::string(PROGRAM_DIR "/") + figure + " --output " + folder + " 2>/dev/null");
-  return drawn_from(folder, figure);
 }
 
 std::string colour_of_line_type(int type) {

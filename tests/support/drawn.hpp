@@ -30,19 +30,11 @@ using Columns = std::map<std::string, std::vector<double>>;
 
 Columns columns_of(const std::string &path);
 
-// A text of a picture in SVG, without its fonts, and where it stands across the picture.
-struct PlacedText {
-  std::string text;
-  double x;
-};
+// The texts of a picture in SVG, without their fonts, and where each stands across the picture.
+// Empty texts are left out. gnuplot writes each text in a line.
+std::multimap<std::string, double> texts_of(const std::string &path);
 
-// The texts of a picture in SVG, those without a letter left out. gnuplot writes each in a line.
-std::vector<PlacedText> texts_of(const std::string &path);
-
-// The drawing that the script of a figure makes from the tables in a folder.
-std::vector<Panel> drawn_from(const std::string &folder, const std::string &figure);
-
-// The same, from the tables that the driver of the figure writes to the folder first.
+// The drawing that the script of a figure makes from the tables that its driver writes to a folder.
 std::vector<Panel> drawn(const std::string &figure, const std::string &folder);
 
 // The colour of a line type of style.gp, as SVG has it.

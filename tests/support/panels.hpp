@@ -1,15 +1,17 @@
-// Shared by the tests of the figures: the true events, and the comparison of a drawn panel with
-// its axes and its table.
+// Shared by the tests of the figures: the true events, the comparison of a drawn panel with its
+// axes and its table, and the tables in documents.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "drawn.hpp"
+#include "events.hpp"
 #include "figures/inferred_frequencies.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_reader.hpp"
@@ -25,16 +27,34 @@ inline std::vector<Event> true_events(const std::string &scene) {
   return truth::read_event_table(REFERENCE_DIR "/" + scene + "_events.csv");
 }
 
+// Each mass of the paper's scenes has one stop.
+inline double stop_position(const Scene &scene, int mass) {
+  return scene.stops[static_cast<std::size_t>(mass - 1)].position;
+}
+
 // The stops at which these masses have an impact within the window, mostly between two samples.
 inline figures::Range stops_hit(const std::string &truth, const paper::AxisBox &box,
                                 const std::vector<int> &masses) {
   figures::Range stops;
-  for (const Event &event : true_events(truth))
-    if (event.kind == EventKind::impact && event.time >= box.from && event.time <= box.to &&
-        std::count(masses.begin(), masses.end(), event.mass) > 0)
-      stops.include(
-          paper::scene_named(truth).scene.stops[static_cast<std::size_t>(event.mass - 1)].position);
+  for (const int mass : masses)
+    for (const Event &event : select(true_events(truth), EventKind::impact, mass))
+      if (event.time >= box.from && event.time <= box.to)
+        stops.include(stop_position(paper::scene_named(truth).scene, mass));
   return stops;
+}
+
+// The rows of the tables in a document, without the blanks around their cells.
+inline truth::Rows rows_in_document(const std::string &path) {
+  const std::regex cell(R"(\| *([^|]*?) *(?=\|))");
+  truth::Rows rows;
+  std::ifstream document = truth::opened(SOURCE_DIR "/" + path);
+  for (std::string line; std::getline(document, line);) {
+    if (!line.starts_with("| ")) continue;
+    rows.emplace_back();
+    for (std::sregex_iterator found(line.begin(), line.end(), cell), end; found != end; ++found)
+      rows.back().push_back((*found)[1]);
+  }
+  return rows;
 }
 
 inline bool holds(const Held &held, int mass) {

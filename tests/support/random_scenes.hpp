@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "rates.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -25,6 +24,12 @@ struct Draw {
   bool one_in(unsigned n) {
     return below(n) == 0;
   }
+  int between(int least, int most) {
+    return least + static_cast<int>(below(static_cast<unsigned>(most - least + 1)));
+  }
+  double one_of(std::initializer_list<double> values) {
+    return values.begin()[below(static_cast<unsigned>(values.size()))];
+  }
   double uniform(double a, double b) {
     return a + (b - a) * (static_cast<double>(generator()) / 4294967296.0);
   }
@@ -37,7 +42,7 @@ struct Draw {
 inline Scene random_scene(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 1 + static_cast<int>(draw.below(8));
+  const int masses = draw.between(1, 8);
   const bool unforced = draw.one_in(8);
   for (int i = 1; i <= masses; ++i) {
     scene.mass.push_back(draw.spread(0.05, 20.0));
@@ -51,8 +56,7 @@ inline Scene random_scene(unsigned seed) {
   }
   scene.beta = draw.one_in(4) ? 0.0 : draw.spread(1e-3, 5.0);
   scene.omega = draw.spread(0.05, 5.0);
-  const double restitutions[] = {0.0, 1e-6, 0.05, 0.3, 0.5, 0.7, 0.8, 0.9, 0.97, 1.0};
-  scene.restitution = restitutions[draw.below(10)];
+  scene.restitution = draw.one_of({0.0, 1e-6, 0.05, 0.3, 0.5, 0.7, 0.8, 0.9, 0.97, 1.0});
   return scene;
 }
 
@@ -62,7 +66,7 @@ inline Scene random_scene(unsigned seed) {
 inline Scene extreme_scene(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 1 + static_cast<int>(draw.below(8));
+  const int masses = draw.between(1, 8);
   const bool unforced = draw.one_in(8), equal_links = draw.one_in(3), equal_stops = draw.one_in(3);
   const double common = draw.one_in(4) ? 0.0 : draw.spread(1e-6, 1.0),
                link = draw.spread(1e-4, 1e4);
@@ -86,9 +90,8 @@ inline Scene extreme_scene(unsigned seed) {
   }
   scene.beta = draw.one_in(4) ? 0.0 : draw.spread(1e-4, 1e2);
   scene.omega = draw.spread(1e-2, 1e2);
-  const double restitutions[] = {0.0, 1e-300, 1e-12,      0.2,         0.6,
-                                 0.9, 0.99,   1.0 - 1e-6, 1.0 - 1e-15, 1.0};
-  scene.restitution = restitutions[draw.below(10)];
+  scene.restitution =
+      draw.one_of({0.0, 1e-300, 1e-12, 0.2, 0.6, 0.9, 0.99, 1.0 - 1e-6, 1.0 - 1e-15, 1.0});
   return scene;
 }
 
@@ -97,7 +100,7 @@ inline Scene extreme_scene(unsigned seed) {
 inline Scene graded_chain(unsigned seed, double heaviest = 1e6) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 3 + static_cast<int>(draw.below(10));
+  const int masses = draw.between(3, 12);
   for (int i = 1; i <= masses; ++i) {
     scene.mass.push_back(draw.spread(1.0 / heaviest, heaviest));
     scene.stiffness.push_back(draw.spread(1e-9, 1e9));
@@ -132,8 +135,7 @@ inline Scene graded_scene(unsigned seed) {
     if (draw.one_in(2))
       scene.stops.push_back(
           {i, Side::upper, 1.0 + (draw.one_in(2) ? 0.0 : draw.spread(1e-6, 1.0))});
-  const double restitutions[] = {0.0, 1e-12, 0.2, 0.6, 0.9, 1.0};
-  scene.restitution = restitutions[draw.below(6)];
+  scene.restitution = draw.one_of({0.0, 1e-12, 0.2, 0.6, 0.9, 1.0});
   return scene;
 }
 
@@ -144,20 +146,19 @@ inline Scene graded_scene(unsigned seed) {
 inline Scene degenerate_scene(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 1 + static_cast<int>(draw.below(10));
-  const double restitutions[] = {0.0, 0.3, 0.7, 1.0}, links[] = {0.25, 1.0, 3.0};
-  const double omegas[] = {0.0, 0.3, 0.7, 1.0};
-  const double link = links[draw.below(3)], at = draw.one_in(2) ? 0.0 : 0.1;
+  const int masses = draw.between(1, 10);
+  const auto restitutions = {0.0, 0.3, 0.7, 1.0};
+  const double link = draw.one_of({0.25, 1.0, 3.0}), at = draw.one_in(2) ? 0.0 : 0.1;
   const double amplitude = draw.one_in(2) ? 0.5 : -0.5;
   const unsigned forced = draw.below(4), sides = draw.below(4), stopped = draw.below(3),
                  start = draw.below(4);
   const bool own = draw.one_in(4);
   scene.beta = draw.one_in(2) ? 0.0 : 0.5;
-  scene.omega = omegas[draw.below(4)];
-  scene.restitution = restitutions[draw.below(4)];
+  scene.omega = draw.one_of({0.0, 0.3, 0.7, 1.0});
+  scene.restitution = draw.one_of(restitutions);
   const auto add_stop = [&](int mass, Side side, double position) {
     Stop stop{mass, side, position};
-    if (own && draw.one_in(2)) stop.restitution = restitutions[draw.below(4)];
+    if (own && draw.one_in(2)) stop.restitution = draw.one_of(restitutions);
     scene.stops.push_back(stop);
   };
   for (int i = 1; i <= masses; ++i) {
@@ -184,7 +185,7 @@ inline Scene degenerate_scene(unsigned seed) {
 inline Scene chattering_scene(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 2 + static_cast<int>(draw.below(4));
+  const int masses = draw.between(2, 5);
   for (int i = 1; i <= masses; ++i) {
     const double stop = draw.uniform(0.0, 1.0);
     scene.mass.push_back(draw.uniform(0.5, 2.0));

@@ -15,12 +15,13 @@ struct BadCall {
   const char *says;  // part of the message: the value and the rule
 };
 
-// The message of the std::invalid_argument that the call throws, or that it was accepted; any other
+// The message of the error of this kind that the call throws, or that it was accepted; any other
 // error goes on to the test, which fails.
-inline std::string refusal(const std::function<void()> &call) {
+template <class Error = std::invalid_argument>
+std::string refusal(const std::function<void()> &call) {
   try {
     call();
-  } catch (const std::invalid_argument &bad) {
+  } catch (const Error &bad) {
     return bad.what();
   }
   return "accepted";

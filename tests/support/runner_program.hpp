@@ -29,23 +29,19 @@ inline std::string contents(const fs::path &path) {
   return text.str();
 }
 
-// The parts of a text between separators: the cells of a row, the lines of a table.
-inline std::vector<std::string> split(const std::string &text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
-inline std::vector<std::string> cells(const std::string &row) {
-  return split(row, ',');
-}
 inline std::vector<std::string> lines(const std::string &text) {
-  return split(text, '\n');
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
 }
 
-// True for one line that the program has written as its error message.
-inline bool is_one_message(const std::string &text) {
-  return text.rfind("vibro-impact: ", 0) == 0 && text.find('\n') == text.size() - 1;
+// The program ended with this status and wrote one line, its message, which has these words.
+inline void expect_message(const Result &result, const std::string &words, int status = 2) {
+  EXPECT_EQ(result.status, status) << words;
+  EXPECT_TRUE(result.err.starts_with("vibro-impact: ")) << result.err;
+  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+  EXPECT_NE(result.err.find(words), std::string::npos) << result.err << "instead of " << words;
 }
 
 // The command that starts so many processes of a program, with MPI.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "random_scenes.hpp"
 
@@ -40,7 +39,7 @@ inline void add_stops_nearby(int mass, Draw &draw, Scene &scene) {
 inline Trial stiff_release(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 2 + static_cast<int>(draw.below(4));
+  const int masses = draw.between(2, 5);
   for (int i = 1; i <= masses; ++i) {
     scene.mass.push_back(draw.uniform(0.5, 2.0));
     const bool soft = i == 1 || draw.one_in(2);
@@ -51,8 +50,7 @@ inline Trial stiff_release(unsigned seed) {
   if (draw.one_in(2)) scene.amplitude[0] = 0.5;
   scene.beta = draw.spread(0.03, 1.0);
   scene.omega = draw.spread(0.1, 0.5);
-  const double restitutions[] = {0.0, 0.3, 0.5, 0.7};
-  scene.restitution = restitutions[draw.below(4)];
+  scene.restitution = draw.one_of({0.0, 0.3, 0.5, 0.7});
   return {scene, 4.0 * 2.0 * std::acos(-1.0) / scene.omega};
 }
 
@@ -65,7 +63,7 @@ inline Trial long_chain_at_rest(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
   const bool longest = draw.one_in(12);
-  const int masses = static_cast<int>(longest ? 36 + draw.below(5) : 12 + draw.below(17));
+  const int masses = longest ? draw.between(36, 40) : draw.between(12, 28);
   const auto n = static_cast<std::size_t>(masses);
   scene.mass.assign(n, 1.0);
   scene.stiffness.assign(n, 1.0);
@@ -77,8 +75,7 @@ inline Trial long_chain_at_rest(unsigned seed) {
     scene.stiffness[draw.below(static_cast<unsigned>(n))] = longest ? 1e9 : draw.spread(1e-9, 1e9);
   scene.beta = longest || draw.one_in(2) ? 0.1 : 0.0;
   scene.omega = draw.uniform(0.5, 1.5);
-  const double restitutions[] = {0.0, 0.3, 0.7};
-  scene.restitution = restitutions[draw.below(3)];
+  scene.restitution = draw.one_of({0.0, 0.3, 0.7});
   const Side side = draw.one_in(2) ? Side::upper : Side::lower;
   for (int i = masses / 2; i < masses; ++i)
     if (draw.one_in(8)) scene.stops.push_back({i, side, 0.0});
@@ -93,7 +90,7 @@ inline Trial long_chain_at_rest(unsigned seed) {
 inline Trial falling_masses(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 1 + static_cast<int>(draw.below(4));
+  const int masses = draw.between(1, 4);
   const double mass = draw.spread(1e-8, 1e8), height = draw.spread(1e-10, 1e10),
                fall = draw.spread(1e-10, 1e10), acceleration = 2.0 * height / (fall * fall);
   const double least = draw.spread(1e-14, 1e-3), soft = draw.spread(1e-40, 1e-20);
@@ -109,8 +106,7 @@ inline Trial falling_masses(unsigned seed) {
   }
   scene.beta = draw.one_in(2) ? 0.0 : 0.1 * fall;
   scene.omega = forcing ? draw.spread(1e-14, 1e-8) / fall : 0.0;
-  const double restitutions[] = {0.0, 1e-7, 3e-5, 0.1, 0.5, 0.8};
-  const double r = restitutions[draw.below(6)];
+  const double r = draw.one_of({0.0, 1e-7, 3e-5, 0.1, 0.5, 0.8});
   scene.restitution = r;
   return {scene, 1.1 * fall * (1.0 + 2.0 * r / (1.0 - r)), {height, fall, mass * acceleration}};
 }
@@ -121,11 +117,11 @@ inline Trial falling_masses(unsigned seed) {
 inline Trial dying_bounces(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 2 + static_cast<int>(draw.below(4));
-  const double links[] = {0.25, 1.0, 2.7}, link = links[draw.below(3)];
-  const unsigned forced = 1 + draw.below(static_cast<unsigned>(masses) - 1);
+  const int masses = draw.between(2, 5);
+  const double link = draw.one_of({0.25, 1.0, 2.7});
+  const int forced = draw.between(1, masses - 1);
   for (int i = 1; i <= masses; ++i) {
-    const bool held = i <= static_cast<int>(forced);
+    const bool held = i <= forced;
     scene.mass.push_back(1.0);
     scene.stiffness.push_back(i == 1 && draw.one_in(4) ? 0.004 : link);
     scene.amplitude.push_back(held ? draw.spread(0.01, 1.0) : 0.0);
@@ -136,8 +132,7 @@ inline Trial dying_bounces(unsigned seed) {
   const double half_periods =
       5.0 + draw.below(50) + (draw.one_in(2) ? 0.0 : draw.uniform(0.0, 1.0));
   scene.omega = std::sqrt(link) / (2.0 * half_periods);
-  const double restitutions[] = {1e-12, 1e-4, 0.1, 0.3};
-  scene.restitution = restitutions[draw.below(4)];
+  scene.restitution = draw.one_of({1e-12, 1e-4, 0.1, 0.3});
   return {scene, 1.4 * 0.5 * std::acos(-1.0) / scene.omega, {}, true};
 }
 
@@ -146,7 +141,7 @@ inline Trial dying_bounces(unsigned seed) {
 inline Trial standing_chain(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 1 + static_cast<int>(draw.below(4));
+  const int masses = draw.between(1, 4);
   const double clearance = draw.spread(1e-6, 0.1);
   double force = 0.0, at = 0.0;
   for (int i = 1; i <= masses; ++i) {
@@ -174,7 +169,7 @@ inline Trial standing_chain(unsigned seed) {
 inline Trial any_links(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
-  const int masses = 2 + static_cast<int>(draw.below(9));
+  const int masses = draw.between(2, 10);
   for (int i = 1; i <= masses; ++i) {
     scene.mass.push_back(draw.uniform(0.5, 2.0));
     scene.stiffness.push_back(draw.one_in(3) ? draw.uniform(0.5, 2.0) : draw.spread(1e-12, 1e12));
@@ -183,8 +178,7 @@ inline Trial any_links(unsigned seed) {
   }
   scene.beta = draw.spread(1e-4, 1.0);
   scene.omega = draw.spread(0.1, 1.0);
-  const double restitutions[] = {0.0, 0.3, 0.5, 0.7, 0.9};
-  scene.restitution = restitutions[draw.below(5)];
+  scene.restitution = draw.one_of({0.0, 0.3, 0.5, 0.7, 0.9});
   return {scene, 3.0 * 2.0 * std::acos(-1.0) / scene.omega, {}, true};
 }
 

@@ -87,11 +87,6 @@ class Witness : public Recorder {
     for (const double k : scene_.stiffness) stiffness += k;
     return static_cast<double>(std::sqrt(stiffness / 2) * farthest_);
   }
-  // The displacements at the end of the latest flight.
-  std::vector<double> displacement() const {
-    const Eigen::VectorXd rounded = flown_.x.cast<double>();
-    return {rounded.begin(), rounded.end()};
-  }
   double farthest() const {
     return static_cast<double>(farthest_);
   }
