@@ -22,9 +22,11 @@ std::size_t index(int mass) {
 }  // namespace
 
 const Run &DigitsEngine::run(const NamedScene &asked) {
-  const auto known = runs_.find(asked.name);
-  if (known != runs_.end()) return known->second;
-  return runs_[asked.name] = simulate(in_digits(asked.scene, asked.until), key_number_resolution());
+  for (const auto &[scene, until, known] : runs_)
+    if (scene == asked.scene && until == asked.until) return known;
+  const Scene scene = in_digits(asked.scene, asked.until);
+  runs_.push_back({asked.scene, asked.until, simulate(scene, key_number_resolution())});
+  return runs_.back().run;
 }
 
 std::vector<numbers::Occurrence<Real>> DigitsEngine::events(const NamedScene &asked) {

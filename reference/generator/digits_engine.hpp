@@ -5,8 +5,7 @@
 #include "reference/numbers/quantities.hpp"
 
 #include <cstddef>
-#include <map>
-#include <string>
+#include <list>
 #include <vector>
 
 namespace vibro_impact_reference {
@@ -36,7 +35,12 @@ class DigitsEngine {
  private:
   const Run &run(const NamedScene &asked);
 
-  std::map<std::string, Run> runs_;
+  struct KnownRun {
+    vibro_impact::Scene scene;
+    double until;
+    Run run;
+  };
+  std::list<KnownRun> runs_;  // whose entries stay where they are when another one is added
 };
 
 /// All quantities that this engine answers by a run, compiled once.

@@ -71,14 +71,12 @@ inline Motion motion_in(const Arguments &arguments) {
 }
 
 // The run of a scene of the paper (`scene`), with another Omega (`omega`), coefficient of
-// restitution (`r`) or end (`until`) where these are given. Every run has its own name.
+// restitution (`r`) or end (`until`) where these are given.
 inline paper::NamedScene run_of(const Arguments &arguments) {
   paper::NamedScene run = paper::scene_named(arguments.text("scene"));
   run.scene.omega = arguments.at("omega", run.scene.omega);
   run.scene.restitution = arguments.at("r", run.scene.restitution);
   run.until = arguments.at("until", run.until);
-  run.name +=
-      fmt::format(" omega={} r={} until={}", run.scene.omega, run.scene.restitution, run.until);
   return run;
 }
 

@@ -91,6 +91,39 @@ INSTANTIATE_TEST_SUITE_P(Methods, OfMethod, ::testing::ValuesIn(methods), [](con
   return name;
 });
 
+// A method that would leave out a force refuses the scene in one line, which names the force.
+TEST(ErrorAgainstRunTime, AMethodThatDoesNotKnowAForceRefusesTheScene) {
+  for (const auto &[name, force] : {std::pair{"sine", &Scene::sine},
+                                    {"constant", &Scene::constant},
+                                    {"ground", &Scene::ground}}) {
+    Problem problem = problem_named("flight");
+    problem.scene.*force = {0.0, 0.1};
+    for (const Method &method : all_methods().methods) {
+      std::string refusal;
+      try {
+        method.run(problem, method.settings.front());
+      } catch (const std::invalid_argument &error) {
+        refusal = error.what();
+      }
+      EXPECT_EQ(refusal, method.name.starts_with("this library")
+                             ? ""
+                             : fmt::format("the comparison takes no scene with forces '{}'", name))
+          << method.name;
+    }
+  }
+}
+
+// A rival knows one coefficient of restitution, that of the scene.
+TEST(ErrorAgainstRunTime, AMethodThatDoesNotKnowTheRestitutionOfAStopRefusesTheScene) {
+  Problem problem = problem_named("flight");
+  problem.scene.stops[1].restitution = 0.1;
+  for (const Method &method : all_methods().methods)
+    if (!method.name.starts_with("this library")) {
+      EXPECT_THROW(method.run(problem, method.settings.front()), std::invalid_argument)
+          << method.name;
+    }
+}
+
 TEST(ErrorAgainstRunTime, EveryMethodIsInTheListOfThisTest) {
   for (const Method &method : all_methods().methods)
     EXPECT_EQ(std::count(std::begin(methods), std::end(methods), method.name), 1) << method.name;

@@ -51,6 +51,7 @@ void forcing(double time, unsigned int size, double *force, unsigned int, double
 
 SiconosModel siconos_model(const Problem &problem) {
   const Scene &scene = problem.scene;
+  require_two_masses(scene);
   auto position = std::make_shared<SiconosVector>(2), velocity = std::make_shared<SiconosVector>(2);
   auto mass = std::make_shared<SimpleMatrix>(2, 2),
        stiffness = std::make_shared<SimpleMatrix>(2, 2),

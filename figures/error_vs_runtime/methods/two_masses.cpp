@@ -4,13 +4,26 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace vibro_impact::comparison {
 
-TwoMasses two_masses(const Scene &scene) {
-  if (scene.masses() != 2 || scene.stops.size() != 2 || scene.stops[0].mass != 1 ||
-      scene.stops[1].mass != 2)
+void require_two_masses(const Scene &scene) {
+  const auto &stops = scene.stops;
+  if (scene.masses() != 2 || stops.size() != 2 || stops[0].mass != 1 || stops[1].mass != 2)
     throw std::invalid_argument("the comparison takes two masses with one stop each");
+  if (stops[0].restitution || stops[1].restitution)
+    throw std::invalid_argument("the comparison takes no stop with a restitution of its own");
+  for (const auto &[name, list] : {std::pair{"sine", &Scene::sine},
+                                   {"constant", &Scene::constant},
+                                   {"ground", &Scene::ground}})
+    if (std::ranges::any_of(scene.*list, [](double force) { return force != 0.0; }))
+      throw std::invalid_argument(
+          fmt::format("the comparison takes no scene with forces '{}'", name));
+}
+
+TwoMasses two_masses(const Scene &scene) {
+  require_two_masses(scene);
   const double k1 = scene.stiffness[0], k2 = scene.stiffness[1];
   const double stiffness[2][2] = {{k1 + k2, -k2}, {-k2, k2}};
   TwoMasses chain{{}, {}, {}, scene.omega, scene.restitution};
