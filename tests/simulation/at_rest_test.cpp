@@ -204,10 +204,9 @@ TEST(AtRest, NothingHoldsAMassThatNoForcePresses) {
   int sticks = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
     Draw draw{std::mt19937(seed)};
-    const double omegas[] = {0.3, 0.7, 1.0}, links[] = {0.25, 1.0, 3.0}, any_r[] = {0.0, 0.3, 0.7};
-    const int masses = 3 + static_cast<int>(draw.below(6));
-    const double link = links[draw.below(3)];
-    Scene scene{.omega = omegas[draw.below(3)], .restitution = any_r[draw.below(3)]};
+    const int masses = draw.between(3, 8);
+    const double link = draw.one_of({0.25, 1.0, 3.0});
+    Scene scene{.omega = draw.one_of({0.3, 0.7, 1.0}), .restitution = draw.one_of({0.0, 0.3, 0.7})};
     for (int i = 1; i <= masses; ++i) {
       scene.mass.push_back(1.0);
       scene.stiffness.push_back(link);
