@@ -56,6 +56,21 @@ PressedEvent event_at(EventKind kind, int mass, double time, Held held, double s
   return pressed;
 }
 
+// The recorders of events take those from their time on, the first of which is at this time.
+TEST(EventPairs, ARecorderTakesTheEventAtItsTime) {
+  const Scene scene = paper::table1_scenes().front().scene;
+  EventRecorder all;
+  require_complete(simulate(scene, 30.0, all));
+  ASSERT_GE(all.events.size(), 3u);
+  const double from = all.events[2].time;
+  PressedEventRecorder pressed(scene, from);
+  EventRecorder events(from);
+  require_complete(simulate(scene, 30.0, pressed, events));
+  ASSERT_FALSE(pressed.events.empty() || events.events.empty());
+  EXPECT_EQ(pressed.events.front().event.time, from);
+  EXPECT_EQ(events.events.front().time, from);
+}
+
 // Within the tolerance of the end of a chatter both readings apply; sticking takes precedence.
 TEST(EventPairs, AnImpactAtTheEndOfAChatterIsAStickingImpact) {
   const auto pairs =

@@ -61,7 +61,7 @@ void expect_bars(const Panel &panel, const Rows &windows) {
 }
 
 // Below 0.47 every random start leads to one motion, from 0.645 to 0.67 every one to sticking of
-// mass 1. At 0.62 there are several motions, and some starts lead to sticking.
+// mass 1. At 0.62 there are several motions, and 13 starts lead to sticking, as the page says.
 void expect_starts(const Rows &starts) {
   ASSERT_EQ(starts.size(), 31u);
   for (const auto &row : starts) {
@@ -72,8 +72,7 @@ void expect_starts(const Rows &starts) {
       EXPECT_EQ(row[4], row[1]) << omega;
     } else if (omega == 0.62) {
       EXPECT_GT(std::stoi(row[2]), 1);
-      EXPECT_GT(std::stoi(row[4]), 0);
-      EXPECT_LT(std::stoi(row[4]), std::stoi(row[1]));
+      EXPECT_EQ(row[1] + " " + row[4], "60 13");
     }
   }
 }

@@ -181,48 +181,6 @@ TEST(AtRest, AMassWhoseBouncesHaveDiedDownLeavesWithTheOthers) {
   }
 }
 
-// A mass at rest at its stop, k = A = 1, is released when A cos(Omega t) falls to zero. The force
-// is exactly zero at this root, whatever the rounding of the cosine, and its rate decides: one
-// order decides at the start, two at the root.
-TEST(AtRest, TheForceIsExactlyZeroAtTheRootThatEndsASticking) {
-  for (double omega = 0.1; omega < 2.0; omega += 0.05) {
-    const Scene scene{.mass = {1.0},
-                      .stiffness = {1.0},
-                      .amplitude = {1.0},
-                      .omega = omega,
-                      .stops = {{1, Side::upper, 0.0}}};
-    const Outcome outcome = require_complete(simulate(scene, 1.6 / omega));
-    EXPECT_EQ(outcome.counters.releases, 1);
-    EXPECT_EQ(outcome.counters.rest_orders, 3) << omega;
-  }
-}
-
-// All masses have a stop where they start, at 0.1. The hold force of a mass without forcing is the
-// sum of k (x_j - 0.1) over its neighbours and the wall. It never presses, though it may be zero
-// but for the rounding of the tensions, so that such a mass never sticks.
-TEST(AtRest, NothingHoldsAMassThatNoForcePresses) {
-  int sticks = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) {
-    Draw draw{std::mt19937(seed)};
-    const int masses = draw.between(3, 8);
-    const double link = draw.one_of({0.25, 1.0, 3.0});
-    Scene scene{.omega = draw.one_of({0.3, 0.7, 1.0}), .restitution = draw.one_of({0.0, 0.3, 0.7})};
-    for (int i = 1; i <= masses; ++i) {
-      scene.mass.push_back(1.0);
-      scene.stiffness.push_back(link);
-      scene.amplitude.push_back(draw.one_in(2) ? 0.5 : 0.0);
-      scene.displacement.push_back(0.1);
-      scene.stops.push_back({i, Side::upper, 0.1});
-    }
-    for (const Event &stick : select(events_of(scene, 0.0, 30.0 / scene.omega), EventKind::stick)) {
-      EXPECT_NE(scene.amplitude[static_cast<std::size_t>(stick.mass - 1)], 0.0)
-          << "mass " << stick.mass << " at " << stick.time << ", seed " << seed;
-      ++sticks;
-    }
-  }
-  EXPECT_GT(sticks, 500);
-}
-
 // A mass pressed onto its stop, and hit beside a stiff link, in units of length of 2^-540, 1 and
 // 2^540: the events are the same to the last bit.
 TEST(AtRest, AUnitOfLengthWhoseSquareIsNoDoubleChangesNothing) {
