@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/scenes/paper_scenes.hpp"
 #include "reference/scenes/table1_scenes.hpp"
 #include "reference/truth/case.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -58,7 +59,7 @@ PressedEvent event_at(EventKind kind, int mass, double time, Held held, double s
 
 // The recorders of events take those from their time on, the first of which is at this time.
 TEST(EventPairs, ARecorderTakesTheEventAtItsTime) {
-  const Scene scene = paper::table1_scenes().front().scene;
+  const Scene scene = paper::figure2();
   EventRecorder all;
   require_complete(simulate(scene, 30.0, all));
   ASSERT_GE(all.events.size(), 3u);
