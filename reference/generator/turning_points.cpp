@@ -36,12 +36,10 @@ void extend_extremes(Extremes &extremes, const Flow &flow, const Real &duration,
 
 }  // namespace
 
-Extremes extremes(const Run &run, const Real &from, const Real &to,
-                  std::optional<std::size_t> held) {
+Extremes extremes(const Run &run, const Real &from, const Real &to) {
   Extremes result;
   for (const Piece &piece : run.pieces)
-    if (!held || !moves(*held, piece.flow))
-      extend_extremes(result, piece.flow, piece.duration, from, to);
+    extend_extremes(result, piece.flow, piece.duration, from, to);
   return result;
 }
 

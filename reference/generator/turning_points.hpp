@@ -31,9 +31,8 @@ struct Extremes {
 };
 
 /// The extremes of a motion over [from, to]: at zeros of the velocity (sampled, then bisected) or
-/// where one piece of motion meets the next. `held`: only while this mass rests on its stop.
-Extremes extremes(const Run &run, const Real &from, const Real &to,
-                  std::optional<std::size_t> held = {});
+/// where one piece of motion meets the next.
+Extremes extremes(const Run &run, const Real &from, const Real &to);
 
 /// How hard a mass is pressed into its stop where that is least inside its sticking phases that
 /// begin after `from`: the local minimum nearest to zero. Throws std::runtime_error if there is

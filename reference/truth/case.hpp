@@ -45,6 +45,14 @@ inline const char *name(Truth truth) {
   throw std::logic_error("truth: its kind is unknown");
 }
 
+// The truth of this name. Throws std::runtime_error, with the place where it stands, for a word
+// that is none.
+inline Truth truth_named(const std::string &place, const std::string &word) {
+  for (const Truth truth : {Truth::digits, Truth::exact, Truth::grazing})
+    if (word == name(truth)) return truth;
+  throw std::runtime_error(place + ": truth = '" + word + "': must be digits, exact or grazing");
+}
+
 struct Case {
   std::string name, group;
   Scene scene;

@@ -48,8 +48,7 @@ inline std::vector<Case> extreme_cases() {
     row.until = number_in(place, cells[5]);
     row.slowest_impact = number_in(place, cells[6]);
     row.scene = scene_in(place, header, cells);
-    for (const Truth truth : {Truth::digits, Truth::exact, Truth::grazing})
-      if (cells[2] == name(truth)) row.truth = truth;
+    row.truth = truth_named(place, cells[2]);
     if (row.truth != Truth::digits) row.events = detail::exact_events(cells[3], row);
   }
   return cases;

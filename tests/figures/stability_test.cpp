@@ -7,6 +7,7 @@
 #include "figures/stability/extreme_verdict.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 #include "tests/support/rates.hpp"
+#include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -169,6 +170,14 @@ TEST(EndlessImpacts, EndAtTheLimitWithTheState) {
   EXPECT_EQ(outcome.state.displacement[0], -1.0);
   EXPECT_EQ(outcome.state.velocity[0], recorder.events.back().velocity_after);
   EXPECT_THROW(require_complete(outcome), std::runtime_error);
+}
+
+TEST(Truths, AWordThatNamesNoneIsRefused) {
+  for (const Truth truth : {Truth::digits, Truth::exact, Truth::grazing})
+    EXPECT_EQ(truth_named("t.csv", name(truth)), truth);
+  EXPECT_EQ(vibro_impact::testing::refusal<std::runtime_error>(
+                [] { truth_named("t.csv: line 2", "digit"); }),
+            "t.csv: line 2: truth = 'digit': must be digits, exact or grazing");
 }
 
 }  // namespace
