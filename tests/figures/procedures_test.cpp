@@ -130,14 +130,14 @@ TEST(Procedures, TheDocumentAndThePictureShowTheTablesOfTheDriver) {
   expect_figure5c(table("figure5c", 6));
 }
 
-// The sticks of mass 1 after period 60.
+// Counts the sticks of mass 1 after period 60.
 std::ptrdiff_t late_sticks(const std::vector<Event> &events, double omega) {
   return std::ranges::count_if(select(events, EventKind::stick, 1), [=](const Event &event) {
     return event.time > 60 * Clock(omega).period;
   });
 }
 
-// Those in periods 61 to 70 of the scene of Figure 3, by the procedure.
+// Sticks of mass 1 in periods 61 to 70 of the scene of Figure 3, by the procedure.
 std::ptrdiff_t sticks(double omega, const Procedure &procedure) {
   const Scene scene = paper::figure3(omega);
   return late_sticks(follow(scene, start_of(scene), 70 * Clock(omega).period, procedure).events,

@@ -75,6 +75,7 @@ const std::vector<BadCase> bad_cases = {
      "draws one or two ranges, not 3"},
     {"sweep --impacts i.csv " + omega + "--vary beta=0:1:2 --plot p.png",
      "is drawn from the table of --table"},
+    {"sweep --table missing/t.csv " + omega, "missing is no folder"},
     {"sweep --table - " + omega, "--table -: must be a file"},
     {"run --samples s.csv --plot p.jpg", "--plot p.jpg: must end in .png, .pdf or .svg"},
     {"run --plot p.png", "--plot p.png: is drawn from the table of --samples"},

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "figures/check/library_engine.hpp"
@@ -59,6 +60,12 @@ TEST(CheckedNumbers, AnErrorOfAMillionthInTheRestitutionIsSeen) {
 }
 
 // Each fault is named in one line, with the row where a row is computed.
+TEST(CheckedNumbers, ANumberThatIsNoneDiffersFromThePaper) {
+  const numbers::Printed value{"0.382", numbers::Claim::stated, 0.3815, 0.3825};
+  EXPECT_EQ(value.verdict(0.38197), numbers::Verdict::agrees);
+  EXPECT_EQ(value.verdict(std::nan("")), numbers::Verdict::differs);
+}
+
 TEST(CheckedNumbers, UnknownQuantitiesClaimsAndArgumentsAreNamed) {
   using numbers::read_arguments;
   EXPECT_THROW(read_arguments("t.csv", "omega"), std::runtime_error);

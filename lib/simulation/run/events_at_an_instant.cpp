@@ -114,11 +114,12 @@ bool is_pushed(const Run &run, std::span<const std::size_t> hits, std::size_t ma
 // mass whose bounces have died down is in question with the others: in flight, its acceleration
 // would be the rounding of theirs.
 void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) {
+  const ContactMode &mode = *run.motion.mode;
   const std::span<const std::size_t> roots = contacts.roots;
   std::vector<RestingMass> &masses = run.scratch.rest.masses;
   masses.clear();
-  for (std::size_t k = 0; k < run.motion.mode->contacts.size(); ++k) {
-    const Contact &contact = run.motion.mode->contacts[k];
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    const Contact &contact = mode.contacts[k];
     const StopState &stop = run.stops[contact.stop];
     const std::optional<DecidedForce> &decided = stop.contact.decided;
     if (!contact.held && !stop.contact.at_rest && stop.contact.speed != 0.0) continue;
@@ -136,15 +137,14 @@ void gather_resting(Run &run, const ContactsOfInstant &contacts, bool at_start) 
     masses.push_back({contact.stop, contact.mass, contact.sigma, contact.held, zero && !pushed});
   }
   if (masses.empty() || at_start) return;
-  const ContactMode &mode = *run.motion.mode;
+  // Within 1 / rate, the motion of the chain and the forcing move a mass at most so far.
+  const double rate = run.problem.rate_bound, speed = dot_moduli(mode.extent, run.motion.dy);
   for (const Contact &contact : mode.contacts) {
     const AtStop &state = run.stops[contact.stop].contact;
     if (contact.held || state.at_rest || state.speed == 0.0) continue;
     const Gap gap = gap_of(contact, run.stops[contact.stop], run.motion);
-    // Within 1 / rate, the motion of the chain and the forcing move the mass at most so far.
-    const double rate = run.problem.rate_bound,
-                 acceleration = run.problem.forcing_bound / run.scene().mass[contact.mass],
-                 reach = (dot_moduli(mode.extent, run.motion.dy) + acceleration / rate) / rate;
+    const double acceleration = run.problem.forcing_bound / run.scene().mass[contact.mass],
+                 reach = (speed + acceleration / rate) / rate;
     if (!is_as_at_rest(gap, reach, rate)) continue;
     leave_stop(contact, 0.0, run.motion, run.stops);
     masses.push_back({contact.stop, contact.mass, contact.sigma, false, false});
