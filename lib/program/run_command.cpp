@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -59,7 +58,7 @@ struct ProgressRecorder : Recorder {
   }
   double next_time() const override {
     const double next = until * ((taken + 1.0) / shown_times);
-    return taken + 1.0 < shown_times && next > 0.0 ? next : std::numeric_limits<double>::infinity();
+    return taken + 1.0 < shown_times && next > 0.0 ? next : infinity;
   }
   void sample(const Moment &) override {
     ++taken;

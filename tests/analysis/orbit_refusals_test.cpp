@@ -16,7 +16,6 @@ using namespace vibro_impact;
 using vibro_impact::testing::expect_refused;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most = std::numeric_limits<int>::max();
 
 const Scene scene = paper::figure2();

@@ -17,7 +17,6 @@ using vibro_impact::testing::BadCall;
 using vibro_impact::testing::expect_refused;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr long long most = std::numeric_limits<long long>::max();
 
 // Starts from the scene of Figure 2 (mass 1 above -0.3, mass 2 below 0.1) and spoils it.

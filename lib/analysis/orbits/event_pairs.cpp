@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -13,8 +12,6 @@
 namespace vibro_impact {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A mass at its stop grazes, sticks or impacts. The order is that of the names of mixed pairs.
 enum class ContactKind { grazing, sticking, impact };

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion_state.hpp"
 #include "orbit_runs.hpp"
@@ -116,7 +115,7 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 
 MotionState at_quiet_phase(Simulation &simulation, const MotionState &start) {
   const Clock clock(simulation.scene().omega);
-  EventRecorder recorder(-std::numeric_limits<double>::infinity());
+  EventRecorder recorder(-infinity);
   stroboscopic_map(simulation, start, 1, recorder);
   double after = 0.0, widest = 0.0, last = 0.0;
   const auto end_interval = [&](double time) {
@@ -166,7 +165,7 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
   Simulation simulation(scene);
   PeriodicOrbit orbit;
   MotionState at = orbit.state = moved_into(scene, guess);
-  double best = std::numeric_limits<double>::infinity();
+  double best = infinity;
   const auto ended = [&orbit](std::string why) {
     orbit.why_not = std::move(why);
     return orbit;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "analysis/orbits/motion_state.hpp"
@@ -50,7 +49,7 @@ Growth mean_growth(Simulation &simulation, const MotionState &start, int longest
     const double length = perturbation.stableNorm();  // neither overflows nor underflows
     state = image.state;
     done += periods;
-    if (length == 0.0) return {-std::numeric_limits<double>::infinity(), true};
+    if (length == 0.0) return {-infinity, true};
     perturbation /= length;
     logarithm += std::log(length);
     if (done % block_length != 0) continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
@@ -27,8 +26,7 @@ struct SectionRecorder : Recorder {
 
   double next_time() const override {
     const auto taken = static_cast<int>(section.size());
-    return taken < periods ? time_after(scene, start, taken)
-                           : std::numeric_limits<double>::infinity();
+    return taken < periods ? time_after(scene, start, taken) : infinity;
   }
   void sample(const Moment &moment) override {
     section.push_back(coordinates(state_at(moment, {})));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
@@ -13,8 +12,6 @@
 namespace vibro_impact {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool rebounds(const Scene &scene, const Event &event) {
   return law_of(scene, stop_of(scene, event)).at_rest() > 0.0;

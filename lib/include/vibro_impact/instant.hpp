@@ -12,6 +12,9 @@
 
 namespace vibro_impact {
 
+// A time that never comes, or a bound that excludes nothing.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 namespace detail {
 
 // Both throw std::invalid_argument with one line. Omega must be >= 0 with a finite period. A time
@@ -25,14 +28,13 @@ namespace detail {
 // when Omega = 0. The constructor throws std::invalid_argument for a bad Omega.
 struct Clock {
   double omega = 0.0;
-  double period = std::numeric_limits<double>::infinity();
+  double period = infinity;
   double period_low = 0.0;
 
   Clock() = default;
   explicit Clock(double omega_of_forcing) : omega(omega_of_forcing) {
     constexpr double two_pi = 6.283185307179586477, two_pi_low = 2.4492935982947064e-16;
-    if (!(omega >= 0.0 && omega < std::numeric_limits<double>::infinity()))
-      detail::refuse_omega(omega);
+    if (!(omega >= 0.0 && omega < infinity)) detail::refuse_omega(omega);
     if (omega == 0.0) return;
     period = two_pi / omega;
     if (!std::isfinite(period)) detail::refuse_omega(omega);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "event.hpp"
@@ -52,7 +51,7 @@ struct Recorder {
   // begins, after every event and after every sample. Each time must be later than the latest
   // sample. Infinity asks for no sample.
   virtual double next_time() const {
-    return std::numeric_limits<double>::infinity();
+    return infinity;
   }
   virtual void sample(const Moment &) {
   }

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <concepts>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,7 +19,7 @@ namespace vibro_impact {
 struct RunOptions {
   // A chatter of impacts slower than this ends at its limit. Every faster impact is resolved and
   // reported. With 0, all impacts are resolved until the remaining ones lie below rounding.
-  double limit_below_speed = std::numeric_limits<double>::infinity();
+  double limit_below_speed = infinity;
   // Largest estimated error of the time of a chatter limit, times the rate of the fastest mode, at
   // which the limit is accepted. It lies in (0, 1).
   double chatter_tolerance = 1e-13;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "forces.hpp"
 #include "modes.hpp"
@@ -58,8 +57,7 @@ void set_oscillator(const Scene &scene, double kappa, double lambda, const Exter
   if (lambda > 0.0) all.static_value(j) = force.constant / lambda;
   if (force.turning == 0.0) return;
   const Complex detuning(lambda - scene.omega * scene.omega, kappa * scene.omega);
-  all.set_steady(
-      detuning == 0.0 ? std::numeric_limits<double>::infinity() : force.turning / detuning, j);
+  all.set_steady(detuning == 0.0 ? infinity : force.turning / detuning, j);
 }
 
 // Enters mode `k` of the basis as coordinate `j`, or as two where it is strongly damped. Returns
@@ -137,7 +135,7 @@ void set_placement(const ContactMode &mode, Contact &contact) {
 
 void add_contacts(const Scene &scene, ContactMode &mode) {
   const ModalCoordinates &all = mode.coordinates;
-  mode.highest.setConstant(mode.equilibrium.size(), std::numeric_limits<double>::infinity());
+  mode.highest.setConstant(mode.equilibrium.size(), infinity);
   mode.lowest = -mode.highest;
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const Stop &stop = scene.stops[k];

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -39,7 +38,7 @@ void predict(const Motion &motion, const Chatter &chatter, double time_left,
 void extrapolate(Chatter &chatter) {
   const std::size_t last = chatter.size - 1;
   const ChatterNode &latest = chatter.node(last);
-  chatter.error = std::numeric_limits<double>::infinity();
+  chatter.error = infinity;
   chatter.best = 0;
   ExtrapolatedLimit entry{latest.predicted / latest.x, 1.0 / latest.x};
   double error_before = 0.0, time_before = entry.time();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "simulation/chain/pair.hpp"
 #include "simulation/chain/placement.hpp"
@@ -14,8 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Sets bounds of |y(t + tau) - y(t)| and |y'(t + tau) - y'(t)| over the step, 0 <= tau <= h. A
 // share of |y| and |y'| is added as a margin: a contact out of reach then stays well above its
 // rounding, and its gap can be evaluated from the coordinates after the step.

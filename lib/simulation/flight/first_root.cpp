@@ -135,7 +135,7 @@ std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &coun
   if (!std::isfinite(sum)) return std::nullopt;  // the run will be given up
   ++counters.roots_searched;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  double u = 0.0, last_newton = std::numeric_limits<double>::infinity();
+  double u = 0.0, last_newton = infinity;
   // Near a root Newton's step is at least halved, and away from roots u grows, unless a power of u
   // or of a quotient of coefficients leaves the range of double precision.
   for (int iteration = 0; iteration < most_root_iterations; ++iteration) {

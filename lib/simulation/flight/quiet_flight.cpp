@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "simulation/chain/tolerances.hpp"
 
@@ -11,8 +10,6 @@ namespace vibro_impact::detail {
 namespace {
 
 using Eigen::Index;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // The time in which a distance closes at `speed` and a constant acceleration `push` towards zero,
 // both of any sign. Infinite if it does not close.
 double closing_time(double distance, double speed, double push) {

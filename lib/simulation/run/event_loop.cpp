@@ -15,8 +15,6 @@ namespace vibro_impact::detail {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // A step of this length, which is counted as work.
 Step make_step(Run &run, double length, double rate) {
   const Step step{length, rate, run.problem.orders.order_of(rate * length)};

@@ -67,7 +67,7 @@ void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
 }
 
 double next_sample(Recorders recorders) {
-  double next = std::numeric_limits<double>::infinity();
+  double next = infinity;
   for (const Recorder *recorder : recorders) {
     const double time = recorder->next_time();
     require(!std::isnan(time), "next_time = ", time, ": must be a time");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "simulation/chain/require.hpp"
 
@@ -42,7 +41,7 @@ void ImpactVelocityRecorder::check(const Scene &scene) const {
 
 double sample_time(double from, double to, double every, std::size_t taken) {
   const double next = from + every * static_cast<double>(taken);
-  return next <= to * (1.0 + 4e-16) ? std::min(next, to) : std::numeric_limits<double>::infinity();
+  return next <= to * (1.0 + 4e-16) ? std::min(next, to) : infinity;
 }
 
 double SampleRecorder::next_time() const {

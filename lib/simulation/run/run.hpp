@@ -2,7 +2,6 @@
 // events_at_an_instant.cpp change it.
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -38,7 +37,7 @@ struct Problem {
 // `flight_time`. A chatter limit resets the hint too.
 struct StepHint {
   // Expected time to the next impact of a mass that was just hit.
-  double flight_time = std::numeric_limits<double>::infinity();
+  double flight_time = infinity;
   // A long flight without events may follow: no contact was within reach in the latest step, or the
   // rigid-body mode drifted through a step without an event.
   bool quiet = true;
@@ -74,7 +73,7 @@ struct Progress {
   // sample or the end lies there. The copy reports samples only and takes no limit.
   bool inside_chatter = false;
   // The time of the next sample. It changes when a recorder has been called.
-  double next_sample = std::numeric_limits<double>::infinity();
+  double next_sample = infinity;
   MotionState last = {};  // the state at the end; empty before
 };
 

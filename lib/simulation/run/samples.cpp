@@ -14,8 +14,6 @@ namespace vibro_impact::detail {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Sets scratch.sampled to the motion at `instant`, `tau` after the motion of the run: along the
 // step in scratch.flight, or in closed form on a flight without events.
 void set_sampled(Run &run, const Instant &instant, double tau, bool in_closed_form) {

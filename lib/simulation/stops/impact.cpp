@@ -1,7 +1,6 @@
 #include "impact.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "simulation/chain/pair.hpp"
 #include "simulation/chain/tolerances.hpp"
@@ -25,8 +24,7 @@ bool is_as_at_rest(const Gap &gap, double reach, double rate) {
 
 double next_flight(const Scene &scene, const Contact &contact, double speed, const Motion &motion) {
   const double press = pressing_force(scene, contact, motion, speed);
-  return press > 0.0 ? 2.0 * speed * scene.mass[contact.mass] / press
-                     : std::numeric_limits<double>::infinity();
+  return press > 0.0 ? 2.0 * speed * scene.mass[contact.mass] / press : infinity;
 }
 
 }  // namespace vibro_impact::detail
