@@ -18,7 +18,7 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-using figures::follow, figures::Procedure, truth::Rows;
+using figures::follow, figures::Procedure, truth::Rows, vibro_impact::testing::events_of;
 
 Rows table(const std::string &name, std::size_t columns) {
   return truth::read_rows(folder_of("procedures") + "/procedures_" + name + ".csv", columns);

@@ -44,7 +44,7 @@ TEST(Impacts, OfFallingMassesAreSimultaneousOnlyWithinRounding) {
   }
 }
 
-struct Ball {
+struct FallingMass {
   double mass, stiffness, force, omega, restitution, height;
 };
 
@@ -53,7 +53,7 @@ struct Ball {
 // the forcing and the spring change.
 TEST(Chatter, OfAFallingMassEndsWhereItsImpactsDo) {
   for (const auto &[mass, stiffness, force, omega, r, height] :
-       {Ball{1e8, 1e-12, 1e8, 0.0, 3e-5, 1.0},
+       {FallingMass{1e8, 1e-12, 1e8, 0.0, 3e-5, 1.0},
         {1.0, 0.0, 1.0, 1e-8, 1e-7, 1.0},
         {1.0, 0.0, 1e8, 0.0, 1e-7, 1e-8},
         {1.0, 0.0, 1.0, 1e-14, 0.5, 1.0},
