@@ -16,19 +16,19 @@ using namespace vibro_impact;
 using vibro_impact::testing::expect_refused;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int most = std::numeric_limits<int>::max();
+constexpr int largest_int = std::numeric_limits<int>::max();
 
-const Scene scene = paper::figure2();
-const MotionState start = start_of(scene);
+const Scene good_scene = paper::figure2();
+const MotionState good_start = start_of(good_scene);
 
 template <class Change>
 MotionState changed(const Change &change) {
-  MotionState at = start;
+  MotionState at = good_start;
   change(at);
   return at;
 }
 
-const Scene unforced = with(scene, "omega", 0.0);
+const Scene unforced = with(good_scene, "omega", 0.0);
 
 // The start with a displacement too few, and in the last period that can be counted.
 const MotionState short_of_one = changed([](auto &at) { at.displacement.pop_back(); }),
@@ -40,32 +40,39 @@ const auto step = [](double x) { return x > 0.5 ? 1 : 0; };
 
 TEST(Refusals, OfOrbits) {
   const Stop none{5, Side::upper, 0.1}, on_no_side{1, Side{9}, 0.1}, nowhere{1, Side::upper, nan};
-  const Scene stiff = with(scene, "stiffness1", 1e30);
+  const Scene stiff = with(good_scene, "stiffness1", 1e30);
   const Held too_few{0}, wrong{0, 9}, free{0, 0};
-  Scene free_chain = scene;
+  Scene free_chain = good_scene;
   free_chain.stops.clear();
   PressedEventRecorder without_stops(free_chain), of_no_chain({});
   expect_refused({
-      {[&] { natural_modes(scene, too_few); }, "held: 1 values given, the chain has 2 masses"},
-      {[&] { natural_modes(scene, wrong); }, "held = 9: must be -1, 0 or 1"},
-      {[&] { acceleration(scene, short_of_one); }, "displacement: 1 values given"},
-      {[&] { acceleration({}, start); }, "masses = 0"},
-      {[&] { acceleration(scene, changed([](auto &at) { at.displacement[1] = nan; })); }, "nan"},
-      {[&] { acceleration(scene, changed([](auto &at) { at.velocity[0] = infinity; })); }, "inf"},
-      {[&] { acceleration(scene, changed([](auto &at) { at.instant.phase = -1.0; })); },
+      {[&] { natural_modes(good_scene, too_few); }, "held: 1 values given, the chain has 2 masses"},
+      {[&] { natural_modes(good_scene, wrong); }, "held = 9: must be -1, 0 or 1"},
+      {[&] { acceleration(good_scene, short_of_one); }, "displacement: 1 values given"},
+      {[&] { acceleration({}, good_start); }, "masses = 0"},
+      {[&] { acceleration(good_scene, changed([](auto &at) { at.displacement[1] = nan; })); },
+       "nan"},
+      {[&] { acceleration(good_scene, changed([](auto &at) { at.velocity[0] = infinity; })); },
+       "inf"},
+      {[&] { acceleration(good_scene, changed([](auto &at) { at.instant.phase = -1.0; })); },
        "phase = -1"},
-      {[&] { acceleration(scene, changed([](auto &at) { at.instant.phase = nan; })); },
+      {[&] { acceleration(good_scene, changed([](auto &at) { at.instant.phase = nan; })); },
        "phase = nan"},
-      {[&] { acceleration(scene, changed([](auto &at) { at.instant.cycle = -1; })); },
+      {[&] { acceleration(good_scene, changed([](auto &at) { at.instant.cycle = -1; })); },
        "in period -1"},
-      {[&] { pressing_force(scene, scene.stops[0], changed([](auto &at) { at.held[0] = 1; })); },
+      {[&] {
+         pressing_force(good_scene, good_scene.stops[0], changed([](auto &at) { at.held[0] = 1; }));
+       },
        "it has no such stop"},
-      {[&] { pressing_force(scene, none, start); }, "mass 5: the chain has masses 1 to 2"},
-      {[&] { pressing_force(scene, on_no_side, start); }, "side = 9: must be lower (-1) or"},
-      {[&] { pressing_force(scene, nowhere, start); }, "at nan: must be finite"},
-      {[&] { least_pressing_force(scene, start, none); }, "mass 5: the chain has"},
-      {[&] { least_gap(scene, start, on_no_side); }, "side = 9: must be lower (-1) or"},
-      {[&] { least_gap(stiff, start, scene.stops[1]); }, "too fast to look at a whole forcing"},
+      {[&] { pressing_force(good_scene, none, good_start); },
+       "mass 5: the chain has masses 1 to 2"},
+      {[&] { pressing_force(good_scene, on_no_side, good_start); },
+       "side = 9: must be lower (-1) or"},
+      {[&] { pressing_force(good_scene, nowhere, good_start); }, "at nan: must be finite"},
+      {[&] { least_pressing_force(good_scene, good_start, none); }, "mass 5: the chain has"},
+      {[&] { least_gap(good_scene, good_start, on_no_side); }, "side = 9: must be lower (-1) or"},
+      {[&] { least_gap(stiff, good_start, good_scene.stops[1]); },
+       "too fast to look at a whole forcing"},
       {[] { zero(line, nan, 1.0); }, "interval from nan to 1: must be finite"},
       {[] { zero(line, 1.0, 0.0); }, "interval from 1 to 0: must be finite and not empty"},
       {[] { zero(line, -1.7e308, 1.7e308); }, "wider than the range of double precision"},
@@ -74,27 +81,29 @@ TEST(Refusals, OfOrbits) {
       {[] { bisect(step, 0.0, infinity); }, "interval from 0 to inf: must be finite"},
       {[] { bisect(step, 0.0, 1.0, nan); }, "width = nan: must be non-negative"},
       {[] { bisect(step, 0.6, 1.0); }, "no change to locate"},
-      {[] { sticking_phases(scene, 3, 1, 1); }, "mass 3: the chain has masses 1 to 2"},
-      {[] { sticking_phases(scene, 1, -1, 1); }, "period -1: must lie in"},
-      {[] { sticking_phases(scene, 1, 1, 0); }, "periods = 0: must be at least 1"},
-      {[] { time_after(unforced, start, 1); }, "omega = 0: a stroboscopic map needs a forcing"},
-      {[] { time_after(scene, start, -most); }, "periods = -2147483647: must be at least 1"},
-      {[] { time_after(scene, far, most); }, "period 9223372036854775807: must lie in"},
-      {[] { stroboscopic_map(scene, short_of_one, 1); }, "displacement: 1 values given"},
-      {[] { stroboscopic_map_and_derivative(scene, short_of_one, 1); }, "1 values given"},
-      {[] { state_after_periods(scene, 0); }, "periods = 0: must be at least 1"},
-      {[] { at_quiet_phase(unforced, start); }, "omega = 0: a stroboscopic map needs"},
-      {[] { find_periodic_orbit(scene, start, 0); }, "periods = 0: must be at least 1"},
-      {[] { find_periodic_orbit(scene, start, 1, -1); }, "= -1: must be"},
-      {[] { find_periodic_orbit(scene, short_of_one); }, "displacement: 1 values given"},
+      {[] { sticking_phases(good_scene, 3, 1, 1); }, "mass 3: the chain has masses 1 to 2"},
+      {[] { sticking_phases(good_scene, 1, -1, 1); }, "period -1: must lie in"},
+      {[] { sticking_phases(good_scene, 1, 1, 0); }, "periods = 0: must be at least 1"},
+      {[] { time_after(unforced, good_start, 1); },
+       "omega = 0: a stroboscopic map needs a forcing"},
+      {[] { time_after(good_scene, good_start, -largest_int); },
+       "periods = -2147483647: must be at least 1"},
+      {[] { time_after(good_scene, far, largest_int); }, "period 9223372036854775807: must lie in"},
+      {[] { stroboscopic_map(good_scene, short_of_one, 1); }, "displacement: 1 values given"},
+      {[] { stroboscopic_map_and_derivative(good_scene, short_of_one, 1); }, "1 values given"},
+      {[] { state_after_periods(good_scene, 0); }, "periods = 0: must be at least 1"},
+      {[] { at_quiet_phase(unforced, good_start); }, "omega = 0: a stroboscopic map needs"},
+      {[] { find_periodic_orbit(good_scene, good_start, 0); }, "periods = 0: must be at least 1"},
+      {[] { find_periodic_orbit(good_scene, good_start, 1, -1); }, "= -1: must be"},
+      {[] { find_periodic_orbit(good_scene, short_of_one); }, "displacement: 1 values given"},
       {[&] {
          floquet_multipliers({3, 4, {}}, free);
        },
        "derivative: 0 values of 3 x 4"},
       {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
-      {[&] { require_complete(simulate(scene, 60.0, without_stops)); },
+      {[&] { require_complete(simulate(good_scene, 60.0, without_stops)); },
        "recorder: its scene has 2 masses and 0 stops, that of the run 2 and 2"},
-      {[&] { require_complete(simulate(scene, 60.0, of_no_chain)); }, "masses = 0"},
+      {[&] { require_complete(simulate(good_scene, 60.0, of_no_chain)); }, "masses = 0"},
   });
 }
 
@@ -102,9 +111,9 @@ TEST(Refusals, OfParameters) {
   for (const char *word :
        {"", "Omega", "omega1", "beta2", "stop", "stop0", "stop01", "stop-1", "stop1x", "mass",
         "mass-1", "1", "stop99999999999999999999", "restitution0"})
-    expect_refused({{[&] { get(scene, word); }, "': must be beta, omega"}});
+    expect_refused({{[&] { get(good_scene, word); }, "': must be beta, omega"}});
   for (const char *word : {"stop3", "restitution3", "amplitude3", "mass3", "velocity3"})
-    expect_refused({{[&] { get(scene, word); }, "3: the "}});
+    expect_refused({{[&] { get(good_scene, word); }, "3: the "}});
 }
 
 // The first of two jumps between the ends is located, between neighbouring numbers.

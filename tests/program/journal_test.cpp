@@ -14,7 +14,7 @@ using namespace vibro_impact::testing;
 using vibro_impact::runner::Journal;
 using vibro_impact::runner::Texts;
 
-const std::string head = "a sweep\nk,value\n";
+const std::string journal_head = "a sweep\nk,value\n";
 
 std::string row(std::size_t k) {
   return std::to_string(k) + "," + std::to_string(k * k) + "\n";
@@ -65,7 +65,7 @@ const std::vector<Touch> touches = {
      "line 101: the rows above do not fit it"},
     {"a row appended", [](auto &path, auto text) { write(path, text + "30,900\n"); }},
     {"its blocks doubled",
-     [](auto &path, auto text) { write(path, text + text.substr(head.size())); },
+     [](auto &path, auto text) { write(path, text + text.substr(journal_head.size())); },
      "line 102: not the row of its point"},
     {"deleted", [](auto &path, auto) { fs::remove(path); }},
     {"renamed", [](auto &path, auto) { fs::rename(path, path.string() + ".old"); }},
@@ -82,7 +82,7 @@ struct JournalFile : Runner {
     return folder / "t.csv.partial";
   }
   Journal open(bool resume) const {
-    return Journal(path().string(), head, resume, rule);
+    return Journal(path().string(), journal_head, resume, rule);
   }
 };
 

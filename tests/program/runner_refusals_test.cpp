@@ -14,8 +14,8 @@ struct BadCase {
   std::string arguments, names;  // what the one line must contain
 };
 
-const std::string run_files = "run --events e.csv --samples s.csv ", sweep = "sweep --table t.csv ",
-                  omega = "--vary omega=0.3:0.5:2 ";
+const std::string run_files = "run --events e.csv --samples s.csv ",
+                  sweep_files = "sweep --table t.csv ", omega = "--vary omega=0.3:0.5:2 ";
 
 const std::vector<BadCase> bad_cases = {
     // Commands and options.
@@ -27,14 +27,16 @@ const std::vector<BadCase> bad_cases = {
     {run_files + "--omega 1 --omega 2", "--omega"},
     {"sweep --table t.csv", "--vary"},
     {"sweep " + omega, "--table"},
-    {sweep + omega + "--longest 0", "--longest"},
+    {sweep_files + omega + "--longest 0", "--longest"},
     // Bounds, just beyond each.
     {"run --masses 2001", "--masses: '2001' must be a whole number from 1 to 2000"},
     {run_files + "--stop 2001:upper:1", "stop on mass 2001: the chain has masses 1 to 2"},
     {run_files + "--max-steps 1.1e15",
      "'1.1e15' must be a whole number from 1 to 1000000000000000"},
-    {sweep + omega + "--longest 1000001", "'1000001' must be a whole number from 1 to 1000000"},
-    {sweep + "--vary omega=0.3:0.5:1000000001", "must be a whole number from 1 to 1000000000"},
+    {sweep_files + omega + "--longest 1000001",
+     "'1000001' must be a whole number from 1 to 1000000"},
+    {sweep_files + "--vary omega=0.3:0.5:1000000001",
+     "must be a whole number from 1 to 1000000000"},
     {"run --until 50000 --every 0.003 --samples s.csv", "samples of 3 numbers, and a table has"},
     {"run --until 30000 --every 0.003 --samples s.csv --velocities", "samples of 5 numbers, and"},
     // Numbers, lists, stops and ranges.
@@ -44,8 +46,9 @@ const std::vector<BadCase> bad_cases = {
     {run_files + "--stop '1:left\n:3'", "'1:left?:3' must read mass:side:position"},
     {run_files + "--mass " + std::string(500, 'x'), "xxx...' is not a number"},
     {run_files + "--stop 1.5:upper:1", "'1.5' must be a whole number from 1 to 1000000"},
-    {sweep + "--vary omega=0.3:0.5", "--vary: 'omega=0.3:0.5' must read parameter=from:to:count"},
-    {sweep + "--vary colour=0.1:0.2:3", "colour"},
+    {sweep_files + "--vary omega=0.3:0.5",
+     "--vary: 'omega=0.3:0.5' must read parameter=from:to:count"},
+    {sweep_files + "--vary colour=0.1:0.2:3", "colour"},
     // Times.
     {run_files + "--from 800", "--from 800: must lie between 0 and --until 750"},
     {run_files + "--from -1", "--from -1: must lie between 0 and --until 750"},
@@ -54,7 +57,7 @@ const std::vector<BadCase> bad_cases = {
     {run_files + "--stiffness 1,0", "stiffness of link 2 = 0"},
     {"run --until inf --events e.csv", "until = inf: must be finite"},
     {run_files + "--every 0", "every = 0: must be positive"},
-    {sweep + "--vary omega=0:0.5:3", "omega = 0"},
+    {sweep_files + "--vary omega=0:0.5:3", "omega = 0"},
     // Files.
     {"run --events missing/e.csv", "missing is no folder"},
     {"run --events 'miss\n\x7fing/e.csv'", "miss  ing is no folder"},
@@ -69,9 +72,9 @@ const std::vector<BadCase> bad_cases = {
     {"run --beta 0 --stiffness 1,1e30 --until 100 --events e.csv", "of an undamped chain"},
     {"run --samples s.csv --from 5 --until 5 --plot p.png", "needs at least two samples"},
     {"run --samples s.csv --portrait p.png", "--portrait p.png: needs --velocities"},
-    {sweep + omega + "--plot p.png", "is drawn from the table of --impacts"},
-    {sweep + omega + "--vary beta=0:1:2 --plot p.png --column x", "--column x: is no column"},
-    {sweep + omega + "--vary beta=0:1:2 --vary restitution=0:1:2 --plot p.png",
+    {sweep_files + omega + "--plot p.png", "is drawn from the table of --impacts"},
+    {sweep_files + omega + "--vary beta=0:1:2 --plot p.png --column x", "--column x: is no column"},
+    {sweep_files + omega + "--vary beta=0:1:2 --vary restitution=0:1:2 --plot p.png",
      "draws one or two ranges, not 3"},
     {"sweep --impacts i.csv " + omega + "--vary beta=0:1:2 --plot p.png",
      "is drawn from the table of --table"},
@@ -101,7 +104,7 @@ TEST_F(Runner, OneOfAllProcessesSaysWhatIsWrong) {
 
 // Started by mpirun, a program without MPI would be several programs that write the same files.
 TEST_F(Runner, AProgramWithoutMpiIsNotStartedAsSeveralProcesses) {
-  const std::string alone = VIBRO_IMPACT_WITHOUT_MPI, arguments = sweep + omega;
+  const std::string alone = VIBRO_IMPACT_WITHOUT_MPI, arguments = sweep_files + omega;
   for (const char *rank : {"0", "1"}) {
     const Result result =
         run(arguments, "true",
