@@ -5,6 +5,7 @@
 
 #include "polynomial.hpp"
 #include "simulation/chain/tolerances.hpp"
+#include "vibro_impact/instant.hpp"
 
 namespace vibro_impact::detail {
 
