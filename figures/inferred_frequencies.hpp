@@ -55,7 +55,7 @@ struct Trial {
 // A window has 2000 samples: an extreme is missed by (50 / 2000)^2 x'' / 8 at most, a thousandth of
 // a tick.
 inline SampleRecorder scan_samples(const paper::AxisBox &box) {
-  return samples_across(box, (box.to - box.from) / 2000.0);
+  return {box.from, box.to, (box.to - box.from) / 2000.0};
 }
 
 // The displacements of a mass that a window shows: its samples, and its stop if it hits it there.

@@ -25,7 +25,7 @@ inline Table displacement_table(const SampleRecorder &samples) {
 
 // The displacements of a scene across the window of a panel.
 inline Table displacements(const Scene &scene, const paper::AxisBox &box, double every) {
-  SampleRecorder samples = samples_across(box, every);
+  SampleRecorder samples(box.from, box.to, every);
   require_complete(simulate(scene, samples.to, all_visible_chatter, samples));
   return displacement_table(samples);
 }

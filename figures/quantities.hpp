@@ -13,11 +13,6 @@
 
 namespace vibro_impact::figures {
 
-// Samples both masses across the window of a panel.
-inline SampleRecorder samples_across(const paper::AxisBox &box, double every) {
-  return {box.from, box.to, every};
-}
-
 struct Range {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
@@ -46,13 +41,6 @@ inline std::vector<Event> events_of(const Scene &scene, double from, double unti
   EventRecorder recorder(from);
   require_complete(simulate(scene, until, options, recorder));
   return recorder.events;
-}
-
-// The displacements of a mass in an interval of time, among samples every 1e-4.
-inline Range range_in(const Scene &scene, int mass, double from, double to) {
-  SampleRecorder samples(from, to, 1e-4);
-  require_complete(simulate(scene, samples.to, samples));
-  return range_of(samples, mass);
 }
 
 // Number of times at which a mass comes to rest while the other one sticks.

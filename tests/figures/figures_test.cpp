@@ -163,7 +163,7 @@ TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
   ASSERT_EQ(panels[3].curves.size(), 2u);
   double highest = -1e9;
   for (const Point &point : panels[3].curves[1].points) highest = std::max(highest, point[1]);
-  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.id == "figure5b_nearest_gap") {
       EXPECT_NEAR(highest, -1e5 * number.value, 0.004);
     }
