@@ -13,7 +13,8 @@ using namespace vibro_impact;
 // The motion of mass `other` while `mass` sticks.
 Table orbit_of(const figures::StickingPhaseRecorder &phases) {
   Table table("phase,kind,t,x,v");
-  for (const auto &row : phases.rows) table.row(row.phase, row.kind, row.time, row.x, row.v);
+  for (const auto &row : phases.rows)
+    if (row.kind != "gap") table.row(row.phase, row.kind, row.time, row.x, row.v);
   return table;
 }
 

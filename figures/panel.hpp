@@ -1,8 +1,8 @@
-// The contents of the panels of the paper: displacements across a window, and the hold force on
-// mass 1 (the paper's F2, Eq. 20) over one settled forcing period.
+// The contents of the panels of the paper: displacements across a window, and sticking phases.
 #pragma once
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "quantities.hpp"
@@ -47,14 +47,15 @@ inline Table parameters(const std::vector<Scene> &scenes) {
   return table;
 }
 
-// The sticking phases of one mass, counted from 1: at uniform times, at the stick and at the
-// release the hold force on it (F_p of Eqs. 12-13) and the motion of another mass.
+// The sticking phases of one mass, counted from 1, and the gaps between them: at uniform times, at
+// the stick and at the release the hold force on it (F_p of Eqs. 12-13) and the motion of another
+// mass.
 struct StickingPhaseRecorder : Recorder {
   struct Row {
-    int phase;
-    const char *kind;         // stick, release, or orbit between them
-    double time;              // within the forcing period
-    double force;             // zero at a release at a root of the force, NaN at any other release
+    int phase;              // in a gap, that before it; 0 before the first
+    std::string_view kind;  // stick, release, orbit between them, or gap
+    double time;            // within the forcing period
+    double force;           // zero at a release at a root of the force; NaN at any other, in a gap
     double x = 0.0, v = 0.0;  // of the other mass
   };
   int mass, other;  // other = 0: none
@@ -73,7 +74,7 @@ struct StickingPhaseRecorder : Recorder {
   void sample(const Moment &moment) override {
     ++asked;
     const double force = moment.hold_force(mass);
-    if (!std::isnan(force)) add("orbit", force, moment);
+    add(std::isnan(force) ? "gap" : "orbit", force, moment);
   }
   void event(const Event &event, const Moment &moment) override {
     if (event.mass != mass || event.time < from || event.time > to) return;
@@ -87,23 +88,12 @@ struct StickingPhaseRecorder : Recorder {
         return add(name(event.kind), event.by_a_jump ? moment.hold_force(mass) : 0.0, moment);
     }
   }
-  void add(const char *kind, double force, const Moment &moment) {
+  void add(std::string_view kind, double force, const Moment &moment) {
     rows.push_back({phase, kind, moment.instant.phase, force});
     if (other == 0) return;
     rows.back().x = moment.displacement(other);
     rows.back().v = moment.velocity(other);
   }
 };
-
-// The hold force on mass 1 in the sticking phases of a settled forcing period.
-inline Table hold_force(const Scene &scene) {
-  const double period = Clock(scene.omega).period, from = paper::figure4_settling_periods * period;
-  StickingPhaseRecorder phases(1, 0, from, from + period, 0.001);
-  require_complete(simulate(scene, phases.to, phases));
-  Table table("phase,t,F2");
-  for (const auto &row : phases.rows)
-    if (!std::isnan(row.force)) table.row(row.phase, row.time, row.force);
-  return table;
-}
 
 }  // namespace vibro_impact::figures
