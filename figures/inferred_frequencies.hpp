@@ -11,6 +11,8 @@
 // at 0.12 above a stop at 0.1, ticks 0.02 apart. A mass reaches its stop in every impact.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -234,17 +236,13 @@ inline bool is_printed(double omega) {
 
 // The rule of choice among the frequencies that fit. Throws std::runtime_error if none does, or if
 // the rule leaves several.
-inline double choice_among(const std::vector<double> &fitting) {
+inline double choice_among(std::vector<double> fitting) {
   const auto rank = [](double omega) { return is_printed(omega) ? 0 : 1 + decimals(omega); };
-  int best = std::numeric_limits<int>::max();
-  for (const double omega : fitting) best = std::min(best, rank(omega));
-  std::vector<double> left;
-  for (const double omega : fitting)
-    if (rank(omega) == best) left.push_back(omega);
-  if (left.size() != 1)
-    throw std::runtime_error("the rule of choice leaves " + std::to_string(left.size()) +
-                             " frequencies of " + std::to_string(fitting.size()) + " that fit");
-  return left.front();
+  std::ranges::sort(fitting, {}, rank);
+  if (fitting.empty() || (fitting.size() > 1 && rank(fitting[0]) == rank(fitting[1])))
+    throw std::runtime_error(
+        fmt::format("the rule of choice leaves none or several of {} that fit", fitting.size()));
+  return fitting.front();
 }
 
 // Tries every multiple of 1e-4 from `from` to `to`, in order.

@@ -90,7 +90,8 @@ Table table_of(const std::vector<Trial> &trials) {
 
 // Run times are per forcing period, and for less than a period, per run.
 double runs_counted(const Problem &problem) {
-  return std::max(1.0, problem.periods());
+  const double length = problem.until - problem.start.time;
+  return std::max(1.0, length / Clock(problem.scene.omega).period);
 }
 
 constexpr int repeats = 5;  // of every trial; their median is the run time
