@@ -40,9 +40,6 @@ inline bool fills(const Range &data, const Range &axis, double tick) {
 inline bool fills_ordinate(const Range &data, const paper::AxisBox &box) {
   return fills(data, {box.lowest, box.highest}, box.tick);
 }
-inline bool fills_abscissa(const Range &data, const paper::AxisBox &box) {
-  return fills(data, {box.from, box.to}, box.tick_across);
-}
 
 // A figure at one trial frequency: which of its conditions the motion meets, in their order.
 struct Trial {
@@ -60,25 +57,21 @@ inline SampleRecorder scan_samples(const paper::AxisBox &box) {
   return {box.from, box.to, (box.to - box.from) / 2000.0};
 }
 
-// The displacements of a mass that a window shows: its samples, and its stop if it hits it there.
-inline Range shown(const Scene &scene, int mass, const SampleRecorder &samples,
-                   const std::vector<Event> &events) {
-  Range range = range_of(samples, mass);
-  for (const Event &event : events)
-    if (event.mass == mass && event.kind == EventKind::impact && event.time >= samples.from &&
-        event.time <= samples.to)
-      range.include(scene.stops[static_cast<std::size_t>(mass - 1)].position);
+// The displacements of these masses that a window shows: their samples, and their stops if they hit
+// them there.
+inline Range shown(const Scene &scene, const std::vector<int> &masses,
+                   const SampleRecorder &samples, const std::vector<Event> &events) {
+  Range range;
+  for (const int mass : masses) {
+    const Range sampled = range_of(samples, mass);
+    range.include(sampled.lowest);
+    range.include(sampled.highest);
+    for (const Event &event : events)
+      if (event.mass == mass && event.kind == EventKind::impact && event.time >= samples.from &&
+          event.time <= samples.to)
+        range.include(stop_of(scene, event).position);
+  }
   return range;
-}
-
-// The displacements of both masses.
-inline Range shown(const Scene &scene, const SampleRecorder &samples,
-                   const std::vector<Event> &events) {
-  Range both = shown(scene, 1, samples, events);
-  const Range second = shown(scene, 2, samples, events);
-  both.include(second.lowest);
-  both.include(second.highest);
-  return both;
 }
 
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
@@ -141,8 +134,8 @@ inline Trial try_figure2(double omega) {
       ++sticks[event.mass - 1];
   const Chatter chatter = chatter_after(events.events, 2, b.from, invisible(b));
   return {omega,
-          {fills_ordinate(shown(scene, samples, events.events), a),
-           fills_ordinate(shown(scene, 2, close_up, events.events), b),
+          {fills_ordinate(shown(scene, {1, 2}, samples, events.events), a),
+           fills_ordinate(shown(scene, {2}, close_up, events.events), b),
            sticks[0] == 10 && sticks[1] == 10,
            chatter.first_impact >= b.from && chatter.last_bounce_ends <= b.to}};
 }
@@ -150,8 +143,7 @@ inline Trial try_figure2(double omega) {
 // Figure 5(a). The text: mass 1 has a complete chatter and sticking sequence, mass 2 has two
 // impacts during its sticking phase. All of that is shown.
 inline Trial try_figure5a(double omega) {
-  Scene scene = paper::figure5a();
-  scene.omega = omega;
+  const Scene scene = with(paper::figure5a(), "omega", omega);
   const paper::AxisBox box = paper::panel("figure5a");
   const double period = Clock(omega).period;
   SampleRecorder samples = scan_samples(box);
@@ -168,7 +160,7 @@ inline Trial try_figure5a(double omega) {
     last = event.time;
   }
   return {omega,
-          {fills_ordinate(shown(scene, samples, events.events), box),
+          {fills_ordinate(shown(scene, {1, 2}, samples, events.events), box),
            chatter.first_impact >= box.from && chatter.stick <= box.to,
            impacts == 2 && last <= box.to}};
 }
@@ -177,8 +169,7 @@ inline Trial try_figure5a(double omega) {
 // to come so close that a plot does not show the gap. About 920 is nearer to 920 than to 919 or
 // 921. A mass that sticks stands exactly where its stop is.
 inline Trial try_figure5b(double omega) {
-  Scene scene = paper::figure5b();
-  scene.omega = omega;
+  const Scene scene = with(paper::figure5b(), "omega", omega);
   const paper::AxisBox box = paper::panel("figure5b");
   SampleRecorder samples = scan_samples(box);
   EventRecorder events{box.from};
@@ -191,7 +182,7 @@ inline Trial try_figure5b(double omega) {
     gap = scene.stops[1].position - x2;
   }
   return {omega,
-          {fills_ordinate(shown(scene, samples, events.events), box),
+          {fills_ordinate(shown(scene, {1, 2}, samples, events.events), box),
            gap <= invisible(box) && std::abs(time - 920.0) <= 0.5}};
 }
 

@@ -215,11 +215,12 @@ TEST(Figure4, IsDrawnFromTheHoldForceInEveryStickingPhase) {
     const auto phases =
         true_phases(name, k == 0 ? paper::figure4a().omega : paper::figure4b().omega);
     ASSERT_EQ(phases.size(), k + 1);  // printed: the phase is split in two
-    expect_axes(panels[k], name.back(), paper::panel("figure4"), 1);
+    const AxisBox box = paper::panel("figure4");
+    expect_axes(panels[k], name.back(), box, 1);
     ASSERT_EQ(panels[k].curves.size(), 2 + phases.size()) << "every phase and the gap is drawn";
     expect_level(panels[k].curves[0], 0.0);
     EXPECT_TRUE(
-        figures::fills_abscissa({phases.front()[0], phases.back()[1]}, paper::panel("figure4")));
+        figures::fills({phases.front()[0], phases.back()[1]}, {box.from, box.to}, box.tick_across));
     for (std::size_t phase = 0; phase < phases.size(); ++phase) {
       std::vector<double> t, force;
       for (std::size_t i = 0; i < columns["t"].size(); ++i)
