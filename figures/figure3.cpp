@@ -3,7 +3,7 @@
 #include "frequency_diagram.hpp"
 
 #include "driver.hpp"
-#include "panel.hpp"
+#include "runs.hpp"
 
 namespace {
 

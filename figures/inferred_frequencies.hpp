@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "panel.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "runs.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

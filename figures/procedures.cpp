@@ -10,7 +10,7 @@
 #include <string>
 
 #include "driver.hpp"
-#include "panel.hpp"
+#include "runs.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "figures/quantities.hpp"
+#include "figures/runs.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 
 namespace vibro_impact::others {

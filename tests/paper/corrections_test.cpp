@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "figures/panel.hpp"
+#include "figures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/events.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "figures/quantities.hpp"
+#include "figures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/numbers/quantities.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
