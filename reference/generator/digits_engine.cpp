@@ -16,11 +16,11 @@ std::size_t index(int mass) {
 }  // namespace
 
 const Run &DigitsEngine::run(const NamedScene &asked) {
-  for (const auto &[scene, until, known] : runs_)
-    if (scene == asked.scene && until == asked.until) return known;
+  for (const auto &[known, run] : runs_)
+    if (known.scene == asked.scene && known.until == asked.until) return run;
   const Scene scene = in_digits(asked.scene, asked.until);
-  runs_.push_back({asked.scene, asked.until, simulate(scene, resolution_down_to(Real("1e-20")))});
-  return runs_.back().run;
+  runs_.emplace_back(asked, simulate(scene, resolution_down_to(Real("1e-20"))));
+  return runs_.back().second;
 }
 
 std::vector<numbers::Occurrence<Real>> DigitsEngine::events(const NamedScene &asked) {

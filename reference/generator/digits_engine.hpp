@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <list>
+#include <utility>
 #include <vector>
 
 namespace vibro_impact_reference {
@@ -34,12 +35,8 @@ class DigitsEngine {
  private:
   const Run &run(const NamedScene &asked);
 
-  struct KnownRun {
-    vibro_impact::Scene scene;
-    double until;
-    Run run;
-  };
-  std::list<KnownRun> runs_;  // whose entries stay where they are when another one is added
+  // Its entries stay where they are when another one is added.
+  std::list<std::pair<NamedScene, Run>> runs_;
 };
 
 /// All quantities that this engine answers by a run, compiled once.
