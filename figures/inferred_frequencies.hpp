@@ -86,30 +86,23 @@ struct Chatter {
 // The first chatter of a mass that ends in sticking after `from`, with its flights higher than
 // `height`. A flight of duration T that begins at speed v rises by v T / 4, because the
 // acceleration is nearly constant over a late flight of a chatter.
-inline Chatter chatter_after(const std::vector<Event> &events, int mass, double from,
+inline Chatter chatter_after(std::vector<Event> events, int mass, double from,
                              double height = 0.0) {
-  Chatter chatter;
-  const Event *impact = nullptr;  // the one before
-  for (const Event &event : events) {
-    if (event.mass != mass) continue;
-    switch (event.kind) {
-      case EventKind::impact:
-        if (std::isnan(chatter.first_impact)) chatter.first_impact = event.time;
-        if (impact && std::abs(impact->velocity_after) * (event.time - impact->time) / 4 > height)
-          chatter.last_bounce_ends = event.time;
-        impact = &event;
-        break;
-      case EventKind::stick:
-        if (event.time < from) break;
-        chatter.stick = event.time;
-        return chatter;
-      case EventKind::release:
-        chatter = {};
-        impact = nullptr;
-        break;
-    }
+  std::erase_if(events, [mass](const Event &event) { return event.mass != mass; });
+  const auto stick = std::ranges::find_if(events, [from](const Event &event) {
+    return event.kind == EventKind::stick && event.time >= from;
+  });
+  if (stick == events.end()) return {};
+  Chatter chatter{.stick = stick->time};
+  for (auto next = stick; next != events.begin(); --next) {  // back through the impacts before it
+    const Event &impact = *std::prev(next);
+    if (impact.kind != EventKind::impact) break;
+    chatter.first_impact = impact.time;
+    const double rise = std::abs(impact.velocity_after) * (next->time - impact.time) / 4;
+    if (next != stick && rise > height && std::isnan(chatter.last_bounce_ends))
+      chatter.last_bounce_ends = next->time;
   }
-  return {};
+  return chatter;
 }
 
 // A plot does not show a height below a thousandth of its ordinate.
