@@ -155,8 +155,7 @@ bool same(const OrbitRecord &one, const OrbitRecord &other) {
 void add_starts(Table &table, double omega, std::size_t count) {
   const Scene scene = paper::figure3(omega);
   const auto starts = random_starts(scene, count, 0);
-  RecordOptions options;
-  options.impact_velocities = true;
+  const RecordOptions options{.impact_velocities = true};
   const auto records =
       sweep(count, [&](std::size_t k) { return record_of(scene, starts[k], options); });
   std::vector<OrbitRecord> different;

@@ -121,30 +121,28 @@ std::pair<double, double> exit_boundary(const Arguments &given) {
   return boost::math::statistics::simple_ordinary_least_squares(points.x, points.v);
 }
 
-numbers::Quantities<LibraryEngine> all_quantities() {
-  auto all = numbers::common_quantities<LibraryEngine>();
-  const std::string run = numbers::run_names;
-  all["eigenvalue"] = {run + " mode", [](LibraryEngine &, const Arguments &given) {
-                         return free_modes(given).lambda.at(index(given.mass("mode")));
-                       }};
-  all["mode_shape"] = {run + " mode mass", [](LibraryEngine &, const Arguments &given) {
-                         return free_modes(given).shape(index(given.mass("mass")),
-                                                        index(given.mass("mode")));
-                       }};
-  all["exit_slope"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
-                         return exit_boundary(given).second;
-                       }};
-  all["exit_intercept"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
-                             return exit_boundary(given).first;
-                           }};
-  all.merge(others::quantities());
-  return all;
-}
-
 }  // namespace
 
 const numbers::Quantities<LibraryEngine> &library_quantities() {
-  static const numbers::Quantities<LibraryEngine> quantities = all_quantities();
+  static const auto quantities = [] {
+    const std::string run = numbers::run_names;
+    auto all = numbers::common_quantities<LibraryEngine>();
+    all["eigenvalue"] = {run + " mode", [](LibraryEngine &, const Arguments &given) {
+                           return free_modes(given).lambda.at(index(given.mass("mode")));
+                         }};
+    all["mode_shape"] = {run + " mode mass", [](LibraryEngine &, const Arguments &given) {
+                           return free_modes(given).shape(index(given.mass("mass")),
+                                                          index(given.mass("mode")));
+                         }};
+    all["exit_slope"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
+                           return exit_boundary(given).second;
+                         }};
+    all["exit_intercept"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
+                               return exit_boundary(given).first;
+                             }};
+    all.merge(others::quantities());
+    return all;
+  }();
   return quantities;
 }
 

@@ -2,12 +2,12 @@
 // every single impact.
 //
 // Nothing but scenes and kinds of events is shared with the library on purpose, neither code nor
-// method. In particular a chatter
-// sequence is not taken to its limit here: its impacts are computed one by one until the speed is
-// below 1e-20. At such a speed v the flight is some v^2 = 1e-40 high, and the gap, a difference of
-// numbers of order one known to 1e-50, still has ten digits (the cancellation would take over near
-// sqrt(1e-50) = 1e-25). There, if the force presses the mass into its stop, it sticks. The chatter
-// that is left out lasts some 1e-19; that is the error of the generator.
+// method. In particular a chatter sequence is not taken to its limit here: its impacts are computed
+// one by one until the speed is below 1e-20. At such a speed v the flight is some v^2 = 1e-40 high,
+// and the gap, a difference of numbers of order one known to 1e-50, still has ten digits (the
+// cancellation would take over near sqrt(1e-50) = 1e-25). There, if the force presses the mass into
+// its stop, it sticks. The chatter that is left out lasts some 1e-19; that is the error of the
+// generator.
 #pragma once
 
 #include "signals.hpp"

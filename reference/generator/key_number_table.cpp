@@ -72,16 +72,13 @@ const numbers::Quantities<DigitsEngine> formulas{
                     return acos(Real(-1)) / sqrt(1 - zeta * zeta);
                   }}}};
 
-/// The frequencies are known to the width of a bracket, all else to 30 digits.
-int known_digits(const std::string &quantity) {
-  return quantity.ends_with("_frequency") ? 18 : 30;
-}
-
 }  // namespace
 
 std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number) {
   const auto &quantities = number.kind == "derived" ? formulas : quantities_in_digits();
-  return numbers::answer(engine, quantities, number).str(known_digits(number.quantity));
+  // The frequencies are known to the width of a bracket, all else to 30 digits.
+  const int known_digits = number.quantity.ends_with("_frequency") ? 18 : 30;
+  return numbers::answer(engine, quantities, number).str(known_digits);
 }
 
 std::string filled_table() {
