@@ -19,7 +19,7 @@ using figures::Procedure;
 
 // --- The windows of Figure 3 in which no chatter of mass 1 is complete ------------------------
 
-// The frequencies, 0.001 apart.
+// The frequencies tried are 0.001 apart.
 const Grid frequencies{paper::figure3(0.28), {{"omega", 0.28, 0.42, 141}}};
 
 // For each frequency, how many chatters of mass 1 are complete.

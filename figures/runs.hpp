@@ -1,4 +1,4 @@
-// What figures read off a run: events, counts, extremes, displacements across a window, and
+// Figures read these off runs: events, counts, extremes, displacements across a window, and
 // sticking phases.
 #pragma once
 

@@ -14,7 +14,7 @@ struct LibraryEngine {
 
   std::vector<numbers::Occurrence<double>> events(const paper::NamedScene &run);
   double period(const Scene &scene);
-  // Among samples every 1e-4.
+  // The range of samples 1e-4 apart.
   Range range(const paper::NamedScene &run, int mass, const numbers::Interval<double> &window);
   numbers::TurningPoint<double> turning_point(const paper::NamedScene &run, int mass,
                                               const numbers::Interval<double> &window);

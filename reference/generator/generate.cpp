@@ -36,8 +36,7 @@ std::string cases_table(const std::vector<vibro_impact::truth::Case> &cases) {
   return table;
 }
 
-// --- Error against run time
-// ------------------------------------------------------------------------
+// --- Error against run time -------------------------------------------------------------------
 
 /// A stretch of the motion of a scene of the paper: where it starts and ends.
 struct Stretch {

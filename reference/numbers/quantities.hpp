@@ -8,10 +8,9 @@
 //   Number                                        the type of its numbers
 //   events(run)                                   all events, in the order of time
 //   period(scene)                                 the forcing period
-//   range(run, mass, window)                      lowest and highest displacement in a window of
-//   time turning_point(run, mass, window)              where the displacement is greatest in the
-//   window least_pressing(run, stop)                     the least force into the stop, signed like
-//   the
+//   range(run, mass, window)                      lowest and highest displacement in a window
+//   turning_point(run, mass, window)              where the displacement is greatest in between
+//   least_pressing(run, stop)                     the least force into the stop, signed like the
 //                                                 force on the mass, in a sticking phase at the end
 //   changing_frequency(scene, mass, near, far, motion)
 //                                                 Omega at which the number of sticking phases of
