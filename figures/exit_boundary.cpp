@@ -4,7 +4,7 @@
 // Mass 2 (x2 = s2): x1' = -(k/c) x1 + (k/c) s2, fixed. Mass 1 (x1 = s1): x2' = -(k/c) (x2 - 2 s1)
 // - (A1/c) cos(Omega t), moving with the forcing.
 #include "driver.hpp"
-#include "panel.hpp"
+#include "runs.hpp"
 
 namespace {
 
@@ -13,7 +13,8 @@ using namespace vibro_impact;
 // The motion of mass `other` while `mass` sticks.
 Table orbit_of(const figures::StickingPhaseRecorder &phases) {
   Table table("phase,kind,t,x,v");
-  for (const auto &row : phases.rows) table.row(row.phase, row.kind, row.time, row.x, row.v);
+  for (const auto &row : phases.rows)
+    if (row.kind != "gap") table.row(row.phase, row.kind, row.time, row.x, row.v);
   return table;
 }
 

@@ -3,7 +3,7 @@
 #include "frequency_diagram.hpp"
 
 #include "driver.hpp"
-#include "panel.hpp"
+#include "runs.hpp"
 
 namespace {
 
@@ -32,8 +32,7 @@ const char *kind_of(const CountJump &change, int mass) {
   constexpr double touching = 1e-6;  // the force grows by 7 per unit of the frequency
   const bool fewer_below = change.count_below < change.count_above;
   const Scene scene = paper::figure3(fewer_below ? change.below : change.above);
-  const MotionState settled =
-      stroboscopic_map(scene, start_of(scene), paper::figure4_settling_periods);
+  const MotionState settled = state_after_periods(scene, paper::figure4_settling_periods);
   const auto least =
       least_pressing_force(scene, settled, scene.stops[static_cast<std::size_t>(mass - 1)]);
   return least && least->value < touching ? "multi-sliding" : "border orbit";

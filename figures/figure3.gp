@@ -16,8 +16,6 @@ array mark[3] = [9, 7, 13]
 array size[3] = [1.5, 1.3, 1.8]
 of_mass(mass) = column('mass') == mass ? column('omega') : NaN
 of_kind(k, mass) = strcol('kind') eq kinds[k] ? of_mass(mass) : NaN
-array window_from[2] = [0.3, 0.37]
-array window_to[2] = [0.35, 0.4]
 eval axes('figure3a')
 step = (axis_to - axis_from) / 1800  # of the frequencies
 # The heights of the bar and of the frequencies in panels (a) and (b). A frequency that is close to

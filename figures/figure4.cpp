@@ -5,53 +5,39 @@
 // The paper calls it F2 (Eq. 20). It is the force towards +x: the stop of mass 1 is a lower one, so
 // a negative force holds the mass to it.
 #include "driver.hpp"
-#include "panel.hpp"
+#include "runs.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 
-// The right-hand side of Eq. 20, c x2' + k x2 + A1 cos(Omega t) - 2 k s1, along the motion while
-// mass 1 is free. `gap` is the number of sticking phases of mass 1 so far.
-struct ForceAsIfHeld : Recorder {
-  struct Row {
-    int gap;
-    double phase, force;
-  };
-  Scene scene;
-  double from, to, every;
-  std::vector<Row> rows = {};
-  int gap = 0;
-  std::size_t asked = 0;
-
-  ForceAsIfHeld(const Scene &of, double from_time, double to_time, double every_time)
-      : scene(of), from(from_time), to(to_time), every(every_time) {
-  }
-  double next_time() const override {
-    return sample_time(from, to, every, asked);
-  }
-  void sample(const Moment &moment) override {
-    ++asked;
-    if (gap == 0 || !std::isnan(moment.hold_force(1))) return;
-    const double k = scene.stiffness[0], c = scene.beta * k, s1 = scene.stops[0].position;
-    const double forcing = scene.amplitude[0] * std::cos(scene.omega * moment.instant.phase);
-    const double force =
-        c * moment.velocity(2) + k * moment.displacement(2) + forcing - 2.0 * k * s1;
-    rows.push_back({gap, moment.instant.phase, force});
-  }
-  void event(const Event &event, const Moment &) override {
-    if (event.mass == 1 && event.kind == EventKind::stick && event.time >= from) ++gap;
-  }
-};
-
-// The force as if held between the sticking phases of the forcing period that `hold_force` shows.
-Table force_between_phases(const Scene &scene) {
+// The sticking phases of mass 1 in a settled forcing period, with the motion of mass 2.
+figures::StickingPhaseRecorder phases_of_mass_1(const Scene &scene) {
   const double period = Clock(scene.omega).period, from = paper::figure4_settling_periods * period;
-  ForceAsIfHeld force(scene, from, from + period, 0.001);
-  require_complete(simulate(scene, force.to, force));
+  figures::StickingPhaseRecorder phases(1, 2, from, from + period, 0.001);
+  require_complete(simulate(scene, phases.to, phases));
+  return phases;
+}
+
+// The hold force on mass 1 in these phases.
+Table hold_force(const Scene &scene) {
+  Table table("phase,t,F2");
+  for (const auto &row : phases_of_mass_1(scene).rows)
+    if (!std::isnan(row.force)) table.row(row.phase, row.time, row.force);
+  return table;
+}
+
+// The force as if mass 1 were held between these phases: the right-hand side of Eq. 20,
+// c x2' + k x2 + A1 cos(Omega t) - 2 k s1.
+Table force_between_phases(const Scene &scene) {
+  const double k = scene.stiffness[0], c = scene.beta * k, s1 = scene.stops[0].position;
+  const figures::StickingPhaseRecorder phases = phases_of_mass_1(scene);
   Table table("gap,t,F2");
-  for (const auto &row : force.rows)
-    if (row.gap < force.gap) table.row(row.gap, row.phase, row.force);
+  for (const auto &[phase, kind, time, force, x2, v2] : phases.rows) {
+    if (kind != "gap" || phase == 0 || phase == phases.phase) continue;
+    const double forcing = scene.amplitude[0] * std::cos(scene.omega * time);
+    table.row(phase, time, c * v2 + k * x2 + forcing - 2.0 * k * s1);
+  }
   return table;
 }
 
@@ -63,9 +49,9 @@ void draw(const std::filesystem::path &output) {
   };
   const Scene at = paper::stops_of_different_sign(bisect(phases, before.omega, after.omega).below);
   write(figures::parameters({before, after, at}), output / "figure4_scenes.csv");
-  write(figures::hold_force(before), output / "figure4a.csv");
-  write(figures::hold_force(after), output / "figure4b.csv");
-  write(figures::hold_force(at), output / "figure4_at.csv");
+  write(hold_force(before), output / "figure4a.csv");
+  write(hold_force(after), output / "figure4b.csv");
+  write(hold_force(at), output / "figure4_at.csv");
   write(force_between_phases(after), output / "figure4b_free.csv");
 }
 

@@ -30,11 +30,9 @@ inline std::vector<double> distinct(std::vector<double> values) {
 
 // The motion from rest with its chatter impacts down to slowest_impact_shown.
 inline OrbitRecord recorded_in_figure3(const Scene &scene) {
-  RecordOptions options;
-  options.settle.longest = paper::figure3_settling_periods;
-  options.impact_velocities = true;
-  options.slowest = paper::slowest_impact_shown;
-  return record_of(scene, options);
+  return record_of(scene, {.settle = {.longest = paper::figure3_settling_periods},
+                           .impact_velocities = true,
+                           .slowest = paper::slowest_impact_shown});
 }
 
 // The distinct impact velocities of a mass (from 1), the column v<mass>, at every frequency.

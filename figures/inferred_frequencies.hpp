@@ -11,6 +11,8 @@
 // at 0.12 above a stop at 0.1, ticks 0.02 apart. A mass reaches its stop in every impact.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "panel.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "runs.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -38,9 +40,6 @@ inline bool fills(const Range &data, const Range &axis, double tick) {
 inline bool fills_ordinate(const Range &data, const paper::AxisBox &box) {
   return fills(data, {box.lowest, box.highest}, box.tick);
 }
-inline bool fills_abscissa(const Range &data, const paper::AxisBox &box) {
-  return fills(data, {box.from, box.to}, box.tick_across);
-}
 
 // A figure at one trial frequency: which of its conditions the motion meets, in their order.
 struct Trial {
@@ -55,28 +54,24 @@ struct Trial {
 // A window has 2000 samples: an extreme is missed by (50 / 2000)^2 x'' / 8 at most, a thousandth of
 // a tick.
 inline SampleRecorder scan_samples(const paper::AxisBox &box) {
-  return samples_across(box, (box.to - box.from) / 2000.0);
+  return {box.from, box.to, (box.to - box.from) / 2000.0};
 }
 
-// The displacements of a mass that a window shows: its samples, and its stop if it hits it there.
-inline Range shown(const Scene &scene, int mass, const SampleRecorder &samples,
-                   const std::vector<Event> &events) {
-  Range range = range_of(samples, mass);
-  for (const Event &event : events)
-    if (event.mass == mass && event.kind == EventKind::impact && event.time >= samples.from &&
-        event.time <= samples.to)
-      range.include(scene.stops[static_cast<std::size_t>(mass - 1)].position);
+// The displacements of these masses that a window shows: their samples, and their stops if they hit
+// them there.
+inline Range shown(const Scene &scene, const std::vector<int> &masses,
+                   const SampleRecorder &samples, const std::vector<Event> &events) {
+  Range range;
+  for (const int mass : masses) {
+    const Range sampled = range_of(samples, mass);
+    range.include(sampled.lowest);
+    range.include(sampled.highest);
+    for (const Event &event : events)
+      if (event.mass == mass && event.kind == EventKind::impact && event.time >= samples.from &&
+          event.time <= samples.to)
+        range.include(stop_of(scene, event).position);
+  }
   return range;
-}
-
-// The displacements of both masses.
-inline Range shown(const Scene &scene, const SampleRecorder &samples,
-                   const std::vector<Event> &events) {
-  Range both = shown(scene, 1, samples, events);
-  const Range second = shown(scene, 2, samples, events);
-  both.include(second.lowest);
-  both.include(second.highest);
-  return both;
 }
 
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
@@ -91,30 +86,23 @@ struct Chatter {
 // The first chatter of a mass that ends in sticking after `from`, with its flights higher than
 // `height`. A flight of duration T that begins at speed v rises by v T / 4, because the
 // acceleration is nearly constant over a late flight of a chatter.
-inline Chatter chatter_after(const std::vector<Event> &events, int mass, double from,
+inline Chatter chatter_after(std::vector<Event> events, int mass, double from,
                              double height = 0.0) {
-  Chatter chatter;
-  const Event *impact = nullptr;  // the one before
-  for (const Event &event : events) {
-    if (event.mass != mass) continue;
-    switch (event.kind) {
-      case EventKind::impact:
-        if (std::isnan(chatter.first_impact)) chatter.first_impact = event.time;
-        if (impact && std::abs(impact->velocity_after) * (event.time - impact->time) / 4 > height)
-          chatter.last_bounce_ends = event.time;
-        impact = &event;
-        break;
-      case EventKind::stick:
-        if (event.time < from) break;
-        chatter.stick = event.time;
-        return chatter;
-      case EventKind::release:
-        chatter = {};
-        impact = nullptr;
-        break;
-    }
+  std::erase_if(events, [mass](const Event &event) { return event.mass != mass; });
+  const auto stick = std::ranges::find_if(events, [from](const Event &event) {
+    return event.kind == EventKind::stick && event.time >= from;
+  });
+  if (stick == events.end()) return {};
+  Chatter chatter{.stick = stick->time};
+  for (auto next = stick; next != events.begin(); --next) {  // back through the impacts before it
+    const Event &impact = *std::prev(next);
+    if (impact.kind != EventKind::impact) break;
+    chatter.first_impact = impact.time;
+    const double rise = std::abs(impact.velocity_after) * (next->time - impact.time) / 4;
+    if (next != stick && rise > height && std::isnan(chatter.last_bounce_ends))
+      chatter.last_bounce_ends = next->time;
   }
-  return {};
+  return chatter;
 }
 
 // A plot does not show a height below a thousandth of its ordinate.
@@ -139,8 +127,8 @@ inline Trial try_figure2(double omega) {
       ++sticks[event.mass - 1];
   const Chatter chatter = chatter_after(events.events, 2, b.from, invisible(b));
   return {omega,
-          {fills_ordinate(shown(scene, samples, events.events), a),
-           fills_ordinate(shown(scene, 2, close_up, events.events), b),
+          {fills_ordinate(shown(scene, {1, 2}, samples, events.events), a),
+           fills_ordinate(shown(scene, {2}, close_up, events.events), b),
            sticks[0] == 10 && sticks[1] == 10,
            chatter.first_impact >= b.from && chatter.last_bounce_ends <= b.to}};
 }
@@ -148,8 +136,7 @@ inline Trial try_figure2(double omega) {
 // Figure 5(a). The text: mass 1 has a complete chatter and sticking sequence, mass 2 has two
 // impacts during its sticking phase. All of that is shown.
 inline Trial try_figure5a(double omega) {
-  Scene scene = paper::figure5a();
-  scene.omega = omega;
+  const Scene scene = with(paper::figure5a(), "omega", omega);
   const paper::AxisBox box = paper::panel("figure5a");
   const double period = Clock(omega).period;
   SampleRecorder samples = scan_samples(box);
@@ -166,7 +153,7 @@ inline Trial try_figure5a(double omega) {
     last = event.time;
   }
   return {omega,
-          {fills_ordinate(shown(scene, samples, events.events), box),
+          {fills_ordinate(shown(scene, {1, 2}, samples, events.events), box),
            chatter.first_impact >= box.from && chatter.stick <= box.to,
            impacts == 2 && last <= box.to}};
 }
@@ -175,8 +162,7 @@ inline Trial try_figure5a(double omega) {
 // to come so close that a plot does not show the gap. About 920 is nearer to 920 than to 919 or
 // 921. A mass that sticks stands exactly where its stop is.
 inline Trial try_figure5b(double omega) {
-  Scene scene = paper::figure5b();
-  scene.omega = omega;
+  const Scene scene = with(paper::figure5b(), "omega", omega);
   const paper::AxisBox box = paper::panel("figure5b");
   SampleRecorder samples = scan_samples(box);
   EventRecorder events{box.from};
@@ -189,7 +175,7 @@ inline Trial try_figure5b(double omega) {
     gap = scene.stops[1].position - x2;
   }
   return {omega,
-          {fills_ordinate(shown(scene, samples, events.events), box),
+          {fills_ordinate(shown(scene, {1, 2}, samples, events.events), box),
            gap <= invisible(box) && std::abs(time - 920.0) <= 0.5}};
 }
 
@@ -234,17 +220,13 @@ inline bool is_printed(double omega) {
 
 // The rule of choice among the frequencies that fit. Throws std::runtime_error if none does, or if
 // the rule leaves several.
-inline double choice_among(const std::vector<double> &fitting) {
+inline double choice_among(std::vector<double> fitting) {
   const auto rank = [](double omega) { return is_printed(omega) ? 0 : 1 + decimals(omega); };
-  int best = std::numeric_limits<int>::max();
-  for (const double omega : fitting) best = std::min(best, rank(omega));
-  std::vector<double> left;
-  for (const double omega : fitting)
-    if (rank(omega) == best) left.push_back(omega);
-  if (left.size() != 1)
-    throw std::runtime_error("the rule of choice leaves " + std::to_string(left.size()) +
-                             " frequencies of " + std::to_string(fitting.size()) + " that fit");
-  return left.front();
+  std::ranges::sort(fitting, {}, rank);
+  if (fitting.empty() || (fitting.size() > 1 && rank(fitting[0]) == rank(fitting[1])))
+    throw std::runtime_error(
+        fmt::format("the rule of choice leaves none or several of {} that fit", fitting.size()));
+  return fitting.front();
 }
 
 // Tries every multiple of 1e-4 from `from` to `to`, in order.

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "driver.hpp"
-#include "panel.hpp"
+#include "runs.hpp"
 
 namespace {
 
@@ -19,26 +19,24 @@ using figures::Procedure;
 
 // --- The windows of Figure 3 in which no chatter of mass 1 is complete ------------------------
 
-constexpr double first_omega = 0.28, omega_step = 0.001;
-constexpr std::size_t omegas = 141;  // up to 0.42
+// The frequencies tried are 0.001 apart.
+const Grid frequencies{paper::figure3(0.28), {{"omega", 0.28, 0.42, 141}}};
 
-double omega_of(std::size_t i) {
-  return first_omega + omega_step * static_cast<double>(i);
-}
+// For each frequency, how many chatters of mass 1 are complete.
+using Complete = std::vector<std::ptrdiff_t>;
 
-// For each frequency, whether no chatter of mass 1 is complete.
-using Incomplete = std::vector<char>;
-
-// The cells of a row: the first and the last such frequency up to 0.36, and those above. The cells
-// of a window that does not exist are empty.
-void add_windows(Table &table, const std::string &procedure, const Incomplete &incomplete,
+// The cells of a row: the first and the last frequency without one up to 0.36, and those above. The
+// cells of a window that does not exist are empty.
+void add_windows(Table &table, const std::string &procedure, const Complete &complete,
                  std::size_t every = 1) {
   constexpr double between_windows = 0.36;
   table.cell(procedure);
   for (const bool low : {true, false}) {
     figures::Range window;
-    for (std::size_t i = 0; i < omegas; i += every)
-      if (incomplete[i] != 0 && (omega_of(i) < between_windows) == low) window.include(omega_of(i));
+    for (std::size_t i = 0; i < complete.size(); i += every) {
+      const double omega = frequencies.values(i).front();
+      if (complete[i] == 0 && (omega < between_windows) == low) window.include(omega);
+    }
     for (const double edge : {window.lowest, window.highest})
       std::isfinite(edge) ? table.cell(fmt::format("{:.3f}", edge)) : table.cell("");
   }
@@ -46,36 +44,35 @@ void add_windows(Table &table, const std::string &procedure, const Incomplete &i
 }
 
 // Follows a motion for `settling` and then `counted` forcing periods, to which it moves the start.
-// Returns whether mass 1 comes to stick in the latter.
-bool sticks(const Scene &scene, MotionState &start, const Procedure &procedure, int settling,
-            int counted) {
+// Returns how often mass 1 comes to stick in the latter.
+std::ptrdiff_t sticks(const Scene &scene, MotionState &start, const Procedure &procedure,
+                      int settling, int counted) {
   const double period = Clock(scene.omega).period, from = settling * period;
   const auto [events, end] = figures::follow(scene, start, from + counted * period, procedure);
   start = end;
   start.instant = {};
-  return std::any_of(events.begin(), events.end(), [from](const Event &event) {
+  return std::count_if(events.begin(), events.end(), [from](const Event &event) {
     return event.kind == EventKind::stick && event.mass == 1 && event.time > from;
   });
 }
 
 // The motions from rest by a procedure, plotted for `counted` periods after `settling` periods.
-Incomplete from_rest(const Procedure &procedure, int settling, int counted) {
-  return sweep(omegas, [&](std::size_t i) {
-    const Scene scene = paper::figure3(omega_of(i));
+Complete from_rest(const Procedure &procedure, int settling, int counted) {
+  return sweep(frequencies, [&](const Scene &scene) {
     MotionState start = start_of(scene);
-    return static_cast<char>(!sticks(scene, start, procedure, settling, counted));
+    return sticks(scene, start, procedure, settling, counted);
   });
 }
 
 // The exact motions, each from the state at the end of the one at the frequency before.
-Incomplete by_continuation(bool upwards) {
-  Incomplete incomplete(omegas);
-  MotionState start = start_of(paper::figure3(first_omega));
-  for (std::size_t n = 0; n < omegas; ++n) {
-    const std::size_t i = upwards ? n : omegas - 1 - n;
-    incomplete[i] = !sticks(paper::figure3(omega_of(i)), start, {}, 60, 20);
+Complete by_continuation(bool upwards) {
+  Complete complete(frequencies.points());
+  MotionState start = start_of(frequencies.scene);
+  for (std::size_t n = 0; n < complete.size(); ++n) {
+    const std::size_t i = upwards ? n : complete.size() - 1 - n;
+    complete[i] = sticks(frequencies.scene_at(i), start, {}, 60, 20);
   }
-  return incomplete;
+  return complete;
 }
 
 // Starts at random: displacements within 1 of the stop, speeds up to 0.5, the phase zero.
@@ -92,31 +89,30 @@ std::vector<MotionState> random_starts(const Scene &scene, std::size_t count, st
 }
 
 // The exact motions, each from a random start of its own.
-Incomplete from_random_starts() {
-  return sweep(omegas, [](std::size_t i) {
-    const Scene scene = paper::figure3(omega_of(i));
+Complete from_random_starts() {
+  return sweep(frequencies.points(), [](std::size_t i) {
+    const Scene scene = frequencies.scene_at(i);
     MotionState start = random_starts(scene, 1, i).front();
-    return static_cast<char>(!sticks(scene, start, {}, 60, 20));
+    return sticks(scene, start, {}, 60, 20);
   });
 }
 
 // The exact motions from rest, and a chatter counts as complete if the plot has a speed of mass 1
-// below the threshold.
-Incomplete by_visible_speed(double threshold) {
-  return sweep(omegas, [&](std::size_t i) {
-    const Scene scene = paper::figure3(omega_of(i));
+// below the threshold: such speeds are counted.
+Complete by_visible_speed(double threshold) {
+  return sweep(frequencies, [&](const Scene &scene) {
     const double period = Clock(scene.omega).period;
     ImpactVelocityRecorder impacts{1, 60 * period};
     const RunOptions all_visible{.limit_below_speed = threshold / 10};
     require_complete(simulate(scene, 64 * period, all_visible, impacts));
-    return static_cast<char>(std::all_of(impacts.velocities.begin(), impacts.velocities.end(),
-                                         [=](double v) { return std::abs(v) > threshold; }));
+    return std::count_if(impacts.velocities.begin(), impacts.velocities.end(),
+                         [=](double v) { return std::abs(v) <= threshold; });
   });
 }
 
 Table windows() {
   Table table("procedure,from_1,to_1,from_2,to_2");
-  const Incomplete exact = from_rest({}, 60, 40);
+  const Complete exact = from_rest({}, 60, 40);
   add_windows(table, "the exact motion from rest", exact);
   add_windows(table, "continuation upwards", by_continuation(true));
   add_windows(table, "continuation downwards", by_continuation(false));
@@ -159,8 +155,7 @@ bool same(const OrbitRecord &one, const OrbitRecord &other) {
 void add_starts(Table &table, double omega, std::size_t count) {
   const Scene scene = paper::figure3(omega);
   const auto starts = random_starts(scene, count, 0);
-  RecordOptions options;
-  options.impact_velocities = true;
+  const RecordOptions options{.impact_velocities = true};
   const auto records =
       sweep(count, [&](std::size_t k) { return record_of(scene, starts[k], options); });
   std::vector<OrbitRecord> different;

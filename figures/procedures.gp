@@ -5,8 +5,6 @@
 load 'figures/style.gp'
 windows = data.'/procedures_windows.csv'
 dual = data.'/procedures_dual.csv'
-array window_from[2] = [0.3, 0.37]
-array window_to[2] = [0.35, 0.4]
 half_step = 0.0005  # of the frequencies
 stats windows using 0 nooutput name 'row'
 

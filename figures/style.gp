@@ -46,6 +46,10 @@ axes(name) = sprintf("stats [*:*] [*:*] '%s' using (strcol('panel') eq '%s' ? ",
   "highest = column('highest'), across = column('tick_across'), up = column('tick')) : NaN) nooutput; ". \
   "set xrange [axis_from:axis_to]; set xtics across; set yrange [lowest:highest]; set ytics up"
 
+# The windows of Figure 3 in which the paper finds the chatter of mass 1 incomplete (Section 3.2).
+array window_from[2] = [0.3, 0.37]
+array window_to[2] = [0.35, 0.4]
+
 # eval panel('a') names the panel.
 panel(letter) = sprintf("set label 1 '(%s)' at character 1.2, graph 0.985", letter)
 

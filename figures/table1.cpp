@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "driver.hpp"
-#include "panel.hpp"
 #include "reference/scenes/table1_scenes.hpp"
+#include "runs.hpp"
 #include "vibro_impact/analysis/event_pairs.hpp"
 
 namespace {
@@ -12,10 +12,9 @@ using namespace vibro_impact;
 
 // The letter of the event of a mass in a pair: G (grazing), S (sticking) or I (impact). The name of
 // a mixed pair has that of `mass` first.
-const char *event_in(const PairedEvents &pair, int mass) {
+std::string event_in(const PairedEvents &pair, int mass) {
   const std::string name = abbreviation(pair.kind);
-  const char letter = name[0] == 'D' || mass == pair.other ? name[1] : name[0];
-  return letter == 'G' ? "G" : letter == 'S' ? "S" : "I";
+  return {name[0] == 'D' || mass == pair.other ? name[1] : name[0]};
 }
 
 // table1_<pair>.csv has a motion, table1_pairs.csv its stops and when it shows its pair: from `t`

@@ -8,14 +8,9 @@ namespace {
 
 using namespace vibro_impact;
 
-constexpr int longest = 200;  // forcing periods; some 85 per cent of the motions settle in them
+// Some 85 per cent of the motions settle in 200 forcing periods.
+const RecordOptions options{.settle = {.longest = 200}};
 constexpr std::size_t across = 200, upwards = 150;
-
-RecordOptions record_options() {
-  RecordOptions options;
-  options.settle.longest = longest;
-  return options;
-}
 
 bool sticks(const OrbitRecord &record, int mass) {
   return record.counts.sticks[static_cast<std::size_t>(mass - 1)] > 0;
@@ -47,7 +42,7 @@ double border_on(const Crossing &crossing, const Grid &grid) {
     for (std::size_t axis = 0; axis < 2; ++axis)
       scene = with(scene, grid.axes[axis].parameter,
                    crossing.from[axis] + part * (crossing.to[axis] - crossing.from[axis]));
-    return int{sticks(record_of(scene, record_options()), crossing.mass)};
+    return int{sticks(record_of(scene, options), crossing.mass)};
   };
   constexpr double width = 0.02;  // no plot shows less
   return bisect(sticks_at, 0.0, 1.0, width).below;
@@ -56,9 +51,8 @@ double border_on(const Crossing &crossing, const Grid &grid) {
 void draw(const std::filesystem::path &output) {
   const Grid grid{paper::figure2(),
                   {{"omega", 0.2, 0.8, across}, {"restitution", 0.0, 0.98, upwards}}};
-  const RecordOptions options = record_options();
   const std::vector<OrbitRecord> records =
-      sweep(grid, [&](const Scene &scene) { return record_of(scene, options); });
+      sweep(grid, [](const Scene &scene) { return record_of(scene, options); });
   Table map = sweep_table(grid, options);
   for (std::size_t k = 0; k < records.size(); ++k) add_row(map, grid, options, k, records[k]);
   write(map, output / "atlas.csv");

@@ -16,8 +16,6 @@ class(part) = part == 1 ? (column('period') == 0 ? 6 : column('period') > 4 ? 5 
   7 + (column('sticks1') > 0) + 2 * (column('sticks2') > 0)
 first(part) = part == 1 ? 1 : 7
 last(part) = part == 1 ? 6 : 10
-array window_from[2] = [0.3, 0.37]
-array window_to[2] = [0.35, 0.4]
 of_mass(mass, value) = column('mass') == mass ? value : NaN
 
 eval page('atlas', 2, 1)

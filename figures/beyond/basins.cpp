@@ -13,7 +13,8 @@ namespace {
 
 using namespace vibro_impact;
 
-constexpr int longest = 1000;  // forcing periods: near the grazing, motions settle slowly
+// Near the grazing, motions settle slowly.
+const RecordOptions options{.settle = {.longest = 1000}};
 constexpr std::size_t count = 100;
 
 // Displacements of each mass from its stop to 1.4 away from it.
@@ -30,14 +31,12 @@ Grid displacements(const Scene &scene) {
 void draw(const std::filesystem::path &output) {
   Scene grazing = paper::figure5b();
   grazing.omega = 0.299518;
-  RecordOptions options;
-  options.settle.longest = longest;
   for (const auto &[name, scene] :
        {std::pair{"basins1.csv", paper::figure3(0.625)}, std::pair{"basins2.csv", grazing}}) {
     const Grid grid = displacements(scene);
     Table table = sweep_table(grid, options);
     const std::vector<OrbitRecord> records =
-        sweep(grid, [&](const Scene &at) { return record_of(at, options); });
+        sweep(grid, [](const Scene &at) { return record_of(at, options); });
     for (std::size_t k = 0; k < records.size(); ++k) add_row(table, grid, options, k, records[k]);
     write(table, output / name);
   }

@@ -20,9 +20,8 @@ struct Document {
 };
 
 // The faults of a document with this text, a line for each: a text that it does not quote, a
-// verdict that is another one, a number that is no key number. Line breaks and the
-// number of blanks do not matter. Throws std::runtime_error for a verdict of a number that the
-// table lacks.
+// verdict that is another one, a number that is no key number. Line breaks and the number of blanks
+// do not matter. Throws std::runtime_error for a verdict of a number that the table lacks.
 std::vector<std::string> faults_of(const Findings &findings, const Document &document,
                                    const std::string &text);
 

@@ -13,7 +13,7 @@ using numbers::Verdict;
 
 Findings findings(const std::string &folder) {
   Findings findings;
-  for (const auto &number : numbers::read_numbers(folder + "/checked_numbers.csv"))
+  for (const auto &number : numbers::checked_numbers(folder))
     findings.push_back({number, computed(number)});
   return findings;
 }

@@ -4,7 +4,6 @@
 #include <boost/math/statistics/linear_regression.hpp>
 #include <stdexcept>
 
-#include "figures/quantities.hpp"
 #include "results_of_others.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -26,11 +25,6 @@ double change_of(const Count &count, double one, double other) {
   return 0.5 * (change.below + change.above);
 }
 
-Scene at_frequency(Scene scene, double omega) {
-  scene.omega = omega;
-  return scene;
-}
-
 }  // namespace
 
 std::vector<numbers::Occurrence<double>> LibraryEngine::events(const paper::NamedScene &run) {
@@ -44,20 +38,20 @@ double LibraryEngine::period(const Scene &scene) {
   return Clock(scene.omega).period;
 }
 
-double LibraryEngine::lowest(const paper::NamedScene &run, int mass, double from, double to) {
-  return range_in(run.scene, mass, from, to).lowest;
+Range LibraryEngine::range(const paper::NamedScene &run, int mass,
+                           const numbers::Interval<double> &window) {
+  SampleRecorder samples(window.from, window.to, 1e-4);
+  require_complete(simulate(run.scene, window.to, samples));
+  return range_of(samples, mass);
 }
 
-double LibraryEngine::highest(const paper::NamedScene &run, int mass, double from, double to) {
-  return range_in(run.scene, mass, from, to).highest;
-}
-
-numbers::TurningPoint<double> LibraryEngine::turning_point(const paper::NamedScene &run, int mass,
-                                                           double from, double to) {
+numbers::TurningPoint<double> LibraryEngine::turning_point(
+    const paper::NamedScene &run, int mass, const numbers::Interval<double> &window) {
   const auto state_at = [&](double time) {
     return require_complete(simulate(run.scene, time)).state;
   };
-  const double time = zero([&](double t) { return state_at(t).velocity[index(mass)]; }, from, to);
+  const double time =
+      zero([&](double t) { return state_at(t).velocity[index(mass)]; }, window.from, window.to);
   return {time, state_at(time).displacement[index(mass)]};
 }
 
@@ -70,29 +64,21 @@ double LibraryEngine::least_pressing(const paper::NamedScene &run, std::size_t s
 
 double LibraryEngine::changing_frequency(const Scene &scene, int mass, double near, double far,
                                          numbers::Motion motion) {
-  switch (motion) {
-    case numbers::Motion::settled:
-    case numbers::Motion::from_rest:
-      return change_of(
-          [&](double omega) { return settled_sticking_phases(at_frequency(scene, omega), mass); },
-          near, far);
-    case numbers::Motion::followed: {
-      const MotionState settled =
-          state_after_periods(at_frequency(scene, near), paper::figure4_settling_periods);
-      return change_of(
-          [&](double omega) {
-            return followed_sticking_phases(at_frequency(scene, omega), mass, settled);
-          },
-          near, far);
-    }
-  }
-  throw std::logic_error("motion: its kind is unknown");
+  const MotionState start =
+      motion == numbers::Motion::followed
+          ? state_after_periods(with(scene, "omega", near), paper::figure4_settling_periods)
+          : start_of(scene);
+  return change_of(
+      [&](double omega) {
+        return followed_sticking_phases(with(scene, "omega", omega), mass, start);
+      },
+      near, far);
 }
 
 double LibraryEngine::grazing_frequency(const Scene &given, int mass, double near, double far) {
   const auto stop = static_cast<std::ptrdiff_t>(numbers::stop_of(given, mass));
   const auto impacts = [&](double omega) {
-    Scene scene = at_frequency(given, omega);
+    Scene scene = with(given, "omega", omega);
     scene.stops.erase(scene.stops.begin() + stop);
     const MotionState start = state_after_periods(scene, paper::figure4_settling_periods);
     scene.stops = given.stops;
@@ -110,14 +96,6 @@ namespace {
 NaturalModes free_modes(const Arguments &given) {
   const Scene scene = numbers::run_of(given).scene;
   return natural_modes(scene, Held(scene.mass.size(), 0));
-}
-
-double eigenvalue(LibraryEngine &, const Arguments &given) {
-  return free_modes(given).lambda.at(index(given.mass("mode")));
-}
-
-double mode_shape(LibraryEngine &, const Arguments &given) {
-  return free_modes(given).shape(index(given.mass("mass")), index(given.mass("mode")));
 }
 
 // The motion (x1, x1') at the releases of the last of two masses at roots of its hold force.
@@ -139,40 +117,38 @@ struct ReleasePoints : Recorder {
 std::pair<double, double> exit_boundary(const Arguments &given) {
   ReleasePoints points(given.mass("mass"));
   for (double omega : {0.25, 0.26, 0.27, 0.28, 0.29, 0.3, 0.32, 0.34, 0.36, 0.4})
-    require_complete(simulate(at_frequency(numbers::run_of(given).scene, omega), 200.0, points));
+    require_complete(simulate(with(numbers::run_of(given).scene, "omega", omega), 200.0, points));
   return boost::math::statistics::simple_ordinary_least_squares(points.x, points.v);
-}
-
-numbers::Quantities<LibraryEngine> all_quantities() {
-  auto all = numbers::common_quantities<LibraryEngine>();
-  const std::string run = numbers::run_names;
-  all["eigenvalue"] = {run + " mode", eigenvalue};
-  all["mode_shape"] = {run + " mode mass", mode_shape};
-  all["exit_slope"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
-                         return exit_boundary(given).second;
-                       }};
-  all["exit_intercept"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
-                             return exit_boundary(given).first;
-                           }};
-  all.merge(others::quantities());
-  return all;
 }
 
 }  // namespace
 
 const numbers::Quantities<LibraryEngine> &library_quantities() {
-  static const numbers::Quantities<LibraryEngine> quantities = all_quantities();
+  static const auto quantities = [] {
+    const std::string run = numbers::run_names;
+    auto all = numbers::common_quantities<LibraryEngine>();
+    all["eigenvalue"] = {run + " mode", [](LibraryEngine &, const Arguments &given) {
+                           return free_modes(given).lambda.at(index(given.mass("mode")));
+                         }};
+    all["mode_shape"] = {run + " mode mass", [](LibraryEngine &, const Arguments &given) {
+                           return free_modes(given).shape(index(given.mass("mass")),
+                                                          index(given.mass("mode")));
+                         }};
+    all["exit_slope"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
+                           return exit_boundary(given).second;
+                         }};
+    all["exit_intercept"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
+                               return exit_boundary(given).first;
+                             }};
+    all.merge(others::quantities());
+    return all;
+  }();
   return quantities;
 }
 
 double computed(const numbers::CheckedNumber &number) {
   LibraryEngine engine;
-  try {
-    return numbers::answer(engine, library_quantities(), number.quantity, number.arguments);
-  } catch (const std::exception &error) {
-    throw std::runtime_error(
-        fmt::format("{}, {} {}: {}", number.id, number.quantity, number.given, error.what()));
-  }
+  return numbers::answer(engine, library_quantities(), number);
 }
 
 }  // namespace vibro_impact::figures

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "reference/numbers/checked_number.hpp"
+#include "figures/runs.hpp"
 #include "reference/numbers/quantities.hpp"
 
 namespace vibro_impact::figures {
@@ -14,10 +14,10 @@ struct LibraryEngine {
 
   std::vector<numbers::Occurrence<double>> events(const paper::NamedScene &run);
   double period(const Scene &scene);
-  double lowest(const paper::NamedScene &run, int mass, double from, double to);
-  double highest(const paper::NamedScene &run, int mass, double from, double to);
-  numbers::TurningPoint<double> turning_point(const paper::NamedScene &run, int mass, double from,
-                                              double to);
+  // The range of samples 1e-4 apart.
+  Range range(const paper::NamedScene &run, int mass, const numbers::Interval<double> &window);
+  numbers::TurningPoint<double> turning_point(const paper::NamedScene &run, int mass,
+                                              const numbers::Interval<double> &window);
   // On the periodic orbit to which the motion settles.
   double least_pressing(const paper::NamedScene &run, std::size_t stop);
   double changing_frequency(const Scene &scene, int mass, double near, double far,

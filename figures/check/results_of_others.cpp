@@ -1,9 +1,10 @@
 #include "results_of_others.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "figures/quantities.hpp"
+#include "figures/runs.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 
 namespace vibro_impact::others {
@@ -13,10 +14,8 @@ using extremes::one_mass;
 // --- One mass before one stop: x'' + c x' + x = A cos(omega t), x <= stop ---------------------
 
 double multiplier_near(double target, const std::vector<std::complex<double>> &multipliers) {
-  double nearest = multipliers.front().real();
-  for (const auto &multiplier : multipliers)
-    if (std::abs(multiplier - target) < std::abs(nearest - target)) nearest = multiplier.real();
-  return nearest;
+  const auto distance = [target](const auto &multiplier) { return std::abs(multiplier - target); };
+  return std::ranges::min(multipliers, {}, distance).real();
 }
 
 namespace {
@@ -114,13 +113,6 @@ Scene bar(int elements, int per_length) {
 
 constexpr double end_of_bar = 0.0015;  // the bar has left the wall by this time
 
-// From the first contact of the bar of that many elements with the wall to the release.
-double contact_time(int elements) {
-  const Scene scene = bar(elements, elements);
-  return event_of(scene, end_of_bar, EventKind::release).time -
-         event_of(scene, end_of_bar, EventKind::stick).time;
-}
-
 }  // namespace
 
 // --- The table -----------------------------------------------------------------------------------
@@ -161,8 +153,14 @@ numbers::Quantities<figures::LibraryEngine> quantities() {
         [](Library, P p) {
           return event_of(ball_of(p), 10.0, EventKind::impact, p.at("impact"), true).time;
         }}},
-      {"bar_contact_time",
-       {"elements", [](Library, P p) { return contact_time(static_cast<int>(p.at("elements"))); }}},
+      {"bar_contact_time",  // from the first contact with the wall to the release
+       {"elements",
+        [](Library, P p) {
+          const int elements = static_cast<int>(p.at("elements"));
+          const Scene scene = bar(elements, elements);
+          return event_of(scene, end_of_bar, EventKind::release).time -
+                 event_of(scene, end_of_bar, EventKind::stick).time;
+        }}},
       {"bar_end_of_contact",
        {"elements per_length start",
         [](Library, P p) {

@@ -54,15 +54,6 @@ double seconds_of(const Trial &trial) {
   return processor_seconds() - begin;
 }
 
-std::vector<Trial> trials_of(const std::vector<Problem> &problems,
-                             const std::vector<Method> &methods) {
-  std::vector<Trial> trials;
-  for (const Problem &problem : problems)
-    for (const Method &method : methods)
-      for (const double setting : method.settings) trials.push_back({&problem, &method, setting});
-  return trials;
-}
-
 // The first run of a trial gives its errors; further ones give how many runs make a sample.
 void run_first(Trial &trial) {
   trial.result = trial.method->run(*trial.problem, trial.setting);
@@ -90,7 +81,8 @@ Table table_of(const std::vector<Trial> &trials) {
 
 // Run times are per forcing period, and for less than a period, per run.
 double runs_counted(const Problem &problem) {
-  return std::max(1.0, problem.periods());
+  const double length = problem.until - problem.start.time;
+  return std::max(1.0, length / Clock(problem.scene.omega).period);
 }
 
 constexpr int repeats = 5;  // of every trial; their median is the run time
@@ -100,7 +92,10 @@ void compare(const std::filesystem::path &output) {
   const Methods all = all_methods();
   for (const std::string &line : all.left_out)
     fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
-  std::vector<Trial> trials = trials_of(cases, all.methods);
+  std::vector<Trial> trials;
+  for (const Problem &problem : cases)
+    for (const Method &method : all.methods)
+      for (const double setting : method.settings) trials.push_back({&problem, &method, setting});
   Progress progress("error_vs_runtime", static_cast<double>(trials.size()) * (repeats + 1));
   for (Trial &trial : trials) {
     run_first(trial);

@@ -84,31 +84,25 @@ inline std::string three_digits(double value) {
 // every method. Of one flight and one sticking phase it has the fastest runs of the library and of
 // runge_kutta_dopri5 with errors below 1e-7.
 inline truth::Rows rows_of_methods(const std::vector<Measured> &runs) {
-  struct Line {
-    std::string motion;
-    Measured run;
-  };
-  std::vector<Line> lines;
-  std::vector<std::string> methods;
-  for (const Measured &run : runs)
-    if (run.problem == "figure2" &&
-        std::find(methods.begin(), methods.end(), run.method) == methods.end())
-      methods.push_back(run.method);
-  for (const std::string &method : methods)
-    lines.push_back({"ten periods of Figure 2", most_accurate(runs, "figure2", method)});
-  for (const std::string problem : {"flight", "sticking"})
-    for (const std::string method : {library, "odeint runge_kutta_dopri5"})
-      lines.push_back({problem == "flight" ? "one flight" : "one sticking phase",
-                       fastest(runs, problem, method, 1e-7)});
   truth::Rows rows{{"motion", "method", "setting", "largest error of an event time", "us",
                     "relative to the library"}};
   double reference = 0.0;  // the time of the library, which comes first in each motion
-  for (const auto &[motion, run] : lines) {
+  const auto add = [&](const std::string &motion, const Measured &run) {
     if (run.method == library) reference = run.microseconds;
     rows.push_back({motion, run.method, fmt::format("{:.0e}", run.setting),
                     fmt::format("{:.1e}", run.error), three_digits(run.microseconds),
                     three_digits(run.microseconds / reference)});
-  }
+  };
+  std::vector<std::string> methods;
+  for (const Measured &run : runs)
+    if (run.problem == "figure2" && std::ranges::count(methods, run.method) == 0)
+      methods.push_back(run.method);
+  for (const std::string &method : methods)
+    add("ten periods of Figure 2", most_accurate(runs, "figure2", method));
+  for (const std::string method : {library, "odeint runge_kutta_dopri5"})
+    add("one flight", fastest(runs, "flight", method, 1e-7));
+  for (const std::string method : {library, "odeint runge_kutta_dopri5"})
+    add("one sticking phase", fastest(runs, "sticking", method, 1e-7));
   return rows;
 }
 

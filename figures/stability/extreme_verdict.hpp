@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "figures/quantities.hpp"
+#include "figures/runs.hpp"
 #include "reference/truth/event_comparison.hpp"
 #include "reference/truth/event_reader.hpp"
 #include "reference/truth/extreme_cases.hpp"

@@ -38,22 +38,14 @@ Eigensystem jacobi_eigensystem(Matrix a) {
         const Real t = (theta < 0 ? -1 : 1) / (abs(theta) + sqrt(theta * theta + 1));
         const Real c = 1 / sqrt(t * t + 1);
         const Real s = t * c;
-        for (std::size_t i = 0; i < n; ++i) {
-          const Real aip = a[i][p];
-          const Real aiq = a[i][q];
-          a[i][p] = c * aip - s * aiq;
-          a[i][q] = s * aip + c * aiq;
-        }
-        for (std::size_t i = 0; i < n; ++i) {
-          const Real api = a[p][i];
-          const Real aqi = a[q][i];
-          a[p][i] = c * api - s * aqi;
-          a[q][i] = s * api + c * aqi;
-          const Real vip = v[i][p];
-          const Real viq = v[i][q];
-          v[i][p] = c * vip - s * viq;
-          v[i][q] = s * vip + c * viq;
-        }
+        const auto rotate = [&](Real &x, Real &y) {
+          const Real before = x;
+          x = c * before - s * y;
+          y = s * before + c * y;
+        };
+        for (std::size_t i = 0; i < n; ++i) rotate(a[i][p], a[i][q]);
+        for (std::size_t i = 0; i < n; ++i) rotate(a[p][i], a[q][i]);
+        for (std::size_t i = 0; i < n; ++i) rotate(v[i][p], v[i][q]);
         a[p][q] = 0;
         a[q][p] = 0;
       }

@@ -71,8 +71,7 @@ Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector 
                const std::vector<bool> &resting, Eigensystems &known);
 
 /// The fastest rate still in motion a time tau after the start of the flow: the fast decay of an
-/// over-damped mode, e^{-(a + nu) tau}, no longer counts once it is below 1e-60
-/// (with 50 digits).
+/// over-damped mode, e^{-(a + nu) tau}, no longer counts once it is below 1e-60 (with 50 digits).
 Real fastest_rate_at(const Flow &flow, const Real &tau);
 
 /// The distance at which a flow is sampled: part of a cycle of that rate.

@@ -2,18 +2,12 @@
 
 #include "event_table.hpp"
 #include "frequencies.hpp"
-#include "turning_points.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 
 namespace vibro_impact_reference {
 
 namespace {
-
-/// How far, and how exactly, a chatter is followed for a key number.
-Resolution key_number_resolution() {
-  return {Real("1e-20"), {Real("1e-36"), true}};
-}
 
 std::size_t index(int mass) {
   return static_cast<std::size_t>(mass - 1);
@@ -22,11 +16,11 @@ std::size_t index(int mass) {
 }  // namespace
 
 const Run &DigitsEngine::run(const NamedScene &asked) {
-  for (const auto &[scene, until, known] : runs_)
-    if (scene == asked.scene && until == asked.until) return known;
+  for (const auto &[known, run] : runs_)
+    if (known.scene == asked.scene && known.until == asked.until) return run;
   const Scene scene = in_digits(asked.scene, asked.until);
-  runs_.push_back({asked.scene, asked.until, simulate(scene, key_number_resolution())});
-  return runs_.back().run;
+  runs_.emplace_back(asked, simulate(scene, resolution_down_to(Real("1e-20"))));
+  return runs_.back().second;
 }
 
 std::vector<numbers::Occurrence<Real>> DigitsEngine::events(const NamedScene &asked) {
@@ -41,18 +35,15 @@ Real DigitsEngine::period(const vibro_impact::Scene &scene) {
   return 2 * acos(Real(-1)) / Real(scene.omega);
 }
 
-Real DigitsEngine::lowest(const NamedScene &asked, int mass, double from, double to) {
-  return extremes(run(asked), Real(from), Real(to)).lowest[index(mass)];
-}
-
-Real DigitsEngine::highest(const NamedScene &asked, int mass, double from, double to) {
-  return extremes(run(asked), Real(from), Real(to)).highest[index(mass)];
+Extremes DigitsEngine::range(const NamedScene &asked, int mass,
+                             const numbers::Interval<double> &window) {
+  return extremes(run(asked), index(mass), Real(window.from), Real(window.to));
 }
 
 numbers::TurningPoint<Real> DigitsEngine::turning_point(const NamedScene &asked, int mass,
-                                                        double from, double to) {
-  const Extremes found = extremes(run(asked), Real(from), Real(to));
-  return {found.highest_at[index(mass)], found.highest[index(mass)]};
+                                                        const numbers::Interval<double> &window) {
+  const Extremes found = range(asked, mass, window);
+  return {found.highest_at, found.highest};
 }
 
 Real DigitsEngine::least_pressing(const NamedScene &asked, std::size_t stop) {
@@ -62,17 +53,15 @@ Real DigitsEngine::least_pressing(const NamedScene &asked, std::size_t stop) {
 
 Real DigitsEngine::changing_frequency(const vibro_impact::Scene &scene, int mass, double near,
                                       double far, numbers::Motion motion) {
-  const Scene digits = in_digits(scene, 0.0);
-  const Bracket bracket{Real(near), Real(far)};
-  const Count sticks = sticks_of(index(mass));
-  switch (motion) {
-    case numbers::Motion::from_rest:
-      return jumping_frequency(digits, bracket, settling_of_a_jump, sticks);
-    case numbers::Motion::settled:
-    case numbers::Motion::followed:
-      return vibro_impact_reference::changing_frequency(digits, bracket, sticks);
-  }
-  throw std::logic_error("motion: its kind is unknown");
+  const auto frequency_of = motion == numbers::Motion::from_rest
+                                ? jumping_frequency
+                                : vibro_impact_reference::changing_frequency;
+  const Count sticks = [mass](const Run &run) {
+    return std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
+      return event.kind == EventKind::stick && event.mass == index(mass);
+    });
+  };
+  return frequency_of(in_digits(scene, 0.0), Real(near), Real(far), sticks);
 }
 
 Real DigitsEngine::grazing_frequency(vibro_impact::Scene scene, int mass, double near, double far) {
@@ -80,10 +69,10 @@ Real DigitsEngine::grazing_frequency(vibro_impact::Scene scene, int mass, double
                     static_cast<std::ptrdiff_t>(vibro_impact::numbers::stop_of(scene, mass));
   const Real place = Real(stop->position);
   scene.stops.erase(stop);
-  const Count reaches = [&](const Run &run) -> std::size_t {
-    return extremes(run, Real(0), Real("1e9")).highest[index(mass)] >= place ? 1 : 0;
+  const Count reaches = [&](const Run &run) {
+    return extremes(run, index(mass), Real(0), Real("1e9")).highest >= place;
   };
-  return vibro_impact_reference::changing_frequency(in_digits(scene, 0.0), {Real(near), Real(far)},
+  return vibro_impact_reference::changing_frequency(in_digits(scene, 0.0), Real(near), Real(far),
                                                     reaches);
 }
 

@@ -1,11 +1,12 @@
 // The engine of 50 digits: it answers the questions of reference/numbers/quantities.hpp.
 #pragma once
 
-#include "event_driven.hpp"
 #include "reference/numbers/quantities.hpp"
+#include "turning_points.hpp"
 
 #include <cstddef>
 #include <list>
+#include <utility>
 #include <vector>
 
 namespace vibro_impact_reference {
@@ -20,10 +21,9 @@ class DigitsEngine {
 
   std::vector<numbers::Occurrence<Real>> events(const NamedScene &asked);
   Real period(const vibro_impact::Scene &scene);
-  Real lowest(const NamedScene &asked, int mass, double from, double to);
-  Real highest(const NamedScene &asked, int mass, double from, double to);
-  numbers::TurningPoint<Real> turning_point(const NamedScene &asked, int mass, double from,
-                                            double to);
+  Extremes range(const NamedScene &asked, int mass, const numbers::Interval<double> &window);
+  numbers::TurningPoint<Real> turning_point(const NamedScene &asked, int mass,
+                                            const numbers::Interval<double> &window);
   /// In the last two forcing periods.
   Real least_pressing(const NamedScene &asked, std::size_t stop);
   /// The settled motion and the one followed from `near` are found in the same way.
@@ -35,12 +35,8 @@ class DigitsEngine {
  private:
   const Run &run(const NamedScene &asked);
 
-  struct KnownRun {
-    vibro_impact::Scene scene;
-    double until;
-    Run run;
-  };
-  std::list<KnownRun> runs_;  // whose entries stay where they are when another one is added
+  // Its entries stay where they are when another one is added.
+  std::list<std::pair<NamedScene, Run>> runs_;
 };
 
 /// All quantities that this engine answers by a run, compiled once.

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "at_rest.hpp"
+
 namespace vibro_impact_reference {
 
 Resolution resolution_down_to(const Real &floor) {
@@ -28,6 +30,13 @@ Real first_step(const Scene &scene, const State &state,
   }
   return step;
 }
+
+/// The next events along a flow: the time since its start and the stops concerned (several if at
+/// the same instant).
+struct NextEvents {
+  Real duration;
+  std::vector<std::size_t> stops;
+};
 
 /// Samples the flow until something happens or `horizon` is reached (then no stop is named). Zeros
 /// a thousand widths apart are one event.
@@ -162,13 +171,17 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
 }  // namespace
 
 State initial_state(const Scene &scene, const Resolution &resolution, Run &run) {
-  State state = free_state(scene, Real(0), scene[&Field::displacement], scene[&Field::velocity]);
+  State state{.time = 0,
+              .x = scene[&Field::displacement],
+              .v = scene[&Field::velocity],
+              .stuck_on = std::vector<std::optional<std::size_t>>(scene.masses()),
+              .stop_start = std::vector<Start>(scene.stops.size(), Start::apart)};
   std::vector<std::size_t> hit, at_rest, in_question;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
     const Stop &stop = scene.stops[i];
     if (state.x[stop.mass] != stop.position) continue;
     state.stop_start[i] = Start::touching;
-    const Real closing = side_sign(stop) * state.v[stop.mass];
+    const Real closing = sign(stop.side) * state.v[stop.mass];
     if (closing > 0) hit.push_back(i);
     if (closing == 0) at_rest.push_back(i);
   }
@@ -202,7 +215,7 @@ void advance(const Scene &scene, State &state, Run &run, const Resolution &resol
     std::fill(state.stop_start.begin(), state.stop_start.end(), Start::apart);
     state.decided.clear();
     state.decided_for = 0;
-    run.pieces.push_back({flow, next.duration, run.events.size()});
+    run.pieces.push_back({flow, next.duration});
     if (next.stops.empty()) break;
     apply_events(scene, state, next.stops, resolution, run);
   }

@@ -2,15 +2,14 @@
 // every single impact.
 //
 // Nothing but scenes and kinds of events is shared with the library on purpose, neither code nor
-// method. In particular a chatter
-// sequence is not taken to its limit here: its impacts are computed one by one until the speed is
-// below 1e-20. At such a speed v the flight is some v^2 = 1e-40 high, and the gap, a difference of
-// numbers of order one known to 1e-50, still has ten digits (the cancellation would take over near
-// sqrt(1e-50) = 1e-25). There, if the force presses the mass into its stop, it sticks. The chatter
-// that is left out lasts some 1e-19; that is the error of the generator.
+// method. In particular a chatter sequence is not taken to its limit here: its impacts are computed
+// one by one until the speed is below 1e-20. At such a speed v the flight is some v^2 = 1e-40 high,
+// and the gap, a difference of numbers of order one known to 1e-50, still has ten digits (the
+// cancellation would take over near sqrt(1e-50) = 1e-25). There, if the force presses the mass into
+// its stop, it sticks. The chatter that is left out lasts some 1e-19; that is the error of the
+// generator.
 #pragma once
 
-#include "at_rest.hpp"
 #include "signals.hpp"
 #include "vibro_impact/event.hpp"
 
@@ -47,11 +46,10 @@ struct Event {
   Real left_out = 0;
 };
 
-/// A piece of smooth motion, and how many events came before it.
+/// A piece of smooth motion.
 struct Piece {
   Flow flow;
   Real duration;
-  std::size_t events_before;
 };
 
 /// What a simulation leaves, in the order of time, and the contact modes it has met.
@@ -59,13 +57,6 @@ struct Run {
   std::vector<Event> events = {};
   std::vector<Piece> pieces = {};
   Eigensystems known = {};
-};
-
-/// The next events along a flow: the time since its start and the stops concerned (several if at
-/// the same instant).
-struct NextEvents {
-  Real duration;
-  std::vector<std::size_t> stops;
 };
 
 /// The state at t = 0; a mass that starts on a stop hits it, rests on it, or leaves it, as its

@@ -1,17 +1,16 @@
 #include "event_table.hpp"
 
+#include <fmt/ranges.h>
+
 #include <sstream>
 
 namespace vibro_impact_reference {
 
 std::string contact_mode(const std::vector<bool> &stuck) {
-  std::string mode;
-  for (std::size_t p = 0; p < stuck.size(); ++p) {
-    if (!stuck[p]) continue;
-    if (!mode.empty()) mode += '+';
-    mode += std::to_string(p + 1);
-  }
-  return mode.empty() ? "-" : mode;
+  std::vector<std::size_t> masses;
+  for (std::size_t p = 0; p < stuck.size(); ++p)
+    if (stuck[p]) masses.push_back(p + 1);
+  return masses.empty() ? "-" : fmt::format("{}", fmt::join(masses, "+"));
 }
 
 namespace {

@@ -1,100 +1,102 @@
 #include "frequencies.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace vibro_impact_reference {
 
 namespace {
 
-/// The motion that goes on from `state`, at phase zero of the forcing, for some forcing periods.
-/// Brings the state to their end, where the phase is zero again and the time is counted anew.
-Run carried_on(Scene scene, State &state, int periods, const Resolution &resolution) {
+/// Forcing periods: for the motion from rest to settle, for the motion to settle that begins near
+/// the settled one, and counted over. The slowest motion to settle is that at border_mass_2_3.
+constexpr int settling_from_rest = 300, settling_from_near = 10, counted = 4;
+
+/// Both motions at the jump are reached within 60 periods from rest, to the same frequency in
+/// double precision as after 800.
+constexpr int settling_of_a_jump = 100;
+
+/// A chatter followed down to a speed v tells whether it is complete where the frequency is farther
+/// from the change than some 500 v (measured at border_mass_2_4).
+const Resolution resolution = resolution_down_to(Real("1e-22"));
+
+/// A bracket is bisected until it is narrower than this. A double has 17 digits.
+const Real bracket_width = Real("1e-18");
+
+/// A motion at phase zero of the forcing.
+struct MotionAt {
+  Real frequency;
+  State state;
+};
+
+/// The run of some forcing periods from `motion`, which it brings to their end, where the phase is
+/// zero again and the time is counted anew.
+Run carry_on(Scene scene, MotionAt &motion, int periods) {
   Run run;
-  scene.end_time = periods * 2 * acos(Real(-1)) / scene[&Field::omega];
-  advance(scene, state, run, resolution);
-  state.time = 0;
+  scene[&Field::omega] = motion.frequency;
+  scene.end_time = periods * 2 * acos(Real(-1)) / motion.frequency;
+  advance(scene, motion.state, run, resolution);
+  motion.state.time = 0;
   return run;
 }
 
-/// The state at another frequency on the line through two settled motions, up to the square of the
-/// distance.
-State extrapolated(const Settled &one, const Settled &other, const Real &frequency) {
-  const Real part = (frequency - one.frequency) / (other.frequency - one.frequency);
-  State state = one.state;
-  for (std::size_t i = 0; i < state.x.size(); ++i) {
-    state.x[i] += part * (other.state.x[i] - one.state.x[i]);
-    state.v[i] += part * (other.state.v[i] - one.state.v[i]);
-  }
-  return state;
+/// The motion from rest after some forcing periods.
+MotionAt from_rest(Scene scene, const Real &frequency, int periods) {
+  Run run;
+  scene[&Field::omega] = frequency;
+  MotionAt motion{frequency, initial_state(scene, resolution, run)};
+  carry_on(scene, motion, periods);
+  return motion;
 }
 
-/// Throws std::logic_error if the counts at the ends of the bracket agree.
-void require_change(const Bracket &bracket, std::size_t near, std::size_t far) {
-  if (near == far)
-    throw std::logic_error("the counts at " + bracket.near.str(10) + " and " + bracket.far.str(10) +
-                           " agree");
+/// The motion at another frequency on the line through two settled motions, up to the square of the
+/// distance.
+MotionAt extrapolated(const MotionAt &one, const MotionAt &other, const Real &frequency) {
+  const Real part = (frequency - one.frequency) / (other.frequency - one.frequency);
+  MotionAt motion{frequency, one.state};
+  for (std::size_t i = 0; i < motion.state.x.size(); ++i) {
+    motion.state.x[i] += part * (other.state.x[i] - one.state.x[i]);
+    motion.state.v[i] += part * (other.state.v[i] - one.state.v[i]);
+  }
+  return motion;
+}
+
+/// Throws std::logic_error if the counts at the two frequencies agree.
+void require_change(const Real &near, const Real &far, std::ptrdiff_t count_near,
+                    std::ptrdiff_t count_far) {
+  if (count_near == count_far)
+    throw std::logic_error("the counts at " + near.str(10) + " and " + far.str(10) + " agree");
 }
 
 }  // namespace
 
-Real changing_frequency(Scene scene, Bracket bracket, const Count &count) {
-  const Resolution resolution = resolution_down_to(chatter_floor);
-  const auto count_at = [&](const Real &frequency, State &state) {
-    scene[&Field::omega] = frequency;
-    carried_on(scene, state, settling_from_near, resolution);
-    return count(carried_on(scene, state, counted, resolution));
+Real changing_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
+  const auto settled_count = [&](MotionAt &motion) {
+    carry_on(scene, motion, settling_from_near);
+    return count(carry_on(scene, motion, counted));
   };
-  const auto settled_at = [&](const Real &frequency) {
-    scene[&Field::omega] = frequency;
-    Run run;
-    State state = initial_state(scene, resolution, run);
-    carried_on(scene, state, settling_from_rest, resolution);
-    return Settled{frequency, state};
+  MotionAt before = from_rest(scene, 2 * near - far, settling_from_rest),
+           last = from_rest(scene, near, settling_from_rest),
+           beyond = from_rest(scene, far, settling_from_rest);
+  const std::ptrdiff_t count_near = settled_count(last);
+  require_change(near, far, count_near, settled_count(beyond));
+  const auto as_near = [&](const Real &frequency) {
+    MotionAt trial = extrapolated(before, last, frequency);
+    if (settled_count(trial) != count_near) return false;
+    before = last;
+    last = trial;
+    return true;
   };
-  Settled before = settled_at(2 * bracket.near - bracket.far), last = settled_at(bracket.near),
-          beyond = settled_at(bracket.far);
-  const std::size_t count_near = count_at(bracket.near, last.state);
-  require_change(bracket, count_near, count_at(bracket.far, beyond.state));
-  while (abs(bracket.far - bracket.near) > bracket_width) {
-    const Real middle = (bracket.near + bracket.far) / 2;
-    Settled trial{middle, extrapolated(before, last, middle)};
-    if (count_at(middle, trial.state) == count_near) {
-      bracket.near = middle;
-      before = last;
-      last = trial;
-    } else {
-      bracket.far = middle;
-    }
-  }
-  return bracket.far;
+  return bisect(as_near, near, far, bracket_width / far);
 }
 
-Real jumping_frequency(Scene scene, Bracket bracket, int settling, const Count &count) {
-  const Resolution resolution = resolution_down_to(chatter_floor);
+Real jumping_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
   const auto count_at = [&](const Real &frequency) {
-    scene[&Field::omega] = frequency;
-    Run run;
-    State state = initial_state(scene, resolution, run);
-    carried_on(scene, state, settling, resolution);
-    return count(carried_on(scene, state, counted, resolution));
+    MotionAt motion = from_rest(scene, frequency, settling_of_a_jump);
+    return count(carry_on(scene, motion, counted));
   };
-  const std::size_t count_near = count_at(bracket.near);
-  require_change(bracket, count_near, count_at(bracket.far));
-  while (abs(bracket.far - bracket.near) > bracket_width) {
-    const Real middle = (bracket.near + bracket.far) / 2;
-    (count_at(middle) == count_near ? bracket.near : bracket.far) = middle;
-  }
-  return bracket.far;
-}
-
-Count sticks_of(std::size_t mass) {
-  return [mass](const Run &run) {
-    return static_cast<std::size_t>(
-        std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
-          return event.kind == EventKind::stick && event.mass == mass;
-        }));
-  };
+  const std::ptrdiff_t count_near = count_at(near);
+  require_change(near, far, count_near, count_at(far));
+  return bisect([&](const Real &frequency) { return count_at(frequency) == count_near; }, near, far,
+                bracket_width / far);
 }
 
 }  // namespace vibro_impact_reference

@@ -1,13 +1,10 @@
 // Writes the reference tables: the events of the paper's scenes and its key numbers. See
 // reference/README.md.
-#include "event_driven.hpp"
 #include "event_table.hpp"
-#include "in_digits.hpp"
 #include "key_number_table.hpp"
 #include "one_impact.hpp"
 #include "reference/truth/degenerate_cases.hpp"
 #include "reference/truth/extreme_cases.hpp"
-#include "work_precision.hpp"
 
 #include <exception>
 #include <fstream>
@@ -39,22 +36,83 @@ std::string cases_table(const std::vector<vibro_impact::truth::Case> &cases) {
   return table;
 }
 
-/// The tables of the work-precision figure: states or events of every stretch.
-std::string work_precision_table(bool states) {
-  std::vector<StretchRun> runs;
-  for (const Stretch &stretch : stretches()) runs.push_back(run(stretch));
-  if (states) return states_table(runs);
+// --- Error against run time -------------------------------------------------------------------
+
+/// A stretch of the motion of a scene of the paper: where it starts and ends.
+struct Stretch {
+  std::string name, scene;
+  double from, until;
+};
+
+/// Two whole motions of ten forcing periods from rest, and three pieces of Figure 2 after three of
+/// its periods: a flight with the impact that ends it, a chatter sequence of mass 2 with the stick
+/// that ends it, and the sticking phase after it with its release.
+std::vector<Stretch> stretches() {
+  const auto ten_periods = [](const char *scene) {
+    const double two_pi = 6.283185307179586477;
+    return 10.0 * two_pi / static_cast<double>(scene_named(scene)[&Field::omega]);
+  };
+  return {{"figure2", "figure2", 0.0, ten_periods("figure2")},
+          {"figure4", "figure4a", 0.0, ten_periods("figure4a")},
+          {"flight", "figure2", 117.5, 119.5},
+          {"chatter", "figure2", 121.0, 125.5},
+          {"sticking", "figure2", 125.5, 133.0}};
+}
+
+struct StretchRun {
+  State start, end;
+  std::vector<Event> events;
+};
+
+/// The state at the start is rounded to double before the 50-digit run goes on from it, so that a
+/// run in double starts from exactly the same numbers.
+StretchRun run_of(const Stretch &stretch) {
+  Scene scene = scene_named(stretch.scene);
+  Run run;
+  State state = initial_state(scene, {}, run);
+  scene.end_time = Real(stretch.from);
+  advance(scene, state, run);
+  run.events.clear();
+  for (Real &x : state.x) x = Real(static_cast<double>(x));
+  for (Real &v : state.v) v = Real(static_cast<double>(v));
+  state.time = scene.end_time;
+  const State start = state;
+  scene.end_time = Real(stretch.until);
+  advance(scene, state, run);
+  return {start, state, run.events};
+}
+
+/// Start (exactly doubles) and end (30 digits) of every stretch; held masses as 0 or 1.
+std::string work_precision_states() {
+  std::ostringstream table;
+  table << "problem,scene,from,until,x1,x2,v1,v2,held1,held2,end_x1,end_x2,end_v1,end_v2\n";
+  for (const Stretch &stretch : stretches()) {
+    const auto [start, end, events] = run_of(stretch);
+    table << stretch.name << ',' << stretch.scene << ',' << Real(stretch.from).str(17) << ','
+          << Real(stretch.until).str(17);
+    for (const Real &x : start.x) table << ',' << x.str(17);
+    for (const Real &v : start.v) table << ',' << v.str(17);
+    for (const auto &stop : start.stuck_on) table << ',' << stop.has_value();
+    for (const Real &x : end.x) table << ',' << x.str(30);
+    for (const Real &v : end.v) table << ',' << v.str(30);
+    table << '\n';
+  }
+  return table.str();
+}
+
+/// The events of the stretches that do not begin the tables of their scenes.
+std::string work_precision_events() {
   std::string table = std::string("problem,") + columns;
-  for (const StretchRun &run : runs)
-    if (run.stretch.from > 0.0)  // the others begin the tables of their scenes
-      table += event_rows(run.events, Vector(2, kept_speed), run.stretch.name + ",");
+  for (const Stretch &stretch : stretches())
+    if (stretch.from > 0.0)
+      table += event_rows(run_of(stretch).events, Vector(2, kept_speed), stretch.name + ",");
   return table;
 }
 
 constexpr const char *tables =
     "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, checked_numbers, extremes, "
-    "degenerate, "
-    "one_impact, work_precision_states, work_precision_events, number:<id of a key number>";
+    "degenerate, one_impact, work_precision_states, work_precision_events, number:<id of a key "
+    "number>";
 
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
@@ -63,8 +121,8 @@ std::string table_named(const std::string &name) {
   if (name == "extremes") return cases_table(vibro_impact::truth::extreme_cases());
   if (name == "one_impact") return one_impact_table();
   if (name == "degenerate") return cases_table(vibro_impact::truth::degenerate_cases());
-  if (name == "work_precision_states") return work_precision_table(true);
-  if (name == "work_precision_events") return work_precision_table(false);
+  if (name == "work_precision_states") return work_precision_states();
+  if (name == "work_precision_events") return work_precision_events();
   for (const auto &[scene_name, scene, until] : vibro_impact::paper::named_scenes())
     if (name == scene_name)
       return events_table(simulate(in_digits(scene, until)).events, scene.mass.size());

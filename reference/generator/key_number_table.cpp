@@ -1,46 +1,89 @@
 #include "key_number_table.hpp"
 
-#include "formulas.hpp"
-
 #include <fmt/format.h>
 #include <fstream>
-#include <map>
 #include <stdexcept>
 
 namespace vibro_impact_reference {
 
 namespace {
 
-/// The frequencies are known to the width of a bracket, all else to 30 digits.
-int known_digits(const std::string &quantity) {
-  return quantity.ends_with("_frequency") ? 18 : 30;
+using numbers::Arguments;
+
+/// The shortest decimal number to which a double is the nearest one: a formula takes a parameter as
+/// the paper prints it, not the double nearest to that.
+Real as_printed(double value) {
+  return Real(fmt::format("{}", value));
 }
 
-const std::string checked_numbers_table = REFERENCE_DIR "/checked_numbers.csv";
+/// The number of masses of the scene. Throws std::invalid_argument unless all its masses and
+/// springs are one.
+int masses_of_unit_chain(const Arguments &given) {
+  const vibro_impact::Scene scene = numbers::run_of(given).scene;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i)
+    if (scene.mass[i] != 1.0 || scene.stiffness[i] != 1.0)
+      throw std::invalid_argument("a formula: the masses and springs must be one");
+  return scene.masses();
+}
+
+/// The angle of mode `mode` (from 1) in a chain of n equal masses on equal springs, fixed at one
+/// end and free at the other: the displacement of mass p is proportional to sin(p * angle).
+Real mode_angle(int mode, int masses) {
+  return (2 * mode - 1) * acos(Real(-1)) / (2 * masses + 1);
+}
+
+const std::string run_names = numbers::run_names;
+
+/// Key numbers that have a formula.
+const numbers::Quantities<DigitsEngine> formulas{
+    // Eigenvalue of E, in the paper's order.
+    {"eigenvalue",
+     {run_names + " mode",
+      [](DigitsEngine &, const Arguments &given) {
+        return 2 - 2 * cos(mode_angle(given.mass("mode"), masses_of_unit_chain(given)));
+      }}},
+    // Component of the normalized eigenvector whose last component is positive.
+    {"mode_shape",
+     {run_names + " mode mass",
+      [](DigitsEngine &, const Arguments &given) {
+        const int masses = masses_of_unit_chain(given);
+        const Real angle = mode_angle(given.mass("mode"), masses);
+        const Real component = 2 * sin(given.mass("mass") * angle) / sqrt(Real(2 * masses + 1));
+        return sin(masses * angle) > 0 ? component : Real(-component);
+      }}},
+    // The line x1' = (k/c)(s2 - x1) of Eq. 23.
+    {"exit_slope",
+     {run_names + " mass",
+      [](DigitsEngine &, const Arguments &given) {
+        return -1 / as_printed(numbers::run_of(given).scene.beta);
+      }}},
+    {"exit_intercept",
+     {run_names + " mass",
+      [](DigitsEngine &, const Arguments &given) {
+        const vibro_impact::Scene scene = numbers::run_of(given).scene;
+        const std::size_t stop = numbers::stop_of(scene, given.mass("mass"));
+        return as_printed(scene.stops[stop].position) / as_printed(scene.beta);
+      }}},
+    // A mass that bounces at its equilibrium, with the damping ratio zeta = c/(2 sqrt(k m)), hits
+    // its stop at half periods of its damped motion.
+    {"interval", {numbers::event_names, [](DigitsEngine &, const Arguments &given) {
+                    masses_of_unit_chain(given);
+                    const Real zeta = as_printed(numbers::run_of(given).scene.beta) / 2;
+                    return acos(Real(-1)) / sqrt(1 - zeta * zeta);
+                  }}}};
 
 }  // namespace
 
 std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number) {
-  using Formula = Real (*)(const Arguments &);
-  static const std::map<std::string, Formula> formulas{{"eigenvalue", eigenvalue},
-                                                       {"mode_shape", mode_shape},
-                                                       {"exit_slope", exit_slope},
-                                                       {"exit_intercept", exit_intercept},
-                                                       {"interval", bounce_interval}};
-  try {
-    if (number.kind == "derived")
-      return formulas.at(number.quantity)(number.arguments).str(known_digits(number.quantity));
-    return numbers::answer(engine, quantities_in_digits(), number.quantity, number.arguments)
-        .str(known_digits(number.quantity));
-  } catch (const std::exception &error) {
-    throw std::runtime_error(
-        fmt::format("{}, {} {}: {}", number.id, number.quantity, number.given, error.what()));
-  }
+  const auto &quantities = number.kind == "derived" ? formulas : quantities_in_digits();
+  // The frequencies are known to the width of a bracket, all else to 30 digits.
+  const int known_digits = number.quantity.ends_with("_frequency") ? 18 : 30;
+  return numbers::answer(engine, quantities, number).str(known_digits);
 }
 
 std::string filled_table() {
-  const auto known = numbers::read_numbers(checked_numbers_table);
-  std::ifstream file = vibro_impact::truth::opened(checked_numbers_table);
+  const auto known = numbers::checked_numbers(REFERENCE_DIR);
+  std::ifstream file = vibro_impact::truth::opened(REFERENCE_DIR "/checked_numbers.csv");
   std::string table, line;
   std::getline(file, line);
   table = line + '\n';
@@ -56,7 +99,7 @@ std::string filled_table() {
 
 std::string digits_of(const std::string &id) {
   DigitsEngine engine;
-  for (const numbers::CheckedNumber &number : numbers::read_numbers(checked_numbers_table))
+  for (const numbers::CheckedNumber &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.id == id && number.of_the_paper()) return digits_of(engine, number) + '\n';
   throw std::runtime_error("key number '" + id + "': the table has no such row");
 }

@@ -13,14 +13,14 @@ struct Signal {
   Real value, rate, curvature;
 };
 
-/// Bisection: `before` holds at a and no longer at b; returns the right end of a bracket of the
-/// wanted width.
+/// Bisection: `before` holds at a and no longer at b, on either side of a. Returns the end at b of
+/// a bracket of the wanted width, relative to b.
 template <class Predicate>
 Real bisect(const Predicate &before, Real a, Real b, const Real &relative_width) {
   const Real width = relative_width * b;
-  while (b - a > width) {
+  while (abs(b - a) > width) {
     const Real middle = (a + b) / 2;
-    if (middle <= a || middle >= b) break;
+    if (middle == a || middle == b) break;
     (before(middle) ? a : b) = middle;
   }
   return b;

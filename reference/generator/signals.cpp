@@ -4,21 +4,6 @@
 
 namespace vibro_impact_reference {
 
-int side_sign(const Stop &stop) {
-  return stop.side == Side::upper ? 1 : -1;
-}
-
-namespace {
-
-/// Gap of a free mass before a stop.
-Signal gap_signal(const Stop &stop, const Motion &motion) {
-  const int sign = side_sign(stop);
-  const std::size_t p = stop.mass;
-  return {sign * (stop.position - motion.x[p]), -sign * motion.v[p], -sign * motion.a[p]};
-}
-
-}  // namespace
-
 Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motion) {
   const std::size_t p = stop.mass;
   const Vector &link = scene[&Field::stiffness];
@@ -41,13 +26,8 @@ Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motio
     force -= link[p + 1] * stop.position;
     add_neighbour(p + 1, link[p + 1]);
   }
-  const int sign = side_sign(stop);
-  return {sign * force, sign * rate, sign * curvature};
-}
-
-State free_state(const Scene &scene, const Real &time, const Vector &x, const Vector &v) {
-  return {time, x, v, std::vector<std::optional<std::size_t>>(x.size()),
-          std::vector<Start>(scene.stops.size(), Start::apart)};
+  const double side = sign(stop.side);
+  return {side * force, side * rate, side * curvature};
 }
 
 std::vector<bool> stuck_masses(const State &state) {
@@ -59,10 +39,11 @@ std::vector<bool> stuck_masses(const State &state) {
 std::optional<Signal> stop_signal(const Scene &scene, const State &state, std::size_t index,
                                   const Motion &motion) {
   const Stop &stop = scene.stops[index];
-  const auto &stuck_on = state.stuck_on[stop.mass];
-  if (!stuck_on) return gap_signal(stop, motion);
-  if (*stuck_on == index) return pressing_signal(scene, stop, motion);
-  return std::nullopt;
+  const std::size_t p = stop.mass;
+  if (state.stuck_on[p] == index) return pressing_signal(scene, stop, motion);
+  if (state.stuck_on[p]) return std::nullopt;
+  const double side = sign(stop.side);
+  return Signal{side * (stop.position - motion.x[p]), -side * motion.v[p], -side * motion.a[p]};
 }
 
 Real pressing_now(const Scene &scene, const State &state, std::size_t stop) {

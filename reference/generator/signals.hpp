@@ -11,13 +11,9 @@
 
 namespace vibro_impact_reference {
 
-/// +1 for an upper stop, -1 for a lower one: the gap is side_sign (s - x), and a force pushes into
-/// the stop if side_sign F > 0.
-int side_sign(const Stop &stop);
-
-/// How hard the springs, dampers and the forcing push a mass that rests on its stop into it:
-/// side_sign F_p of Eqs. 12 and 13, for a general chain, and its derivatives. The mass's own motion
-/// does not enter.
+/// How hard the springs, dampers and the forcing push a mass that rests on its stop into it: F_p of
+/// Eqs. 12 and 13 times the sign of the side, for a general chain, and its derivatives. The mass's
+/// own motion does not enter.
 Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motion);
 
 /// What is known exactly at the start of a piece of motion, and would be noise if evaluated.
@@ -41,13 +37,10 @@ struct State {
   Real decided_for = 0;
 };
 
-/// No mass rests on a stop or has just left one.
-State free_state(const Scene &scene, const Real &time, const Vector &x, const Vector &v);
-
 std::vector<bool> stuck_masses(const State &state);
 
-/// The signal of a stop: gap if its mass is free, hold force if it rests on this very stop, none
-/// otherwise.
+/// The signal of a stop: the gap, side (s - x), if its mass is free, the hold force if it rests on
+/// this very stop, none otherwise.
 std::optional<Signal> stop_signal(const Scene &scene, const State &state, std::size_t index,
                                   const Motion &motion);
 

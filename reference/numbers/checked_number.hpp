@@ -84,8 +84,10 @@ struct CheckedNumber {
   }
 };
 
-// All rows. Throws std::runtime_error naming the table and what is wrong with it.
-inline std::vector<CheckedNumber> read_numbers(const std::string &path) {
+// All rows of checked_numbers.csv in a folder. Throws std::runtime_error naming the table and what
+// is wrong with it.
+inline std::vector<CheckedNumber> checked_numbers(const std::string &folder) {
+  const std::string path = folder + "/checked_numbers.csv";
   std::vector<CheckedNumber> numbers;
   for (const auto &cells : truth::read_rows(path, 14)) {
     const auto bound = [&](const std::string &cell) {
@@ -106,18 +108,6 @@ inline std::vector<CheckedNumber> read_numbers(const std::string &path) {
          .tolerance = truth::number_in(path, cells[12]),
          .why = cells[13]});
   }
-  return numbers;
-}
-
-// The key numbers of the paper, or the numbers of other authors.
-inline std::vector<CheckedNumber> key_numbers(const std::string &folder) {
-  auto numbers = read_numbers(folder + "/checked_numbers.csv");
-  std::erase_if(numbers, [](const CheckedNumber &number) { return !number.of_the_paper(); });
-  return numbers;
-}
-inline std::vector<CheckedNumber> numbers_of_others(const std::string &folder) {
-  auto numbers = read_numbers(folder + "/checked_numbers.csv");
-  std::erase_if(numbers, [](const CheckedNumber &number) { return number.of_the_paper(); });
   return numbers;
 }
 

@@ -8,8 +8,8 @@
 //   Number                                        the type of its numbers
 //   events(run)                                   all events, in the order of time
 //   period(scene)                                 the forcing period
-//   lowest, highest(run, mass, from, to)          of the displacement in an interval of time
-//   turning_point(run, mass, from, to)            where the displacement is greatest in between
+//   range(run, mass, window)                      lowest and highest displacement in a window
+//   turning_point(run, mass, window)              where the displacement is greatest in between
 //   least_pressing(run, stop)                     the least force into the stop, signed like the
 //                                                 force on the mass, in a sticking phase at the end
 //   changing_frequency(scene, mass, near, far, motion)
@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
+#include "checked_number.hpp"
 #include "panels.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/case.hpp"
@@ -160,82 +160,7 @@ Occurrences<typename Engine::Number> asked_events(Engine &engine, const Argument
 
 // --- The quantities ------------------------------------------------------------------------------
 
-// How many events there are. A complete chatter has infinitely many impacts, of which each engine
-// reports another number: an interval may not hold one where impacts are counted.
-template <class Engine>
-typename Engine::Number count(Engine &engine, const Arguments &given) {
-  return typename Engine::Number(static_cast<double>(asked_events(engine, given).size()));
-}
-
-// The time of the first event. Throws std::runtime_error if there is none.
-template <class Engine>
-typename Engine::Number time(Engine &engine, const Arguments &given) {
-  const auto events = asked_events(engine, given);
-  if (events.empty()) throw std::runtime_error("the run has no such event");
-  return events.front().time;
-}
-
-// The mean time from one event to the next.
-template <class Engine>
-typename Engine::Number interval(Engine &engine, const Arguments &given) {
-  const auto events = asked_events(engine, given);
-  if (events.size() < 2) throw std::runtime_error("the run has fewer than two such events");
-  return (events.back().time - events.front().time) / static_cast<double>(events.size() - 1);
-}
-
-template <class Engine>
-typename Engine::Number lowest(Engine &engine, const Arguments &given) {
-  const paper::NamedScene run = run_of(given);
-  const auto [from, to] = window_of(run, given);
-  return engine.lowest(run, given.mass("mass"), from, to);
-}
-
-template <class Engine>
-typename Engine::Number highest(Engine &engine, const Arguments &given) {
-  const paper::NamedScene run = run_of(given);
-  const auto [from, to] = window_of(run, given);
-  return engine.highest(run, given.mass("mass"), from, to);
-}
-
-template <class Engine>
-typename Engine::Number turning_time(Engine &engine, const Arguments &given) {
-  const paper::NamedScene run = run_of(given);
-  const auto [from, to] = window_of(run, given);
-  return engine.turning_point(run, given.mass("mass"), from, to).time;
-}
-
-// The distance from the turning point to the stop of the mass.
-template <class Engine>
-typename Engine::Number turning_gap(Engine &engine, const Arguments &given) {
-  const paper::NamedScene run = run_of(given);
-  const int mass = given.mass("mass");
-  const auto [from, to] = window_of(run, given);
-  const auto turn = engine.turning_point(run, mass, from, to);
-  const double place = run.scene.stops[stop_of(run.scene, mass)].position;
-  return typename Engine::Number(place) - turn.displacement;
-}
-
-// The hold force on a mass where that force is nearest to zero inside a sticking phase.
-template <class Engine>
-typename Engine::Number hold_force_peak(Engine &engine, const Arguments &given) {
-  const paper::NamedScene run = run_of(given);
-  const std::size_t stop = stop_of(run.scene, given.mass("mass"));
-  return sign(run.scene.stops[stop].side) * engine.least_pressing(run, stop);
-}
-
-template <class Engine>
-typename Engine::Number changing_frequency(Engine &engine, const Arguments &given) {
-  return engine.changing_frequency(run_of(given).scene, given.mass("mass"), given.at("near"),
-                                   given.at("far"), motion_in(given));
-}
-
-template <class Engine>
-typename Engine::Number grazing_frequency(Engine &engine, const Arguments &given) {
-  return engine.grazing_frequency(run_of(given).scene, given.mass("mass"), given.at("near"),
-                                  given.at("far"));
-}
-
-// A quantity, and the names of its arguments, which blanks separate.
+// A quantity: the names of its arguments, which blanks separate, and the answer of an engine.
 template <class Engine>
 struct Quantity {
   std::string names;
@@ -248,29 +173,97 @@ using Quantities = std::map<std::string, Quantity<Engine>>;
 // The quantities that both engines answer.
 template <class Engine>
 Quantities<Engine> common_quantities() {
-  const std::string run = run_names, range = run + " mass panel from to",
-                    near_far = run + " mass near far";
-  return {{"count", {event_names, count<Engine>}},
-          {"time", {event_names, time<Engine>}},
-          {"interval", {event_names, interval<Engine>}},
-          {"lowest", {range, lowest<Engine>}},
-          {"highest", {range, highest<Engine>}},
-          {"turning_time", {range, turning_time<Engine>}},
-          {"turning_gap", {range, turning_gap<Engine>}},
-          {"hold_force_peak", {run + " mass", hold_force_peak<Engine>}},
-          {"changing_frequency", {near_far + " motion", changing_frequency<Engine>}},
-          {"grazing_frequency", {near_far, grazing_frequency<Engine>}}};
+  using Number = typename Engine::Number;
+  using Given = const Arguments &;
+  const std::string mass_names = std::string(run_names) + " mass",
+                    window_names = mass_names + " panel from to",
+                    near_far_names = mass_names + " near far";
+  return {
+      // How many events there are. A complete chatter has infinitely many impacts, of which each
+      // engine reports another number: an interval may not hold one where impacts are counted.
+      {"count",
+       {event_names,
+        [](Engine &engine, Given given) {
+          return Number(static_cast<double>(asked_events(engine, given).size()));
+        }}},
+      // The time of the first event.
+      {"time",
+       {event_names,
+        [](Engine &engine, Given given) {
+          const auto events = asked_events(engine, given);
+          if (events.empty()) throw std::runtime_error("the run has no such event");
+          return events.front().time;
+        }}},
+      // The mean time from one event to the next.
+      {"interval",
+       {event_names,
+        [](Engine &engine, Given given) {
+          const auto events = asked_events(engine, given);
+          if (events.size() < 2) throw std::runtime_error("the run has fewer than two such events");
+          return (events.back().time - events.front().time) /
+                 static_cast<double>(events.size() - 1);
+        }}},
+      {"lowest",
+       {window_names,
+        [](Engine &engine, Given given) {
+          const paper::NamedScene run = run_of(given);
+          return engine.range(run, given.mass("mass"), window_of(run, given)).lowest;
+        }}},
+      {"highest",
+       {window_names,
+        [](Engine &engine, Given given) {
+          const paper::NamedScene run = run_of(given);
+          return engine.range(run, given.mass("mass"), window_of(run, given)).highest;
+        }}},
+      {"turning_time",
+       {window_names,
+        [](Engine &engine, Given given) {
+          const paper::NamedScene run = run_of(given);
+          return engine.turning_point(run, given.mass("mass"), window_of(run, given)).time;
+        }}},
+      // The distance from the turning point to the stop of the mass.
+      {"turning_gap",
+       {window_names,
+        [](Engine &engine, Given given) {
+          const paper::NamedScene run = run_of(given);
+          const int mass = given.mass("mass");
+          const auto turn = engine.turning_point(run, mass, window_of(run, given));
+          return Number(run.scene.stops[stop_of(run.scene, mass)].position) - turn.displacement;
+        }}},
+      // The hold force on a mass where that force is nearest to zero inside a sticking phase.
+      {"hold_force_peak",
+       {mass_names,
+        [](Engine &engine, Given given) {
+          const paper::NamedScene run = run_of(given);
+          const std::size_t stop = stop_of(run.scene, given.mass("mass"));
+          return sign(run.scene.stops[stop].side) * engine.least_pressing(run, stop);
+        }}},
+      {"changing_frequency",
+       {near_far_names + " motion",
+        [](Engine &engine, Given given) {
+          return engine.changing_frequency(run_of(given).scene, given.mass("mass"),
+                                           given.at("near"), given.at("far"), motion_in(given));
+        }}},
+      {"grazing_frequency", {near_far_names, [](Engine &engine, Given given) {
+                               return engine.grazing_frequency(run_of(given).scene,
+                                                               given.mass("mass"), given.at("near"),
+                                                               given.at("far"));
+                             }}}};
 }
 
-// The answer of an engine. Throws std::runtime_error for an unknown quantity or argument.
+// The answer of an engine to a row of the table. Throws std::runtime_error naming a row of which it
+// cannot be computed.
 template <class Engine>
 typename Engine::Number answer(Engine &engine, const Quantities<Engine> &quantities,
-                               const std::string &quantity, const Arguments &arguments) {
-  const auto found = quantities.find(quantity);
+                               const CheckedNumber &number) try {
+  const auto found = quantities.find(number.quantity);
   if (found == quantities.end())
-    throw std::runtime_error("quantity '" + quantity + "': is unknown");
-  require_only(arguments, found->second.names);
-  return found->second.answer(engine, arguments);
+    throw std::runtime_error("quantity '" + number.quantity + "': is unknown");
+  require_only(number.arguments, found->second.names);
+  return found->second.answer(engine, number.arguments);
+} catch (const std::exception &error) {
+  throw std::runtime_error(
+      fmt::format("{}, {} {}: {}", number.id, number.quantity, number.given, error.what()));
 }
 
 }  // namespace vibro_impact::numbers

@@ -92,12 +92,9 @@ inline std::vector<Event> touches(Extended first, double until) {
 // Periodicity (x = s, velocity v before and -r v after) gives a = b cot(T/2), b = -(1 + r) v / 2,
 // v = -2 Omega F sin(theta) / (1 - r), and F (cos(theta) + kappa sin(theta)) = s with
 // kappa = (1 + r) / (1 - r) Omega cot(T/2).
-struct PeriodicImpact {
-  Extended period = 0.0L, time = 0.0L, velocity = 0.0L;  // T, t* in [0, T), v
-};
-
-inline PeriodicImpact periodic_impact(double amplitude, double omega_of_forcing, double r,
-                                      double s) {
+// The impacts in the forcing periods from `first` to `last`, without `last`.
+inline std::vector<Event> periodic_impacts(double amplitude, double omega_of_forcing, double r,
+                                           double s, long long first, long long last) {
   const Extended omega = omega_of_forcing, period = 2.0L * std::numbers::pi_v<Extended> / omega;
   const Extended f = amplitude / (1.0L - omega * omega);
   const Extended cotangent = 1.0L / std::tan(period / 2.0L);
@@ -105,23 +102,18 @@ inline PeriodicImpact periodic_impact(double amplitude, double omega_of_forcing,
   const Extended middle = std::atan2(kappa, 1.0L);
   const Extended width = std::acos(s / (f * std::sqrt(1.0L + kappa * kappa)));
   // The phase with the greater impact speed belongs to the stable motion.
-  PeriodicImpact best{period};
+  Extended time = 0.0L, velocity = 0.0L;  // t* in [0, T), v
   for (const Extended theta : {middle + width, middle - width}) {
     const Extended v = -2.0L * omega * f * std::sin(theta) / (1.0L - r);
-    if (v <= best.velocity) continue;
-    best = {period, std::fmod(std::fmod(theta / omega, period) + period, period), v};
+    if (v <= velocity) continue;
+    time = std::fmod(std::fmod(theta / omega, period) + period, period);
+    velocity = v;
   }
-  return best;
-}
-
-inline std::vector<Event> periodic_impacts(const PeriodicImpact &impact, long long from,
-                                           long long to) {
   std::vector<Event> events;
-  for (long long n = from; n < to; ++n) {
-    const Extended time = impact.period * static_cast<Extended>(n) + impact.time;
-    events.push_back(event_at(static_cast<double>(time), 1, EventKind::impact,
-                              static_cast<double>(impact.velocity)));
-    events.back().instant = {n, static_cast<double>(impact.time)};
+  for (long long n = first; n < last; ++n) {
+    events.push_back(event_at(static_cast<double>(period * static_cast<Extended>(n) + time), 1,
+                              EventKind::impact, static_cast<double>(velocity)));
+    events.back().instant = {n, static_cast<double>(time)};
   }
   return events;
 }

@@ -26,7 +26,7 @@ inline std::vector<Event> exact_events(const std::string &formula, const Case &o
     return touches((scene.displacement[0] < 0.0 ? 1 : 2) * std::numbers::pi_v<Extended>, of.until);
   if (formula == "periodic impacts") {
     const double period = 2.0 * std::numbers::pi / scene.omega;
-    return periodic_impacts(periodic_impact(scene.amplitude[0], scene.omega, r, stop),
+    return periodic_impacts(scene.amplitude[0], scene.omega, r, stop,
                             std::llround(of.from / period), std::llround(of.until / period));
   }
   throw std::runtime_error(of.name + ": '" + formula + "' is no formula of exact_events.hpp");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/tokenizer.hpp>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -26,17 +27,9 @@ using Rows = std::vector<Row>;
 
 // The cells of a line; one in double quotes may hold commas, and is given without the quotes.
 inline Row cells_of(const std::string &line) {
-  Row cells(1);
-  bool inside = false;
-  for (const char c : line) {
-    if (c == '"')
-      inside = !inside;
-    else if (c == ',' && !inside)
-      cells.emplace_back();
-    else
-      cells.back().push_back(c);
-  }
-  return cells;
+  using Separator = boost::escaped_list_separator<char>;
+  const boost::tokenizer<Separator> cells(line, Separator("", ",", "\""));  // without escapes
+  return {cells.begin(), cells.end()};
 }
 
 // A cell of text that may hold commas.

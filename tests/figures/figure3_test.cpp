@@ -21,7 +21,7 @@ using paper::AxisBox;
 // this name.
 void expect_changes(const Curve &curve, const std::string &symbol) {
   std::vector<double> known;
-  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.id.starts_with(symbol)) known.push_back(number.value);
   std::sort(known.begin(), known.end());
   ASSERT_EQ(curve.points.size(), known.size()) << symbol;

@@ -163,7 +163,7 @@ TEST(Figure5, IsDrawnFromTheMotionsOfItsScenes) {
   ASSERT_EQ(panels[3].curves.size(), 2u);
   double highest = -1e9;
   for (const Point &point : panels[3].curves[1].points) highest = std::max(highest, point[1]);
-  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.id == "figure5b_nearest_gap") {
       EXPECT_NEAR(highest, -1e5 * number.value, 0.004);
     }
@@ -215,11 +215,12 @@ TEST(Figure4, IsDrawnFromTheHoldForceInEveryStickingPhase) {
     const auto phases =
         true_phases(name, k == 0 ? paper::figure4a().omega : paper::figure4b().omega);
     ASSERT_EQ(phases.size(), k + 1);  // printed: the phase is split in two
-    expect_axes(panels[k], name.back(), paper::panel("figure4"), 1);
+    const AxisBox box = paper::panel("figure4");
+    expect_axes(panels[k], name.back(), box, 1);
     ASSERT_EQ(panels[k].curves.size(), 2 + phases.size()) << "every phase and the gap is drawn";
     expect_level(panels[k].curves[0], 0.0);
     EXPECT_TRUE(
-        figures::fills_abscissa({phases.front()[0], phases.back()[1]}, paper::panel("figure4")));
+        figures::fills({phases.front()[0], phases.back()[1]}, {box.from, box.to}, box.tick_across));
     for (std::size_t phase = 0; phase < phases.size(); ++phase) {
       std::vector<double> t, force;
       for (std::size_t i = 0; i < columns["t"].size(); ++i)

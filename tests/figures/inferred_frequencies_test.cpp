@@ -38,8 +38,8 @@ TEST(AxisRule, AnImpactReachesTheStop) {
                           [](const Event &event) { return event.mass == 2; }),
             1);
   EXPECT_LT(range_of(samples, 2).highest, 0.1 - 1e-4);
-  EXPECT_EQ(shown(scene, 2, samples, events.events).highest, 0.1);
-  EXPECT_LT(shown(scene, 2, samples, {}).highest, 0.1 - 1e-4);
+  EXPECT_EQ(shown(scene, {2}, samples, events.events).highest, 0.1);
+  EXPECT_LT(shown(scene, {2}, samples, {}).highest, 0.1 - 1e-4);
 }
 
 // The frequencies of four decimals between the given ones that fit.

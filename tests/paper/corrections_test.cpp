@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "figures/panel.hpp"
+#include "figures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/events.hpp"
@@ -230,7 +230,7 @@ TEST(GrazingSliding, AContactAtZeroVelocityAndAccelerationBeginsAStickingPhase) 
 // the second decimal on each side.
 TEST(Verdicts, OfReadingsFollowFromTwoDecimals) {
   int readings = 0;
-  for (const auto &number : numbers::key_numbers(REFERENCE_DIR)) {
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
     if (number.printed.claim != numbers::Claim::read_off_figure_3) continue;
     ++readings;
     const double value = std::stod(number.printed.words.substr(6));  // "about 0.3"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "figures/quantities.hpp"
+#include "figures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/numbers/quantities.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -17,7 +17,7 @@ using namespace vibro_impact;
 // The frequencies of a mass from 0.25 to 0.5, as the table of references has them, with both ends.
 std::vector<double> frequencies(int mass) {
   std::vector<double> known{0.25, 0.5};
-  for (const auto &number : numbers::key_numbers(REFERENCE_DIR))
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.quantity == "changing_frequency" && number.arguments.mass("mass") == mass &&
         numbers::motion_in(number.arguments) != numbers::Motion::followed)
       known.push_back(number.value);

@@ -87,7 +87,7 @@ TEST(OneImpact, TwoOrbitsCoexistWithRestUpToTheirFold) {
 // The printed speed is good to 5e-6. The amplitude is stationary at a fold, and so good to 1e-10. A
 // fold at the stop d for an amplitude A is one at the stop 1 for A / d.
 TEST(OneImpact, FoldsOfVividAreThoseOfTheClosedForm) {
-  for (const auto &printed : numbers::numbers_of_others(REFERENCE_DIR)) {
+  for (const auto &printed : numbers::checked_numbers(REFERENCE_DIR)) {
     if (printed.source != "vivid" || printed.quantity != "fold_multiplier") continue;
     const Scene scene = others::after_impact(printed.arguments).first;
     const auto fold = vibro_impact_reference::one_impact_orbit({printed.id, scene, 2, 0});

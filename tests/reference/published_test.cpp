@@ -16,7 +16,7 @@ using numbers::CheckedNumber;
 
 TEST(CheckedNumbers, EveryRowHasItsOwnNameAToleranceAndWhatLimitsIt) {
   std::set<std::string> ids, asked;
-  for (const CheckedNumber &row : numbers::read_numbers(REFERENCE_DIR "/checked_numbers.csv")) {
+  for (const CheckedNumber &row : numbers::checked_numbers(REFERENCE_DIR)) {
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;
     asked.insert(row.quantity);
     if (row.of_the_paper()) continue;
@@ -32,7 +32,7 @@ TEST(CheckedNumbers, EveryRowHasItsOwnNameAToleranceAndWhatLimitsIt) {
 // covers what is left of theirs.
 TEST(Vivid, TimeOfTheImpactIsThePrintedOne) {
   int points = 0;
-  for (const CheckedNumber &point : numbers::numbers_of_others(REFERENCE_DIR)) {
+  for (const CheckedNumber &point : numbers::checked_numbers(REFERENCE_DIR)) {
     if (point.source != "vivid" || point.quantity != "doubling_multiplier") continue;
     ++points;
     const others::OneImpactOrbit found = others::one_impact_orbit(point.arguments);
@@ -50,7 +50,7 @@ TEST(Vivid, TimeOfTheImpactIsThePrintedOne) {
 TEST(CheckedNumbers, AnErrorOfAMillionthInTheRestitutionIsSeen) {
   for (const std::string quantity :
        {"doubling_multiplier", "fold_multiplier", "impact_time", "chatter_limit", "impact_speed"}) {
-    for (CheckedNumber result : numbers::numbers_of_others(REFERENCE_DIR)) {
+    for (CheckedNumber result : numbers::checked_numbers(REFERENCE_DIR)) {
       numbers::Arguments &p = result.arguments;
       if (result.quantity != quantity || !p.contains("r") || p.at("impact", 0.0) == 1.0) continue;
       p.values["r"] = fmt::format("{}", p.at("r") + 1e-6);

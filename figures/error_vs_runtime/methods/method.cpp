@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
@@ -20,10 +19,6 @@ Errors failed(const std::string &failure) {
 }
 
 }  // namespace
-
-double Problem::periods() const {
-  return (until - start.time) * scene.omega / (2.0 * std::numbers::pi);
-}
 
 std::vector<Problem> problems(const std::filesystem::path &reference) {
   std::vector<Problem> all;

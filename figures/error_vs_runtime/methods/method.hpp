@@ -29,8 +29,6 @@ struct Problem {
   double until = 0.0;
   std::vector<Event> reference_events = {};
   TwoMassState reference_end = {};
-
-  double periods() const;  // of the forcing
 };
 
 // Reads work_precision_states.csv and work_precision_events.csv from `reference`. Throws
