@@ -167,7 +167,7 @@ inline Trial try_figure5b(double omega) {
   SampleRecorder samples = scan_samples(box);
   EventRecorder events{box.from};
   require_complete(simulate(scene, box.to, all_visible_chatter, samples, events));
-  double time = never, gap = std::numeric_limits<double>::infinity();  // mass 2 nearest its stop
+  double time = never, gap = infinity;  // mass 2 nearest its stop
   for (std::size_t i = 0; i < samples.times.size(); ++i) {
     const double x1 = displacement(samples, i, 1), x2 = displacement(samples, i, 2);
     if (x1 != scene.stops[0].position || !(scene.stops[1].position - x2 < gap)) continue;

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -34,7 +33,7 @@ struct ProcedureRecorder : Recorder {
   bool mass_2_has_changed = false;  // it sticks, or is released
 
   explicit ProcedureRecorder(const Procedure &followed) : procedure(followed) {
-    last_impact.fill(-std::numeric_limits<double>::infinity());
+    last_impact.fill(-infinity);
   }
   void event(const Event &event, const Moment &) override {
     events.push_back(event);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -17,8 +16,8 @@
 namespace vibro_impact::figures {
 
 struct Range {
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
+  double lowest = infinity;
+  double highest = -infinity;
 
   void include(double value) {
     lowest = std::min(lowest, value);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -51,7 +50,7 @@ inline Measured fastest(const std::vector<Measured> &runs, const std::string &pr
 // The most accurate run of a method on a problem, and of equally accurate ones the fastest.
 inline Measured most_accurate(const std::vector<Measured> &runs, const std::string &problem,
                               const std::string &method) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const Measured &run : runs)
     if (run.problem == problem && run.method == method) least = std::min(least, run.error);
   return fastest(runs, problem, method, least);

@@ -80,7 +80,7 @@ inline bool passes(const Measured &measured, Truth truth) {
 // The forcing period; without forcing, the longest natural period of the chain.
 inline double period_of(const Scene &scene) {
   if (scene.forced() && scene.omega > 0.0) return 2.0 * std::numbers::pi / scene.omega;
-  double slowest = std::numeric_limits<double>::infinity();
+  double slowest = infinity;
   for (const double lambda : natural_modes(scene, Held(scene.mass.size(), 0)).lambda)
     if (lambda > 0.0) slowest = std::min(slowest, lambda);
   return 2.0 * std::numbers::pi / std::sqrt(slowest);

@@ -2,7 +2,6 @@
 // bit for bit is tested by random_scenes_test.)
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -82,7 +81,7 @@ struct FirstSample : Recorder {
   explicit FirstSample(double time) : at(time) {
   }
   double next_time() const override {
-    return displacement.empty() ? at : std::numeric_limits<double>::infinity();
+    return displacement.empty() ? at : infinity;
   }
   void sample(const Moment &moment) override {
     displacement = {moment.displacement(1), moment.displacement(2)};

@@ -1,7 +1,6 @@
 // Events of runs, as many tests read them.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,7 +14,7 @@ inline const RunOptions all_impacts{.limit_below_speed = 0.0};
 // The events of a run that comes to its end, from a start on.
 inline std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,
                                       const RunOptions &options = {}) {
-  EventRecorder recorder(-std::numeric_limits<double>::infinity());
+  EventRecorder recorder(-infinity);
   require_complete(Simulation(scene, start, options).advance(until, recorder));
   return recorder.events;
 }

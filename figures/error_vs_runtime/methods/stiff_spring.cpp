@@ -12,7 +12,6 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "event_loop.hpp"
@@ -46,7 +45,7 @@ struct Springs {
       stiffness[i] = kappa / problem.scene.mass[i];
       damping[i] = 2.0 * zeta * std::sqrt(stiffness[i]);
       stick[i] = half_periods_of_a_stick * std::numbers::pi / std::sqrt(stiffness[i]);
-      since[i] = -std::numeric_limits<double>::infinity();
+      since[i] = -infinity;
     }
     for (std::size_t i = 0; i < 2; ++i)  // A held mass rests on its compressed spring.
       if (now.held[i]) now.y[2 * i] = chain.acceleration(i, now.y, cosine) / stiffness[i];

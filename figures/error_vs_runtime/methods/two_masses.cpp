@@ -100,7 +100,7 @@ void apply_event(const TwoMasses &chain, GapState &state, std::size_t i, double 
 }
 
 double flight_ahead(const TwoMasses &chain, const GapState &state) {
-  double flight = std::numeric_limits<double>::infinity();
+  double flight = infinity;
   const double cosine = std::cos(chain.omega * state.time);
   for (std::size_t i = 0; i < 2; ++i) {
     if (state.held[i] || state.y[2 * i] != 0.0 || !(state.y[2 * i + 1] > 0.0)) continue;
