@@ -10,7 +10,6 @@
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/events.hpp"
-#include "tests/support/random_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
@@ -181,29 +180,6 @@ TEST(AtRest, AMassWhoseBouncesHaveDiedDownLeavesWithTheOthers) {
   }
 }
 
-// A mass pressed onto its stop, and hit beside a stiff link, in units of length of 2^-540, 1 and
-// 2^540: the events are the same to the last bit.
-TEST(AtRest, AUnitOfLengthWhoseSquareIsNoDoubleChangesNothing) {
-  std::vector<Event> events[3];
-  for (const int k : {-1, 0, 1}) {
-    const double length = std::ldexp(1.0, 540 * k);
-    const Scene scene{.mass = {1.0, 1.0, 1.0},
-                      .stiffness = {1.0, 1.0, 1e6},
-                      .constant = {length, 0.0, 0.0},
-                      .restitution = 0.5,
-                      .stops = {{1, Side::upper, 0.0}},
-                      .velocity = {0.0, -length, -2.0 * length}};
-    events[k + 1] = events_of(scene, 0.0, 20.0);
-    for (Event &event : events[k + 1]) {
-      event.velocity_before /= length;
-      event.velocity_after /= length;
-    }
-  }
-  EXPECT_GE(events[1].size(), 5u);
-  EXPECT_TRUE(events[0] == events[1]);
-  EXPECT_TRUE(events[2] == events[1]);
-}
-
 // All 100 masses are at rest on their stops but the first, which moves away. The decision about the
 // others takes 200 orders, ten steps.
 TEST(AtRest, DecisionsCountAsSteps) {
@@ -219,15 +195,6 @@ TEST(AtRest, DecisionsCountAsSteps) {
   EXPECT_EQ(outcome.ending, Ending::given_up);
   EXPECT_EQ(outcome.counters.expansions, 1);
   EXPECT_GE(outcome.counters.rest_orders, 160);
-}
-
-// Six masses, untied, at rest on stops at 0 and -0.2, r = 0.
-TEST(AtRest, ADegenerateChainComesToItsEnd) {
-  const Scene scene = degenerate_scene(309);
-  EventRecorder events;
-  const Outcome outcome = require_complete(simulate(scene, 20.0, events));
-  EXPECT_EQ(outcome.ending, Ending::reached);
-  EXPECT_LT(outcome.counters.expansions, 10'000);
 }
 
 }  // namespace
