@@ -15,6 +15,7 @@
 namespace {
 
 using namespace vibro_impact;
+using vibro_impact::testing::all_impacts;
 using vibro_impact::testing::events_of;
 
 // One mass on a spring, with a stop that nothing reaches.
@@ -177,6 +178,55 @@ TEST(Clock, ResolvesAFastDecayLateInARun) {
   const Outcome outcome = simulate(scene, 4e4);
   EXPECT_EQ(outcome.ending, Ending::reached);
   EXPECT_GT(outcome.counters.impacts, 0);
+}
+
+struct Ball {
+  double mass, stiffness, force, omega, restitution, height;
+};
+
+// A ball of constant weight rests after (1 + 2 r / (1 - r)) times its first fall, whatever the
+// rates of its spring and of a forcing that hardly turns. 1e-12: the tolerance of a limit and what
+// the forcing and the spring change.
+TEST(Chatter, OfAFallingMassEndsWhereItsImpactsDo) {
+  for (const auto &[mass, stiffness, force, omega, r, height] :
+       {Ball{1e8, 1e-12, 1e8, 0.0, 3e-5, 1.0},
+        {1.0, 0.0, 1.0, 1e-8, 1e-7, 1.0},
+        {1.0, 0.0, 1e8, 0.0, 1e-7, 1e-8},
+        {1.0, 0.0, 1.0, 1e-14, 0.5, 1.0},
+        {1.0, 0.0, 1.0, 1e-14, 0.9, 1.0},
+        {1.0, 1e-24, 1.0, 0.0, 0.7, 1.0},
+        {1.0, 0.0, 1.0, 0.0, 0.99999, 1.0}}) {
+    const Scene scene{.mass = {mass},
+                      .stiffness = {stiffness},
+                      .amplitude = {-force},
+                      .omega = omega,
+                      .restitution = r,
+                      .stops = {{1, Side::lower, 0.0}},
+                      .displacement = {height}};
+    const double fall = std::sqrt(2.0 * height * mass / force),
+                 rest = fall * (1.0 + 2.0 * r / (1.0 - r));
+    for (const RunOptions &options : {RunOptions{}, all_impacts}) {
+      if (r > 0.99 && options.limit_below_speed == 0.0) continue;  // some millions of impacts
+      const std::vector<Event> events = events_of(scene, 0.0, 1.5 * rest, options);
+      ASSERT_FALSE(events.empty());
+      EXPECT_LT(events.size(), 1'000'000u);
+      EXPECT_EQ(events.back().kind, EventKind::stick) << omega << " " << r;
+      EXPECT_NEAR(events.back().time, rest, 1e-12 * rest) << omega << " " << r;
+    }
+  }
+}
+
+// A spring so soft that a step of two radians has an infinite square.
+TEST(Modes, OfASpringNearTheLeastNumberStayInRange) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {1e-310},
+                    .omega = 0.0,
+                    .restitution = 0.5,
+                    .stops = {{1, Side::upper, 1.0}},
+                    .velocity = {0.5}};
+  const Outcome outcome = require_complete(simulate(scene, 4.0));
+  EXPECT_EQ(outcome.counters.impacts, 1);
+  EXPECT_NEAR(outcome.state.displacement[0], 0.5, 1e-15);
 }
 
 }  // namespace
