@@ -35,6 +35,10 @@ struct Distribution {
   unsigned tried;  // scenes in every run of the tests
 };
 
+void PrintTo(const Distribution &distribution, std::ostream *out) {
+  *out << distribution.name;
+}
+
 // Ordinary, extreme, graded and degenerate chains, the same with all forces, and scenes far from
 // the paper's in one respect each. On links up to 1e12, the state from which a flight starts has
 // rounded displacements, whose elastic energy is 1e-8 of the motion.
