@@ -1,9 +1,11 @@
 // Motions that are slow or small relative to what could move: digits that a steady response, a long
 // clock, the rounding of steps or of stiff coordinates would take. Each is compared with its closed
-// form.
+// form. The motion itself is the measure of them, and not the frequencies of a chain that hardly
+// feels its springs.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "reference/scenes/extreme_scenes.hpp"
