@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -108,20 +109,12 @@ TEST(NaturalModes, SolveTheEigenvalueProblem) {
 // The masses and links of these chains differ by many orders of magnitude. The errors of a solver
 // are then larger than its least eigenvalues, and disturb their order.
 TEST(NaturalModes, AreInAscendingOrder) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> exponent(-9.0, 9.0);
-  for (int chain = 0; chain < 300; ++chain) {
-    Scene scene;
-    for (int i = 0; i < 5; ++i) {
-      scene.mass.push_back(std::pow(10.0, exponent(random) / 2.0));
-      scene.stiffness.push_back(std::pow(10.0, exponent(random)));
-    }
-    const NaturalModes modes = natural_modes(scene, Held(5, 0));
-    EXPECT_TRUE(std::is_sorted(modes.lambda.begin(), modes.lambda.end())) << chain;
-    scene.stiffness.front() = 0.0;  // free: the rigid-body mode comes first
-    const NaturalModes free = natural_modes(scene, Held(5, 0));
-    EXPECT_EQ(free.lambda.front(), 0.0) << chain;
-    EXPECT_TRUE(std::is_sorted(free.lambda.begin(), free.lambda.end())) << chain;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    const Scene scene = vibro_impact::testing::graded_chain(seed);
+    const std::vector<double> lambda = natural_modes(scene, Held(scene.mass.size())).lambda;
+    EXPECT_TRUE(std::is_sorted(lambda.begin(), lambda.end())) << seed;
+    // The rigid-body mode of a free chain comes first.
+    EXPECT_EQ(lambda.front() == 0.0, scene.stiffness.front() == 0.0) << seed;
   }
 }
 

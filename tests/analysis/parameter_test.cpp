@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -69,10 +70,12 @@ TEST(Parameter, ChangesTheMotion) {
     EXPECT_NE(end_of(with(scene, word, get(scene, word) + 0.0625)), end_of(scene)) << word;
 }
 
-// No number of a scene may be infinite or none.
+// No number of a scene may be infinite or none. The message has this value.
 TEST(Parameter, MustBeFinite) {
   for (const std::string &word : names())
-    EXPECT_THROW(check(with(paper::figure2(), word, std::nan(""))), std::invalid_argument) << word;
+    for (const char *value : {"nan", "inf"})
+      vibro_impact::testing::expect_refused(
+          {{[&] { check(with(paper::figure2(), word, std::stod(value))); }, value}});
 }
 
 // The list of the kinds of events ends with the last kind.

@@ -1,5 +1,5 @@
 // Motions followed until they have settled, compared with motions run to the full length and
-// counted by another rule.
+// counted by another rule, and their records.
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -16,13 +16,6 @@
 namespace {
 
 using namespace vibro_impact;
-
-void expect_same_counts(const EventCounts &found, const EventCounts &expected, double at) {
-  EXPECT_EQ(found.periods, expected.periods) << at;
-  EXPECT_EQ(found.impacts, expected.impacts) << at;
-  EXPECT_EQ(found.sticks, expected.sticks) << at;
-  EXPECT_EQ(found.dual_sticking, expected.dual_sticking) << at;
-}
 
 // The period by comparing whole states: the least n <= 8 with the state after n forcing periods the
 // same to 1e-8, or 0.
@@ -92,25 +85,43 @@ EventCounts counted_far_out(const Scene &scene, int periods, int after) {
   return counts;
 }
 
-// Fifty points of the (Omega, r) atlas after 2,000 periods. Whether a motion repeats is decided
-// by its states alone.
-TEST(Settle, FiftyPointsOfTheAtlasAreThoseOfTwoThousandPeriods) {
+// Fifty points of the (Omega, r) atlas, a scene without rebound, of which all impacts count, and a
+// chain of ten masses, of which several stick at once.
+std::vector<Scene> scenes_of_many_kinds() {
+  std::vector<Scene> scenes{with(paper::figure2(), "restitution", 0.0)};
+  const auto add = [&scenes](Scene scene, double omega, double restitution) {
+    scene.omega = omega;
+    scene.restitution = restitution;
+    scenes.push_back(scene);
+  };
+  for (const auto &[omega, restitution] : {std::pair{0.25, 0.7}, {0.3, 0.2}, {0.72, 0.6}})
+    add(extremes::long_chain(), omega, restitution);
   std::mt19937 random(20060401);
-  std::uniform_real_distribution<double> omega(0.2, 0.8), restitution(0.0, 0.98);
-  const RecordOptions options{.settle = {.longest = 2000}};
-  int settled = 0;
+  std::uniform_real_distribution<double> any_omega(0.2, 0.8), any_restitution(0.0, 0.98);
   for (int k = 0; k < 50; ++k) {
-    Scene scene = paper::figure3(omega(random));
-    scene.restitution = restitution(random);
-    SCOPED_TRACE(scene.restitution);
-    const OrbitRecord found = record_of(scene, options);
+    const double omega = any_omega(random);
+    add(paper::figure2(), omega, any_restitution(random));
+  }
+  return scenes;
+}
+
+// Whether a motion repeats is decided after 2,000 periods, by its states alone.
+TEST(Settle, PeriodsAndCountsAreThoseOfTwoThousandPeriods) {
+  int settled = 0;
+  for (const Scene &scene : scenes_of_many_kinds()) {
+    SCOPED_TRACE(::testing::Message() << scene.omega << " " << scene.restitution);
+    const OrbitRecord found = record_of(scene, {.settle = {.longest = 2000}});
     const MotionState far_out = state_after_periods(scene, 2000);
-    ASSERT_EQ(found.period, period_of_states(scene, far_out)) << scene.omega;
+    ASSERT_EQ(found.period, period_of_states(scene, far_out));
     if (found.period == 0) continue;
     ++settled;
-    expect_same_counts(found.counts, counted_far_out(scene, found.period, 2000), scene.omega);
+    const EventCounts expected = counted_far_out(scene, found.period, 2000);
+    EXPECT_EQ(found.counts.periods, expected.periods);
+    EXPECT_EQ(found.counts.impacts, expected.impacts);
+    EXPECT_EQ(found.counts.sticks, expected.sticks);
+    EXPECT_EQ(found.counts.dual_sticking, expected.dual_sticking);
   }
-  EXPECT_GT(settled, 35);
+  EXPECT_GT(settled, 39);
 }
 
 // Period 2 after period 1 in the region of sticking, and what a short wait leaves undecided.
@@ -185,25 +196,58 @@ TEST(Settle, AnyPhaseMayBeTheSection) {
   EXPECT_EQ(period_of_states(scene, motion.state), 1);
 }
 
-TEST(EventCounts, WithoutReboundAllImpactsCount) {
-  const Scene scene = with(paper::figure2(), "restitution", 0.0);
-  const OrbitRecord record = record_of(scene);
-  ASSERT_EQ(record.period, 1);
-  expect_same_counts(record.counts, counted_far_out(scene, 1, 100), scene.omega);
-  EXPECT_GE(record.counts.impacts[0], record.counts.sticks[0]);
-  EXPECT_GE(record.counts.sticks[0], 1);
+// The record of a motion has counts of its events, and only what is asked for.
+TEST(Record, HasOnlyWhatIsAskedFor) {
+  const Scene settling = paper::figure3(0.55);
+  const OrbitRecord bare = record_of(settling);
+  EXPECT_GT(bare.period, 0);
+  EXPECT_FALSE(bare.lyapunov.has_value());
+  EXPECT_TRUE(bare.impact_velocities.empty());
+  EXPECT_TRUE(bare.pairs.empty());
+  RecordOptions asked;
+  asked.impact_velocities = true;
+  const OrbitRecord speeds = record_of(settling, asked);
+  EXPECT_EQ(speeds.counts.impacts, bare.counts.impacts);
+  EXPECT_EQ(speeds.impact_velocities[0].size(), static_cast<std::size_t>(bare.counts.impacts[0]));
+  EXPECT_LT(speeds.impact_velocities[0].front(), 0.0) << "mass 1 hits a lower stop";
+  EXPECT_GT(speeds.impact_velocities[1].front(), 0.0) << "mass 2 hits an upper stop";
 }
 
-// More than two masses: three with stops, of which several stick at once.
-TEST(Settle, ATenMassChainWithThreeStops) {
-  for (const auto &[omega, restitution] : {std::pair{0.25, 0.7}, {0.3, 0.2}, {0.72, 0.6}}) {
-    Scene scene = extremes::long_chain();
-    scene.omega = omega;
-    scene.restitution = restitution;
-    const OrbitRecord found = record_of(scene);
-    ASSERT_GT(found.period, 0) << omega;
-    expect_same_counts(found.counts, counted_far_out(scene, found.period, 1000), omega);
-  }
+// Pressed onto their stops for ever: no event says so.
+TEST(Record, MassesThatAreHeldFromTheBeginningStickAtOnce) {
+  Scene scene = paper::two_masses({1, Side::lower, 0.1}, {2, Side::lower, 0.15}, 0.7, 0.3);
+  scene.amplitude = {0.01, 0.0};
+  scene.displacement = {0.1, 0.15};
+  const EventCounts counts = record_of(scene).counts;
+  EXPECT_TRUE(counts.dual_sticking);
+  EXPECT_EQ(counts.sticks, (std::vector{0, 0}));
+}
+
+// The pairs themselves are those of event_pairs_test; Figure 5(b) has none.
+TEST(Record, ThePairsOfTableIThatOccur) {
+  const RecordOptions options{.settle = {}, .pairs = true};
+  EXPECT_EQ(record_of(paper::figure5a(), options).pairs, std::vector{EventPair::sticking_impact});
+  EXPECT_TRUE(record_of(paper::figure5b(), options).pairs.empty());
+}
+
+// A state of a neighbouring scene is a start: a mass that is held moves with its stop, a mass
+// beyond a stop moves to it, and the phase stays within the period.
+TEST(StartNear, BringsAStateIntoTheScene) {
+  Scene scene = paper::figure2();
+  MotionState state = start_of(scene);
+  state.displacement = {-0.3, 0.05};
+  state.velocity = {0.0, 0.2};
+  state.held = {-1, 0};
+  state.instant.phase = 0.9 * Clock(scene.omega).period;
+  scene.omega *= 1.5;
+  scene.stops[0].position = -0.25;
+  scene.stops[1].position = 0.04;
+  const MotionState start = start_near(scene, state);
+  EXPECT_EQ(start.displacement, (std::vector<double>{-0.25, 0.04}));
+  EXPECT_EQ(start.velocity, state.velocity);
+  EXPECT_EQ(start.held, state.held);
+  EXPECT_LT(start.instant.phase, Clock(scene.omega).period);
+  EXPECT_NO_THROW(require_complete(Simulation(scene, start).advance(time_after(scene, start, 1))));
 }
 
 }  // namespace

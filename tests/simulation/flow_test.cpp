@@ -51,24 +51,6 @@ double largest_difference(const std::vector<double> &a, const std::vector<double
   return largest;
 }
 
-// The centre of mass of a forced free chain, in two thousand periods of one step each: f (1 - cos
-// (Omega t)) / Omega^2 beside the drift. (Summed up flight by flight it was 3.5e-5 off.)
-TEST(Flow, TheCentreOfMassOfAFreeChainIsExactForever) {
-  Scene scene = paper::figure2();
-  scene.stiffness = {0.0, 0.35};
-  scene.amplitude = {0.5, 0.0};
-  scene.omega = 0.05;
-  scene.stops = {{1, Side::upper, 1e4}};
-  SampleRecorder samples(0.0, 125300.0, 313.25);
-  require_complete(simulate(scene, 125300.0, samples));
-  ASSERT_EQ(samples.times.size(), 401u);
-  for (std::size_t k = 0; k < samples.times.size(); ++k) {
-    const double x = (samples.displacements[2 * k] + samples.displacements[2 * k + 1]) / 2;
-    const double exact = 100.0 * (1.0 - std::cos(0.05 * samples.times[k]));
-    EXPECT_NEAR(x, exact, 1e-9) << samples.times[k];
-  }
-}
-
 // A mode next to resonance, hardly damped, swings up to twice its steady response before it
 // settles. A stop beyond the steady response can therefore be hit.
 TEST(Flow, AStopBeyondTheSteadyResponseOfAModeNearResonanceIsHit) {

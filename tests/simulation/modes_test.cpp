@@ -1,5 +1,7 @@
 // Every natural mode is right relative to its own frequency, however soft or light it is relative
-// to others: chains of 3 to 12 masses with links of 1e-9 to 1e9 and masses of 1e-6 to 1e6.
+// to others: chains of 3 to 12 masses with links of 1e-9 to 1e9 and masses of 1e-6 to 1e6. Rounding
+// does not set a stiff link in motion at a change of the contact mode, and its force keeps its
+// digits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -92,6 +94,61 @@ TEST(Modes, TheMotionOfAQuietChainAgreesWith50Digits) {
     worst = std::max(worst, error / allowed);
   }
   fmt::print("400 chains, the motion is off by at most {:.2g} of what is allowed\n", worst);
+}
+
+// Masses 1 and 2 swing together as cos t, and their link of 1e9 carries no force, while mass 4
+// beyond the held mass 3 sticks and is released. The rounding of their displacements would set the
+// link in motion at each of these changes, at some 1e-12. 1e-15: some ten roundings of their
+// speeds.
+TEST(StiffLink, StaysAtRestOverAChangeOfTheContactMode) {
+  const Scene scene{.mass = {1.3, 2.1, 1.0, 1.0},
+                    .stiffness = {1.3, 1e9, 2.1, 1.0},
+                    .amplitude = {0.0, 0.0, 0.0, 0.5},
+                    .constant = {0.0, 0.0, 5.0, 0.0},
+                    .omega = 0.3,
+                    .restitution = 0.0,
+                    .stops = {{3, Side::upper, 0.0}, {4, Side::upper, 0.2}},
+                    .displacement = {0.1, 0.1, 0.0, 0.0}};
+  struct Stretch : Recorder {
+    double time = 0.0, largest = 0.0;
+    double next_time() const override {
+      return time;
+    }
+    void sample(const Moment &moment) override {
+      largest = std::max(largest, std::abs(moment.velocity(2) - moment.velocity(1)));
+      time += 0.37;
+    }
+  } link;
+  const Outcome outcome = require_complete(simulate(scene, 100.0, link));
+  EXPECT_GE(outcome.counters.releases, 3);
+  EXPECT_NEAR(outcome.state.displacement[0], 0.1 * std::cos(100.0), 1e-14);
+  EXPECT_LE(link.largest, 1e-15);
+}
+
+// Mass 1 is pressed against mass 2, which is held at its stop, through a link of 1e9. It stands
+// still while mass 3 sticks and is released. The rounding of its displacement, 1e-17, would be 1e-8
+// of the force.
+TEST(StiffLink, KeepsItsForceOverAChangeOfTheContactMode) {
+  const Scene scene{.mass = {1.0, 1.0, 1.0},
+                    .stiffness = {1.0, 1e9, 1.0},
+                    .beta = 1e-3,
+                    .amplitude = {0.0, 0.0, 0.5},
+                    .constant = {2.0, 0.0, 0.0},
+                    .omega = 0.3,
+                    .restitution = 0.0,
+                    .stops = {{2, Side::upper, 0.1}, {3, Side::upper, 0.3}},
+                    .displacement = {0.1, 0.1, 0.0}};
+  struct Releases : Recorder {
+    std::vector<double> forces;
+    void event(const Event &event, const Moment &moment) override {
+      if (event.mass == 3 && event.kind == EventKind::release)
+        forces.push_back(moment.hold_force(2));
+    }
+  } releases;
+  require_complete(simulate(scene, 100.0, releases));
+  const double x1 = (1e9 * 0.1 + 2.0) / (1e9 + 1.0);
+  ASSERT_GE(releases.forces.size(), 3u);
+  for (const double force : releases.forces) EXPECT_NEAR(force, 2.0 - x1 + (0.3 - 0.1), 1e-12);
 }
 
 }  // namespace

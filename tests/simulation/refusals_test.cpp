@@ -38,29 +38,15 @@ TEST(Refusals, OfScenes) {
       spoilt_scene([](Scene &s) { s.stiffness = {1.0}; }, "1 values given, the chain has 2 masses"),
       spoilt_scene([](Scene &s) { s.stiffness[0] = -1.0; }, "link 1 = -1: must be non-negative"),
       spoilt_scene([](Scene &s) { s.stiffness[1] = 0.0; }, "link 2 = 0: must be positive"),
-      spoilt_scene([](Scene &s) { s.stiffness[1] = infinity; }, "stiffness = inf: must be finite"),
       spoilt_scene([](Scene &s) { s.beta = -0.1; }, "beta = -0.1: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.omega = infinity; }, "omega = inf: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.restitution = nan; }, "restitution = nan: must lie in [0, 1]"),
+      spoilt_scene([](Scene &s) { s.omega = -0.1; }, "omega = -0.1: must be non-negative"),
       spoilt_scene([](Scene &s) { s.stops[1].restitution = -0.1; }, "restitution = -0.1: must lie"),
       spoilt_scene([](Scene &s) { s.amplitude = {1.0}; }, "amplitude: 1 values given"),
-      spoilt_scene([](Scene &s) { s.amplitude[1] = nan; }, "amplitude = nan: must be finite"),
       spoilt_scene([](Scene &s) { s.sine = {1.0}; }, "sine: 1 values given, the chain has 2"),
-      spoilt_scene(
-          [](Scene &s) {
-            s.constant = {0.0, infinity};
-          },
-          "constant = inf: must be finite"),
-      spoilt_scene(
-          [](Scene &s) {
-            s.ground = {0.0, -1.0};
-          },
-          "ground = -1: must be non-negative"),
+      spoilt_scene([](Scene &s) { s.ground.assign(2, -1.0); }, "ground = -1: must be non-negative"),
       spoilt_scene([](Scene &s) { s.displacement.assign(2, 0.2); }, "beyond its upper stop at 0.1"),
-      spoilt_scene([](Scene &s) { s.velocity.assign(2, infinity); }, "velocity = inf: must be"),
       spoilt_scene([](Scene &s) { s.stops[0].mass = 0; }, "stop on mass 0: the chain has masses 1"),
       spoilt_scene([](Scene &s) { s.stops[0].side = Side{9}; }, "side = 9: must be lower (-1) or"),
-      spoilt_scene([](Scene &s) { s.stops[0].position = nan; }, "at nan: must be finite"),
       spoilt_scene([](Scene &s) { s.stops.push_back(s.stops[0]); }, "two stops on the same side"),
       spoilt_scene(
           [](Scene &s) {
@@ -150,21 +136,7 @@ TEST(Refusals, OfMotionsBeyondTheRangeOfDoubles) {
   EXPECT_EQ(simulate(struck, 100.0).ending, Ending::given_up);
 }
 
-// Asks for the same time over and over, an earlier one each time, or none that is one.
-struct Stuck : Recorder {
-  double at, step;
-  std::size_t taken = 0;
-  Stuck(double time, double step_of_times) : at(time), step(step_of_times) {
-  }
-  double next_time() const override {
-    return at + step * static_cast<double>(taken);
-  }
-  void sample(const Moment &) override {
-    ++taken;
-  }
-};
-
-// Goes back at an event.
+// Asks at an event for a time before it.
 struct GoesBack : Recorder {
   double to;
   double at = 10.0;
@@ -208,7 +180,6 @@ TEST(Refusals, OfRecorders) {
       recorded_by(SampleRecorder{0.0, infinity, 1.0}, "samples from 0 to inf: must be finite"),
       recorded_by(SampleRecorder{-1.0, 10.0, 1.0}, "sample at t = -1: the run begins at 0"),
       recorded_by(SampleRecorder{0.1, 10.0, 1e-300}, "next_time = 0.1 after the sample at 0.1"),
-      recorded_by(Stuck(1.0, 0.0), "next_time = 1 after the sample at 1: must be later"),
       recorded_by(GoesBack(12.0), "next_time = 12: lies before the motion"),
       recorded_by(GoesBack(nan), "next_time = nan: must be a time"),
       recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),

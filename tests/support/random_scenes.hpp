@@ -269,12 +269,14 @@ inline Event mirrored(Event event) {
   return event;
 }
 
-// A scene forced by a cosine alone, without springs to the ground, in units so many times smaller:
-// its masses, links, lengths and times are so many times larger. time^2 = mass / stiffness.
+// A scene in units so many times smaller: its masses, links, lengths and times are so many times
+// larger. time^2 = mass / stiffness.
 inline Scene in_units(Scene scene, double mass, double stiffness, double length, double time) {
   for (double &m : scene.mass) m *= mass;
-  for (double &k : scene.stiffness) k *= stiffness;
-  for (double &a : scene.amplitude) a *= stiffness * length;
+  for (auto *springs : {&scene.stiffness, &scene.ground})
+    for (double &k : *springs) k *= stiffness;
+  for (auto *forces : {&scene.amplitude, &scene.sine, &scene.constant})
+    for (double &f : *forces) f *= stiffness * length;
   for (double &x : scene.displacement) x *= length;
   for (double &v : scene.velocity) v *= length / time;
   for (Stop &stop : scene.stops) stop.position *= length;

@@ -28,12 +28,8 @@ class Witness : public Recorder {
   Real not_zero = 0;      // hold force at a release that no impact has caused
 
   // Looks about every `radians` of the fastest mode.
-  explicit Witness(const Scene &of, Real radians = 0.05L) : Witness(of, start_of(of), radians) {
-  }
-  Witness(const Scene &of, const MotionState &start, Real radians = 0.05L)
-      : scene_(of), radians_(radians), since_(start.instant), held_(start.held) {
-    held_.resize(of.mass.size(), 0);
-    flown_ = state_of_run_ = motion_of(start);
+  explicit Witness(const Scene &of, Real radians = 0.05L) : scene_(of), radians_(radians) {
+    flown_ = state_of_run_ = motion_of(start_of(of));
     clock_change_ = {0 * flown_.x, 0 * flown_.v};
     greatest_ = energy(state_of_run_);
   }
@@ -101,8 +97,8 @@ class Witness : public Recorder {
   Clock clock_{scene_.omega};
   Real rate_ = std::max(std::sqrt(largest_eigenvalue_bound(scene_)), scene_.omega);
   std::map<Held, FreeModes> modes_;
-  Instant since_;
-  Held held_;
+  Instant since_ = {};
+  Held held_ = Held(scene_.mass.size());
   Motion flown_;         // the end of the latest flight, with the events recorded since
   Motion state_of_run_;  // the state of the run at the latest event
   // The change of the motion, and of each hold force, in the last rounding of the clock before the
