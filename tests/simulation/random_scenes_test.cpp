@@ -152,8 +152,9 @@ TEST(RandomScenes, KeepEveryPropertyWhereALongSearchFailed) {
 // In units of length and time up to 1e10 times ours or 1e-10, and of mass up to 1e8 or 1e-8, every
 // number of the engine is scaled by a power of two (of the mass the root is taken), so that the run
 // is the same to the last bit. A tolerance that is a length, a time or a force would show. Every
-// fourth unit of length, and every fourth one of mass, has a square that is no double. Half of
-// those lengths are next to the largest double.
+// fourth unit of length, and every fourth one of mass, has a square that is no double. Three
+// quarters of those lengths are next to the largest double. In the two largest ones, a motion may
+// leave the range of double precision, and the run is then given up.
 TEST(RandomScenes, AreTheSameInOtherUnits) {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     Draw draw{std::mt19937(seed)};
@@ -165,7 +166,7 @@ TEST(RandomScenes, AreTheSameInOtherUnits) {
     if (seed % 4 == 0) mass = draw.one_of({0x1p-540, 0x1p540});
     if (seed % 4 == 1) {
       mass = time = 1.0;
-      length = draw.one_of({0x1p-540, 0x1p1005});
+      length = draw.one_of({0x1p-540, 0x1p1005, 0x1p1017, 0x1p1021});
     }
     const double stiffness = mass / (time * time);
     const Scene scene = with_all_forces<random_scene>(seed);
@@ -174,7 +175,10 @@ TEST(RandomScenes, AreTheSameInOtherUnits) {
     EventRecorder ours, theirs;
     const Outcome our_end = simulate(scene, until, ours),
                   their_end = simulate(other, until * time, theirs);
+    if (length > 0x1p1005 && their_end.ending == Ending::given_up) continue;
     EXPECT_EQ(our_end.ending, their_end.ending) << seed;
+    for (std::size_t i = 0; i < scene.mass.size(); ++i)
+      EXPECT_EQ(our_end.state.velocity[i], their_end.state.velocity[i] / (length / time)) << seed;
     for (Event &event : theirs.events) {
       event.time /= time;
       event.instant.phase /= time;

@@ -123,9 +123,15 @@ TEST(Refusals, OfTimesAndOptions) {
 static_assert(!std::is_reference_v<decltype(require_complete(simulate(Scene{}, 0.0)))>);
 
 TEST(Refusals, OfMotionsBeyondTheRangeOfDoubles) {
-  const Scene leaving{.mass = {1.0}, .stiffness = {0.0}, .velocity = {1e307}};
-  EXPECT_EQ(simulate(leaving, 1.0).ending, Ending::reached);
-  EXPECT_EQ(simulate(leaving, 100.0).ending, Ending::given_up);
+  const Scene leaving{.mass = {1.0}, .stiffness = {0.0}, .velocity = {1e304}};
+  Scene hitting = leaving, faster = leaving;
+  hitting.stops = {{1, Side::upper, 1e200}};
+  faster.velocity = {1e306};
+  for (const Scene &scene : {leaving, hitting}) {
+    EXPECT_EQ(simulate(scene, 5.0).ending, Ending::reached);
+    EXPECT_EQ(simulate(scene, 1e5).ending, Ending::given_up);
+  }
+  EXPECT_EQ(simulate(faster, 1.0).ending, Ending::given_up);
   // The first impact follows after 1e-156 of the first step, whose square underflows.
   const Scene struck{.mass = {1.9e-143},
                      .stiffness = {6.7e-153},

@@ -111,7 +111,7 @@ void set_state(const Motion &motion, const std::vector<StopState> &stops, const 
     if (contact.held || is_resolved(contact, motion)) continue;
     const Gap gap = gap_of(contact, stops[contact.stop], motion);
     state.displacement[contact.mass] =
-        scene.stops[contact.stop].position - contact.sigma * std::max(0.0, gap.value);
+        scene.stops[contact.stop].position - contact.sigma * std::max(gap.value, 0.0);
     state.velocity[contact.mass] = -contact.sigma * gap.speed;
   }
 }

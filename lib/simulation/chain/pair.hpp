@@ -45,10 +45,11 @@ inline double dot(const PerCoordinate &a, const PerCoordinate &b) {
   return dot(a.data(), b);
 }
 
-// sum_j (a_j + b_j).
-inline double total(const PerCoordinate &a, const PerCoordinate &b) {
+// sum_j (|a_j| + |b_j|).
+inline double sum_of_moduli(const PerCoordinate &a, const PerCoordinate &b) {
   Pair total{};
-  for (Eigen::Index j = 0; j < b.size(); j += 2) total += pair(a.data() + j) + pair(b.data() + j);
+  for (Eigen::Index j = 0; j < b.size(); j += 2)
+    total += abs(pair(a.data() + j)) + abs(pair(b.data() + j));
   return sum(total);
 }
 

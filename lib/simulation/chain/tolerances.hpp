@@ -62,6 +62,10 @@ constexpr int most_root_iterations = 10000;
 
 // Steps.
 
+// Largest sum of the modal coordinates and their speeds, 1e-3 of the largest double. A motion
+// beyond it is given up, because products in a step may overflow where no number of the motion
+// does.
+constexpr double largest_motion = 0x1p1014;
 // Rate times length of the longest step. The order is then 23; other lengths cost more.
 constexpr double max_step_radians = 2.0;
 // Longest step of a motion of any rate, whose square has to be finite.

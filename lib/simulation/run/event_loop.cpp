@@ -8,6 +8,7 @@
 #include "samples.hpp"
 #include "simulation/chain/pair.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
 #include "simulation/flight/quiet_flight.hpp"
 #include "simulation/stops/impact.hpp"
 
@@ -122,7 +123,8 @@ bool fly_quietly(Run &run, double remaining, Recorders recorders) {
 void run_step(Run &run, Recorders recorders) {
   const Clock &clock = run.problem.clock;
   const double remaining = std::max(0.0, time_until(run.motion, run.progress.end, clock));
-  if (!std::isfinite(total(run.motion.y, run.motion.dy))) give_up_beyond_range(run, run.motion.now);
+  if (!(sum_of_moduli(run.motion.y, run.motion.dy) <= largest_motion))
+    give_up_beyond_range(run, run.motion.now);
   if (run.progress.over || fly_quietly(run, remaining, recorders)) return;
   Flight &flight = run.scratch.flight;
   flight.step = plan_step(run);
