@@ -47,7 +47,7 @@ void draw(const std::filesystem::path &output) {
   const auto phases = [](double omega) {
     return figures::settled_sticking_phases(paper::figure3(omega), 1);
   };
-  const Scene at = paper::stops_of_different_sign(bisect(phases, before.omega, after.omega).below);
+  const Scene at = paper::figure3(bisect(phases, before.omega, after.omega).below);
   write(figures::parameters({before, after, at}), output / "figure4_scenes.csv");
   write(hold_force(before), output / "figure4a.csv");
   write(hold_force(after), output / "figure4b.csv");

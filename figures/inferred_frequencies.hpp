@@ -115,7 +115,7 @@ inline double invisible(const paper::AxisBox &box) {
 // chatter from its first impact to the end of its last visible bounce. We assume that the author
 // set its right end to the first tick beyond that bounce.
 inline Trial try_figure2(double omega) {
-  const Scene scene = paper::stops_of_different_sign(omega);
+  const Scene scene = paper::figure3(omega);
   const paper::AxisBox a = paper::panel("figure2a"), b = paper::panel("figure2b");
   SampleRecorder samples = scan_samples(a), close_up = scan_samples(b);
   const double ten_periods_before = a.to - 10.0 * Clock(omega).period;

@@ -27,29 +27,24 @@ inline Scene two_masses(Stop first, Stop second, double restitution, double omeg
   return scene;
 }
 
-// Figures 2 to 4: stops of different sign. Printed: s1 = -0.3, s2 = 0.1 (caption of Figure 2),
-// r = 0.7 (Section 3).
-inline Scene stops_of_different_sign(double omega) {
+// Figure 3, and the chain of Figures 2 and 4: stops of different sign. Printed: s1 = -0.3, s2 = 0.1
+// (caption of Figure 2), r = 0.7 (Section 3), Omega from 0.25 to 0.7 (Section 3.2 and the axis).
+inline Scene figure3(double omega) {
   return two_masses({1, Side::lower, -0.3}, {2, Side::upper, 0.1}, 0.7, omega);
 }
 
 // Figure 2. Inferred (inferred_frequencies.hpp): Omega = 0.2, the only value that fits and has one
 // decimal.
 inline Scene figure2() {
-  return stops_of_different_sign(0.2);
-}
-
-// Figure 3. Printed: Omega from 0.25 to 0.7 (Section 3.2 and the axis).
-inline Scene figure3(double omega) {
-  return stops_of_different_sign(omega);
+  return figure3(0.2);
 }
 
 // Figure 4. Printed: Omega (caption), just before and just after the multi-sliding bifurcation.
 inline Scene figure4a() {
-  return stops_of_different_sign(0.256);
+  return figure3(0.256);
 }
 inline Scene figure4b() {
-  return stops_of_different_sign(0.2561);
+  return figure3(0.2561);
 }
 
 // Figure 5(a). Printed: s1 = s2 = 0.3 (Section 3.3), r = 0.7. Inferred (inferred_frequencies.hpp):

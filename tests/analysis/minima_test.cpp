@@ -60,7 +60,7 @@ TEST(LeastGap, IsTheLeastOfSeveralMinima) {
   ASSERT_TRUE(least.has_value());
   const double decay = 0.09, frequency = std::sqrt(9.0 - decay * decay);
   EXPECT_NEAR(least->at.instant.phase, std::atan(frequency / decay) / frequency, 1e-14);
-  const Scene impacting = paper::stops_of_different_sign(0.6);
+  const Scene impacting = paper::figure3(0.6);
   const auto other = least_gap(impacting, state_after_periods(impacting, 60), impacting.stops[1]);
   EXPECT_GT(other ? other->value : 1.0, 1e-3);
 }

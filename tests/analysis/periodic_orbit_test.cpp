@@ -33,7 +33,7 @@ TEST(Newton, FindsTheOrbitOfFigure2FromFivePeriods) {
 // until rounding. The constant is the curvature of the map, some tens.
 TEST(Newton, ConvergesQuadratically) {
   for (double omega : {0.28, 0.6}) {
-    const Scene scene = paper::stops_of_different_sign(omega);
+    const Scene scene = paper::figure3(omega);
     MotionState start = section_after(scene, 150);
     for (double &x : start.displacement) x *= 0.99;
     const PeriodicOrbit orbit = find_periodic_orbit(scene, start);

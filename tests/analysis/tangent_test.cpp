@@ -76,7 +76,7 @@ Case case_of(const std::string &name, const Scene &scene) {
 std::vector<Case> cases() {
   return {case_of("Figure 2", paper::figure2()),
           case_of("Figure 4(b)", paper::figure4b()),
-          case_of("impacts only", paper::stops_of_different_sign(0.6)),
+          case_of("impacts only", paper::figure3(0.6)),
           case_of("Figure 5(a)", paper::figure5a()),
           case_of("r = 0", plastic()),
           case_of("r = 0.001", with(plastic(), "restitution", 0.001)),

@@ -40,7 +40,7 @@ TEST(PaperScenes, AreFollowedToTheEndOfTheirWindows) {
 
 TEST(PaperScenes, AreThoseOfTheExamples) {
   for (double omega : {paper::figure2().omega, paper::figure4a().omega, 0.7})
-    EXPECT_TRUE(paper::stops_of_different_sign(omega) == paper_scene(omega));
+    EXPECT_TRUE(paper::figure3(omega) == paper_scene(omega));
 }
 
 // A list of zeros is written as a list that is left out.
