@@ -132,10 +132,15 @@ struct StickingPhaseRecorder : Recorder {
   }
   void event(const Event &event, const Moment &moment) override {
     if (event.mass != mass || event.time < from || event.time > to) return;
-    if (!changes_contact_mode(event.kind)) return;
-    if (event.kind == EventKind::stick) ++phase;
-    const bool at_a_root = event.kind == EventKind::release && !event.by_a_jump;
-    add(name(event.kind), at_a_root ? 0.0 : moment.hold_force(mass), moment);
+    switch (event.kind) {
+      case EventKind::impact:
+        return;
+      case EventKind::stick:
+        ++phase;
+        return add(name(event.kind), moment.hold_force(mass), moment);
+      case EventKind::release:
+        return add(name(event.kind), event.by_a_jump ? moment.hold_force(mass) : 0.0, moment);
+    }
   }
   void add(std::string_view kind, double force, const Moment &moment) {
     rows.push_back({phase, kind, moment.instant.phase, force});
