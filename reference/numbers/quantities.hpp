@@ -1,5 +1,6 @@
-// The quantities of the paper's key numbers. Each is defined once and asked of two engines: the
-// library, in double precision, and the generator, in 50 digits.
+// The quantities of the paper's key numbers that are read off runs. Each is defined once and asked
+// of two engines: the library, in double precision, and the generator, in 50 digits. For key
+// numbers with a formula (kind `derived`), the generator has the formula.
 //
 // The engines share these questions, the scenes and the kinds of events. They share no algorithm
 // and no number type. An engine has these members, where a run starts from the initial state of its
@@ -10,8 +11,8 @@
 //   period(scene)                                 the forcing period
 //   range(run, mass, window)                      lowest and highest displacement in a window
 //   turning_point(run, mass, window)              where the displacement is greatest in between
-//   least_pressing(run, stop)                     the least force into the stop, signed like the
-//                                                 force on the mass, in a sticking phase at the end
+//   least_pressing(run, stop)                     the least force that presses into the stop, in
+//                                                 a sticking phase at the end
 //   changing_frequency(scene, mass, near, far, motion)
 //                                                 Omega at which the number of sticking phases of
 //                                                 the mass changes
@@ -53,9 +54,8 @@ struct TurningPoint {
   Number time, displacement;
 };
 
-// Which motion a change of frequency belongs to. At `near` every chatter in question is complete,
-// so that the motion on that side is smooth in the frequency up to the change, and as far beyond
-// `near` as `far` is before it.
+// How the motion changes at a frequency. On the side of `near`, from 2 near - far up to the change,
+// every chatter in question is complete, so that the motion is smooth in the frequency.
 //   settled    the motion from rest changes where the settled motion ends
 //   from_rest  the motion from rest jumps to another one, and both are stable on both sides
 //   followed   the motion that settles at `near` ends; from rest another one is reached before

@@ -39,9 +39,9 @@ void PrintTo(const Distribution &distribution, std::ostream *out) {
   *out << distribution.name;
 }
 
-// Ordinary, extreme, graded and degenerate chains, the same with all forces, and scenes far from
-// the paper's in one respect each. On links up to 1e12, the state from which a flight starts has
-// rounded displacements, whose elastic energy is 1e-8 of the motion.
+// Ordinary, extreme, graded and degenerate chains, the same with all forces but for the graded
+// ones, and scenes far from the paper's in one respect each. On links up to 1e12, the state from
+// which a flight starts has rounded displacements, whose elastic energy is 1e-8 of the motion.
 constexpr Distribution distributions[] = {
     {"ordinary", run_of<random_scene, 1'000'000'000>, 50000, 2e-13, scenes},
     {"extreme", run_of<extreme_scene, 3000>, 10000, 1e-11, scenes},
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryProperty, ::testing::ValuesIn(distribution
 
 // If several masses chatter at once, runs that may take limits stick and release at the times of
 // runs that resolve every impact. One chatter may be over within a flight of another: rounding of
-// the smallest gaps then makes 1e-9 of the time left, here below 1e-11.
+// the smallest gaps then shifts an event by 1e-9 of the time left, here below 1e-11.
 TEST(ChatteringScenes, HoldTheirMassesWhenAllImpactsDo) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);

@@ -55,7 +55,7 @@ inline std::string seen_by_a_witness(const Trial &trial, double share, Witness &
   return "";
 }
 
-// As close a look as takes about so many of them.
+// Looks every 0.1 radians of the fastest mode, or some 1,500 times in a long run.
 inline Witness witness_of(const Scene &scene, double until) {
   return Witness(scene, std::max(0.1, until * frequency_bound(scene) / 1500.0));
 }
@@ -90,7 +90,7 @@ inline std::string difference(const std::vector<Event> &events, const Outcome &o
 // The verdict on one scene.
 struct Verdict {
   std::string broken = {};  // empty when every property holds
-  bool gave_up = false;     // the run ended at the limit of impacts
+  bool gave_up = false;     // the run ended at the limit of steps
 };
 
 // A run: its scene, its options, its events and its outcome.
