@@ -34,7 +34,8 @@ struct RunOptions {
   long long max_steps = 10'000'000;
 };
 
-// Why a run ended: it reached its time, a recorder stopped it, or it was given up.
+// Why a run ended: it reached its time, a recorder stopped it, or it was given up, after
+// `max_steps` or because the motion comes next to the largest double (1e305).
 enum class Ending { reached, stopped, given_up };
 
 struct Outcome {
