@@ -158,6 +158,18 @@ Occurrences<typename Engine::Number> asked_events(Engine &engine, const Argument
   return events;
 }
 
+// The range, or the turning point, of a mass in the window of the arguments.
+template <class Engine>
+auto asked_range(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  return engine.range(run, given.mass("mass"), window_of(run, given));
+}
+template <class Engine>
+auto asked_turn(Engine &engine, const Arguments &given) {
+  const paper::NamedScene run = run_of(given);
+  return engine.turning_point(run, given.mass("mass"), window_of(run, given));
+}
+
 // --- The quantities ------------------------------------------------------------------------------
 
 // A quantity: the names of its arguments, which blanks separate, and the answer of an engine.
@@ -205,30 +217,19 @@ Quantities<Engine> common_quantities() {
         }}},
       {"lowest",
        {window_names,
-        [](Engine &engine, Given given) {
-          const paper::NamedScene run = run_of(given);
-          return engine.range(run, given.mass("mass"), window_of(run, given)).lowest;
-        }}},
+        [](Engine &engine, Given given) { return asked_range(engine, given).lowest; }}},
       {"highest",
        {window_names,
-        [](Engine &engine, Given given) {
-          const paper::NamedScene run = run_of(given);
-          return engine.range(run, given.mass("mass"), window_of(run, given)).highest;
-        }}},
+        [](Engine &engine, Given given) { return asked_range(engine, given).highest; }}},
       {"turning_time",
-       {window_names,
-        [](Engine &engine, Given given) {
-          const paper::NamedScene run = run_of(given);
-          return engine.turning_point(run, given.mass("mass"), window_of(run, given)).time;
-        }}},
+       {window_names, [](Engine &engine, Given given) { return asked_turn(engine, given).time; }}},
       // The distance from the turning point to the stop of the mass.
       {"turning_gap",
        {window_names,
         [](Engine &engine, Given given) {
-          const paper::NamedScene run = run_of(given);
-          const int mass = given.mass("mass");
-          const auto turn = engine.turning_point(run, mass, window_of(run, given));
-          return Number(run.scene.stops[stop_of(run.scene, mass)].position) - turn.displacement;
+          const Scene scene = run_of(given).scene;
+          const double stop = scene.stops[stop_of(scene, given.mass("mass"))].position;
+          return Number(stop) - asked_turn(engine, given).displacement;
         }}},
       // The hold force on a mass where that force is nearest to zero inside a sticking phase.
       {"hold_force_peak",
