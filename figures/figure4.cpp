@@ -20,18 +20,17 @@ figures::StickingPhaseRecorder phases_of_mass_1(const Scene &scene) {
 }
 
 // The hold force on mass 1 in these phases.
-Table hold_force(const Scene &scene) {
+Table hold_force(const figures::StickingPhaseRecorder &phases) {
   Table table("phase,t,F2");
-  for (const auto &row : phases_of_mass_1(scene).rows)
+  for (const auto &row : phases.rows)
     if (!std::isnan(row.force)) table.row(row.phase, row.time, row.force);
   return table;
 }
 
 // The force as if mass 1 were held between these phases: the right-hand side of Eq. 20,
 // c x2' + k x2 + A1 cos(Omega t) - 2 k s1.
-Table force_between_phases(const Scene &scene) {
+Table force_between(const figures::StickingPhaseRecorder &phases, const Scene &scene) {
   const double k = scene.stiffness[0], c = scene.beta * k, s1 = scene.stops[0].position;
-  const figures::StickingPhaseRecorder phases = phases_of_mass_1(scene);
   Table table("gap,t,F2");
   for (const auto &[phase, kind, time, force, x2, v2] : phases.rows) {
     if (kind != "gap" || phase == 0 || phase == phases.phase) continue;
@@ -49,10 +48,11 @@ void draw(const std::filesystem::path &output) {
   };
   const Scene at = paper::figure3(bisect(phases, before.omega, after.omega).below);
   write(figures::parameters({before, after, at}), output / "figure4_scenes.csv");
-  write(hold_force(before), output / "figure4a.csv");
-  write(hold_force(after), output / "figure4b.csv");
-  write(hold_force(at), output / "figure4_at.csv");
-  write(force_between_phases(after), output / "figure4b_free.csv");
+  const figures::StickingPhaseRecorder two_phases = phases_of_mass_1(after);
+  write(hold_force(phases_of_mass_1(before)), output / "figure4a.csv");
+  write(hold_force(two_phases), output / "figure4b.csv");
+  write(hold_force(phases_of_mass_1(at)), output / "figure4_at.csv");
+  write(force_between(two_phases, after), output / "figure4b_free.csv");
 }
 
 }  // namespace
