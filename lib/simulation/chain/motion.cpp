@@ -110,6 +110,7 @@ void set_state(const Motion &motion, const std::vector<StopState> &stops, const 
   for (const Contact &contact : mode.contacts) {
     if (contact.held || is_resolved(contact, motion)) continue;
     const Gap gap = gap_of(contact, stops[contact.stop], motion);
+    // With the gap first, std::max keeps a gap that is no number, for which the run is given up.
     state.displacement[contact.mass] =
         scene.stops[contact.stop].position - contact.sigma * std::max(gap.value, 0.0);
     state.velocity[contact.mass] = -contact.sigma * gap.speed;
