@@ -66,7 +66,7 @@ long long default_steps(long long steps_of_two, int masses) {
 
 // The words that both commands have in common, and the times and ranges as they were given.
 struct Words {
-  std::string scene_file, until = "750", from = "0", every = "0.01";
+  std::string scene_file, until = "750", from = "0", every = "0.01", panels;
   std::vector<std::string> ranges;
   bool print_scene = false, header = false;
 };
@@ -87,6 +87,19 @@ CLI::Option *option(CLI::App &app, const std::string &name, Value &value, const 
   return app.add_option_function<std::string>(name, read, what)
       ->type_name(type)
       ->default_str(fmt::format("{}", value));
+}
+
+// The masses that have a panel: those that were given, or all, or those with a stop.
+std::vector<int> panels_of(const Scene &scene, const std::string &words, bool all) {
+  std::vector<int> panels;
+  if (!words.empty())
+    for (const std::string_view word : detail::parts_of(words, ','))
+      panels.push_back(static_cast<int>(
+          read_at("--panels", [&] { return detail::count_of(word, scene.masses()); })));
+  for (int mass = 1; mass <= scene.masses() && words.empty(); ++mass)
+    if (all || std::ranges::find(scene.stops, mass, &Stop::mass) != scene.stops.end())
+      panels.push_back(mass);
+  return panels;
 }
 
 void option(CLI::App &app, Output &output, const char *what) {
@@ -123,6 +136,8 @@ void add_scene_options(CLI::App &app, Words &words) {
   flag(app, "--print-scene", words.print_scene, "Write the options of the scene as such a file");
   flag(app, "--header", words.header,
        "Begin each table with the options, in lines # name = value, which --scene reads");
+  option(app, "--panels", words.panels, "LIST",
+         "Masses that pictures show, in panels of their own");
   app.option_defaults()->configurable(true);
 }
 
@@ -278,7 +293,8 @@ Request parse(int argc, const char *const *argv) {
       fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
                   given(command), file_of(scene, "# "));
   Common &common = run.parsed() ? static_cast<Common &>(run_request) : sweep_request;
-  common = {words.scene_file, words.header ? definition : ""};
+  common = {words.scene_file, words.header ? definition : "",
+            panels_of(scene, words.panels, run.parsed())};
   if (run.parsed()) {
     complete(run_request, scene, words);
     return run_request;

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "files.hpp"
 #include "processes.hpp"
@@ -12,10 +13,11 @@
 
 namespace vibro_impact::runner {
 
-// Both commands have the file of the scene, which no output may replace, and the head of the
-// tables: lines of comments, or nothing.
+// Both commands have the file of the scene, which no output may replace, the head of the tables
+// (lines of comments, or nothing), and the masses that have a panel in pictures.
 struct Common {
   std::string scene_file, head;
+  std::vector<int> panels;
 };
 
 // One run. All times are non-dimensional.

@@ -52,9 +52,10 @@ void check_picture(const Output &picture, const Output &table) {
     refuse("{}: needs gnuplot with its terminal {}, not found", picture.given(), terminal);
 }
 
-void draw(const Output &picture, const std::string &kind, const std::vector<Output> &tables,
-          const std::vector<std::string> &words) {
-  std::string arguments = "-c" + quoted(script()) + quoted(terminal_of(picture)) + quoted(kind);
+void draw(const Output &picture, const std::string &kind, const std::string &content,
+          const std::vector<Output> &tables, const std::vector<std::string> &words) {
+  std::string arguments =
+      "-c" + quoted(script()) + quoted(terminal_of(picture)) + quoted(kind) + quoted(content);
   for (const Output &table : tables)
     arguments += quoted(table.is_file() ? fs::absolute(table.path).string() : "/dev/null");
   for (const std::string &word : words) arguments += quoted(word);

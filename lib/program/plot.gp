@@ -1,15 +1,18 @@
 # The pictures of the program, drawn from its tables to standard output. Called by it, or by hand:
-#   gnuplot -c plot.gp terminal motion samples.csv events.csv lower upper >picture
-#   gnuplot -c plot.gp terminal portrait samples.csv masses lines|points >picture
-#   gnuplot -c plot.gp terminal diagram impacts.csv masses parameter points|branches >picture
-#   gnuplot -c plot.gp terminal map table.csv parameter parameter column >picture
-# where lower and upper are the positions of the stops of each mass, in words (NaN: no stop), a
-# diagram has two more arguments, from and to, and a map the two widths of a point.
+#   gnuplot -c plot.gp terminal motion panels samples.csv events.csv lower upper >picture
+#   gnuplot -c plot.gp terminal portrait panels samples.csv lines|points masses >picture
+#   gnuplot -c plot.gp terminal diagram panels impacts.csv points|branches axis >picture
+#   gnuplot -c plot.gp terminal map column table.csv axis axis >picture
+# where panels are the masses that are drawn, in words; lower and upper are the positions of the
+# stops of each mass, in words (NaN: no stop). An axis is a parameter, the two ends of its range, and
+# half the distance of its points, in words.
 kind = ARG2
-data = ARG3
-masses = int(kind eq 'motion' ? words(ARG5) : kind eq 'map' ? 1 : real(ARG4))
+data = ARG4
+panels = kind eq 'map' ? 1 : words(ARG3)
 tall = kind eq 'portrait' ? 640 : kind eq 'map' ? 900 : kind eq 'diagram' ? 470 : 370
-height = 130 + tall * (masses < 32000 / tall ? masses : 32000 / tall)  # cairo takes 32767 pixels
+height = 130 + tall * (panels < 32000 / tall ? panels : 32000 / tall)  # cairo takes 32767 pixels
+first = word(ARG3, 1)  # of the panels; the key stands above it
+last = word(ARG3, panels)
 if (ARG1 eq 'pdfcairo') {
   set terminal pdfcairo size 14in,(height / 100.0)in font 'Liberation Serif,22' linewidth 2
 } else {
@@ -27,13 +30,19 @@ set lmargin 11
 set rmargin 3
 set offsets 0, 0, graph 0.06, graph 0.06
 style = ARG5 eq 'points' ? 'points linestyle 1 pointtype 7 pointsize 0.3' : 'lines linestyle 1'
-# The key stands above the first panel.
-key(k, name) = k == 1 ? name : ''
+key(panel, name) = panel eq first ? name : ''
+# The range of an axis, with half a distance at each end, and the ends of the box of a point.
+from(axis) = real(word(axis, 2))
+to(axis) = real(word(axis, 3))
+before(x, axis) = x - real(word(axis, 4))
+behind(x, axis) = x + real(word(axis, 4))
+lower_end(axis) = before(from(axis) < to(axis) ? from(axis) : to(axis), axis)
+upper_end(axis) = behind(from(axis) < to(axis) ? to(axis) : from(axis), axis)
 
 if (kind eq 'motion') {
-  events = ARG4
-  lower = ARG5
-  upper = ARG6
+  events = ARG5
+  lower = ARG6
+  upper = ARG7
   stats data using 1 nooutput
   set xrange [STATS_min:STATS_max]
   # A mass sticks where it stands exactly on its stop; it hits the one that it moves towards.
@@ -41,61 +50,65 @@ if (kind eq 'motion') {
   stuck(mass, x) = x == position(lower, mass) || x == position(upper, mass) ? x : NaN
   hit(mass, v) = position(v > 0 ? upper : lower, mass)
   impact(k, mass, event, v) = mass == k && event eq 'impact' ? hit(mass, v) : NaN
-  set multiplot layout masses,1
-  do for [k = 1:masses] {
+  set multiplot layout panels,1
+  do for [panel in ARG3] {
+    k = int(panel)
     set ylabel sprintf('x_{%d}', k)
-    if (k == masses) { set xlabel 'time' }
-    plot position(lower, k) with lines linestyle 3 title key(k, 'stop'), \
+    if (panel eq last) { set xlabel 'time' }
+    plot position(lower, k) with lines linestyle 3 title key(panel, 'stop'), \
          position(upper, k) with lines linestyle 3, \
-         data using 1:(stuck(k, column(k + 1))) with lines linestyle 4 title key(k, 'sticking'), \
-         data using 1:(column(k + 1)) with lines linestyle 1 title key(k, 'displacement'), \
+         data using 1:(stuck(k, column(k + 1))) with lines linestyle 4 title key(panel, 'sticking'), \
+         data using 1:(column(k + 1)) with lines linestyle 1 title key(panel, 'displacement'), \
          events using 1:(impact(k, int($2), strcol(3), $4)) \
-           with points linestyle 2 title key(k, 'impact')
+           with points linestyle 2 title key(panel, 'impact')
   }
   unset multiplot
 }
 if (kind eq 'portrait') {
   set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03
-  set multiplot layout masses,1
-  do for [k = 1:masses] {
+  set multiplot layout panels,1
+  do for [panel in ARG3] {
+    k = int(panel)
     set xlabel sprintf('x_{%d}', k)
     set ylabel sprintf('v_{%d}', k)
-    plot data using (column(k + 1)):(column(masses + k + 1)) with @style
+    plot data using (column(k + 1)):(column(int(ARG6) + k + 1)) with @style
   }
   unset multiplot
 }
 if (kind eq 'diagram') {
-  # A branch was followed from ARG7 to ARG8, and perhaps back.
-  parameter = ARG5
-  followed = ARG6 eq 'branches'
-  from = real(ARG7)
-  to = real(ARG8)
+  # A branch was followed from one end to the other, and perhaps back.
+  followed = ARG5 eq 'branches'
   # Whether the parameter falls, from one row to the next.
   fell(x) = (falls = x < latest ? 1 : x > latest ? 0 : falls, latest = x, falls)
   velocity(k, x, mass, v, side) = fell(x) == side && mass == k ? v : NaN
   size(side) = side ? 1.2 : followed ? 0.5 : 0.2
   side_name(side) = !followed ? '' : side ? 'falling ' : 'rising '
-  set xrange [(from < to ? from : to):(from < to ? to : from)]
-  set multiplot layout masses,1
-  do for [k = 1:masses] {
+  set xrange [lower_end(ARG6):upper_end(ARG6)]
+  set multiplot layout panels,1
+  do for [panel in ARG3] {
+    k = int(panel)
     set ylabel sprintf('impact velocity of mass %d', k)
-    if (k == masses) { set xlabel parameter noenhanced }
-    plot for [side = 0:1] falls = (from > to), latest = NaN, \
+    if (panel eq last) { set xlabel word(ARG6, 1) noenhanced }
+    # The line at zero gives a range to a panel without points.
+    plot 0 with lines linestyle 3, \
+         for [side = 0:1] falls = (from(ARG6) > to(ARG6)), latest = NaN, \
          data using 1:(velocity(k, $1, int($2), $3, side)) with points linestyle (side + 1) \
-           pointtype (7 - side) pointsize size(side) title key(k, side_name(side))
+           pointtype (7 - side) pointsize size(side) title key(panel, side_name(side))
   }
   unset multiplot
 }
 if (kind eq 'map') {
-  set autoscale fix
-  set xlabel ARG4 noenhanced
-  set ylabel ARG5 noenhanced
-  set title ARG6 noenhanced
+  across = word(ARG5, 1)
+  up = word(ARG6, 1)
+  set xlabel across noenhanced
+  set ylabel up noenhanced
+  set title ARG3 noenhanced
   set offsets 0, 0, 0, 0
+  set xrange [lower_end(ARG5):upper_end(ARG5)]
+  set yrange [lower_end(ARG6):upper_end(ARG6)]
   set palette defined (0 '#f4f1ea', 1 '#8fb3cf', 2 '#12355b')
   set rmargin 12
-  half(x, width) = x + 0.51 * real(width)  # the boxes overlap
-  plot data using ARG4:ARG5:(half(column(ARG4), '-'.ARG7)):(half(column(ARG4), ARG7)): \
-         (half(column(ARG5), '-'.ARG8)):(half(column(ARG5), ARG8)):ARG6 \
+  plot data using across:up:(before(column(across), ARG5)):(behind(column(across), ARG5)): \
+         (before(column(up), ARG6)):(behind(column(up), ARG6)):ARG3 \
          with boxxyerror fillstyle solid noborder fillcolor palette
 }

@@ -86,14 +86,15 @@ void check_outputs_of(const RunRequest &request) {
 
 void draw_pictures(const RunRequest &request) {
   const Scene &scene = request.scene;
+  const std::string panels = fmt::format("{}", fmt::join(request.panels, " "));
   if (request.plot.wanted())
-    draw(request.plot, "motion", {request.samples, request.events},
+    draw(request.plot, "motion", panels, {request.samples, request.events},
          {positions_of(scene, Side::lower), positions_of(scene, Side::upper)});
   // Samples so far apart are not joined to lines.
   const bool are_points = scene.omega > 0.0 && request.every > 0.4 * Clock(scene.omega).period;
   if (request.portrait.wanted())
-    draw(request.portrait, "portrait", {request.samples},
-         {std::to_string(scene.masses()), are_points ? "points" : "lines"});
+    draw(request.portrait, "portrait", panels, {request.samples},
+         {are_points ? "points" : "lines", std::to_string(scene.masses())});
 }
 
 // The chain, of which the user may have given little, and what happened to it.

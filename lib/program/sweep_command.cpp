@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -88,6 +88,8 @@ void check_outputs_of(const SweepRequest &request) {
   const std::size_t ranges = request.grid.axes.size();
   if (ranges > 2) refuse("{}: draws one or two ranges, not {}", request.plot.given(), ranges);
   check_picture(request.plot, request.tables[ranges == 1 ? 1 : 0]);
+  if (ranges == 1 && request.panels.empty())
+    refuse("{}: no mass has a stop that it could hit", request.plot.given());
   const auto columns = record_columns(request.grid.scene.masses(), request.records);
   if (ranges == 2 && std::ranges::find(columns, request.column, &Column::name) == columns.end())
     refuse("--column {}: is no column of the table", request.column);
@@ -115,19 +117,20 @@ Journal begin(const SweepRequest &request) {
   return journal;
 }
 
+// An axis in words for gnuplot. A range of one value gets a width, too.
+std::string words_of(const Axis &axis) {
+  const double width = axis.count > 1 ? axis.value(1) - axis.from : axis.from;
+  return fmt::format("{} {} {} {}", axis.parameter, axis.from, axis.to,
+                     width != 0.0 ? std::abs(width) / 2.0 : 0.5);
+}
+
 void draw_plot(const SweepRequest &request) {
   const auto &axes = request.grid.axes;
-  const auto text = [](double number) { return fmt::format("{}", number); };
-  const auto width = [&](const Axis &axis) {
-    return text(axis.count > 1 ? std::abs(axis.value(1) - axis.from) : 1.0);
-  };
   if (axes.size() == 2)
-    return draw(
-        request.plot, "map", {request.tables[0]},
-        {axes[0].parameter, axes[1].parameter, request.column, width(axes[0]), width(axes[1])});
-  draw(request.plot, "diagram", {request.tables[1]},
-       {std::to_string(request.grid.scene.masses()), axes[0].parameter,
-        request.follow ? "branches" : "points", text(axes[0].from), text(axes[0].to)});
+    return draw(request.plot, "map", request.column, {request.tables[0]},
+                {words_of(axes[0]), words_of(axes[1])});
+  draw(request.plot, "diagram", fmt::format("{}", fmt::join(request.panels, " ")),
+       {request.tables[1]}, {request.follow ? "branches" : "points", words_of(axes[0])});
 }
 
 void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {

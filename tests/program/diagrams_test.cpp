@@ -117,20 +117,57 @@ TEST_F(Runner, ASectionHasTheStatesAtWholePeriods) {
   }
 }
 
-TEST_F(Runner, EveryKindOfPictureIsDrawn) {
+// Each picture has the panels of the masses that it shall show, by the names of their ordinates,
+// and no others. Masses without a stop have none in a diagram, and a panel without points has its
+// axes.
+TEST_F(Runner, EveryKindOfPictureIsDrawnWithItsPanels) {
   if (!there_is_gnuplot()) GTEST_SKIP() << "gnuplot is not there";
-  for (const char *command :
-       {"run --until 50 --velocities --samples s.csv --portrait p.png",
-        "run --until 200P --every 1P --velocities --samples s.csv --portrait p.png",
-        "sweep --vary omega=0.3:0.5:5 --impacts i.csv --plot p.png",
-        "sweep --vary omega=0.5:0.3:5 --back --impacts i.csv --plot p.png",
-        "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot p.png",
-        "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.1:1 --table t.csv --column sticks2 --plot "
-        "p.png"}) {
-    fs::remove(folder / "p.png");
+  const std::string run_files = " --velocities --samples s.csv --events e.csv ",
+                    impacts = "impact velocity of mass ", ten = " --masses 10 --stop 10:upper:0.1 ";
+  const struct {
+    std::string command, name;
+    int panels;
+    std::vector<std::string> shown = {};
+  } pictures[] = {
+      {"run --until 50 --portrait p.svg" + run_files, "", 0},
+      {"run --until 200P --every 1P --portrait p.svg" + run_files, "", 0},
+      {"run --until 50 --panels 1,10 --plot p.svg" + run_files + ten, ">x<", 2},
+      {"sweep --vary omega=0.3:0.5:5 --impacts i.csv --plot p.svg", impacts, 2, {"1", "2"}},
+      {"sweep --vary omega=0.5:0.3:5 --back --impacts i.csv --plot p.svg", impacts, 2},
+      {"sweep --vary omega=0.3:0.3:1 --impacts i.csv --plot p.svg", impacts, 2},
+      {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg" + ten, impacts, 1, {"10"}},
+      {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --stop 1:lower:-0.3",
+       impacts,
+       1,
+       {"1"}},
+      {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --stop 2:upper:50",
+       impacts,
+       1,
+       {"2"}},
+      {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --max-steps 1", impacts, 2},
+      {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --panels 2", impacts, 1, {"2"}},
+      {"sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot p.svg", ">period<",
+       1},
+      {"sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot p.svg "
+       "--max-steps 1",
+       ">period<", 1},
+      {"sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.1:1 --table t.csv --column sticks2 --plot "
+       "p.svg",
+       ">sticks2<", 1}};
+  for (const auto &[command, name, panels, shown] : pictures) {
+    SCOPED_TRACE(command);
+    fs::remove(folder / "p.svg");
     const Result result = run(command);
-    EXPECT_EQ(result.status, 0) << command << result.err;
-    EXPECT_GT(contents(folder / "p.png").size(), 8000u) << command << ": nearly empty";
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::string picture = contents(folder / "p.svg");
+    EXPECT_GT(picture.size(), 8000u) << "nearly empty";
+    int found = 0;
+    for (std::size_t at = 0; !name.empty() && (at = picture.find(name, at)) != std::string::npos;
+         at += name.size())
+      ++found;
+    EXPECT_EQ(found, panels);
+    for (const std::string &mass : shown)
+      EXPECT_NE(picture.find(name + mass + "<"), std::string::npos) << mass;
   }
 }
 

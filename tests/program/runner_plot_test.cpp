@@ -43,7 +43,7 @@ TEST_F(Runner, ThePictureHasEveryImpactAtItsStopAndEverySticking) {
   std::ofstream(folder / "table.sh")
       << "sed '/multiplot/d; 1i set table \"drawn\"' '" PLOT_SCRIPT
          "' >table.gp\n"
-         "gnuplot -c table.gp svg motion s.csv e.csv '-0.3 NaN' '0.33 0.1'\n";
+         "gnuplot -c table.gp svg motion '1 2' s.csv e.csv '-0.3 NaN' '0.33 0.1'\n";
   ASSERT_EQ(run("--version; sh table.sh").status, 0);
   const std::vector<int> drawn = rows_drawn(contents(folder / "drawn"));
   ASSERT_EQ(drawn.size(), 10u);
