@@ -14,8 +14,8 @@ omega is inferred, not printed. An existing output file is replaced. Tables are 
 
 Example of a run:
   vibro-impact run --from 700 --events events.csv --samples samples.csv --plot run.png
-Events: time,mass,event,velocity_before,velocity_after,contact_mode; event is impact, stick or
-release; contact_mode lists the sticking masses after the event (-, 1, 2, 1+2).
+Events are impact, stick or release; contact_mode lists the sticking masses after the event (-, 1,
+2, 1+2), phase is the time within the forcing period, and impulse is m |v_before - v_after|.
 A Poincare section, with one point in each forcing period (P):
   vibro-impact run --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --omega 0.823 --from 200P \
     --until 9999P --every 1P --velocities --samples section.csv --portrait section.png

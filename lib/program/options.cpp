@@ -164,7 +164,7 @@ void add_limits(CLI::App &app, RunOptions &options) {
 
 void add_run_options(CLI::App &run, RunRequest &request, Words &times) {
   option(run, "--until", times.until, "TIME", "End of the run; with a P behind it, in periods");
-  option(run, "--from", times.from, "TIME", "Start of both tables; the run itself starts at t = 0");
+  option(run, "--from", times.from, "TIME", "Start of the tables; the run itself starts at t = 0");
   option(run, "--every", times.every, "TIME", "Interval between samples, > 0, counted from --from");
   flag(run, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
   option(run, "--resolve-chatter", request.options.limit_below_speed, "SPEED",
@@ -175,6 +175,10 @@ void add_run_options(CLI::App &run, RunRequest &request, Words &times) {
   run.option_defaults()->configurable(false);  // the rows do not depend on these
   option(run, request.events, "Event table; - for standard output");
   option(run, request.samples, "Displacements time,x1,x2,...; - for standard output");
+  option(run, request.summary,
+         "For each stop, from --from to --until: impacts, their speeds, impulse and energy\n"
+         "lost, sticks, time in contact, impulse of the pressing force; - for standard output.\n"
+         "The speeds are those of resolved impacts (--resolve-chatter)");
   option(run, request.plot,
          "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
          "impacts of --events; .png, .pdf or .svg. --from and --until zoom");

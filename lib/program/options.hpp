@@ -26,7 +26,8 @@ struct RunRequest : Common {
   RunOptions options;
   double until = 0.0, from = 0.0, every = 0.0;
   bool velocities = false;  // beside the displacements of the samples
-  Output events{"--events"}, samples{"--samples"}, plot{"--plot"}, portrait{"--portrait"};
+  Output events{"--events"}, samples{"--samples"}, summary{"--summary"}, plot{"--plot"},
+      portrait{"--portrait"};
 };
 
 // A sweep. `definition` has the options on which the rows of its tables depend, in lines of

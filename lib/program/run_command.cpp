@@ -1,6 +1,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -8,16 +9,21 @@
 #include "options.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
+#include "summary.hpp"
 
 namespace vibro_impact::runner {
 
 namespace {
 
-Table table_of(const EventRecorder &recorder) {
-  Table table("time,mass,event,velocity_before,velocity_after,contact_mode");
-  for (const Event &event : recorder.events)
+Table table_of(const EventRecorder &recorder, const Scene &scene) {
+  Table table(
+      "time,mass,event,velocity_before,velocity_after,contact_mode,stop,side,phase,impulse");
+  for (const Event &event : recorder.events) {
+    const double m = scene.mass[static_cast<std::size_t>(event.mass - 1)];
     table.row(event.time, event.mass, name(event.kind), event.velocity_before, event.velocity_after,
-              contact_mode_name(event.held));
+              contact_mode_name(event.held), event.stop, name(event.side), event.instant.phase,
+              m * std::abs(event.velocity_before - event.velocity_after));
+  }
   return table;
 }
 
@@ -76,7 +82,7 @@ std::string positions_of(const Scene &scene, Side side) {
 }
 
 void check_outputs_of(const RunRequest &request) {
-  check_outputs({request.events, request.samples, request.plot, request.portrait},
+  check_outputs({request.events, request.samples, request.summary, request.plot, request.portrait},
                 request.scene_file);
   for (const Output &picture : {request.plot, request.portrait})
     if (picture.wanted()) check_picture(picture, request.samples);
@@ -117,9 +123,11 @@ void run_scene(const RunRequest &request) {
   check_outputs_of(request);
   EventRecorder events(request.from);
   SampleTable samples(request);
+  Summary summary(request.scene, request.from, request.until);
   std::vector<Recorder *> recorders;
   if (request.events.wanted()) recorders.push_back(&events);
   if (request.samples.wanted()) recorders.push_back(&samples);
+  if (request.summary.wanted()) recorders.push_back(&summary);
   Outcome outcome;
   {
     ProgressRecorder progress(request.until);
@@ -128,8 +136,10 @@ void run_scene(const RunRequest &request) {
     outcome = require_complete(simulation.advance(request.until, recorders));
   }
   if (request.events.wanted())
-    write_text(request.head + table_of(events).text, request.events.path);
+    write_text(request.head + table_of(events, request.scene).text, request.events.path);
   if (request.samples.wanted()) write_text(request.head + samples.table.text, request.samples.path);
+  if (request.summary.wanted())
+    write_text(request.head + summary.table().text, request.summary.path);
   draw_pictures(request);
   print_summary(request.scene, outcome);
 }

@@ -25,10 +25,12 @@ TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   const Result result = run("run --until 60 --from 20 --every 0.25 --events - --samples s.csv");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find(" sticks, "), std::string::npos) << result.err;
-  Table expected("time,mass,event,velocity_before,velocity_after,contact_mode");
+  Table expected(
+      "time,mass,event,velocity_before,velocity_after,contact_mode,stop,side,phase,impulse");
   for (const Event &event : events.events)
     expected.row(event.time, event.mass, name(event.kind), event.velocity_before,
-                 event.velocity_after, contact_mode_name(event.held));
+                 event.velocity_after, contact_mode_name(event.held), event.stop, name(event.side),
+                 event.instant.phase, std::abs(event.velocity_after - event.velocity_before));
   EXPECT_EQ(lines(result.out), lines(expected.text));
   EXPECT_GT(events.events.size(), 30u);
   EXPECT_EQ(truth::header_of(folder / "s.csv"), (truth::Row{"time", "x1", "x2"}));

@@ -1,0 +1,119 @@
+// The totals of the stops: closed forms of a bouncing mass, no dependence on the cut of chatter,
+// additivity over time, and the pressing force of the library summed up.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "program/summary.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/runner_program.hpp"
+#include "vibro_impact/scene_text.hpp"
+#include "vibro_impact/simulate.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+constexpr std::size_t impacts = 3, sticks = 4, impulse = 8, energy = 9, contact = 10, pressing = 11;
+
+// The rows of the table as numbers, with 0 for the side.
+std::vector<std::vector<double>> totals(const Scene &scene, double from, double to,
+                                        const RunOptions &options = {}) {
+  runner::Summary summary(scene, from, to);
+  require_complete(simulate(scene, to, options, summary));
+  std::vector<std::vector<double>> rows;
+  for (const std::string &line : vibro_impact::testing::lines(summary.table().text)) {
+    if (line.starts_with("stop")) continue;
+    rows.emplace_back();
+    for (const std::string_view cell : detail::parts_of(line, ','))
+      rows.back().push_back(cell == "lower" || cell == "upper" ? 0.0 : detail::number_of(cell));
+  }
+  return rows;
+}
+
+// Both stops of the first of three masses, all terms of the equation of motion, and sticking.
+Scene rich_scene() {
+  return {.mass = {1.0, 2.0, 0.5},
+          .stiffness = {1.0, 2.0, 0.7},
+          .beta = 0.1,
+          .amplitude = {0.5, 0.0, 0.2},
+          .sine = {0.0, 0.3, 0.0},
+          .constant = {0.0, 0.1, 0.0},
+          .ground = {0.0, 0.2, 0.1},
+          .omega = 0.3,
+          .restitution = 0.6,
+          .stops = {{1, Side::lower, -0.3}, {1, Side::upper, 0.2}, {3, Side::upper, 0.25}}};
+}
+
+// A mass of weight m falls from height 1/2 in a field of strength 1, and comes to rest at the time
+// (1 + r) / (1 - r). Up to then the impulse is the weight times the time; all energy is lost. The
+// tolerance is that of the extrapolation over the ten impacts of r = 0.9.
+TEST(Summary, ABouncingMassHasItsClosedForms) {
+  for (const double r : {0.0, 0.5, 0.9}) {
+    const double m = 2.0, rest = (1.0 + r) / (1.0 - r), to = 30.0;
+    const auto row = totals({.mass = {m},
+                             .stiffness = {0.0},
+                             .constant = {-m},
+                             .restitution = r,
+                             .stops = {{1, Side::lower, 0.0}},
+                             .displacement = {0.5}},
+                            0.0, to)[0];
+    EXPECT_EQ(row[sticks], 1.0);
+    EXPECT_NEAR(row[impulse], m * rest, 1e-13 * m * rest) << r;
+    EXPECT_NEAR(row[energy], m / 2.0, 1e-14) << r;
+    EXPECT_NEAR(row[contact], to - rest, 1e-13 * to) << r;
+    EXPECT_NEAR(row[pressing], m * (to - rest), 1e-13 * m * to) << r;
+  }
+}
+
+// A limit is accepted at an error of 1e-13 of its time. Five orders more are left for the states at
+// the limit, which have the errors of lib/README.md.
+TEST(Summary, ImpulseAndEnergyDoNotDependOnTheCutOfChatter) {
+  for (const Scene &scene : {paper::figure2(), rich_scene()}) {
+    const auto resolved = totals(scene, 0.0, 100.0, {.limit_below_speed = 0.0});
+    for (const double cut : {1e-3, infinity}) {
+      const auto rows = totals(scene, 0.0, 100.0, {.limit_below_speed = cut});
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        EXPECT_EQ(rows[k][sticks], resolved[k][sticks]);
+        EXPECT_LE(rows[k][impacts], resolved[k][impacts]);
+        for (const std::size_t column : {impulse, energy, contact, pressing})
+          EXPECT_NEAR(rows[k][column], resolved[k][column], 1e-10 * resolved[k][column])
+              << "stop " << k + 1 << ", column " << column;
+      }
+    }
+  }
+}
+
+// The window ends in flight (t = 28), or while a mass sticks (t = 35), and the parts add up. The
+// pressing force, summed up at distances h by the library, misses h / 2 times its jump at the two
+// ends of each phase.
+TEST(Summary, PartsOfTheTimeAddUpAndPressAsTheForceDoes) {
+  struct Press : Recorder {
+    const double h = 1e-3;
+    double taken = 0.0, sum[2] = {};
+    double next_time() const override {
+      return (taken + 0.5) * h < 100.0 ? (taken + 0.5) * h : infinity;
+    }
+    void sample(const Moment &moment) override {
+      ++taken;
+      for (const int mass : {1, 2})
+        if (const double force = moment.hold_force(mass); !std::isnan(force))
+          sum[mass - 1] += h * std::abs(force);
+    }
+  } press;
+  const Scene scene = paper::figure2();
+  require_complete(simulate(scene, 100.0, press));
+  const auto whole = totals(scene, 0.0, 100.0);
+  for (std::size_t k = 0; k < whole.size(); ++k)
+    EXPECT_NEAR(whole[k][pressing], press.sum[k], press.h * whole[k][sticks] * 0.5);
+  for (const double cut : {28.0, 35.0}) {
+    const auto first = totals(scene, 0.0, cut), second = totals(scene, cut, 100.0);
+    for (std::size_t k = 0; k < whole.size(); ++k)
+      for (const std::size_t column : {impacts, sticks, impulse, energy, contact, pressing})
+        EXPECT_NEAR(first[k][column] + second[k][column], whole[k][column],
+                    1e-12 * whole[k][column])
+            << cut << ", stop " << k + 1 << ", column " << column;
+  }
+}
+
+}  // namespace
