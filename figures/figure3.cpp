@@ -43,27 +43,50 @@ double phases_per_period(const OrbitRecord &record, int mass) {
   return counts.sticks[static_cast<std::size_t>(mass - 1)] / static_cast<double>(counts.periods);
 }
 
-// Wherever the number of sticking phases changes from one frequency of the diagram to the next, the
-// places are found by bisection to a width that no plot can show. The first change is followed by a
-// search for another one, until the number beyond it is that of the next frequency.
-Table bifurcations(const Grid &grid, const std::vector<OrbitRecord> &records) {
-  Table table("mass,kind,omega");
-  for (const int mass : {1, 2}) {
-    const auto phases = [mass](double omega) {
-      return figures::settled_sticking_phases(paper::figure3(omega), mass);
-    };
-    for (std::size_t i = 1; i < records.size(); ++i) {
-      double below = grid.values(i - 1).front();
-      const double above = grid.values(i).front();
-      if (above > end_of_sticking) break;
-      if (phases_per_period(records[i - 1], mass) == phases_per_period(records[i], mass)) continue;
-      while (phases(below) != phases(above)) {
-        const CountJump change = bisect(phases, below, above, 1e-9);
-        table.row(mass, kind_of(change, mass), change.below);
-        below = change.above;
-      }
-    }
+// A change of the number of sticking phases of a mass.
+struct Bifurcation {
+  const char *kind;
+  double omega;
+};
+
+// The changes between two frequencies, each found by bisection to a width that no plot can show.
+// The first change is followed by a search for another one, until the number beyond it is that of
+// the upper frequency.
+std::vector<Bifurcation> changes_between(double below, double above, int mass) {
+  const auto phases = [mass](double omega) {
+    return figures::settled_sticking_phases(paper::figure3(omega), mass);
+  };
+  std::vector<Bifurcation> changes;
+  while (phases(below) != phases(above)) {
+    const CountJump change = bisect(phases, below, above, 1e-9);
+    changes.push_back({kind_of(change, mass), change.below});
+    below = change.above;
   }
+  return changes;
+}
+
+// The changes wherever the number of sticking phases per period changes from one frequency of the
+// diagram to the next. These places are searched on all threads.
+Table bifurcations(const Grid &grid, const std::vector<OrbitRecord> &records) {
+  struct Place {
+    int mass;
+    double below, above;
+  };
+  std::vector<Place> places;
+  for (const int mass : {1, 2})
+    for (std::size_t i = 1; i < records.size(); ++i) {
+      const Place place{mass, grid.values(i - 1).front(), grid.values(i).front()};
+      if (place.above > end_of_sticking) break;
+      if (phases_per_period(records[i - 1], mass) != phases_per_period(records[i], mass))
+        places.push_back(place);
+    }
+  const auto changes = sweep(places.size(), [&](std::size_t k) {
+    return changes_between(places[k].below, places[k].above, places[k].mass);
+  });
+  Table table("mass,kind,omega");
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (const Bifurcation &change : changes[k])
+      table.row(places[k].mass, change.kind, change.omega);
   return table;
 }
 
