@@ -1,6 +1,6 @@
 # Figure 1: the chain at rest, with springs, dampers, stops and forcing: (a) of N masses, (b) of two
 # masses, to the scale of the displacements. With the kind gif, (b) moves through two forcing periods
-# of Figure 2; with the kind frames, every frame of this is a picture in SVG.
+# of Figure 2; with the kind svg, every twentieth frame of this is a page of a second file.
 load 'figures/style.gp'
 
 chain = data.'/figure1.csv'
@@ -17,7 +17,7 @@ along(i, part) = face(i - 1, 1) + part * (face(i, -1) - face(i - 1, 1))
 face_of_stop(i) = i * distance + stop[i] + side[i] * half
 right = 1  # how far the floor goes beyond the place of the last mass
 masses_left_out = 0  # before the last mass: none, or some, for which dots stand
-index(i) = masses_left_out && i == masses ? 'N' : sprintf('%d', i)
+number_of(i) = masses_left_out && i == masses ? 'N' : sprintf('%d', i)
 dots_before(i) = masses_left_out && i == masses
 
 line(x0, y0, x1, y1) = sprintf("set arrow from %g, %g to %g, %g nohead lc rgb '#202020'; ", x0, y0, x1, y1)
@@ -33,10 +33,10 @@ damper(i) = line(face(i - 1, 1), 0.5, end_of_cylinder(i, -1), 0.5). \
   line(piston(i), 0.5, face(i, -1), 0.5).line(piston(i), 0.41, piston(i), 0.59)
 dots(i) = sprintf("set label '{/*1.5 · · ·}' at %g, 0.62 center; ", along(i, 0.5))
 colour_of(i) = action[i] eq 'sticks' ? '#e0a030' : masses_left_out ? '#e6e6e6' : i == 1 ? '#c9d6e6' : '#f3d3cb'
-name_of_stop(i) = masses_left_out ? sprintf('s_{%s}', index(i)) : sprintf('s_%d = %g', i, stop[i])
+name_of_stop(i) = masses_left_out ? sprintf('s_{%s}', number_of(i)) : sprintf('s_%d = %g', i, stop[i])
 body(i) = (dots_before(i) ? dots(i) : damper(i)).box(face(i, -1), 0, face(i, 1), 1, colour_of(i)). \
   box(face_of_stop(i), 0, face_of_stop(i) + side[i] * 0.07, 0.3, action[i] eq 'impact' ? '#d00000' : '#707070'). \
-  sprintf("set label '{/:Italic m}_{%s}' at %g, 0.6 center front; ", index(i), i * distance + shift[i]). \
+  sprintf("set label '{/:Italic m}_{%s}' at %g, 0.6 center front; ", number_of(i), i * distance + shift[i]). \
   sprintf("set label '{/*0.85 %s}' at %g, -0.14 center; ", name_of_stop(i), face_of_stop(i) - side[i] * 0.5 * abs(stop[i])). \
   sprintf("set label '%s' at %g, 1.2 center; ", action[i], i * distance)
 ground(n) = box(half - 0.12, -0.06, half, 1.1, '#b0b0b0').box(half - 0.12, -0.06, n * distance + right, 0, '#b0b0b0')
@@ -49,7 +49,7 @@ draw_chain = "unset border; unset tics; unset xlabel; unset ylabel; set size rat
   "unset object; unset arrow; unset label"
 
 # What Figure 1 says of each mass: its displacement, its forcing, its spring and damper, and its gap.
-force(i) = masses_left_out ? sprintf('{/:Italic A}_{%s} cos Ω{/:Italic t}', index(i)) : \
+force(i) = masses_left_out ? sprintf('{/:Italic A}_{%s} cos Ω{/:Italic t}', number_of(i)) : \
   sprintf('{/:Italic A}_%d cos Ω{/:Italic t},  {/:Italic A}_%d = %g', i, i, amplitude[i])
 arrow(i, y, width) = sprintf("set arrow from %g, %g to %g, %g lw %g; ", i * distance, y, i * distance + 0.4, y, width)
 text_at(i, y, text) = sprintf("set label '%s' at %g, %g; ", text, i * distance + 0.46, y)
@@ -58,10 +58,10 @@ link(i) = sprintf("set label '{/:Italic k}_%d' at %g, %g center; ", i, along(i, 
 gap(i) = sprintf("set arrow from %g, 0.15 to %g, 0.15 heads size 0.05, 20 lw 1 front; ", face(i, side[i]), face_of_stop(i))
 named(i) = (dots_before(i) ? '' : link(i)).gap(i).arrow(i, 1.36, 1). \
   sprintf("set arrow from %g, 1.05 to %g, 1.66 nohead lt 3; ", i * distance, i * distance). \
-  text_at(i, 1.36, sprintf('{/:Italic x}_{%s}', index(i))). \
+  text_at(i, 1.36, sprintf('{/:Italic x}_{%s}', number_of(i))). \
   (masses_left_out || amplitude[i] > 0 ? arrow(i, 1.6, 2.5).text_at(i, 1.6, force(i)) : '')
 
-if (kind ne 'gif' && kind ne 'frames') {
+if (kind ne 'gif') {
   eval opened('figure1', 1400, 850).'; set multiplot'
   set yrange [-0.2:1.75]
   do for [part = 1:2] {
@@ -76,21 +76,22 @@ if (kind ne 'gif' && kind ne 'frames') {
     eval draw_chain
   }
   unset multiplot
-} else {
+}
+if (kind eq 'gif' || kind eq 'svg') {
   motion = data.'/figure1_motion.csv'
-  stats motion using 't' nooutput
+  stats [*:*] [*:*] motion using 't' nooutput
   begin = STATS_min; end = STATS_max; frames = STATS_records
   eval scenes('figure1')
   if (kind eq 'gif') {
     set terminal gif animate delay 10 loop 0 optimize size 720,420 font 'Liberation Serif,15' background rgb '#ffffff'
     set output data.'/motion.gif'
   }
+  if (kind eq 'svg') {
+    set terminal svg size 720,420 font 'Liberation Serif,15'
+    set output data.'/figure1_motion.svg'
+  }
   # A gif keeps the colours of its first frame, under which passes 1 and 2 draw all that appear later.
-  do for [k = 1:frames] {
-    if (kind eq 'frames') {
-      set terminal svg size 800,460 font 'Liberation Serif,15'
-      set output sprintf('%s/motion%04d.svg', data, k)
-    }
+  do for [k = 1:frames:(kind eq 'gif' ? 1 : 20)] {
     set multiplot
     do for [pass = (k == 1 && kind eq 'gif' ? 1 : 3):3] {
       stats [*:*] [*:*] motion every ::k::k using (now = pass == 3 ? $1 : end, shift[1] = $2, shift[2] = $3, \

@@ -1,8 +1,7 @@
 # Shared by the figures. Run a figure from the top of the repository:
 #   gnuplot -e "data='build/figures'; kind='png'" figures/figure2.gp
 # It reads the tables in `data` and writes the picture, png, pdf or svg, beside them; figure1.gp also
-# has the kinds gif and frames. With the kind table it writes the points of every curve as text instead: the
-# tests read these.
+# has the kind gif.
 if (!exists("data")) { data = 'build/figures' }
 if (!exists("kind")) { kind = 'png' }
 
@@ -19,8 +18,9 @@ terminal(width, height) = kind eq 'png' ? \
 opened(name, width, height) = sprintf("set terminal %s; set output '%s/%s.%s'", \
                                       terminal(width, height), data, name, kind)
 canvas(name, rows) = opened(name, 1400, 100 + 560 * rows)
-page(name, rows, columns) = kind eq 'table' ? sprintf("set table '%s/%s.table'", data, name) : \
-  canvas(name, rows).sprintf("; set multiplot layout %d,%d", rows, columns)
+page(name, rows, columns) = canvas(name, rows).sprintf("; set multiplot layout %d,%d", rows, columns)
+# `with @image` draws a grid of colours. SVG has an area for each, which the tests can read.
+image = kind eq 'svg' ? 'image pixels' : 'image'
 
 set linetype 1 linecolor rgb '#12355b' linewidth 1.4 dashtype solid    # mass 1
 set linetype 2 linecolor rgb '#c8442c' linewidth 1.4 dashtype (9, 5)   # mass 2

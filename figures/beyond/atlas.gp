@@ -30,7 +30,7 @@ do for [part = 1:2] {
     at 0.22, 0.3 tc rgb (part == 1 ? '#000000' : '#ffffff') front
   eval key_beside_heading
   set key samplen 0.7 maxrows 2 at graph 1, graph (part == 1 ? 1.22 : 1.125)
-  plot data.'/atlas.csv' using 'omega':'restitution':(class(part)) with image notitle, \
+  plot data.'/atlas.csv' using 'omega':'restitution':(class(part)) with @image notitle, \
     for [mass = 1:2] data.'/atlas_borders.csv' using (of_mass(mass, column('omega'))):'restitution' \
       with points pt 7 ps (part == 2 ? 0.3 : 0) lt mass notitle, \
     '+' using (0.25):(0.7):(0.45):(0) every ::::0 with vectors nohead lc rgb '#000000' lw 0.8 dt solid notitle, \

@@ -34,7 +34,7 @@ set key at graph 0, graph -0.28 left samplen 0.3 maxrows 5
 do for [n = 1:2] {
   set title place[n] offset 0, -0.5
   set label 1 n == 2 ? '(a) and (b): 100 × 100 starts, masses at rest' : '' at graph 0.03, graph -0.58
-  plot table(n) using 'displacement1':'displacement2':(class(n, column('impacts1') + column('impacts2'))) with image notitle, \
+  plot table(n) using 'displacement1':'displacement2':(class(n, column('impacts1') + column('impacts2'))) with @image notitle, \
     for [c = first[n]:last[n]] NaN with points pt 5 ps 2.4 lc rgb colour[c] \
       title sprintf('%g impacts per period%s: %.0f%%', impacts[c], sticks[c], share[c]), \
     '+' using (0):(n == 1 ? 0 : NaN) every ::::0 with points pt 2 ps 2 lw 2 lc rgb '#000000' title (n == 1 ? 'start of Figure 3, at rest' : '')

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "figures/error_vs_runtime/methods/method.hpp"
-#include "tests/support/panels.hpp"
 #include "tests/support/refusals.hpp"
+#include "tests/support/tables.hpp"
 
 namespace {
 

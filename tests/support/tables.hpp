@@ -1,0 +1,69 @@
+// Shared by the tests of the figures: the tables of the drivers and those in documents, and the
+// true events to compare them with.
+#pragma once
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "events.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "reference/truth/event_reader.hpp"
+#include "reference/truth/table_reader.hpp"
+
+namespace vibro_impact::testing {
+
+// Runs the driver of a figure. Returns the folder of its tables, which is that of one test in this
+// build, since several tests run at once. Throws std::runtime_error if the driver fails.
+inline std::string tables_of(const std::string &figure, const std::string &test) {
+  const std::string folder = PROGRAM_DIR "/../tables_of_tests/" + test;
+  const std::string command = "'" PROGRAM_DIR "/" + figure + "' --output '" + folder + "'";
+  if (std::system(command.c_str()) != 0) throw std::runtime_error(command + ": failed");
+  return folder;
+}
+
+// The columns of a table by their names. Only cells that are numbers count.
+using Columns = std::map<std::string, std::vector<double>>;
+
+inline Columns columns_of(const std::string &path) {
+  const truth::Row names = truth::header_of(path);
+  Columns columns;
+  for (const auto &cells : truth::read_rows(path, names.size()))
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (const auto value = truth::as_number(cells[i])) columns[names[i]].push_back(*value);
+  return columns;
+}
+
+inline std::vector<Event> true_events(const std::string &scene) {
+  return truth::read_event_table(REFERENCE_DIR "/" + scene + "_events.csv");
+}
+
+// Each mass of the paper's scenes has one stop.
+inline double stop_position(const Scene &scene, int mass) {
+  return scene.stops[static_cast<std::size_t>(mass - 1)].position;
+}
+
+inline bool holds(const Held &held, int mass) {
+  const auto i = static_cast<std::size_t>(mass - 1);
+  return i < held.size() && held[i] != 0;
+}
+
+// The rows of the tables in a document, without the blanks around their cells.
+inline truth::Rows rows_in_document(const std::string &path) {
+  const std::regex cell(R"(\| *([^|]*?) *(?=\|))");
+  truth::Rows rows;
+  std::ifstream document = truth::opened(SOURCE_DIR "/" + path);
+  for (std::string line; std::getline(document, line);) {
+    if (!line.starts_with("| ")) continue;
+    rows.emplace_back();
+    for (std::sregex_iterator found(line.begin(), line.end(), cell), end; found != end; ++found)
+      rows.back().push_back((*found)[1]);
+  }
+  return rows;
+}
+
+}  // namespace vibro_impact::testing
