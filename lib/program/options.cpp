@@ -79,14 +79,16 @@ CLI::Option *option(CLI::App &app, const std::string &name, Value &value, const 
     if (word.empty()) refuse("{}: needs a value", name);
     if constexpr (std::is_same_v<Value, std::string>)
       value = word;
-    else if constexpr (std::is_same_v<Value, double>)
+    else if constexpr (std::is_same_v<Value, double> ||
+                       std::is_same_v<Value, std::optional<double>>)
       value = read_at(name, [&] { return detail::number_of(word); });
     else
       value = static_cast<Value>(read_at(name, [&] { return detail::count_of(word, most); }));
   };
-  return app.add_option_function<std::string>(name, read, what)
-      ->type_name(type)
-      ->default_str(fmt::format("{}", value));
+  CLI::Option *added = app.add_option_function<std::string>(name, read, what)->type_name(type);
+  if constexpr (!std::is_same_v<Value, std::optional<double>>)
+    added->default_str(fmt::format("{}", value));
+  return added;
 }
 
 // The masses that have a panel: those that were given, or all, or those with a stop.
@@ -230,7 +232,8 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, std::vector<std::
          "Forcing periods after which a motion counts as not settling", 1'000'000);
   add_limits(sweep, records.settle.run);
   option(sweep, "--slowest", records.slowest, "SPEED",
-         "Write the impacts of a chatter down to this speed to --impacts");
+         "Write the impacts of a chatter down to this speed to --impacts; by default down\n"
+         "to 1e-4 of the speed of the fastest impact");
   flag(sweep, "--lyapunov", records.lyapunov, "Add the greatest Lyapunov exponent");
   flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");
   flag(sweep, "--follow", request.follow,

@@ -45,10 +45,10 @@ TEST(Lyapunov, IsMinusInfinityWhereEveryPerturbationDiesOut) {
                     .stops = {{1, Side::lower, -0.3}}};
   const OrbitRecord record = record_within(400, scene);
   ASSERT_GT(record.counts.sticks[0], 0);
-  EXPECT_EQ(record.lyapunov.value(), -INFINITY);
-  const Growth growth = mean_growth(scene, at_quiet_phase(scene, record.state), 200);
+  EXPECT_EQ(record.lyapunov.value().exponent, -INFINITY);
+  const Growth growth = mean_growth(scene, at_quiet_phase(scene, record.state), {.longest = 200});
   EXPECT_EQ(growth.exponent, -INFINITY);
-  EXPECT_TRUE(growth.sign_is_certain);
+  EXPECT_TRUE(growth.sign_is_certain());
 }
 
 // Far from its stops the chain is linear: the slower of its modes decays at beta lambda_1 / 2.
@@ -58,10 +58,10 @@ TEST(Lyapunov, OfALinearMotionIsTheSlowestDecay) {
   const double expected = -0.05 * (3.0 - std::sqrt(5.0)) / 2.0;
   const OrbitRecord record = record_within(2000, scene);
   ASSERT_EQ(record.period, 1);
-  EXPECT_NEAR(*record.lyapunov, expected, 1e-12);  // rounding of the multipliers
+  EXPECT_NEAR(record.lyapunov->exponent, expected, 1e-12);  // rounding of the multipliers
   // The mean growth also depends on the angle of the perturbation, by a factor of order 1 of its
   // length.
-  EXPECT_NEAR(mean_growth(scene, start_of(scene), 100).exponent, expected,
+  EXPECT_NEAR(mean_growth(scene, start_of(scene), {.longest = 100}).exponent, expected,
               std::log(10.0) / (100 * Clock(scene.omega).period));
 }
 
@@ -74,7 +74,7 @@ TEST(Lyapunov, ScalingThePerturbationDoesNotChangeItsGrowth) {
     const double expected = logarithm_of_growth(20, scene, start) / (20 * Clock(omega).period);
     // The rounding of the motion grows no faster than the perturbation. The columns of the
     // derivative cancel in their sum where all directions contract, which costs some digits more.
-    EXPECT_NEAR(mean_growth(scene, start, 20).exponent, expected, 1e-8) << omega;
+    EXPECT_NEAR(mean_growth(scene, start, {.longest = 20}).exponent, expected, 1e-8) << omega;
   }
 }
 
@@ -92,13 +92,67 @@ TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
     const Scene scene = with(paper::figure3(omega), "amplitude1", amplitude);
     const OrbitRecord record = record_within(200, scene);
     ASSERT_EQ(record.period, 0) << omega;
-    ASSERT_TRUE(record.lyapunov) << omega;
+    ASSERT_TRUE(record.lyapunov && record.lyapunov->sign_is_certain()) << omega;
     const bool settles = settle(scene, start_of(scene), {.longest = 4000}).period > 0;
-    EXPECT_EQ(*record.lyapunov < 0.0, settles) << omega << ": " << *record.lyapunov;
+    EXPECT_EQ(record.lyapunov->exponent < 0.0, settles)
+        << omega << ": " << record.lyapunov->exponent;
     ++(settles ? slow : chaotic);
   }
   EXPECT_EQ(chaotic, 3);
   EXPECT_EQ(slow, 3);
+}
+
+// A chaotic motion of one mass. Its exponent over 100,000 periods is 0.02080 with an error of
+// 0.00015; an independent computation over 20,000 periods gave 0.0207 with an error of 0.0003. Of
+// 41 starts, those of a normal distribution lie within two errors but for two, and all within three
+// but for a chance of one in ten.
+TEST(Lyapunov, TheErrorCoversTheSpreadOfStarts) {
+  Scene scene{.mass = {1.0},
+              .stiffness = {1.0},
+              .beta = 0.1,
+              .amplitude = {0.1},
+              .omega = 0.823,
+              .restitution = 0.7,
+              .stops = {{1, Side::upper, 0.3}}};
+  const double expected = 0.0208;
+  int within_two = 0;
+  for (int k = 0; k <= 40; ++k) {
+    scene.displacement = {-0.2 + 0.01 * k};
+    const Growth growth = record_within(400, scene).lyapunov.value();
+    EXPECT_LT(growth.error, 0.003);
+    EXPECT_LT(std::abs(growth.exponent - expected), 3.0 * growth.error) << k;
+    within_two += std::abs(growth.exponent - expected) < 2.0 * growth.error;
+  }
+  EXPECT_GE(within_two, 37);
+  const Growth longer = mean_growth(scene, start_of(scene), {.longest = 20'000, .error = 5e-4});
+  EXPECT_LE(longer.error, 5e-4);
+  EXPECT_NEAR(longer.exponent, expected, 3.0 * longer.error);
+}
+
+// Without damping and impacts nothing grows but rounding.
+TEST(Lyapunov, TheSignOfRoundingIsNotGiven) {
+  const Scene scene{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.3}, .omega = 1.9};
+  const Growth growth = mean_growth(scene, start_of(scene));
+  EXPECT_LT(std::abs(growth.exponent), 1e-15);
+  EXPECT_FALSE(growth.sign_is_certain());
+}
+
+// The exponent of an orbit at which a motion has settled, and that of Newton's orbit.
+TEST(Lyapunov, TheErrorCoversWhatIsLeftOfSettling) {
+  int orbits = 0;
+  for (int k = 0; k <= 60; ++k) {
+    const Scene scene = paper::figure3(0.25 + 0.0075 * k);
+    const OrbitRecord record = record_within(400, scene);
+    if (record.period == 0) continue;
+    const PeriodicOrbit orbit =
+        find_periodic_orbit(scene, at_quiet_phase(scene, record.state), record.period);
+    ASSERT_TRUE(orbit.converged) << scene.omega;
+    const double expected =
+        std::log(std::abs(orbit.multipliers.front())) / (record.period * Clock(scene.omega).period);
+    EXPECT_NEAR(record.lyapunov->exponent, expected, record.lyapunov->error) << scene.omega;
+    ++orbits;
+  }
+  EXPECT_GT(orbits, 50);
 }
 
 // Motions on a torus never settle, and their exponent is zero: its sign is never certain, although
@@ -109,7 +163,7 @@ TEST(Lyapunov, TheSignOfAZeroExponentIsNotGiven) {
     const OrbitRecord record =
         record_within(200, with(paper::figure3(omega), "amplitude1", amplitude));
     EXPECT_EQ(record.period, 0) << omega;
-    EXPECT_FALSE(record.lyapunov.has_value()) << omega << ": " << *record.lyapunov;
+    EXPECT_FALSE(record.lyapunov->sign_is_certain()) << omega << ": " << record.lyapunov->exponent;
   }
 }
 

@@ -77,8 +77,9 @@ TEST(Sweep, RecordsAreRowsOfATable) {
   Grid grid = grid_of_figure3();
   grid.axes = {{"omega", 0.28, 0.69, 2}};
   RecordOptions options;
-  options.pairs = options.lyapunov = true;
+  options.pairs = options.lyapunov = options.attractor = true;
   OrbitRecord record;
+  record.lyapunov = {0.0123456, 0.00123};
   record.period = 2;
   record.counts = {4, {1, 2}, {3, 4}, true};
   record.pairs = {EventPair::dual_sticking, EventPair::sticking_impact};
@@ -98,7 +99,9 @@ TEST(Sweep, RecordsAreRowsOfATable) {
                                                        {"impacts1", "0.25"},
                                                        {"impacts2", "0.5"},
                                                        {"dual_sticking", "1"},
-                                                       {"lyapunov", ""},
+                                                       {"lyapunov", "0.0123"},
+                                                       {"lyapunov_error", "0.0012"},
+                                                       {"attractor", ""},
                                                        {"pairs", "DS SI"}};
   for (const auto &[name, value] : expected) EXPECT_EQ(cell.at(name), value) << name;
   truth::Row empty(names.size());
@@ -157,9 +160,12 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
       {[&] { sweep(3, number, -1); }, "threads = -1: must lie from 0 to"},
       {record([](auto &o) { o.settle.longest = 0; }), "longest = 0"},
       {record([](auto &o) { o.slowest = -1.0; }), "slowest = -1"},
+      {record([](auto &o) { o.settle.largest_period = 0; }), "largest_period = 0: must lie from 1"},
+      {[&] { mean_growth(good, start, {.error = -1.0}); }, "error = -1: must be non-negative"},
+      {[&] { attractor_mark(good, {MotionState{}}); }, "displacement: 0 values"},
       {[&] { record_of(with(good, "omega", 0.0)); }, "omega = 0"},
       {[&] { settle(good, far_out); }, "period 9223372036854775807"},
-      {[&] { mean_growth(good, start, 0); }, "longest = 0"},
+      {[&] { mean_growth(good, start, {.longest = 0}); }, "longest = 0"},
       {counted(0, 1), "mass 0: the chain has"},
       {counted(3, 1), "mass 3: the chain has"},
       {counted(1, 3), "stop 3: the scene has 2"},
@@ -176,7 +182,7 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
        },
        "record: counts of 0 masses"},
       {[&] { start_near(good, {}); }, "displacement: 0 values"},
-      {[&] { mean_growth(good, MotionState{}, 100); }, "displacement: 0 values"},
+      {[&] { mean_growth(good, MotionState{}, {}); }, "displacement: 0 values"},
   });
 }
 

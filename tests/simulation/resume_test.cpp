@@ -56,6 +56,63 @@ TEST(Resume, ACopyGoesOnAsTheOriginalAndDoesNotMoveIt) {
                    "until = 700: lies before the start at 750"}});
 }
 
+// A call that ends at 7.98 ends inside a chatter, whose limit is at 7.9939. Without a limit, the
+// events of the next call are the impacts of the chatter that follow the end of the call before.
+TEST(Resume, OtherOptionsReportNoEventOfThePast) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {1.0},
+                    .constant = {1.0},
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, 0.5}}};
+  const RunOptions all_impacts{.limit_below_speed = 0.0};
+  Simulation simulation(scene);
+  require_complete(simulation.advance(7.98));
+  simulation.set_options(all_impacts);
+  EventRecorder recorder(-infinity);
+  UntilEvent first(1);
+  Simulation copy = simulation;
+  EXPECT_GE(copy.advance(20.0, first).time, 7.98);
+  require_complete(simulation.advance(20.0, recorder));
+  const std::vector<Event> expected = events_of(scene, 7.98, 20.0, all_impacts);
+  ASSERT_EQ(recorder.events.size(), expected.size());
+  EXPECT_GT(expected.size(), 10u);
+  // The limit lies within 1e-13 of the impacts, and so do all of them.
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(recorder.events[k].time, expected[k].time, 1e-12);
+}
+
+// A ball falls from 1/2 under a weight of 1 and hits the stop at t = 1, with the velocity -1. A
+// sample there has the velocity before the impact. A run that starts at the impact has the velocity
+// after it.
+TEST(Resume, ASampleAtAnImpactHasTheVelocityBeforeAndAStartTheVelocityAfter) {
+  struct Velocity : Recorder {
+    double time, velocity = 0.0;
+    bool taken = false;
+    explicit Velocity(double at) : time(at) {
+    }
+    double next_time() const override {
+      return taken ? infinity : time;
+    }
+    void sample(const Moment &moment) override {
+      velocity = moment.velocity(1);
+      taken = true;
+    }
+  };
+  Scene scene{.mass = {1.0},
+              .stiffness = {0.0},
+              .constant = {-1.0},
+              .restitution = 0.5,
+              .stops = {{1, Side::lower, 0.0}},
+              .displacement = {0.5}};
+  Velocity falling(1.0), starting(0.0);
+  require_complete(simulate(scene, 1.5, falling));
+  EXPECT_EQ(falling.velocity, -1.0);
+  scene.displacement = {0.0};
+  scene.velocity = {-1.0};
+  require_complete(simulate(scene, 0.5, starting));
+  EXPECT_EQ(starting.velocity, 0.5);
+}
+
 // The simulation leaves the chatter that it was in. A start that does not fit leaves it as it was.
 TEST(Resume, AnotherStartGivesTheEventsOfANewSimulation) {
   const Scene scene = paper::figure2();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -77,6 +78,28 @@ inline MotionState state_at(const Moment &moment, const Held &held) {
     at.velocity.push_back(moment.velocity(mass));
   }
   return at;
+}
+
+// The frequency of each mass between neighbours that stand still, or Omega > 0 on no spring.
+inline std::vector<double> local_frequencies(const Scene &scene) {
+  std::vector<double> frequencies;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
+                 stiffness = scene.stiffness[i] + right + entry_of(scene.ground, i);
+    frequencies.push_back(stiffness > 0.0 ? std::sqrt(stiffness / scene.mass[i]) : scene.omega);
+  }
+  return frequencies;
+}
+
+// The distance of two states as a length: the amplitude of the vibration of which their difference
+// is one phase, that of the mass with the largest. It is free of the units of length and time.
+inline double amplitude(const std::vector<double> &frequencies, const MotionState &a,
+                        const MotionState &b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < frequencies.size(); ++i)
+    largest = std::max(largest, std::hypot(a.displacement[i] - b.displacement[i],
+                                           (a.velocity[i] - b.velocity[i]) / frequencies[i]));
+  return largest;
 }
 
 // Replaces the velocities just after an event by those just before it. Only an impact changes one.

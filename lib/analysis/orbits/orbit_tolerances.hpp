@@ -23,22 +23,26 @@ constexpr double simultaneous = 1e-6;  // time between events of a pair
 constexpr double slow_contact = 1e-6;  // speed of a contact that may be grazing
 constexpr double pulled_off = 1e-9;    // force on it
 
-// `settle_tolerance` and `repeats` are above the errors of rounding and of chatter limits. Between
-// `same_section` and `not_decided`, a motion may turn around its orbit. The periods bound the work.
+// Distances relative to the amplitude of the motion. `settle_tolerance` and `repeats` are above the
+// errors of rounding and of chatter limits. Between `same_section` and `not_decided`, a motion may
+// turn around its orbit. The periods bound the work.
 constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
-constexpr int most_periods_of_orbit = 8;         // forcing periods
-constexpr double settle_tolerance = 1e-10;       // what is still to come, non-dimensional
-constexpr double repeats = 1e-12;                // distance of two sections, in the state
+constexpr int most_periods_of_orbit = 1000;      // forcing periods
+constexpr double settle_tolerance = 1e-10;       // what is still to come
+constexpr double repeats = 1e-12;                // distance of two sections
 constexpr double same_section = 10.0;            // distance, in tolerances of what is still to come
 constexpr double not_decided = 1e4;              // likewise
+constexpr double approaching = 0.5;              // fall of the largest distance from block to block
 
-// A perturbation does not overflow within `rescaled_after`. The next three were measured in
-// lyapunov_test, and the last two bound the work.
-constexpr int rescaled_after = 8;        // forcing periods
-constexpr int block_length = 40;         // forcing periods
-constexpr std::size_t least_blocks = 4;  // of a mean growth
-constexpr double least_ratio = 4.0;      // of the mean to its standard error
-constexpr int periods_counted = 40;      // forcing periods, of a motion that has not settled
-constexpr int most_averaged = 1000;      // forcing periods
+// A perturbation does not overflow within `rescaled_after`. The lengths of blocks were measured in
+// lyapunov_test.
+constexpr int rescaled_after = 8;         // forcing periods
+constexpr int block_length = 40;          // forcing periods
+constexpr std::size_t least_blocks = 16;  // of a mean growth
+constexpr double least_change = 0.25;     // of ln of the length of a perturbation, by its norm
+constexpr double exponent_error = 1e-7;   // of ln|mu| at a state that has settled
+constexpr double mark_error = 0x1p-24;    // of the mark of an attractor, relative to its terms
+constexpr double slow_impact = 1e-4;      // speed, relative to the fastest impact
+constexpr int periods_counted = 40;       // forcing periods, of a motion that has not settled
 
 }  // namespace vibro_impact

@@ -14,19 +14,17 @@ namespace vibro_impact {
 
 namespace {
 
-double largest_component(const Eigen::VectorXd &vector) {
-  return vector.size() == 0 ? 0.0 : vector.cwiseAbs().maxCoeff();
-}
-
 // One iterate z of Newton's method: the map at z, P(z) - z, and the step to the next iterate.
 struct Iterate {
   StroboscopicImage image;
-  Eigen::VectorXd residual, step;
-  std::string why_not_usable;  // empty: it returns in its own contact mode, with finite numbers
+  Eigen::VectorXd step = {};
+  double residual = 0.0, size = 0.0;  // the distance of P(z) from z, and of z from zero
+  std::string why_not_usable =
+      {};  // empty: it returns in its own contact mode, with finite numbers
 };
 
 Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
-  Iterate iterate{stroboscopic_map_and_derivative(simulation, at, periods), {}, {}, {}};
+  Iterate iterate{.image = stroboscopic_map_and_derivative(simulation, at, periods)};
   if (iterate.image.state.held != at.held) {
     iterate.why_not_usable =
         line("returns with other masses held (", contact_mode_name(iterate.image.state.held),
@@ -35,14 +33,18 @@ Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
   }
   const std::vector<std::size_t> free = free_coordinates(at.held);
   const auto unknowns = static_cast<Eigen::Index>(free.size());
-  iterate.residual = (view(coordinates(iterate.image.state)) - view(coordinates(at)))(free);
+  const Eigen::VectorXd residual =
+      (view(coordinates(iterate.image.state)) - view(coordinates(at)))(free);
+  const std::vector<double> frequencies = local_frequencies(simulation.scene());
+  const std::vector<double> zero(at.held.size(), 0.0);
+  iterate.residual = amplitude(frequencies, iterate.image.state, at);
+  iterate.size = amplitude(frequencies, at, {at.instant, zero, zero, at.held});
   const Eigen::MatrixXd derivative = view(iterate.image.derivative)(free, free);
-  if (!iterate.residual.allFinite() || !derivative.allFinite())
+  if (!residual.allFinite() || !derivative.allFinite())
     iterate.why_not_usable = "the map or its derivative is not finite";
   else if (unknowns > 0)
-    iterate.step = (Eigen::MatrixXd::Identity(unknowns, unknowns) - derivative)
-                       .partialPivLu()
-                       .solve(iterate.residual);
+    iterate.step =
+        (Eigen::MatrixXd::Identity(unknowns, unknowns) - derivative).partialPivLu().solve(residual);
   return iterate;
 }
 
@@ -174,16 +176,14 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
     const Iterate iterate = evaluate(simulation, at, periods);
     if (!iterate.why_not_usable.empty())
       return ended(line("iterate ", iteration, ": ", iterate.why_not_usable));
-    const double size = largest_component(iterate.residual);
-    orbit.residuals.push_back(size);
-    if (size < best) {
-      best = size;
+    orbit.residuals.push_back(iterate.residual);
+    if (iterate.residual < best) {
+      best = iterate.residual;
       orbit.state = at;
       orbit.multipliers = floquet_multipliers(iterate.image.derivative, at.held);
     }
-    const double allowed =
-        newton_tolerance * std::max(1.0, largest_component(view(coordinates(at))));
-    orbit.converged = size <= allowed;
+    const double allowed = newton_tolerance * iterate.size;
+    orbit.converged = iterate.residual <= allowed;
     if (orbit.converged) return orbit;
     if (iteration == most_iterations)
       return ended(line("residual = ", best, " after ", iteration, " iterations: above ", allowed));

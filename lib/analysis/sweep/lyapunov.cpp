@@ -14,49 +14,54 @@ namespace vibro_impact {
 
 namespace {
 
-// Whether the sign of the mean growth is certain, from the growth in each block.
-bool is_certain(const std::vector<double> &blocks) {
-  if (blocks.size() < least_blocks) return false;
-  const auto [mean, variance] = boost::math::statistics::mean_and_sample_variance(blocks);
-  return std::abs(mean) > least_ratio * std::sqrt(variance / static_cast<double>(blocks.size()));
+// The standard error of the mean of all blocks.
+double standard_error(const std::vector<double> &blocks) {
+  if (blocks.size() < least_blocks) return infinity;
+  const double variance = boost::math::statistics::sample_variance(blocks);
+  return std::sqrt(variance / static_cast<double>(blocks.size()));
 }
 
 }  // namespace
 
-Growth mean_growth(const Scene &scene, const MotionState &start, int longest,
-                   const RunOptions &options) {
-  Simulation simulation(scene, options);
-  return mean_growth(simulation, start, longest);
+Growth mean_growth(const Scene &scene, const MotionState &start, const GrowthOptions &options,
+                   const RunOptions &run) {
+  Simulation simulation(scene, run);
+  return mean_growth(simulation, start, options);
 }
 
-Growth mean_growth(Simulation &simulation, const MotionState &start, int longest) {
+Growth mean_growth(Simulation &simulation, const MotionState &start, const GrowthOptions &options) {
   const Scene &scene = simulation.scene();
   check(scene, start);
-  require(longest >= 1, "longest = ", longest, ": must be positive");
-  time_after(scene, start, longest);  // refuses a length that cannot be run
+  require(options.longest >= 1, "longest = ", options.longest, ": must be positive");
+  require(options.error >= 0.0, "error = ", options.error, ": must be non-negative");
+  time_after(scene, start, options.longest);  // refuses a length that cannot be run
   MotionState state = start;
   Eigen::VectorXd perturbation = Eigen::VectorXd::Zero(2 * scene.masses());
   for (const std::size_t row : free_coordinates(start.held))
     perturbation[static_cast<Eigen::Index>(row)] = 1.0;
   perturbation.normalize();
   double logarithm = 0.0, before_block = 0.0;  // of the length, had it never been brought back to 1
-  std::vector<double> blocks;                  // growth per forcing period in each block
+  std::vector<double> blocks;                  // growth per time in each block
   int done = 0;
-  while (done < longest && !is_certain(blocks)) {
-    const int periods = std::min(rescaled_after, longest - done);
+  Growth growth;
+  while (done < options.longest && !(growth.error <= options.error)) {
+    const int periods = std::min(rescaled_after, options.longest - done);
     const StroboscopicImage image = stroboscopic_map_and_derivative(simulation, state, periods);
     perturbation = view(image.derivative) * perturbation;
     const double length = perturbation.stableNorm();  // neither overflows nor underflows
     state = image.state;
     done += periods;
-    if (length == 0.0) return {-infinity, true};
+    if (length == 0.0) return {-infinity, 0.0};
     perturbation /= length;
     logarithm += std::log(length);
-    if (done % block_length != 0) continue;
-    blocks.push_back((logarithm - before_block) / block_length);
-    before_block = logarithm;
+    const double period = Clock(scene.omega).period, time = done * period;
+    if (done % block_length == 0) {
+      blocks.push_back((logarithm - before_block) / (block_length * period));
+      before_block = logarithm;
+    }
+    growth = {logarithm / time, std::max(standard_error(blocks), least_change / time)};
   }
-  return {logarithm / (done * Clock(scene.omega).period), is_certain(blocks)};
+  return growth;
 }
 
 }  // namespace vibro_impact

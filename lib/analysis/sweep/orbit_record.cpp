@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <regex>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
@@ -36,15 +39,15 @@ struct SectionRecorder : Recorder {
 // Follows the motion from where it settled for `periods` forcing periods, and records them.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                const RecordOptions &options, OrbitRecord &record) {
-  const double begin = time_of(motion.state.instant, Clock(scene.omega)),
-               until = time_after(scene, motion.state, periods);
+  const double until = time_after(scene, motion.state, periods);
   RunOptions run = options.settle.run;
-  EventRecorder events(begin);
+  EventRecorder events(-infinity);
   SectionRecorder section(scene, motion.state, periods);
   std::vector<Recorder *> recorders{&events};
   if (options.section) recorders.push_back(&section);
   if (options.impact_velocities)
-    run.limit_below_speed = std::min(run.limit_below_speed, options.slowest);
+    run.limit_below_speed = std::min(run.limit_below_speed,
+                                     options.slowest.value_or(slow_impact * motion.fastest_impact));
   Simulation simulation = motion.simulation;
   simulation.set_options(run);
   require_complete(simulation.advance(until, recorders));
@@ -58,19 +61,15 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
           event.velocity_before);
 }
 
-// The exponent, or nullopt where its sign is not certain.
-std::optional<double> exponent_of(Simulation &simulation, const OrbitRecord &record) {
+Growth exponent_of(Simulation &simulation, const OrbitRecord &record,
+                   const GrowthOptions &options) {
   const MotionState start = at_quiet_phase(simulation, record.state);
-  if (record.period > 0) {
-    const StroboscopicImage image =
-        stroboscopic_map_and_derivative(simulation, start, record.period);
-    const auto multipliers = floquet_multipliers(image.derivative, start.held);
-    return std::log(multipliers.empty() ? 0.0 : std::abs(multipliers.front())) /
-           (record.period * Clock(simulation.scene().omega).period);
-  }
-  const Growth growth = mean_growth(simulation, start, most_averaged);
-  if (!growth.sign_is_certain) return std::nullopt;
-  return growth.exponent;
+  if (record.period == 0) return mean_growth(simulation, start, options);
+  const StroboscopicImage image = stroboscopic_map_and_derivative(simulation, start, record.period);
+  const auto multipliers = floquet_multipliers(image.derivative, start.held);
+  const double modulus = multipliers.empty() ? 0.0 : std::abs(multipliers.front()),
+               time = record.period * Clock(simulation.scene().omega).period;
+  return {std::log(modulus) / time, modulus > 0.0 ? exponent_error / time : 0.0};
 }
 
 std::vector<EventPair> pairs_of(Simulation &simulation, const OrbitRecord &record) {
@@ -87,18 +86,22 @@ std::vector<EventPair> pairs_of(Simulation &simulation, const OrbitRecord &recor
 
 OrbitRecord record_of(Simulation simulation, const MotionState &start,
                       const RecordOptions &options) {
-  require(options.slowest >= 0.0, "slowest = ", options.slowest, ": must be non-negative");
+  const double slowest = options.slowest.value_or(0.0);
+  require(slowest >= 0.0, "slowest = ", slowest, ": must be non-negative");
   SettledMotion motion = settle(std::move(simulation), start, options.settle);
   const Scene &scene = motion.simulation.scene();
   OrbitRecord record;
   record.period = motion.period;
+  record.approached = motion.approached;
+  if (options.attractor && motion.period > 0)
+    record.attractor = attractor_mark(scene, motion.section);
   if (motion.period == 0 || options.impact_velocities || options.section)
     record_on(scene, motion, motion.period > 0 ? motion.period : periods_counted, options, record);
   else
     record.counts = std::move(motion.counts);
   record.state = std::move(motion.state);
   record.state.instant.cycle = 0;
-  if (options.lyapunov) record.lyapunov = exponent_of(motion.simulation, record);
+  if (options.lyapunov) record.lyapunov = exponent_of(motion.simulation, record, options.growth);
   if (options.pairs) record.pairs = pairs_of(motion.simulation, record);
   return record;
 }
@@ -111,6 +114,42 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
 
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
   return record_of(Simulation(scene, options.settle.run), first_motion(scene), options);
+}
+
+double attractor_mark(const Scene &scene, const std::vector<MotionState> &section) {
+  check(scene);
+  const std::vector<double> frequency = local_frequencies(scene);
+  double sum = 0.0, largest = 0.0;
+  for (const MotionState &state : section) {
+    require_fits(scene, state);
+    for (std::size_t i = 0; i < frequency.size(); ++i) {
+      const double weight = 1.0 + std::fmod(std::numbers::phi * static_cast<double>(i + 1), 1.0),
+                   x = weight * state.displacement[i],
+                   v = weight * std::numbers::sqrt2 / 2.0 * state.velocity[i] / frequency[i];
+      sum += x + v;
+      largest = std::max({largest, std::abs(x), std::abs(v)});
+    }
+  }
+  if (largest == 0.0) return 0.0;
+  const double unit = mark_error * std::ldexp(1.0, std::ilogb(largest));
+  return unit * std::round(sum / static_cast<double>(section.size()) / unit);
+}
+
+PointRecord point_record(const Scene &scene, const RecordOptions &options,
+                         const std::optional<OrbitRecord> &before) {
+  try {
+    if (!before) return {record_of(scene, options), {}};
+    return {record_of(scene, start_near(scene, before->state), options), {}};
+  } catch (const std::invalid_argument &refused) {
+    return {{}, refused.what()};
+  } catch (const std::runtime_error &given_up) {
+    return {{}, given_up.what()};
+  }
+}
+
+std::string kind_of_reason(const std::string &reason) {
+  static const std::regex number("[-+]?[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?");
+  return std::regex_replace(reason, number, "#");
 }
 
 MotionState start_near(const Scene &scene, MotionState state) {

@@ -1,6 +1,8 @@
 // The one list of the columns that the table of a sweep has for its records.
+#include <cmath>
 #include <string_view>
 
+#include "analysis/orbits/orbit_tolerances.hpp"
 #include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 
@@ -19,13 +21,6 @@ void add_per_mass(std::vector<Column> &columns, int masses, const char *name, co
          }});
 }
 
-void add_exponent(Table &row, const OrbitRecord &record) {
-  if (record.lyapunov)
-    row.cell(*record.lyapunov);
-  else
-    row.cell(std::string_view());
-}
-
 void add_pairs(Table &row, const OrbitRecord &record) {
   std::string text;
   for (const EventPair pair : record.pairs) {
@@ -40,8 +35,13 @@ void add_pairs(Table &row, const OrbitRecord &record) {
 std::vector<Column> record_columns(int masses, const RecordOptions &options) {
   require(masses >= 1, "masses = ", masses, ": a chain has at least one mass");
   std::vector<Column> columns;
-  columns.push_back({"period", "in forcing periods; 0: none was found",
+  columns.push_back({"period", "in forcing periods; 0: none was found up to the largest",
                      [](Table &row, const OrbitRecord &record) { row.cell(record.period); }});
+  columns.push_back(
+      {"approached",
+       "where the period is 0, that of the orbit that is still approached; 0: of none,"
+       " as of an irregular motion",
+       [](Table &row, const OrbitRecord &record) { row.cell(record.approached); }});
   add_per_mass(columns, masses, "sticks", "sticking phases of a mass per forcing period",
                &EventCounts::sticks);
   add_per_mass(columns, masses, "impacts", "likewise, without those of complete chatters",
@@ -50,9 +50,26 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
                      [](Table &row, const OrbitRecord &record) {
                        row.cell(record.counts.dual_sticking ? 1 : 0);
                      }});
-  if (options.lyapunov)
-    columns.push_back(
-        {"lyapunov", "greatest exponent, per time; empty: its sign is not certain", add_exponent});
+  if (options.lyapunov) {
+    columns.push_back({"lyapunov",
+                       "greatest exponent, per time; its sign is certain above 4 errors",
+                       [](Table &row, const OrbitRecord &record) {
+                         const Growth growth = record.lyapunov.value_or(Growth{});
+                         row.cell(growth.exponent, growth.error);
+                       }});
+    columns.push_back({"lyapunov_error", "its standard error; inf: not known",
+                       [](Table &row, const OrbitRecord &record) {
+                         const double error = record.lyapunov.value_or(Growth{}).error;
+                         row.cell(error, error);
+                       }});
+  }
+  if (options.attractor)
+    columns.push_back({"attractor",
+                       "a number that attractors of one scene differ in; empty: not settled",
+                       [](Table &row, const OrbitRecord &record) {
+                         if (!record.attractor) return row.cell(std::string_view());
+                         row.cell(*record.attractor, mark_error * std::abs(*record.attractor));
+                       }});
   if (options.pairs)
     columns.push_back(
         {"pairs", "of events of Table I: DG, DS, DI, GS, GI, SI; -: none", add_pairs});

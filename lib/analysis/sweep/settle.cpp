@@ -1,6 +1,7 @@
 #include "vibro_impact/analysis/settle.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -13,42 +14,26 @@ namespace vibro_impact {
 
 namespace {
 
-bool rebounds(const Scene &scene, const Event &event) {
-  return law_of(scene, stop_of(scene, event)).at_rest() > 0.0;
-}
+// The largest numbers of a sequence in its latest blocks. The numbers from 2^k to 2^(k+1) are one
+// block: a long sequence forgets its beginning.
+struct LargestByBlock {
+  double latest = 0.0, before = 0.0, earlier = 0.0;
 
-bool dual_sticking(const Held &held) {
-  return std::count_if(held.begin(), held.end(), [](signed char h) { return h != 0; }) > 1;
-}
-
-// Leaves out the impacts of complete chatters: those before a stick at the same stop, each slower
-// than the one before. The events repeat, so that a chatter under way at their end goes on at their
-// beginning.
-std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events) {
-  std::vector<Event> twice = events;
-  twice.insert(twice.end(), events.begin(), events.end());
-  std::vector<bool> left_out(twice.size(), false);
-  for (std::size_t k = 0; k < twice.size(); ++k) {
-    const Event &stick = twice[k];
-    if (stick.kind != EventKind::stick || !rebounds(scene, stick)) continue;
-    for (std::size_t j = k; j-- > 0;) {
-      const Event &before = twice[j];
-      if (before.mass != stick.mass) continue;
-      if (changes_contact_mode(before.kind) || before.stop != stick.stop) break;
-      left_out[j] = true;
-      if (before.falling == 0) break;
+  void add(double value, int number) {
+    if (std::has_single_bit(static_cast<unsigned>(number))) {
+      earlier = std::exchange(before, latest);
+      latest = 0.0;
     }
+    latest = std::max(latest, value);
   }
-  std::vector<Event> kept;
-  for (std::size_t k = 0; k < events.size(); ++k)
-    if (!left_out[k]) kept.push_back(events[k]);
-  return kept;
-}
+};
 
 // How the distances d_n of sections p periods apart fall, for one p. Infinite: not known yet.
 struct Contraction {
-  std::vector<double> ratios;  // the latest p of d_n / d_(n-p), by section modulo p
-  double to_come = infinity;   // the estimate of settle.hpp
+  std::vector<double> distances;  // the latest p, by section modulo p
+  std::vector<double> ratios;     // likewise of d_n / d_(n-p)
+  int settled = 0;                // latest sections in a row with the estimate below the tolerance
+  LargestByBlock largest_distance = {};
 };
 
 // The state at a section, and the events of the period before it.
@@ -61,18 +46,16 @@ struct Section {
 class Sections : public Recorder {
  public:
   Sections(const Scene &scene, const MotionState &start, const SettleOptions &options)
-      : scene_(scene), options_(options), clock_(scene.omega), first_(start.instant) {
+      : scene_(scene),
+        options_(options),
+        clock_(scene.omega),
+        first_(start.instant),
+        frequency_(local_frequencies(scene)) {
     held_ = start.held;
     rest_.displacement = rest_.velocity = std::vector<double>(scene.mass.size(), 0.0);
-    for (std::size_t p = 1; p <= most_periods_of_orbit; ++p)
-      contractions_.push_back({std::vector<double>(p, infinity)});
-    sections_.resize(2 * most_periods_of_orbit + 1);
-    for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-      const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
-                   ground = entry_of(scene.ground, i),
-                   squared = (scene.stiffness[i] + right + ground) / scene.mass[i];
-      frequency_.push_back(squared > 0.0 ? std::sqrt(squared) : 1.0);  // a ball on no spring
-    }
+    for (std::size_t p = 1; p <= index(options.largest_period); ++p)
+      contractions_.push_back({std::vector<double>(p, infinity), std::vector<double>(p, infinity)});
+    sections_.resize(2 * contractions_.size() + 1);
     enter(start);
   }
 
@@ -90,8 +73,8 @@ class Sections : public Recorder {
     bring_to_section(at);
     at.instant = section_at(taken_);
     enter(std::move(at));
-    const double scale = amplitude(latest(0).state, rest_);
-    for (int p = 1; p <= most_periods_of_orbit && p < taken_; ++p) compare(p, repeats * scale);
+    amplitude_.add(amplitude(frequency_, latest(0).state, rest_), taken_);
+    for (int p = 1; p <= options_.largest_period && p < taken_; ++p) compare(p);
     find_period();
   }
 
@@ -103,8 +86,21 @@ class Sections : public Recorder {
     motion.period = period_;
     motion.periods_run = taken_ - 1;
     motion.state = latest(0).state;
-    if (period_ > 0)
-      motion.counts = counts_in(scene_, events_of(period_, 0), period_, motion.state.held);
+    const int counted = period_ > 0 ? period_ : std::min(2 * options_.largest_period, taken_ - 1);
+    const std::vector<Event> events = events_of(counted, 0);
+    for (const Event &event : events)
+      motion.fastest_impact = std::max(motion.fastest_impact, std::abs(event.velocity_before));
+    if (period_ > 0) {
+      motion.counts = counts_in(scene_, events, period_, motion.state.held);
+      for (int k = period_; k-- > 0;) motion.section.push_back(latest(k).state);
+      return;
+    }
+    const auto approached = std::ranges::find_if(contractions_, [](const Contraction &c) {
+      const auto &[latest, before, earlier] = c.largest_distance;
+      return before < approaching * earlier;
+    });
+    if (approached != contractions_.end())
+      motion.approached = static_cast<int>(approached - contractions_.begin()) + 1;
   }
 
  private:
@@ -116,7 +112,8 @@ class Sections : public Recorder {
   int period_ = 0;
   Held held_;
   MotionState rest_;                    // all coordinates zero
-  std::vector<double> frequency_ = {};  // of each mass between neighbours that stand still
+  std::vector<double> frequency_;       // of each mass
+  LargestByBlock amplitude_ = {};       // at the sections
   std::vector<Event> events_ = {};      // since the latest section
   std::vector<Section> sections_ = {};  // the latest, by number modulo their size
   std::vector<Contraction> contractions_ = {};
@@ -152,28 +149,21 @@ class Sections : public Recorder {
     }
   }
 
-  // The amplitude of the vibration of which the difference of two states is one phase: that of the
-  // mass with the largest, in displacement or velocity, whichever is larger.
-  double amplitude(const MotionState &a, const MotionState &b) const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < frequency_.size(); ++i) {
-      const double w = frequency_[i], x = a.displacement[i] - b.displacement[i],
-                   v = a.velocity[i] - b.velocity[i];
-      largest = std::max(largest, std::max(1.0, 1.0 / w) * std::hypot(w * x, v));
-    }
-    return largest;
+  // The unit of length of the tolerances: the amplitude of the motion at its latest sections.
+  double scale() const {
+    return std::max(amplitude_.latest, amplitude_.before);
   }
 
   // The distance of the sections some periods ago.
   double distance(int back, int further_back) const {
-    return amplitude(latest(back).state, latest(further_back).state);
+    return amplitude(frequency_, latest(back).state, latest(further_back).state);
   }
 
-  // Compares the latest section with that p periods before. Distances below `floor` count
-  // as zero.
-  void compare(int p, double floor) {
+  // Compares the latest section with that p periods before. Distances below `floor` count as zero.
+  void compare(int p) {
     Contraction &contraction = contractions_[index(p - 1)];
-    const double now = distance(0, p), before = 2 * p < taken_ ? distance(p, 2 * p) : infinity;
+    const double now = distance(0, p), floor = repeats * scale(),
+                 before = std::exchange(contraction.distances[index(taken_ % p)], now);
     double &ratio = contraction.ratios[index(taken_ % p)];
     if (before > floor && before < infinity)
       ratio = now / before;
@@ -183,7 +173,10 @@ class Sections : public Recorder {
       ratio = 0.0;
     // A single small ratio may be chance: the estimate is no less than a distance above the floor.
     const double least = now > floor ? 1.0 : 0.0;
-    contraction.to_come = ratio < 1.0 ? now * std::max(ratio / (1.0 - ratio), least) : infinity;
+    const bool below =
+        ratio < 1.0 && now * std::max(ratio / (1.0 - ratio), least) <= settle_tolerance * scale();
+    contraction.settled = below ? contraction.settled + 1 : 0;
+    contraction.largest_distance.add(now, taken_);
   }
 
   // The events of the p periods that ended `back` periods ago.
@@ -196,29 +189,34 @@ class Sections : public Recorder {
     return events;
   }
 
-  // Whether the last p periods had the events of the p before. After the same sticks and releases
-  // the contact modes are the same, too.
-  bool same_events(int p) const {
+  // Whether the last periods, `length` in number, consist of q periods again and again with the
+  // same events. After the same sticks and releases the contact modes are the same, too.
+  bool same_events(int q, int length) const {
     const auto same = [](const Event &a, const Event &b) {
       return a.kind == b.kind && a.stop == b.stop;
     };
-    return std::ranges::equal(without_chatters(scene_, events_of(p, 0)),
-                              without_chatters(scene_, events_of(p, p)), same);
+    const std::vector<Event> last = without_chatters(scene_, events_of(q, 0));
+    for (int back = q; back < length; back += q)
+      if (!std::ranges::equal(last, without_chatters(scene_, events_of(q, back)), same))
+        return false;
+    return true;
   }
 
   void find_period() {
-    for (int p = 1; p <= most_periods_of_orbit && 2 * p < taken_; ++p) {
-      if (!(contractions_[index(p - 1)].to_come <= settle_tolerance) || !same_events(p)) continue;
+    const double tolerance = settle_tolerance * scale();
+    for (int p = 1; p <= options_.largest_period && 2 * p < taken_; ++p) {
+      if (contractions_[index(p - 1)].settled < p || !same_events(p, 2 * p)) continue;
       // A motion of period q, a divisor of p, has settled after p periods, too.
       for (int q = 1; q < p; ++q) {
-        if (p % q != 0) continue;
-        const double apart = distance(0, q);
-        if (apart <= same_section * settle_tolerance && same_events(q)) {
+        if (p % q != 0 || !same_events(q, p)) continue;
+        double apart = 0.0;
+        for (int k = 0; k < p; ++k) apart = std::max(apart, distance(k, k + q));
+        if (apart <= same_section * tolerance) {
           period_ = q;
           return;
         }
         // The sections of one orbit are so near each other at a period doubling alone.
-        if (apart <= not_decided * settle_tolerance) return;
+        if (apart <= not_decided * tolerance) return;
       }
       period_ = p;
       return;
@@ -226,43 +224,7 @@ class Sections : public Recorder {
   }
 };
 
-void require_fits(const Scene &scene, const Event &event) {
-  require_mass(event.mass, scene.masses());
-  require(event.stop >= 1 && static_cast<std::size_t>(event.stop) <= scene.stops.size(), "stop ",
-          event.stop, ": the scene has ", scene.stops.size());
-}
-
 }  // namespace
-
-EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
-                      const Held &held) {
-  check(scene);
-  return counts_in(scene, events, periods, held);
-}
-
-EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
-                      const Held &held) {
-  require(periods >= 1, "periods = ", periods, ": must be positive");
-  require_held(scene, held);
-  for (const Event &event : events) require_fits(scene, event);
-  const std::vector<int> none(scene.mass.size(), 0);
-  EventCounts counts{periods, none, none, dual_sticking(held)};
-  for (const Event &event : without_chatters(scene, events)) {
-    const auto mass = static_cast<std::size_t>(event.mass - 1);
-    switch (event.kind) {
-      case EventKind::impact:
-        ++counts.impacts[mass];
-        break;
-      case EventKind::stick:
-        ++counts.sticks[mass];
-        break;
-      case EventKind::release:
-        break;
-    }
-    counts.dual_sticking = counts.dual_sticking || dual_sticking(event.held);
-  }
-  return counts;
-}
 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
   return settle(Simulation(scene, start, options.run), start, options);
@@ -272,6 +234,9 @@ SettledMotion settle(Simulation simulation, const MotionState &start,
                      const SettleOptions &options) {
   require(options.longest >= 1 && options.longest <= most_periods_run,
           "longest = ", options.longest, ": must lie from 1 to ", most_periods_run);
+  require(options.largest_period >= 1 && options.largest_period <= most_periods_of_orbit,
+          "largest_period = ", options.largest_period, ": must lie from 1 to ",
+          most_periods_of_orbit);
   SettledMotion motion{.simulation = std::move(simulation)};
   const Scene &scene = motion.simulation.scene();
   const double until = time_after(scene, start, options.longest + 1);

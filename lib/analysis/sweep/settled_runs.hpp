@@ -7,12 +7,14 @@
 
 namespace vibro_impact {
 
+std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events);
+
 EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held);
 
 // The simulation has not run yet.
 SettledMotion settle(Simulation simulation, const MotionState &start, const SettleOptions &options);
 
-Growth mean_growth(Simulation &simulation, const MotionState &start, int longest);
+Growth mean_growth(Simulation &simulation, const MotionState &start, const GrowthOptions &options);
 
 }  // namespace vibro_impact

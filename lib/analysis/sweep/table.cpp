@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -13,9 +15,18 @@
 namespace vibro_impact {
 
 void Table::cell(double value) {
+  cell(value, 0.0);
+}
+
+void Table::cell(double value, double error) {
+  int significant = 17;
+  if (error > 0.0 && value != 0.0 && std::isfinite(value)) {
+    const double decades = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(error));
+    significant = static_cast<int>(std::clamp(decades + 2.0, 1.0, 17.0));
+  }
   std::array<char, 40> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 std::chars_format::general, 17)
+                                 std::chars_format::general, significant)
                        .ptr;
   cell(std::string_view(digits.data(), end));
 }

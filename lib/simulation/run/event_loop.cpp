@@ -145,7 +145,8 @@ void run_step(Run &run, Recorders recorders) {
 }  // namespace
 
 void advance(Run &run, const Instant &end, Recorders recorders) {
-  run.progress = {.end = end,
+  run.progress = {.begin = run.start ? run.start->instant : run.progress.last.instant,
+                  .end = end,
                   .inside_chatter = run.progress.inside_chatter,
                   .next_sample = next_sample(recorders)};
   if (run.start) handle_start(run, recorders);

@@ -45,6 +45,7 @@ class MomentOfMotion final : public Moment {
 void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
                   bool by_a_jump, Recorders recorders) {
   if (run.progress.inside_chatter || recorders.empty()) return;
+  if (run.motion.now < run.progress.begin) return;  // other options resolve a chatter further
   const Stop &stop_of_event = run.scene().stops[stop];
   Event &event = run.scratch.event;
   event.kind = kind;

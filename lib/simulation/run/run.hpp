@@ -65,7 +65,7 @@ struct Scratch {
 
 // The progress of one call of `advance`.
 struct Progress {
-  Instant end;
+  Instant begin, end;  // no event before the begin is reported
   bool over = false;
   Ending ending = Ending::reached;
   std::string reason = {};

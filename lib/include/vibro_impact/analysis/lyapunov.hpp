@@ -9,9 +9,21 @@
 
 namespace vibro_impact {
 
+// An exponent with its standard error, both per unit of time.
 struct Growth {
-  double exponent = 0.0;  // ln of the growth over the time followed
-  bool sign_is_certain = false;
+  double exponent = 0.0;    // ln of the growth over the time followed
+  double error = infinity;  // infinite: not known
+
+  // True if the exponent exceeds four times its error.
+  bool sign_is_certain() const {
+    return std::abs(exponent) > 4.0 * error;
+  }
+};
+
+// A growth is averaged over `longest` forcing periods, or until its error is at most `error`.
+struct GrowthOptions {
+  int longest = 1000;  // >= 1
+  double error = 0.0;
 };
 
 // The mean growth of one perturbation of the state over whole forcing periods, by the derivative of
@@ -19,15 +31,15 @@ struct Growth {
 // only one, so that orthonormalising is scaling.
 //
 // In chaos the growth varies from period to period, so that the sign of a short mean may be chance.
-// It counts as certain when the mean over at least 4 blocks of 40 forcing periods is larger than 4
-// times its standard error (the deviation of the blocks over the root of their number). The motion
-// is followed until the sign is certain, or for `longest` forcing periods. A motion whose transient
-// is chaotic for much longer counts as chaos.
+// With the mean growths of n >= 16 blocks of equal length, of standard deviation s, the error of
+// their mean is s / n^(1/2). The choice of the norm changes ln of the length by about 1 in all: the
+// error is no less than 1/4 over the time followed, so that rounding has no certain sign. A motion
+// whose transient is chaotic for much longer counts as chaos.
 //
 // `start` should lie away from events (`at_quiet_phase`). Throws std::invalid_argument for a start
-// that does not fit the scene, for a scene without a forcing period and for longest < 1, and
-// std::runtime_error when the run is given up.
-Growth mean_growth(const Scene &scene, const MotionState &start, int longest,
-                   const RunOptions &options = {});
+// that does not fit the scene, for a scene without a forcing period and for options out of range,
+// and std::runtime_error when the run is given up.
+Growth mean_growth(const Scene &scene, const MotionState &start, const GrowthOptions &options = {},
+                   const RunOptions &run = {});
 
 }  // namespace vibro_impact

@@ -3,32 +3,38 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "event_pairs.hpp"
+#include "lyapunov.hpp"
 #include "settle.hpp"
 
 namespace vibro_impact {
 
 struct RecordOptions {
   SettleOptions settle = {};
-  bool lyapunov = false;           // greatest Lyapunov exponent
-  bool pairs = false;              // the pairs of events of Table I that occur
-  bool impact_velocities = false;  // every impact faster than `slowest`
-  double slowest = 1e-4;           // >= 0
-  bool section = false;            // the states at the phase of the start
+  bool lyapunov = false;               // greatest Lyapunov exponent
+  GrowthOptions growth = {};           // of a motion that has not settled
+  bool pairs = false;                  // the pairs of events of Table I that occur
+  bool impact_velocities = false;      // every impact faster than `slowest`
+  std::optional<double> slowest = {};  // >= 0; if empty, 1e-4 of the fastest impact
+  bool section = false;                // the states at the phase of the start
+  bool attractor = false;              // the mark of the attractor
 };
 
 struct OrbitRecord {
-  int period = 0;                       // forcing periods; 0: the motion has not settled
+  int period = 0;                       // forcing periods; 0: none was found (settle.hpp)
+  int approached = 0;                   // where it is 0: as in SettledMotion
   EventCounts counts = {};              // over one period, or 40 of a motion that has not settled
-  std::optional<double> lyapunov = {};  // if asked for, and its sign is certain
+  std::optional<Growth> lyapunov = {};  // if asked for
   std::vector<EventPair> pairs = {};    // if asked for; each once, in the order of Table I
   // If asked for: per mass, in the order of time, the velocities just before the impacts over the
   // same periods as `counts`.
   std::vector<std::vector<double>> impact_velocities = {};
   // If asked for: (x_1 .. x_N, x_1' .. x_N') at the beginning of each forcing period of `counts`.
   std::vector<std::vector<double>> section = {};
+  std::optional<double> attractor = {};  // if asked for, of a motion that has settled
   // The state at which the motion settled, or that after SettleOptions::longest periods. It has the
   // phase of the start, and cycle count zero.
   MotionState state = {};
@@ -36,13 +42,33 @@ struct OrbitRecord {
 
 // The record of the motion from `start`, or from the initial state of the scene. The Lyapunov
 // exponent of a motion that has settled is ln|mu| / (p T), mu its largest Floquet multiplier over
-// its period of p forcing periods T. The exponent of any other motion is the mean growth of
-// tangents (lyapunov.hpp), if its sign is certain within 1,000 forcing periods. Pairs of events are
+// its period of p forcing periods T; its error comes from the 1e-10 to which it has settled. The
+// exponent of any other motion is the mean growth of tangents (lyapunov.hpp). Pairs of events are
 // looked for over two periods, so that every sticking phase is whole in one of them. Throws as
 // `settle` does, and std::invalid_argument for options out of range.
 OrbitRecord record_of(const Scene &scene, const MotionState &start,
                       const RecordOptions &options = {});
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});
+
+// A number by which attractors of one scene are told apart, also an orbit from its mirror image:
+// the mean over the section of sum_i c_i (x_i + v_i / w_i / 2^(1/2)), a length, where c_i lies
+// between 1 and 2 and is another for each mass. It is rounded to 2^-24 of its largest term, which
+// is far above the distance at which a motion counts as settled.
+double attractor_mark(const Scene &scene, const std::vector<MotionState> &section);
+
+// The record of one point of a sweep, or the reason why there is none.
+struct PointRecord {
+  std::optional<OrbitRecord> record = {};
+  std::string reason = {};  // one line where the scene was refused or the run was given up
+};
+
+// The record of the motion from the initial state of the scene, or near `before` where the point
+// before has a record, for a sweep that follows a branch.
+PointRecord point_record(const Scene &scene, const RecordOptions &options,
+                         const std::optional<OrbitRecord> &before = {});
+
+// A reason with # for every number in it, by which points are grouped.
+std::string kind_of_reason(const std::string &reason);
 
 // A state of a neighbouring scene as a start of this scene, from which a branch of motions is
 // followed: masses that are held move with their stops, and masses beyond a stop move to the stop.

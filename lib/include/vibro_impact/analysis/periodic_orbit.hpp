@@ -75,7 +75,7 @@ struct PeriodicOrbit {
   std::vector<std::complex<double>> multipliers = {};
   bool converged = false;              // if false, this is the best iterate
   std::string why_not = {};            // ... and this says why, in one line
-  std::vector<double> residuals = {};  // largest component of P(z) - z, one per map evaluation
+  std::vector<double> residuals = {};  // the distances of P(z) from z, one per map evaluation
 
   // True of an orbit that was found and whose multipliers all lie inside the unit circle.
   bool stable() const {
@@ -90,7 +90,8 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
 // phase is the section. The contact mode at the section is that of the guess. The search ends
 // without convergence, and says so in `why_not`, when an iterate returns in another contact mode or
 // has a mass beyond its stop, when a multiplier is 1, and after `most_iterations`. An iterate z
-// counts as a fixed point when no component of P(z) - z exceeds 1e-13 of the largest of z, or of 1.
+// counts as a fixed point when the distance of P(z) from z, the length of settle.hpp, is at most
+// 1e-13 of that of z from zero.
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods = 1,
                                   int most_iterations = 20);
 

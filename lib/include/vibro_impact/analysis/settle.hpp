@@ -4,19 +4,23 @@
 // At the section of the stroboscopic map (the phase of the start) the state z_n is compared with
 // that p periods before. With the distance d_n of the two and the contraction mu = d_n / d_(n-p),
 // what is still to come is estimated by d_n mu / (1 - mu), the rest of the geometric sequence, and
-// by no less than d_n: a single small ratio may be chance. The distance is the largest over the
-// masses of the amplitude of vibration that is left: for a mass of frequency w between neighbours
-// that stand still (1 on no spring), the larger of (x^2 + (v/w)^2)^(1/2) and w times that. A
-// component by itself is small once in every turn of the state, however far the orbit, and the more
-// so the stiffer the chain.
+// by no less than d_n: a single small ratio may be chance. The distance is a length, the largest
+// over the masses of the amplitude of vibration that is left, (x^2 + (v/w)^2)^(1/2) for a mass of
+// frequency w between neighbours that stand still (Omega on no spring). A component by itself is
+// small once in every turn of the state, however far the orbit.
 //
-// A motion counts as settled, of period p (at most 8), when the estimate lies below 1e-10 and the
-// events of the last p periods are those of the p before them (and so the contact modes at the
-// sections). Impacts of a complete chatter are not compared: a run reports only as many of them as
-// it needed to find the limit. Where states q periods apart, q a divisor of p, are within ten
-// tolerances, the period is q. Where they are within 10,000 tolerances it is not decided yet: a
-// motion that turns around its orbit comes near to itself after some number of periods long before
-// it has settled.
+// A motion counts as settled, of period p, when the estimate lies below 1e-10 of its own amplitude
+// at p sections in a row and the events of the last p periods are those of the p before them (and
+// so the contact modes at the sections). The amplitude is the largest at the sections of the second
+// half of the motion. Impacts of a complete chatter are not compared: a run reports only as many of
+// them as it needed to find the limit. Where all states q periods apart, q a divisor of p, are
+// within ten tolerances and all p periods repeat the events of q, the period is q. Where the states
+// are within 10,000 tolerances it is not decided yet: a motion that turns around its orbit comes
+// near to itself after some number of periods long before it has settled.
+//
+// A motion that has not settled may be irregular, or have a period above the largest one asked for,
+// or be on its way. It is on its way to an orbit of period p if its distances p periods apart fell
+// to half over the last doubling of its length.
 #pragma once
 
 #include <vector>
@@ -27,7 +31,8 @@ namespace vibro_impact {
 
 struct SettleOptions {
   RunOptions run = {};
-  int longest = 400;  // forcing periods after which the motion counts as not settling, >= 1
+  int longest = 400;        // forcing periods after which the motion counts as not settling, >= 1
+  int largest_period = 32;  // that is looked for, from 1 to 1000 forcing periods
 };
 
 // The events of some whole forcing periods, per mass.
@@ -45,11 +50,15 @@ EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int 
                       const Held &held);
 
 struct SettledMotion {
-  int period = 0;           // forcing periods; 0: not settled
+  int period = 0;           // forcing periods; 0: none was found up to `largest_period`
+  int approached = 0;       // where it is 0: the period of the orbit that the motion is on its way
+                            // to; 0: of none, as of an irregular motion
   int periods_run = 0;      // forcing periods integrated
   MotionState state = {};   // at the last section, cycle count as it stands
   EventCounts counts = {};  // of the last `period` periods; empty where it is 0
-  Simulation simulation;    // stands at the last section
+  std::vector<MotionState> section = {};  // the states at their ends; empty where it is 0
+  double fastest_impact = 0.0;            // speed, over the last periods
+  Simulation simulation;                  // stands at the last section
 };
 
 // Follows the motion from `start` until it has settled. Throws std::invalid_argument for what

@@ -24,6 +24,8 @@ struct Table {
     end_row();
   }
   void cell(double value);
+  // The value to the second digit of its error. An error of 0 asks for 17 digits.
+  void cell(double value, double error);
   void cell(std::string_view value);
   void cell(std::integral auto value) {
     cell(std::string_view(std::to_string(value)));

@@ -1,0 +1,81 @@
+// The events of whole forcing periods, counted.
+#include <algorithm>
+
+#include "analysis/orbits/motion_state.hpp"
+#include "settled_runs.hpp"
+
+namespace vibro_impact {
+
+namespace {
+
+bool rebounds(const Scene &scene, const Event &event) {
+  return law_of(scene, stop_of(scene, event)).at_rest() > 0.0;
+}
+
+bool dual_sticking(const Held &held) {
+  return std::count_if(held.begin(), held.end(), [](signed char h) { return h != 0; }) > 1;
+}
+
+void require_fits(const Scene &scene, const Event &event) {
+  require_mass(event.mass, scene.masses());
+  require(event.stop >= 1 && static_cast<std::size_t>(event.stop) <= scene.stops.size(), "stop ",
+          event.stop, ": the scene has ", scene.stops.size());
+}
+
+}  // namespace
+
+// Leaves out the impacts of complete chatters: those before a stick at the same stop, each slower
+// than the one before. The events repeat, so that a chatter under way at their end goes on at their
+// beginning.
+std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events) {
+  std::vector<Event> twice = events;
+  twice.insert(twice.end(), events.begin(), events.end());
+  std::vector<bool> left_out(twice.size(), false);
+  for (std::size_t k = 0; k < twice.size(); ++k) {
+    const Event &stick = twice[k];
+    if (stick.kind != EventKind::stick || !rebounds(scene, stick)) continue;
+    for (std::size_t j = k; j-- > 0;) {
+      const Event &before = twice[j];
+      if (before.mass != stick.mass) continue;
+      if (changes_contact_mode(before.kind) || before.stop != stick.stop) break;
+      left_out[j] = true;
+      if (before.falling == 0) break;
+    }
+  }
+  std::vector<Event> kept;
+  for (std::size_t k = 0; k < events.size(); ++k)
+    if (!left_out[k]) kept.push_back(events[k]);
+  return kept;
+}
+
+EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
+                      const Held &held) {
+  check(scene);
+  return counts_in(scene, events, periods, held);
+}
+
+EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
+                      const Held &held) {
+  require(periods >= 1, "periods = ", periods, ": must be positive");
+  require_held(scene, held);
+  for (const Event &event : events) require_fits(scene, event);
+  const std::vector<int> none(scene.mass.size(), 0);
+  EventCounts counts{periods, none, none, dual_sticking(held)};
+  for (const Event &event : without_chatters(scene, events)) {
+    const auto mass = static_cast<std::size_t>(event.mass - 1);
+    switch (event.kind) {
+      case EventKind::impact:
+        ++counts.impacts[mass];
+        break;
+      case EventKind::stick:
+        ++counts.sticks[mass];
+        break;
+      case EventKind::release:
+        break;
+    }
+    counts.dual_sticking = counts.dual_sticking || dual_sticking(event.held);
+  }
+  return counts;
+}
+
+}  // namespace vibro_impact
