@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/crc.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -66,7 +67,7 @@ void write_text(std::string text, const std::string &path) {
     throw std::runtime_error("standard output cannot be written");
 }
 
-std::uint32_t checksum_of(const std::string &bytes) {
+std::uint32_t checksum_of(std::string_view bytes) {
   boost::crc_32_type checksum;
   checksum.process_bytes(bytes.data(), bytes.size());
   return checksum.checksum();
@@ -78,56 +79,70 @@ std::string path_of(std::FILE *file) {
 
 namespace {
 
-// The line below blocks, of which this is the checksum with the head.
-std::string closing_line(std::uint32_t checksum) {
-  return fmt::format("# crc {:08x}\n", checksum);
+constexpr std::size_t before_number = sizeof "row 01234567 " - 1;
+
+struct Record {
+  std::size_t row = 0;
+  Texts texts = {};
+  bool whole = true, fits = false;  // the file does not end within it; it has the right checksum
+};
+
+Record read_record(std::istream &file) {
+  Record record;
+  std::string line;
+  std::size_t sizes[3] = {};
+  record.whole = std::getline(file, line) && !file.eof();
+  constexpr std::size_t most = 1'000'000'000;  // bytes of a row
+  if (std::sscanf(line.c_str(), "row %*8x %zu %zu %zu %zu", &record.row, &sizes[0], &sizes[1],
+                  &sizes[2]) < 4 ||
+      std::ranges::any_of(sizes, [](std::size_t size) { return size > most; }))
+    return record;
+  for (std::size_t k = 0; k < record.texts.size(); ++k) {
+    record.texts[k].resize(sizes[k]);
+    file.read(record.texts[k].data(), static_cast<std::streamsize>(sizes[k]));
+  }
+  record.whole = record.whole && file;
+  record.fits = journal_record(record.row, record.texts).starts_with(line + '\n');
+  return record;
 }
 
 }  // namespace
 
-Journal::Journal(const std::string &path, const std::string &head, bool resume, const RowRule &rule)
-    : path_(path), file_(nullptr, std::fclose) {
+std::string journal_record(std::size_t row, const Texts &texts) {
+  const std::string checked = fmt::format("{} {} {} {}\n{}", row, texts[0].size(), texts[1].size(),
+                                          texts[2].size(), fmt::join(texts, ""));
+  return fmt::format("row {:08x} {}", checksum_of(checked), checked);
+}
+
+Journal::Journal(const std::string &path, const std::string &head, std::size_t rows, bool resume)
+    : path_(path), file_(nullptr, std::fclose), places_(rows, 0) {
   if (!resume && fs::exists(path))
     refuse("{}: rows of a sweep stand there; --resume goes on with it, or remove it", path);
   file_.reset(std::fopen(path.c_str(), resume ? "ab" : "abx"));
   if (!file_) refuse("{}: cannot be written: {}", path, std::strerror(errno));
   if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 || !is_at_path())
     refuse("{}: another sweep is writing it", path);
-  const std::string text = contents(path);
-  const bool in_head = head.starts_with(text);  // a new file, or the sweep was killed at once
-  if (!in_head && !text.starts_with(head))
+  std::ifstream file(path, std::ios::binary);
+  std::string text(head.size(), '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (!head.starts_with(text))
     refuse("{}: not the rows of this sweep: its options and its program must be the same", path);
-  const std::size_t whole = in_head ? 0 : read(text, head.size(), rule);
-  if (ftruncate(fileno(file_.get()), static_cast<off_t>(whole)) != 0)
-    refuse("{}: cannot be written: {}", path, std::strerror(errno));
-  checksum_.process_bytes(text.data(), whole);
-  if (in_head) append(head);
-}
-
-// Keeps the rows of the whole blocks behind the head, and returns where the last block ends. Its
-// checksum is that of all blocks.
-std::size_t Journal::read(const std::string &text, std::size_t head, const RowRule &rule) {
-  const std::size_t last = text.rfind("\n# crc ", text.rfind('\n') - 1) + 1;
-  if (last <= head) return head;
-  const std::size_t whole = text.find('\n', last) + 1;
-  auto number = std::ranges::count(text.substr(0, head), '\n');
-  std::size_t row = 0, table = 0;
-  for (const std::string_view line : detail::parts_of({&text[head], &text[last - 1]}, '\n')) {
-    ++number;
-    if (line.starts_with('#'))
-      table = line == "#" ? (table + 1) % rows_.size() : 0;
-    else if (table == 0 && !rule(row++, line))
-      refuse("{}: line {}: not the row of its point; remove the file", path_, number);
-    else
-      rows_[table].append(line).push_back('\n');
+  const bool is_begun = text == head;  // else a new file, or the sweep was killed at once
+  for (end_ = is_begun ? head.size() : 0; is_begun && file.peek() != EOF;
+       end_ = static_cast<std::uint64_t>(file.tellg())) {
+    const Record record = read_record(file);
+    if (!record.whole) break;
+    if (!record.fits || record.row >= rows) refuse("{}", damage_at(end_));
+    places_[record.row] = end_;
   }
-  if (text.substr(last, whole - last) != closing_line(checksum_of(text.substr(0, last))))
-    refuse("{}: line {}: the rows above do not fit it; remove the file", path_, number + 1);
-  return whole;
+  fs::resize_file(path, end_);
+  if (!is_begun) append(head);
 }
 
-std::size_t Journal::size() const {
-  return static_cast<std::size_t>(std::ranges::count(rows_[0], '\n'));
+std::string Journal::damage_at(std::uint64_t place) const {
+  return fmt::format("{}: byte {}: a row that does not fit its checksum; remove the file", path_,
+                     place);
 }
 
 bool Journal::is_at_path() const {
@@ -136,22 +151,34 @@ bool Journal::is_at_path() const {
 }
 
 void Journal::append(const std::string &text) {
-  checksum_.process_bytes(text.data(), text.size());
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0)
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+  end_ += text.size();
 }
 
-void Journal::add(const Texts &block) {
-  for (std::size_t k = 0; k < block.size(); ++k) rows_[k] += block[k];
-  append(fmt::format("{}", fmt::join(block, "#\n")));
-  append(closing_line(checksum_.checksum()));
+void Journal::add(const std::string &record) {
+  const std::uint64_t place = end_;
+  append(record);
+  places_[std::stoull(record.substr(before_number))] = place;
+}
+
+void Journal::read(const std::function<void(const Texts &texts)> &use) const {
+  std::ifstream file(path_of(file_.get()), std::ios::binary);
+  for (std::size_t row = 0; row < places_.size(); ++row) {
+    file.seekg(static_cast<std::streamoff>(places_[row]));
+    const Record record = read_record(file);
+    if (!record.whole || !record.fits || record.row != row)
+      throw std::runtime_error(damage_at(places_[row]));
+    use(record.texts);
+  }
 }
 
 bool Journal::remove() {
-  const bool ours = is_at_path(), same = checksum_of(contents(path_)) == checksum_.checksum();
-  if (ours) fs::remove(path_);
-  return ours && same;
+  if (!is_at_path()) return false;
+  const bool same = fs::file_size(path_) == end_;
+  fs::remove(path_);
+  return same;
 }
 
 }  // namespace vibro_impact::runner

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <boost/crc.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -51,7 +50,7 @@ void check_outputs(const std::vector<Output> &outputs, const std::string &scene_
 // The bytes of a file. A file that cannot be read has none.
 std::string contents(const std::string &path);
 
-std::uint32_t checksum_of(const std::string &bytes);
+std::uint32_t checksum_of(std::string_view bytes);
 
 // A path of the open file or pipe itself, whatever has become of its name (in Linux).
 std::string path_of(std::FILE *file);
@@ -60,48 +59,48 @@ std::string path_of(std::FILE *file);
 // line, and leaves no file, when that fails.
 void write_text(std::string text, const std::string &path);
 
-// The rows of the tables of a sweep, in the order of SweepRequest::files.
+// The rows that a point of a sweep has in each table, in the order of SweepRequest::tables.
 using Texts = std::array<std::string, 3>;
 
-// The journal of an unfinished sweep. It keeps all rows in memory, and appends them block by block
-// to a file, which is read once, by a sweep that resumes this one.
-//
-// The file begins with the head, which names the sweep. A block has the rows of each table, with a
-// line `#` between two tables. It ends with a line `# crc <checksum>` of everything above this
-// line. A sweep that was killed may leave a block without this line. Such a block is cut off, and
-// its points are computed again. A lock on the file, which ends with the process, keeps a second
-// sweep away.
+// The record of a journal: a line `row <checksum> <number of the row> <bytes> <bytes> <bytes>`, and
+// behind it the rows that stand for this row of the sweep in each table. The checksum is that of
+// everything behind it.
+std::string journal_record(std::size_t row, const Texts &texts);
+
+// The journal of an unfinished sweep: a file of which the memory has the places of the records
+// only. It begins with the head, which names the sweep. The records stand in any order; if a row
+// has several, the last counts. A sweep that was killed may leave a record that the end of the file
+// cuts. Such a record is removed, and its row is computed again. A lock on the file, which ends
+// with the process, keeps a second sweep away.
 class Journal {
  public:
-  // Whether this is row k of the first table.
-  using RowRule = std::function<bool(std::size_t k, std::string_view row)>;
+  // Begins the file of a sweep with so many rows at `path`, or reads and extends an existing one.
+  // Throws std::invalid_argument for a file that cannot be opened, that another process has locked,
+  // that exists although `resume` is false, or that has another head, and for a record that does
+  // not fit its checksum.
+  Journal(const std::string &path, const std::string &head, std::size_t rows, bool resume);
 
-  // Begins the file at `path`, or reads and extends an existing one. Throws std::invalid_argument
-  // for a file that cannot be opened, that another process has locked, that exists although
-  // `resume` is false, or that has another head. Throws it also for a row that breaks the rule and
-  // for blocks that do not fit their checksum, with the number of the line.
-  Journal(const std::string &path, const std::string &head, bool resume, const RowRule &rule);
-
-  const Texts &rows() const {
-    return rows_;
+  bool has(std::size_t row) const {
+    return places_[row] != 0;
   }
-  // The number of rows of the first table.
-  std::size_t size() const;
-  // Adds a block. Throws std::runtime_error when the file cannot be written.
-  void add(const Texts &block);
+  // Adds a journal_record. Throws std::runtime_error when the file cannot be written.
+  void add(const std::string &record);
+  // Calls `use` with the texts of all rows, in the order of the rows. Throws std::runtime_error for
+  // a row that another program has changed since it was added.
+  void read(const std::function<void(const Texts &texts)> &use) const;
   // Removes the file, unless another file has taken its name. Returns false if another program
-  // has changed, moved or removed the file since it was opened.
+  // has moved, removed or extended the file since it was opened.
   bool remove();
 
  private:
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
-  Texts rows_ = {};
-  boost::crc_32_type checksum_;  // of the file
+  std::vector<std::uint64_t> places_;  // of the records in the file; 0: none
+  std::uint64_t end_ = 0;              // of the last record
 
   bool is_at_path() const;
   void append(const std::string &text);
-  std::size_t read(const std::string &text, std::size_t head, const RowRule &rule);
+  std::string damage_at(std::uint64_t place) const;
 };
 
 }  // namespace vibro_impact::runner

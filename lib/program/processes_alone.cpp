@@ -26,8 +26,12 @@ bool Processes::with_mpi() {
   return false;
 }
 
-std::string Processes::joined(const std::string &text) const {
-  return text;
+std::vector<std::size_t> Processes::from_rank_0(std::vector<std::size_t> numbers) const {
+  return numbers;
+}
+
+void Processes::share_out(std::size_t tasks, const Work &work, const Take &keep) const {
+  share_out_on_threads(tasks, work, keep);
 }
 
 void Processes::end_others(int) const {

@@ -16,8 +16,6 @@ namespace vibro_impact::runner {
 
 namespace {
 
-constexpr std::size_t points_per_thread = 32;  // of a block, so that the wait for the last is short
-
 // The rows of a sweep form chains. Each point of a chain but the first starts where the motion of
 // the point before has settled. A sweep that follows no branch has chains of one point.
 std::size_t chain_length(const SweepRequest &request) {
@@ -51,22 +49,19 @@ std::optional<OrbitRecord> record_at(const SweepRequest &request, std::size_t po
   }
 }
 
-// The rows of a chain in each table.
-Texts rows_of_chain(const SweepRequest &request, std::size_t chain, Progress *progress,
-                    std::size_t processes) {
-  Table records, impacts, sections;
+// Sends the records of the rows of a chain.
+void compute_chain(const SweepRequest &request, std::size_t chain, const Processes::Take &send) {
   std::optional<OrbitRecord> record;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
+    Table records, impacts, sections;
     const std::size_t point = point_of(request, row);
     record = record_at(request, point, record);
     add_row(records, request.grid, request.records, point, record);
     if (record) add_impacts(impacts, request.grid, point, *record);
     if (record) add_section(sections, request.grid, point, *record);
-    if (progress != nullptr)
-      progress->advance(static_cast<double>(processes));  // the others are as far as this one
+    send(journal_record(row, {records.text, impacts.text, sections.text}));
   }
-  return {records.text, impacts.text, sections.text};
 }
 
 // The rows are kept beside the first table that is asked for.
@@ -103,15 +98,7 @@ Journal begin(const SweepRequest &request) {
                                  checksum_of(contents("/proc/self/exe")));
   for (const Output &table : request.tables)
     if (table.wanted()) head += " " + table.option;
-  const std::string header = sweep_table(request.grid, request.records).text;
-  const auto rule = [&](std::size_t row, std::string_view line) {
-    if (row >= number_of_rows(request)) return false;
-    Table cells;
-    for (const double value : request.grid.values(point_of(request, row))) cells.cell(value);
-    return line.starts_with(cells.text) &&
-           std::ranges::count(line, ',') == std::ranges::count(header, ',');
-  };
-  Journal journal(path, head + "\n" + request.definition, request.resume, rule);
+  Journal journal(path, head + "\n" + request.definition, number_of_rows(request), request.resume);
   if (isatty(STDERR_FILENO) != 0)
     fmt::print(stderr, "rows are kept in {}; --resume goes on with them\n", path);
   return journal;
@@ -134,58 +121,64 @@ void draw_plot(const SweepRequest &request) {
 }
 
 void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {
-  const std::size_t rows = number_of_rows(request);
-  if (journal.size() != rows)
-    throw std::runtime_error(fmt::format("{} rows of {} points", journal.size(), rows));
   const Table headers[] = {sweep_table(request.grid, request.records), impact_table(request.grid),
                            section_table(request.grid)};
-  for (std::size_t k = 0; k < request.tables.size(); ++k)
-    if (request.tables[k].wanted())
-      write_text(request.head + headers[k].text + journal.rows()[k], request.tables[k].path);
+  // All cells of a point without a record are empty behind its parameters.
+  const std::string empty(record_columns(request.grid.scene.masses(), request.records).size(), ',');
+  std::size_t without_record = 0;
+  for (std::size_t k = 0; k < request.tables.size(); ++k) {
+    if (!request.tables[k].wanted()) continue;
+    without_record = 0;
+    const auto give = [&](const Add &add) {
+      add(request.head + headers[k].text);
+      journal.read([&](const Texts &texts) {
+        add(texts[k]);
+        without_record += texts[0].ends_with(empty + '\n');
+      });
+    };
+    write_pieces(give, request.tables[k].path);
+  }
   if (!journal.remove())
     fmt::print(stderr, "{} was changed by another program; the tables do not depend on it\n",
                journal_of(request).path);
   if (request.plot.wanted()) draw_plot(request);
-  // All cells of a point without a record are empty behind its parameters.
-  const auto columns = record_columns(request.grid.scene.masses(), request.records).size();
-  const auto without_record = std::ranges::count_if(
-      detail::parts_of(journal.rows()[0], '\n'),
-      [&](std::string_view row) { return row.ends_with(std::string(columns, ',')); });
   fmt::print(stderr,
              "{} points, {} computed now; {} were refused or given up, and have empty cells\n",
-             rows, computed, without_record);
+             number_of_rows(request), computed, without_record);
+}
+
+// The chains of which the journal does not have all rows.
+std::vector<std::size_t> chains_to_do(const SweepRequest &request, const Journal &journal) {
+  const std::size_t length = chain_length(request);
+  std::vector<std::size_t> chains;
+  for (std::size_t row = 0; row < number_of_rows(request); ++row)
+    if (!journal.has(row) && (chains.empty() || chains.back() != row / length))
+      chains.push_back(row / length);
+  return chains;
 }
 
 }  // namespace
 
-// The chains are computed in blocks. Every process computes its share of a block, consecutive
-// chains on its own threads; the rows of the shares, joined in the order of the processes, are
-// those of the block.
+// Rank 0 keeps the rows of all processes in the journal, in any order, and makes the tables of it.
 void run_sweep(const SweepRequest &request, const Processes &processes) {
-  const std::size_t length = chain_length(request), rows = number_of_rows(request);
   std::optional<Journal> journal;  // on rank 0
   if (processes.rank() == 0) journal.emplace(begin(request));
-  const std::size_t first =
-      std::stoull(processes.joined(journal ? std::to_string(journal->size()) : ""));
-  const int threads = processes.size() > 1 ? 1 : available_threads();
-  const std::size_t share =
-      std::max<std::size_t>(points_per_thread / length, 1) * static_cast<std::size_t>(threads);
-  const std::size_t chains = rows / length;
+  const std::vector<std::size_t> chains =
+      processes.from_rank_0(journal ? chains_to_do(request, *journal) : std::vector<std::size_t>());
+  const std::size_t rows = number_of_rows(request),
+                    computed = chains.size() * chain_length(request);
   {
-    Progress progress("sweep", static_cast<double>(rows), static_cast<double>(first));
-    for (std::size_t begin = first / length; begin < chains; begin += share * processes.size()) {
-      const std::size_t own = std::min(chains, begin + share * processes.rank());
-      const auto compute = [&](std::size_t k) {
-        return rows_of_chain(request, own + k, journal ? &progress : nullptr, processes.size());
-      };
-      Texts block;
-      for (const Texts &of_chain : sweep(std::min(chains - own, share), compute, threads))
-        for (std::size_t k = 0; k < block.size(); ++k) block[k] += of_chain[k];
-      for (std::string &text : block) text = processes.joined(text);
-      if (journal) journal->add(block);
-    }
+    Progress progress("sweep", static_cast<double>(rows), static_cast<double>(rows - computed));
+    const auto compute = [&](std::size_t k, const Processes::Take &send) {
+      compute_chain(request, chains[k], send);
+    };
+    const auto keep = [&](const std::string &record) {
+      journal->add(record);
+      progress.advance();
+    };
+    processes.share_out(chains.size(), compute, keep);
   }
-  if (journal) finish(request, *journal, rows - first);
+  if (journal) finish(request, *journal, computed);
 }
 
 }  // namespace vibro_impact::runner

@@ -37,6 +37,10 @@ void Table::cell(std::string_view value) {
 }
 
 void write(const Table &table, const std::string &path) {
+  write_pieces([&](const Add &add) { add(table.text); }, path);
+}
+
+void write_pieces(const std::function<void(const Add &add)> &give, const std::string &path) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path target = fs::weakly_canonical(path, error);  // a link is written through
@@ -45,16 +49,24 @@ void write(const Table &table, const std::string &path) {
     throw std::runtime_error(path + ": is no file, cannot be replaced by one");
   const std::string temporary = target.string() + ".part." + std::to_string(getpid());
   std::FILE *file = std::fopen(temporary.c_str(), "wbx");
-  const std::size_t size = table.text.size();
-  const bool whole = file != nullptr && std::fwrite(table.text.data(), 1, size, file) == size &&
-                     std::fflush(file) == 0;
-  if (!whole) error = {errno, std::generic_category()};
-  if (file != nullptr) std::fclose(file);
-  if (whole) fs::rename(temporary, target, error);
-  if (!error) return;
-  const std::string reason = error.message();
-  if (file != nullptr) fs::remove(temporary, error);
-  throw std::runtime_error(path + ": cannot be written: " + reason);
+  const auto require_done = [&](bool done) {
+    if (!done) error = {errno, std::generic_category()};
+    if (error) throw std::runtime_error(path + ": cannot be written: " + error.message());
+  };
+  require_done(file != nullptr);
+  try {
+    give([&](std::string_view piece) {
+      require_done(std::fwrite(piece.data(), 1, piece.size(), file) == piece.size());
+    });
+    require_done(std::fflush(file) == 0);
+    fs::rename(temporary, target, error);
+    require_done(!error);
+  } catch (...) {
+    fs::remove(temporary, error);
+    std::fclose(file);
+    throw;
+  }
+  std::fclose(file);
 }
 
 }  // namespace vibro_impact
