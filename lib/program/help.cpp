@@ -31,6 +31,16 @@ OMP_NUM_THREADS threads, or, where the program was built with MPI, by
 not depend on their number.
 The rows are kept in FILE.partial until all are there, where FILE is the first table that is
 asked for. A point that is refused or given up has empty cells in --table.
+
+A job of a cluster with Slurm; submitted again after it was ended, it goes on:
+  #!/bin/sh
+  #SBATCH --ntasks=64
+  #SBATCH --time=04:00:00
+  cd "$HOME/atlas" || exit
+  test -e atlas.csv ||
+    mpirun vibro-impact sweep --resume --table atlas.csv --impacts impacts.csv \
+      --vary omega=0.25:0.7:1001 --vary restitution=0.5:0.9:1001
+
 Columns of --table behind the parameters, for a chain of one mass:
 {}
 Exit status: 0 done, 1 the run was given up or a file could not be written, 2 bad input.)";

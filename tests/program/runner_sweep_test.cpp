@@ -117,6 +117,33 @@ TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
 }
 
 // The limit of a file's size stands for a full disk. The journal keeps the rows that fitted.
+// The job that the help shows runs as a script of the shell, here with few points and with the
+// program and the number of processes of the test. Run once more, it has nothing to do.
+TEST_F(Runner, TheJobOfTheHelpRuns) {
+  if (!with_mpi) GTEST_SKIP() << "built without MPI";
+  const std::string help = run("--help").out;
+  const std::size_t begin = help.find("#!/bin/sh"), end = help.find("\n\n", begin);
+  ASSERT_LT(end, help.size());
+  std::string job = help.substr(begin, end - begin);
+  for (const auto &[from, to] :
+       std::vector<std::pair<std::string, std::string>>{{":1001", ":3"},
+                                                        {":1001", ":3"},
+                                                        {"mpirun", mpirun(2)},
+                                                        {"vibro-impact", VIBRO_IMPACT_PROGRAM}}) {
+    ASSERT_LT(job.find(from), job.size()) << from;
+    job.replace(job.find(from), from.size(), to);
+  }
+  fs::create_directory(folder / "atlas");
+  std::ofstream(folder / "job") << job << '\n';
+  for (const char *message : {"9 points, 9 computed now", ""}) {
+    const Result result = run("", "export HOME=" + folder.string(), "", "sh job");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(result.err.starts_with(message)) << result.err;
+    EXPECT_EQ(lines(contents(folder / "atlas" / "atlas.csv")).size(), 10u);
+  }
+  EXPECT_TRUE(fs::exists(folder / "atlas" / "impacts.csv"));
+}
+
 TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
   const std::string sweep =
       "sweep --vary omega=1.1:1.2:40 --back --masses 1 --amplitude 0.1 --stop 1:upper:0.3 ";
