@@ -33,13 +33,12 @@ array shade[5] = ['#b9cfc4', '#90b5a2', '#659a80', '#3b7d5f', '#0f5f40']  # the 
 eval page('exit_boundary', 2, 1)
 
 eval panel('a')
-eval heading(sprintf('mass 2 sticks: the plane of mass 1,  from rest to {/:Italic t} = %.1f (%d forcing periods)', \
-  2 * pi * periods / omega, periods))
+eval heading(sprintf('mass 2 sticks: the plane of mass 1,  %s,  from rest, %d forcing periods', known('Ω', omega, 'Ω'), periods))
 set xlabel '{/:Italic x}_1'; set ylabel '{/:Italic ẋ}_1'
 set xrange [0.06:0.34]; set xtics 0.04
 set yrange [-0.2:0.25]; set ytics 0.1
 set label 2 '{/:Italic S}' at 0.2, 0.1 center front
-set label 3 sprintf("{/:Italic ∂S}:  {/:Italic ẋ}_1 = %g {/:Italic x}_1 + %g", -rate, rate * s2) at 0.09, 0.16 left front
+set label 3 sprintf("{/:Italic ∂S}:  {/:Italic ẋ}_1 = %s {/:Italic x}_1 + %g", number('%g', -rate), rate * s2) at 0.09, 0.16 left front
 set label 5 sprintf('(%g, 0)', s2) at s2 - 0.002, -0.02 right front
 set key at graph 0.97, graph 0.97
 plot '+' using 1:(boundary2($1)):(1) with filledcurves lc rgb '#e9f0ec', \

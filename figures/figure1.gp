@@ -17,7 +17,7 @@ along(i, part) = face(i - 1, 1) + part * (face(i, -1) - face(i - 1, 1))
 face_of_stop(i) = i * distance + stop[i] + side[i] * half
 right = 1  # how far the floor goes beyond the place of the last mass
 masses_left_out = 0  # before the last mass: none, or some, for which dots stand
-number_of(i) = masses_left_out && i == masses ? 'N' : sprintf('%d', i)
+subscript(i) = masses_left_out && i == masses ? 'N' : sprintf('%d', i)
 dots_before(i) = masses_left_out && i == masses
 
 line(x0, y0, x1, y1) = sprintf("set arrow from %g, %g to %g, %g nohead lc rgb '#202020'; ", x0, y0, x1, y1)
@@ -33,11 +33,11 @@ damper(i) = line(face(i - 1, 1), 0.5, end_of_cylinder(i, -1), 0.5). \
   line(piston(i), 0.5, face(i, -1), 0.5).line(piston(i), 0.41, piston(i), 0.59)
 dots(i) = sprintf("set label '{/*1.5 · · ·}' at %g, 0.62 center; ", along(i, 0.5))
 colour_of(i) = action[i] eq 'sticks' ? '#e0a030' : masses_left_out ? '#e6e6e6' : i == 1 ? '#c9d6e6' : '#f3d3cb'
-name_of_stop(i) = masses_left_out ? sprintf('s_{%s}', number_of(i)) : sprintf('s_%d = %g', i, stop[i])
+name_of_stop(i) = sprintf('{/:Italic s}_{%s}', subscript(i)).(masses_left_out ? '' : ' = '.number('%g', stop[i]))
 body(i) = (dots_before(i) ? dots(i) : damper(i)).box(face(i, -1), 0, face(i, 1), 1, colour_of(i)). \
   box(face_of_stop(i), 0, face_of_stop(i) + side[i] * 0.07, 0.3, action[i] eq 'impact' ? '#d00000' : '#707070'). \
-  sprintf("set label '{/:Italic m}_{%s}' at %g, 0.6 center front; ", number_of(i), i * distance + shift[i]). \
-  sprintf("set label '{/*0.85 %s}' at %g, -0.14 center; ", name_of_stop(i), face_of_stop(i) - side[i] * 0.5 * abs(stop[i])). \
+  sprintf("set label '{/:Italic m}_{%s}' at %g, 0.6 center front; ", subscript(i), i * distance + shift[i]). \
+  sprintf("set label '{/*0.9 %s}' at %g, -0.14 center; ", name_of_stop(i), face_of_stop(i) - side[i] * 0.5 * abs(stop[i])). \
   sprintf("set label '%s' at %g, 1.2 center; ", action[i], i * distance)
 ground(n) = box(half - 0.12, -0.06, half, 1.1, '#b0b0b0').box(half - 0.12, -0.06, n * distance + right, 0, '#b0b0b0')
 set samples 401
@@ -49,7 +49,7 @@ draw_chain = "unset border; unset tics; unset xlabel; unset ylabel; set size rat
   "unset object; unset arrow; unset label"
 
 # What Figure 1 says of each mass: its displacement, its forcing, its spring and damper, and its gap.
-force(i) = masses_left_out ? sprintf('{/:Italic A}_{%s} cos Ω{/:Italic t}', number_of(i)) : \
+force(i) = masses_left_out ? sprintf('{/:Italic A}_{%s} cos Ω{/:Italic t}', subscript(i)) : \
   sprintf('{/:Italic A}_%d cos Ω{/:Italic t},  {/:Italic A}_%d = %g', i, i, amplitude[i])
 arrow(i, y, width) = sprintf("set arrow from %g, %g to %g, %g lw %g; ", i * distance, y, i * distance + 0.4, y, width)
 text_at(i, y, text) = sprintf("set label '%s' at %g, %g; ", text, i * distance + 0.46, y)
@@ -58,7 +58,7 @@ link(i) = sprintf("set label '{/:Italic k}_%d' at %g, %g center; ", i, along(i, 
 gap(i) = sprintf("set arrow from %g, 0.15 to %g, 0.15 heads size 0.05, 20 lw 1 front; ", face(i, side[i]), face_of_stop(i))
 named(i) = (dots_before(i) ? '' : link(i)).gap(i).arrow(i, 1.36, 1). \
   sprintf("set arrow from %g, 1.05 to %g, 1.66 nohead lt 3; ", i * distance, i * distance). \
-  text_at(i, 1.36, sprintf('{/:Italic x}_{%s}', number_of(i))). \
+  text_at(i, 1.36, sprintf('{/:Italic x}_{%s}', subscript(i))). \
   (masses_left_out || amplitude[i] > 0 ? arrow(i, 1.6, 2.5).text_at(i, 1.6, force(i)) : '')
 
 if (kind ne 'gif') {
@@ -90,6 +90,10 @@ if (kind eq 'gif' || kind eq 'svg') {
     set terminal svg size 720,420 font 'Liberation Serif,15'
     set output data.'/figure1_motion.svg'
   }
+  # Mass 2 is dashed, which the terminal gif cannot do by itself: these are the pieces of its curve in
+  # every other stretch of 0.6 units of time. Frames are 0.2 or 0.6 apart.
+  from(t, x) = (last_t = from_t, last_x = from_x, from_t = t, from_x = x, \
+    t <= now && int((last_t - begin) / 0.6 + 0.1) % 2 == 0 ? last_t : NaN)
   # A gif keeps the colours of its first frame, under which passes 1 and 2 draw all that appear later.
   do for [k = 1:frames:(kind eq 'gif' ? 1 : 20)] {
     set multiplot
@@ -98,19 +102,22 @@ if (kind eq 'gif' || kind eq 'svg') {
         action[1] = word('sticks impact '.strcol(4), pass), action[2] = word('sticks impact '.strcol(5), pass), 0) nooutput
       do for [i = 1:masses] { if (action[i] eq '-') { action[i] = '' } }
       set origin 0, 0; set size noratio 1, 1; clear
-      set label 1 'Figure 2 in motion:  '.known('Ω', omega[1], 'Ω').',  '.known('r', r[1], '').sprintf(',  force %g cos Ωt on mass 1', amplitude[1]) at screen 0.02, 0.965
+      set label 1 'Figure 2 in motion:  '.known('Ω', omega[1], 'Ω').',  '.known('r', r[1], '').sprintf(',  force %g cos Ω{/:Italic t} on mass 1', amplitude[1]) at screen 0.02, 0.965
       set label 2 sprintf('{/:Italic t} = %.2f', now) at screen 0.2, 0.42 center
       set origin 0, 0.46; set size 1, 0.48; set yrange [-0.2:1.35]
       eval draw_chain
       set origin 0, 0; set size noratio 1, 0.46
-      set border; set xtics 5; set ytics 0.2; set xlabel 'Time'; set ylabel 'Displacement'
+      set border; set xtics 5; set ytics 0.2; set xlabel time; set ylabel 'Displacement'
       set lmargin 8; set rmargin 5; set tmargin 2; set bmargin 3.2
       set xrange [begin:end]; set yrange [-0.55:0.4]
-      set key horizontal maxrows 1 samplen 2 at graph 1, graph 1.32 right
-      do for [i = 1:masses] { set label i sprintf('s_%d', i) at graph 1.01, first stop[i] }
+      set key horizontal maxrows 1 samplen 2 at graph 0.82, graph 1.32 right
+      set label 9 '– –  mass 2' at graph 0.98, graph 1.2 right textcolor lt 2
+      do for [i = 1:masses] { set label i sprintf('{/:Italic s}_%d', i) at graph 1.01, first stop[i] }
       plot for [i = 1:masses] stop[i] lt 3, \
         for [i = 1:masses] motion using 't':($1 <= now ? stuck(column('x'.i), stop[i]) : NaN) with lines lt 7 lw 8 title (i == 1 ? 'sticks' : ''), \
-        for [i = 1:masses] motion using 't':($1 <= now ? column('x'.i) : NaN) with lines lt i dt solid lw 2 title sprintf('mass %d', i), \
+        motion using 't':($1 <= now ? column('x1') : NaN) with lines lt 1 lw 2 title 'mass 1', \
+        from_t = begin, from_x = NaN, '' using (from(column('t'), column('x2'))):(last_x):($1 - last_t):(column('x2') - last_x) \
+          with vectors nohead lt 2 dt solid lw 2, \
         for [i = 1:masses] '+' using (now):(shift[i]) every ::::0 with points pt 7 lt i
       unset label; unset key
     }

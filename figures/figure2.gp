@@ -1,6 +1,6 @@
 # Figure 2: displacement of both masses. Bars: a mass sticks.
 load 'figures/style.gp'
-set xlabel 'Time (non-dimensional)'
+set xlabel time
 set ylabel 'Displacement'
 set tmargin 2
 set rmargin 5

@@ -22,10 +22,12 @@ step = (axis_to - axis_from) / 1800  # of the frequencies
 # others of the same mass stands below them.
 array bar[2] = [-0.385, 0.385]
 array first[2] = [-0.262, 0.365]
-array changed[99]; array of[99]
-stats [*:*] [*:*] changes using (changed[$0 + 1] = column('omega'), of[$0 + 1] = column('mass')) nooutput
-number = STATS_records
-before(mass, w) = sum [k = 1:number] (of[k] == mass && w - changed[k] > 0 && w - changed[k] < 0.004)
+array changed[99]; array of[99]; array kind_of[99]
+stats [*:*] [*:*] changes using (changed[$0 + 1] = column('omega'), of[$0 + 1] = column('mass'), kind_of[$0 + 1] = strcol('kind'), 0) nooutput
+changes_of_all = STATS_records
+before(mass, w) = sum [k = 1:changes_of_all] (of[k] == mass && w - changed[k] > 0 && w - changed[k] < 0.004)
+# How many changes of a kind a mass has: the key names no kind that the panel does not show.
+of_this_kind(k, mass) = sum [n = 1:changes_of_all] (of[n] == mass && kind_of[n] eq kinds[k])
 height(mass) = first[mass] - 0.023 * before(mass, column('omega'))
 frequency(k) = sprintf(k eq 'jump' ? '{/*0.7 %.6f}' : '{/*0.7 %.4f}', column('omega'))
 window = "fillcolor rgb '#e4e4e4' fillstyle solid noborder"
@@ -44,19 +46,20 @@ do for [mass = 1:2] {
     sticking using (of_mass(mass)):(bar[mass]):(0.5 * step):(0.005) with boxxyerror lt 7 fillstyle solid noborder, \
     for [k = 1:3] changes using (of_kind(k, mass)):(lowest):(0):(highest - lowest) with vectors nohead lt line[k], \
     changes using (of_mass(mass) + 0.004):(height(mass)):(frequency(strcol('kind'))) with labels left, \
-    for [k = 1:3] changes using (of_kind(k, mass)):(height(mass)) with points lc rgb colour[k] pt mark[k] ps size[k] title kinds[k], \
+    for [k = 1:3] changes using (of_kind(k, mass)):(height(mass)) with points lc rgb colour[k] pt mark[k] ps size[k] title (of_this_kind(k, mass) ? kinds[k] : ''), \
     data.'/figure3'.'ab'[mass:mass].'.csv' using 'omega':'v'.mass with points lt mass pt 7 ps 0.2 lw 0.3
 }
 
 eval panel('c')
-eval heading('speeds of mass 1 from 10^{-4} on;  grey: as in (a);  bar: mass 1 sticks')
+eval heading('speeds of mass 1 from 10^{−4} on;  grey: as in (a);  bar: mass 1 sticks')
 unset label 2; unset label 3
 set ylabel '|{/:Italic v}_1|'
 set xrange [0.28:0.42]; set xtics 0.01
-set logscale y; set yrange [1e-4:4]; set ytics ('10^{-4}' 1e-4, '10^{-3}' 1e-3, '10^{-2}' 1e-2, '10^{-1}' 1e-1)
+set logscale y; set yrange [1e-4:4]; set ytics ('10^{−4}' 1e-4, '10^{−3}' 1e-3, '10^{−2}' 1e-2, '10^{−1}' 1e-1)
 array edge[5] = [0.285, 0.3, 0.35, 0.37, 0.4]
 do for [k = 1:5] { set label 10 + k '{/*0.8 '.(k == 1 ? 'paper:' : sprintf('%g', edge[k])).'}' at edge[k], 2.2 center front }
 set label 16 '{/*0.8 here:}' at 0.285, 0.6 center front
+set label 17 "{/*0.75 columns of dots:}\n{/*0.75 long periods}" at 0.3862, 4e-4 center front
 plot for [k = 1:2] '+' using (window_from[k]):(1e-4):(window_from[k]):(window_to[k]):(1e-4):(4) every ::::0 \
     with boxxyerror @window, \
   sticking using (of_mass(1)):(1.2e-4):(0.5 * step):(1e-5) with boxxyerror lt 7 fillstyle solid noborder, \

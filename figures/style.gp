@@ -6,6 +6,7 @@ if (!exists("data")) { data = 'build/figures' }
 if (!exists("kind")) { kind = 'png' }
 
 set encoding utf8
+set minussign
 set datafile separator comma
 
 # eval page('figure2', rows, columns) opens a page for so many panels; all sizes and fonts are those
@@ -39,6 +40,9 @@ set bmargin 3.2
 set xlabel offset 0, 0.3
 set key samplen 3 spacing 1.2 noautotitle reverse Left
 
+# The abscissa of a motion.
+time = 'Time (non-dimensional)'
+
 # eval axes('figure2a') sets the printed ranges and ticks of a panel, and the variables named here.
 printed = 'reference/tables/panels.csv'
 axes(name) = sprintf("stats [*:*] [*:*] '%s' using (strcol('panel') eq '%s' ? ", printed, name). \
@@ -59,10 +63,14 @@ read(table, name) = sprintf("array %s[99]; stats [*:*] [*:*] '%s' using (%s[$0 +
 # eval scenes('figure2') reads the parameters of the scenes in the panels of a figure.
 scenes(name) = scene_columns(data.'/'.name.'_scenes.csv')
 scene_columns(table) = read(table, 'omega').read(table, 'r').read(table, 's1').read(table, 's2')
+# A number and a symbol in a text: with a minus sign, and slanted but for Greek letters.
+number(format, x) = (x < 0 ? '−' : '').sprintf(format, abs(x))
+slanted(name) = name eq 'Ω' ? name : '{/:Italic '.name[1:1].'}'.name[2:*]
 # The parameters of scene n in words. The paper does not give those named in `inferred`.
-known(name, x, inferred) = sprintf('%s = %g%s', name, x, strstrt(inferred, name) ? ' (inferred)' : '')
-stops(n, inferred) = s1[n] == s2[n] ? known('s₁ = s₂', s1[n], inferred) : \
-  known('s₁', s1[n], inferred).',  '.known('s₂', s2[n], inferred)
+given(name, inferred) = strstrt(inferred, name) ? ' (inferred)' : ''
+known(name, x, inferred) = slanted(name).' = '.number('%g', x).given(name, inferred)
+stops(n, inferred) = s1[n] == s2[n] ? slanted('s_1').' = '.known('s_2', s1[n], inferred) : \
+  known('s_1', s1[n], inferred).',  '.known('s_2', s2[n], inferred)
 parameters(n, inferred) = \
   known('Ω', omega[n], inferred).',  '.known('r', r[n], '').',  '.stops(n, inferred)
 # eval scene(n, inferred) writes the parameters above a panel, and the names of the stops at their lines.
@@ -70,11 +78,12 @@ scene(n, inferred) = heading(parameters(n, inferred)).'; '.stop_lines(n)
 heading(text) = sprintf("set label 4 '%s' at graph 0, graph 1 offset 0, 0.9", text)
 # A key on the line of the headings, in a row.
 key_beside_heading = 'set key horizontal maxrows 1 samplen 2 width -2 at graph 1, graph 1.125 right'
-stop_lines(n) = sprintf("set label 2 '%s' at graph 1.01, first %g; ", s1[n] == s2[n] ? 's₁ = s₂' : 's₁', s1[n]). \
-  sprintf("set label 3 '%s' at graph 1.01, first %g", s1[n] == s2[n] ? '' : 's₂', s2[n])
+stop_lines(n) = sprintf("set label 2 '%s' at graph 1.01, first %g; ", \
+    slanted('s_1').(s1[n] == s2[n] ? ' = '.slanted('s_2') : ''), s1[n]). \
+  sprintf("set label 3 '%s' at graph 1.01, first %g", s1[n] == s2[n] ? '' : slanted('s_2'), s2[n])
 # A mass sticks where it stands exactly on its stop.
 stuck(x, stop) = x == stop ? x : NaN
 # eval inset(n, rows, low, high) places the next plot inside panel n, between these heights of it.
-inset(n, rows, low, high) = "unset label; unset xlabel; set xtics font ',18'; set ytics font ',18'; ". \
+inset(n, rows, low, high) = "unset label; unset xlabel; set xtics font ',20'; set ytics font ',20'; ". \
   sprintf('set bmargin at screen %g; set tmargin at screen %g', height(n, rows, low), height(n, rows, high))
 height(n, rows, part) = (rows - n + part) / (1.0 * rows)

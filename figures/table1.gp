@@ -1,7 +1,7 @@
 # Table I: a motion for each pair of events. Open circles: a mass
 # grazes. Dots: a mass impacts. Bars: a mass sticks.
 load 'figures/style.gp'
-set xlabel 'Time'
+set xlabel time
 set ylabel 'Displacement' offset 0.8, 0
 set key at graph 0.97, graph 0.95 samplen 2
 set lmargin 8.5
@@ -28,8 +28,9 @@ do for [n = 1:6] {
   if (pair[n] eq 'DS') { set object 1 rectangle from stuck_min, graph 0 to released_min, graph 1 behind fillcolor rgb '#ececec' fillstyle solid noborder }
   stats [*:*] [*:*] pairs using (in_panel(n, column('at_rest'))) nooutput name 'start'
   start = start_max == 1 ? 'from rest' : 'from near the settled motion'
-  set title '{/:Bold '.pair[n].'}  '.meaning[n].',  '.start."\n{/*0.8 ".sprintf('Ω = %.6g,  r = %g,  ', omega[n], r[n]). \
-    (s1[n] == s2[n] ? sprintf('s₁ = s₂ = %.5g}', s1[n]) : sprintf('s₁ = %.5g,  s₂ = %.5g}', s1[n], s2[n])) offset 0, -0.5
+  set title '{/:Bold '.pair[n].'}  '.meaning[n].',  '.start."\n{/*0.9 Ω = ".sprintf('%.6g,  ', omega[n]).known('r', r[n], '').',  '. \
+    slanted('s_1').' = '.(s1[n] == s2[n] ? '' : number('%.5g', s1[n]).',  ').slanted('s_2').' = '. \
+    number('%.5g', s2[n]).'}' offset 0, -0.5
   eval stop_lines(n)
   set label 1 pair[n] eq 'DS' ? 'both stick' : '' at 0.5 * (stuck_min + released_min), 0.13 center
   set label 5 pair[n] eq 'DS' ? 'bars: a mass sticks' : '' at graph 0.5, graph 0.1 center

@@ -9,7 +9,7 @@ array impacts[7] = [NaN, 9.5, 9, 5, 4.5, 0.5, 0]
 set palette defined (1 colour[1], 2 colour[2], 3 colour[3], 4 colour[4], 5 colour[5], 6 colour[6], 7 colour[7]) maxcolors 7
 set cbrange [0.5:7.5]
 unset colorbox
-array place[2] = ['(a)  stops of Figure 2, Ω = 0.625, r = 0.7', '(b)  Figure 5(b), Ω = 0.299518, r = 0.001']
+array place[2] = ['(a)  stops of Figure 2, Ω = 0.625, {/:Italic r} = 0.7', '(b)  Figure 5(b), Ω = 0.299518, {/:Italic r} = 0.001']
 array first[2] = [2, 6]
 array last[2] = [5, 7]
 class(n, i) = 1 + (sum [c = first[n]:last[n]] (i == impacts[c] ? c - 1 : 0))
@@ -28,7 +28,7 @@ set tmargin 1.8
 set rmargin 2
 set bmargin 10.5
 set autoscale xfix; set autoscale yfix
-set xlabel '{/:Italic x}₁(0)'; set ylabel '{/:Italic x}₂(0)'
+set xlabel '{/:Italic x}_1(0)'; set ylabel '{/:Italic x}_2(0)'
 set xtics 0.2; set ytics 0.2
 set key at graph 0, graph -0.28 left samplen 0.3 maxrows 5
 do for [n = 1:2] {

@@ -5,7 +5,7 @@ load 'figures/style.gp'
 stops = data.'/long_chain.csv'
 eval read(stops, 'mass').read(stops, 'side').read(stops, 'stop')
 eval read(stops, 'beta').read(stops, 'restitution').read(stops, 'amplitude')
-common = sprintf('from rest,  c = %g,  r = %g,  force %g cos Ω{/:Italic t} on mass 1', beta[1], restitution[1], amplitude[1])
+common = sprintf('from rest,  {/:Italic c} = %g,  {/:Italic r} = %g,  force %g cos Ω{/:Italic t} on mass 1', beta[1], restitution[1], amplitude[1])
 
 step = 0.75 / 400  # of the frequencies
 sticks(n, value) = column('mass') == mass[n] ? value : NaN
@@ -17,7 +17,7 @@ set ytics 0.2
 do for [n = 1:3] {
   eval panel('abc'[n:n])
   stats [*:*] [*:*] data.'/long_chain_sticking.csv' using (column('mass') == mass[n]) nooutput
-  eval heading(sprintf('mass %d,  %s stop at %g%s', mass[n], side[n] > 0 ? 'upper' : 'lower', stop[n], \
+  eval heading(sprintf('mass %d,  %s stop at %s%s', mass[n], side[n] > 0 ? 'upper' : 'lower', number('%g', stop[n]), \
     STATS_sum == 0 ? ',  never sticks' : ''))
   set label 2 n == 1 ? common : '' at graph 1, graph 1 offset 0, 0.9 right
   set xlabel n == 3 ? 'Ω' : ''

@@ -14,7 +14,7 @@ array colour[8] = ['#12355b', '#12355b', '#606060', '#d55e00', '#b08000', '#009e
 array mark[8] = [7, 6, 5, 9, 15, 13, 11, 2]
 array dash[8] = [1, 1, 3, 1, 2, 1, 2, 3]
 note = "Bars: fastest and slowest of five repeats.%sAbove the line: the run misses an event.%s". \
-  "Errors below 10^{-15} are drawn at 10^{-15}."
+  "Errors below 10^{−15} are drawn at 10^{−15}."
 
 shown(error) = error < 1e-15 ? 1e-15 : error
 row(p, m, ok) = strcol('problem') eq problem[p] && strcol('method') eq method[m] && (strlen(strcol('failure')) == 0) == ok
@@ -50,7 +50,7 @@ do for [picture in '5 2'] {
     set xlabel p > 2 ? 'µs per run' : 'µs per forcing period'
     set ylabel 'error of the event times'
     set xrange [0.5:2e6]; set xtics 10; set yrange [5e-16:edge * 10 ** (1.5 * rows_of_failures + 0.6)]; set mytics 1
-    set ytics ('10^{-15}' 1e-15, '10^{-12}' 1e-12, '10^{-9}' 1e-9, '10^{-6}' 1e-6, '10^{-3}' 1e-3, '1' 1)
+    set ytics ('10^{−15}' 1e-15, '10^{−12}' 1e-12, '10^{−9}' 1e-9, '10^{−6}' 1e-6, '10^{−3}' 1e-3, '1' 1)
     if (rows_of_failures > 0) { set label 5 'misses an event' at graph 0.985, first edge * 8 right font ',17' }
     do for [m = 1:8] {
       if (p > 2 || last_time[m] == 0) { continue }

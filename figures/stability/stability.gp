@@ -27,7 +27,7 @@ set logscale x
 set xrange [0.05:4e9]
 set xtics ('≤ 0.1' 0.1, '10^2' 1e2, '10^4' 1e4, '10^6' 1e6, '10^8' 1e8)
 set grid x linetype 4
-set xlabel 'error of event times / 2.2 × 10^{-16}'
+set xlabel 'error of event times / 2.2 × 10^{−16}'
 set key autotitle columnhead maxrows 1 samplen 1 at screen 0.84, screen 0.955
 set label 1 "Extreme cases: error of the event times. Sensitivity: the largest shift of an event\nby one rounding of the start. A case passes left of its limit." at screen 0.02, screen 0.987
 plot table using (0.05):(opens(strcol('group')) ? row($0) + 0.5 : NaN):(4e9):(0) with vectors nohead linetype 4 notitle, \
