@@ -9,7 +9,8 @@
 //
 // The last one has all lines, areas or symbols of one style in a curve: their number of points n,
 // the box around the points, their mean, and the length of the lines. The texts of a picture stand
-// before its curves, sorted: versions of gnuplot write them in different orders.
+// before its curves, sorted, since versions of gnuplot write them in different orders. Frames and
+// ticks stand with the curve before them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,7 +95,7 @@ struct Reader {
   // Each style stands where its first shape is drawn.
   void end_curve() {
     for (const Ink &ink : inks)
-      digest +=
+      curves +=
           fmt::format("{} {} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f}\n", ink.style,
                       ink.points, ink.lowest[0], ink.lowest[1], ink.highest[0], ink.highest[1],
                       ink.sum[0] / ink.points, ink.sum[1] / ink.points, ink.length);
