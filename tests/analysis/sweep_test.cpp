@@ -120,6 +120,10 @@ TEST(Grid, TheLastAxisIsInnermost) {
   EXPECT_DOUBLE_EQ(scene.stops[0].position, -0.3);
   EXPECT_EQ(scene.omega, 0.3);
   EXPECT_EQ((Axis{{}, 2.5, 7.0, 1}.value(0)), 2.5);
+  const Axis ratios{{}, -4.0, -0.04, 3, true};  // within the rounding of a logarithm
+  EXPECT_EQ(ratios.value(0), -4.0);
+  EXPECT_NEAR(ratios.value(1), -0.4, 1e-15);
+  EXPECT_EQ(ratios.value(2), -0.04);
 }
 
 TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {

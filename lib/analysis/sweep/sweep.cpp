@@ -55,7 +55,11 @@ void compute_points(std::size_t points, int threads,
 double Axis::value(std::size_t k) const {
   require(k < count, "value ", k, " of ", parameter, ": there are ", count);
   if (count < 2) return from;
-  return std::lerp(from, to, static_cast<double>(k) / static_cast<double>(count - 1));
+  const double part = static_cast<double>(k) / static_cast<double>(count - 1);
+  if (!logarithmic) return std::lerp(from, to, part);
+  if (k == 0 || k + 1 == count) return k == 0 ? from : to;
+  return std::copysign(std::exp(std::lerp(std::log(std::abs(from)), std::log(std::abs(to)), part)),
+                       from);
 }
 
 std::size_t Grid::points() const {
@@ -93,11 +97,18 @@ void check(const Grid &grid) {
     get(grid.scene, axis.parameter);
     require(std::isfinite(axis.from) && std::isfinite(axis.to), what, " from ", axis.from, " to ",
             axis.to, ": must be finite");
+    require(
+        !axis.logarithmic || (axis.from < 0.0 ? axis.to < 0.0 : axis.from > 0.0 && axis.to > 0.0),
+        what, " from ", axis.from, " to ", axis.to, ": logarithmic steps need ends of one sign");
     for (std::size_t j = 0; j < k; ++j)
       require(!(grid.axes[j].parameter == axis.parameter), what, ": given twice");
   }
   // The conditions on a scene are bounds that are linear in its scalars. If they hold in the
   // corners of the grid, they hold everywhere.
+  // A start beyond a stop is refused at its own point alone.
+  const bool starts_vary = std::ranges::any_of(grid.axes, [](const Axis &axis) {
+    return axis.parameter.starts_with("displacement") || axis.parameter.starts_with("stop");
+  });
   require(grid.axes.size() < 20, grid.axes.size(), " axes: at most 19");
   for (std::size_t corner = 0; corner < std::size_t{1} << grid.axes.size(); ++corner) {
     Scene scene = grid.scene;
@@ -106,6 +117,7 @@ void check(const Grid &grid) {
       const std::size_t end = (corner >> k) % 2 == 0 ? 0 : axis.count - 1;
       scene = with(std::move(scene), axis.parameter, axis.value(end));
     }
+    if (starts_vary) scene.displacement.clear();
     check(scene);
     require(scene.omega > 0.0, "omega = ", scene.omega, ": a sweep needs a forcing period");
   }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "counters.hpp"
+#include "event.hpp"
 #include "impact_law.hpp"
 #include "instant.hpp"
 #include "record.hpp"
 #include "scene.hpp"
 #include "scene_fields.hpp"
+#include "scene_text.hpp"
 #include "simulate.hpp"

@@ -36,11 +36,12 @@ auto sweep(std::size_t points, const Compute &compute, int threads = 0) {
   return results;
 }
 
-// The values of one parameter at equal distances, both ends included.
+// The values of one parameter at equal distances or equal ratios, both ends included.
 struct Axis {
   std::string parameter = {};  // its name
   double from = 0.0, to = 0.0;
-  std::size_t count = 1;  // >= 1; 1: `from` alone
+  std::size_t count = 1;     // >= 1; 1: `from` alone
+  bool logarithmic = false;  // equal ratios; the ends have the same sign, and neither is zero
 
   double value(std::size_t k) const;  // throws std::invalid_argument unless k < count
 };
@@ -57,8 +58,10 @@ struct Grid {
 };
 
 // Throws std::invalid_argument with one line for an axis that is empty, not finite or given twice,
-// a parameter that the scene does not have, more points than can be counted, and a scene that
-// `check` rejects or that has no forcing period anywhere on the grid.
+// for a logarithmic axis whose ends have not the same sign, a parameter that the scene does not
+// have, more points than can be counted, and a scene that `check` rejects or that has no forcing
+// period anywhere on the grid. A start beyond a stop is refused at its point, if a displacement or
+// a stop varies.
 void check(const Grid &grid);
 
 // The values of `observable` for the scenes of all points, in the order of the points. A value may
