@@ -90,11 +90,11 @@ struct Record {
 Record read_record(std::istream &file) {
   Record record;
   std::string line;
-  std::size_t sizes[3] = {};
+  std::size_t sizes[4] = {};
   record.whole = std::getline(file, line) && !file.eof();
   constexpr std::size_t most = 1'000'000'000;  // bytes of a row
-  if (std::sscanf(line.c_str(), "row %*8x %zu %zu %zu %zu", &record.row, &sizes[0], &sizes[1],
-                  &sizes[2]) < 4 ||
+  if (std::sscanf(line.c_str(), "row %*8x %zu %zu %zu %zu %zu", &record.row, &sizes[0], &sizes[1],
+                  &sizes[2], &sizes[3]) < 5 ||
       std::ranges::any_of(sizes, [](std::size_t size) { return size > most; }))
     return record;
   for (std::size_t k = 0; k < record.texts.size(); ++k) {
@@ -109,8 +109,9 @@ Record read_record(std::istream &file) {
 }  // namespace
 
 std::string journal_record(std::size_t row, const Texts &texts) {
-  const std::string checked = fmt::format("{} {} {} {}\n{}", row, texts[0].size(), texts[1].size(),
-                                          texts[2].size(), fmt::join(texts, ""));
+  const std::string checked =
+      fmt::format("{} {} {} {} {}\n{}", row, texts[0].size(), texts[1].size(), texts[2].size(),
+                  texts[3].size(), fmt::join(texts, ""));
   return fmt::format("row {:08x} {}", checksum_of(checked), checked);
 }
 

@@ -59,12 +59,13 @@ std::string path_of(std::FILE *file);
 // line, and leaves no file, when that fails.
 void write_text(std::string text, const std::string &path);
 
-// The rows that a point of a sweep has in each table, in the order of SweepRequest::tables.
-using Texts = std::array<std::string, 3>;
+// The rows that a point of a sweep has in each table, in the order of SweepRequest::tables, and the
+// reason why it has no record, if it has none.
+using Texts = std::array<std::string, 4>;
 
-// The record of a journal: a line `row <checksum> <number of the row> <bytes> <bytes> <bytes>`, and
-// behind it the rows that stand for this row of the sweep in each table. The checksum is that of
-// everything behind it.
+// The record of a journal: a line `row <checksum> <number of the row> <bytes> <bytes> <bytes>
+// <bytes>`, and behind it the texts of this row of the sweep. The checksum is that of everything
+// behind it.
 std::string journal_record(std::size_t row, const Texts &texts);
 
 // The journal of an unfinished sweep: a file of which the memory has the places of the records

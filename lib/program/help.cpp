@@ -16,21 +16,37 @@ Example of a run:
   vibro-impact run --from 700 --events events.csv --samples samples.csv --plot run.png
 Events are impact, stick or release; contact_mode lists the sticking masses after the event (-, 1,
 2, 1+2), phase is the time within the forcing period, and impulse is m |v_before - v_after|.
+A sample at the time of an event has the velocity before it.
 A Poincare section, with one point in each forcing period (P):
   vibro-impact run --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --omega 0.823 --from 200P \
     --until 9999P --every 1P --velocities --samples section.csv --portrait section.png
+A base that moves by a cos(Omega t) forces each mass by m a Omega^2 cos(Omega t), in coordinates
+relative to the base. A ball on a table that moves by 1.2 cos(t):
+  vibro-impact run --masses 1 --stiffness 0 --beta 0 --constant -1 --amplitude 1.2 --omega 1 \
+    --displacement 1 --stop 1:lower:0 --until 20P --samples ball.csv --plot ball.png
+The periodic orbit near the settled motion, with its multipliers; by --period 2 one that need not
+be stable:
+  vibro-impact orbit --omega 0.69 --period 2 --velocities --samples orbit.csv --portrait orbit.png
 
 A table, a bifurcation diagram, and hysteresis of an oscillator with one mass:
   vibro-impact sweep --vary omega=0.25:0.7:10 --vary stop1=-0.4:-0.2:3 --table atlas.csv
   vibro-impact sweep --vary omega=0.25:0.7:91 --impacts impacts.csv --plot impacts.png
   vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=1.05:1.45:81 \
     --back --impacts branches.csv --plot branches.png
+Basins of attraction, by the start of the motion, with mirror orbits told apart, and the
+displacement at one phase:
+  vibro-impact sweep --masses 1 --amplitude 2 --omega 2 --restitution 0.5 --stop 1:lower:-0.5 \
+    --stop 1:upper:0.5 --vary displacement1=-0.6:0.6:25 --vary velocity1=-2:2:21 --attractor \
+    --column attractor --table basins.csv --plot basins.png
+  vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=0.7:1.2:101 \
+    --section states.csv --plot states.png
 The points are those of nested loops, the first range outermost. They are computed on
 OMP_NUM_THREADS threads, or, where the program was built with MPI, by
 `mpirun -n 4 vibro-impact sweep ...` on as many processes of one thread each. The tables do
 not depend on their number.
 The rows are kept in FILE.partial until all are there, where FILE is the first table that is
-asked for. A point that is refused or given up has empty cells in --table.
+asked for. A point that is refused, as for a start beyond a stop, or given up has empty cells in
+--table and no rows in the others. The program says why, and fails only if all points have none.
 
 A job of a cluster with Slurm; submitted again after it was ended, it goes on:
   #!/bin/sh

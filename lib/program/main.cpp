@@ -17,6 +17,7 @@ void carry_out(const Request &request, const Processes &processes) {
   if (const auto *sweep = std::get_if<SweepRequest>(&request)) return run_sweep(*sweep, processes);
   if (processes.rank() > 0) return;
   if (const auto *run = std::get_if<RunRequest>(&request)) return run_scene(*run);
+  if (const auto *orbit = std::get_if<OrbitRequest>(&request)) return find_orbit(*orbit);
   write_text(std::get<std::string>(request), "-");
 }
 

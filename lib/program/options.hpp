@@ -1,7 +1,8 @@
-// The command line of `vibro-impact`, and the two commands that it asks for.
+// The command line of `vibro-impact`, and the commands that it asks for.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,21 +14,31 @@
 
 namespace vibro_impact::runner {
 
-// Both commands have the file of the scene, which no output may replace, the head of the tables
+// All commands have the file of the scene, which no output may replace, the head of the tables
 // (lines of comments, or nothing), and the masses that have a panel in pictures.
 struct Common {
   std::string scene_file, head;
   std::vector<int> panels;
 };
 
-// One run. All times are non-dimensional.
+// One run, from the initial state of the scene or another start. All times are non-dimensional.
 struct RunRequest : Common {
   Scene scene;
+  std::optional<MotionState> start;
   RunOptions options;
   double until = 0.0, from = 0.0, every = 0.0;
   bool velocities = false;  // beside the displacements of the samples
   Output events{"--events"}, samples{"--samples"}, summary{"--summary"}, plot{"--plot"},
       portrait{"--portrait"};
+};
+
+// The search for a periodic orbit, near the motion that has settled or near the start. The outputs
+// of the run are those of one period of the orbit.
+struct OrbitRequest : RunRequest {
+  int period = 0;  // forcing periods; 0: that of the motion that has settled
+  bool near_start = false;
+  SettleOptions settle;
+  Output table{"--table"};
 };
 
 // A sweep. `definition` has the options on which the rows of its tables depend, in lines of
@@ -38,14 +49,14 @@ struct SweepRequest : Common {
   RecordOptions records;
   std::array<Output, 3> tables{{{"--table"}, {"--impacts"}, {"--section"}}};
   Output plot{"--plot"};
-  std::string column = "period";  // of the table, drawn in a map
+  std::string column;  // of the table, drawn in the picture; empty: not given
   bool resume = false;
   bool follow = false;  // each point from the settled state of the one before, ...
   bool back = false;    // ... along the innermost range and back again
 };
 
-// The request of a command line: a run, a sweep, or a text for standard output.
-using Request = std::variant<RunRequest, SweepRequest, std::string>;
+// The request of a command line: that of a command, or a text for standard output.
+using Request = std::variant<RunRequest, OrbitRequest, SweepRequest, std::string>;
 
 // Reads the command line, and the file of --scene. Throws std::invalid_argument with one line for a
 // command line that makes no sense, and for a scene or a grid that `check` refuses.
@@ -57,6 +68,15 @@ std::string footer();
 // Runs the scene and writes its files. Throws std::invalid_argument for a file that cannot be
 // written, before the run, and std::runtime_error when the run is given up or writing fails.
 void run_scene(const RunRequest &request);
+
+// Its parts: refuses outputs that cannot be written, which another output may be added to; and
+// runs, writes and draws.
+void check_outputs_of(const RunRequest &request, const Output &more);
+Outcome record_run(const RunRequest &request);
+
+// Finds the orbit, prints it and writes its files. Throws as `run_scene` does, and
+// std::runtime_error if no orbit was found.
+void find_orbit(const OrbitRequest &request);
 
 // Computes the tables of a sweep. To be called by all processes; that of rank 0 writes the files.
 // Throws as `run_scene` does, and std::invalid_argument for rows of another sweep or program.

@@ -2,14 +2,15 @@
 #   gnuplot -c plot.gp terminal motion panels samples.csv events.csv lower upper >picture
 #   gnuplot -c plot.gp terminal portrait panels samples.csv lines|points masses >picture
 #   gnuplot -c plot.gp terminal diagram panels impacts.csv points|branches axis >picture
+#   gnuplot -c plot.gp terminal columns columns table.csv points|branches axis >picture
 #   gnuplot -c plot.gp terminal map column table.csv axis axis >picture
 # where panels are the masses that are drawn, in words; lower and upper are the positions of the
-# stops of each mass, in words (NaN: no stop). An axis is a parameter, the two ends of its range, and
-# half the distance of its points, in words.
+# stops of each mass, in words (NaN: no stop). An axis is a parameter, the two ends of its range, half
+# the distance of its points (or the root of their ratio) with an overlap, and linear or logarithmic.
 kind = ARG2
 data = ARG4
 panels = kind eq 'map' ? 1 : words(ARG3)
-tall = kind eq 'portrait' ? 640 : kind eq 'map' ? 900 : kind eq 'diagram' ? 470 : 370
+tall = kind eq 'portrait' ? 640 : kind eq 'map' ? 900 : kind eq 'motion' ? 370 : 470
 height = 130 + tall * (panels < 32000 / tall ? panels : 32000 / tall)  # cairo takes 32767 pixels
 first = word(ARG3, 1)  # of the panels; the key stands above it
 last = word(ARG3, panels)
@@ -34,9 +35,12 @@ key(panel, name) = panel eq first ? name : ''
 # The range of an axis, with half a distance at each end, and the ends of the box of a point.
 from(axis) = real(word(axis, 2))
 to(axis) = real(word(axis, 3))
-before(x, axis) = x - real(word(axis, 4))
-behind(x, axis) = x + real(word(axis, 4))
+half(axis) = real(word(axis, 4))
+is_log(axis) = word(axis, 5) eq 'logarithmic'
+before(x, axis) = is_log(axis) ? x / half(axis) : x - half(axis)
+behind(x, axis) = is_log(axis) ? x * half(axis) : x + half(axis)
 lower_end(axis) = before(from(axis) < to(axis) ? from(axis) : to(axis), axis)
+base(axis) = abs(log10(to(axis) / from(axis))) < 2 ? 2 : 10  # of the labels, two or more
 upper_end(axis) = behind(from(axis) < to(axis) ? to(axis) : from(axis), axis)
 
 if (kind eq 'motion') {
@@ -75,24 +79,27 @@ if (kind eq 'portrait') {
   }
   unset multiplot
 }
-if (kind eq 'diagram') {
+if (kind eq 'diagram' || kind eq 'columns') {
   # A branch was followed from one end to the other, and perhaps back.
   followed = ARG5 eq 'branches'
   # Whether the parameter falls, from one row to the next.
   fell(x) = (falls = x < latest ? 1 : x > latest ? 0 : falls, latest = x, falls)
-  velocity(k, x, mass, v, side) = fell(x) == side && mass == k ? v : NaN
-  size(side) = side ? 1.2 : followed ? 0.5 : 0.2
+  of_panel(panel) = kind eq 'columns' ? column(panel) : column(2) == int(panel) ? column(3) : NaN
+  height(panel, side) = fell(column(1)) == side ? of_panel(panel) : NaN
+  size(side) = side ? 1.2 : followed ? 0.5 : kind eq 'columns' ? 0.35 : 0.2
   side_name(side) = !followed ? '' : side ? 'falling ' : 'rising '
+  if (is_log(ARG6)) { set logscale x base(ARG6) }
   set xrange [lower_end(ARG6):upper_end(ARG6)]
   set multiplot layout panels,1
   do for [panel in ARG3] {
-    k = int(panel)
-    set ylabel sprintf('impact velocity of mass %d', k)
+    set ylabel (kind eq 'columns' ? panel : 'impact velocity of mass '.panel) noenhanced
     if (panel eq last) { set xlabel word(ARG6, 1) noenhanced }
-    # The line at zero gives a range to a panel without points.
-    plot 0 with lines linestyle 3, \
+    # Without points there is no range, and `stats` leaves no records.
+    stats data using (of_panel(panel)) nooutput
+    found = exists('STATS_records') ? STATS_records : 0
+    plot (found > 0 ? NaN : 0) with lines linestyle 3, \
          for [side = 0:1] falls = (from(ARG6) > to(ARG6)), latest = NaN, \
-         data using 1:(velocity(k, $1, int($2), $3, side)) with points linestyle (side + 1) \
+         data using 1:(height(panel, side)) with points linestyle (side + 1) \
            pointtype (7 - side) pointsize size(side) title key(panel, side_name(side))
   }
   unset multiplot
@@ -104,6 +111,8 @@ if (kind eq 'map') {
   set ylabel up noenhanced
   set title ARG3 noenhanced
   set offsets 0, 0, 0, 0
+  if (is_log(ARG5)) { set logscale x base(ARG5) }
+  if (is_log(ARG6)) { set logscale y base(ARG6) }
   set xrange [lower_end(ARG5):upper_end(ARG5)]
   set yrange [lower_end(ARG6):upper_end(ARG6)]
   set palette defined (0 '#f4f1ea', 1 '#8fb3cf', 2 '#12355b')

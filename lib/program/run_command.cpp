@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "options.hpp"
@@ -81,15 +82,6 @@ std::string positions_of(const Scene &scene, Side side) {
   return fmt::format("{}", fmt::join(positions, " "));
 }
 
-void check_outputs_of(const RunRequest &request) {
-  check_outputs({request.events, request.samples, request.summary, request.plot, request.portrait},
-                request.scene_file);
-  for (const Output &picture : {request.plot, request.portrait})
-    if (picture.wanted()) check_picture(picture, request.samples);
-  if (request.portrait.wanted() && !request.velocities)
-    refuse("{}: needs --velocities", request.portrait.given());
-}
-
 void draw_pictures(const RunRequest &request) {
   const Scene &scene = request.scene;
   const std::string panels = fmt::format("{}", fmt::join(request.panels, " "));
@@ -119,8 +111,17 @@ void print_summary(const Scene &scene, const Outcome &outcome) {
 
 }  // namespace
 
-void run_scene(const RunRequest &request) {
-  check_outputs_of(request);
+void check_outputs_of(const RunRequest &request, const Output &more) {
+  check_outputs(
+      {request.events, request.samples, request.summary, request.plot, request.portrait, more},
+      request.scene_file);
+  for (const Output &picture : {request.plot, request.portrait})
+    if (picture.wanted()) check_picture(picture, request.samples);
+  if (request.portrait.wanted() && !request.velocities)
+    refuse("{}: needs --velocities", request.portrait.given());
+}
+
+Outcome record_run(const RunRequest &request) {
   EventRecorder events(request.from);
   SampleTable samples(request);
   Summary summary(request.scene, request.from, request.until);
@@ -131,17 +132,25 @@ void run_scene(const RunRequest &request) {
   Outcome outcome;
   {
     ProgressRecorder progress(request.until);
-    if (isatty(STDERR_FILENO) != 0) recorders.push_back(&progress);
-    Simulation simulation(request.scene, request.options);
-    outcome = require_complete(simulation.advance(request.until, recorders));
+    if (isatty(STDERR_FILENO) != 0 && !request.start) recorders.push_back(&progress);
+    Simulation simulation(request.scene, request.start.value_or(start_of(request.scene)),
+                          request.options);
+    outcome = simulation.advance(request.until, recorders);
   }
-  if (request.events.wanted())
-    write_text(request.head + table_of(events, request.scene).text, request.events.path);
-  if (request.samples.wanted()) write_text(request.head + samples.table.text, request.samples.path);
-  if (request.summary.wanted())
-    write_text(request.head + summary.table().text, request.summary.path);
+  if (outcome.reason.starts_with("more than")) outcome.reason += "; --max-steps can allow more";
+  outcome = require_complete(std::move(outcome));
+  for (const auto &[output, text] :
+       {std::pair{request.events, table_of(events, request.scene).text},
+        {request.samples, samples.table.text},
+        {request.summary, summary.table().text}})
+    if (output.wanted()) write_text(request.head + text, output.path);
   draw_pictures(request);
-  print_summary(request.scene, outcome);
+  return outcome;
+}
+
+void run_scene(const RunRequest &request) {
+  check_outputs_of(request, {});
+  print_summary(request.scene, record_run(request));
 }
 
 }  // namespace vibro_impact::runner

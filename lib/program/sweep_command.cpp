@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "options.hpp"
 #include "picture.hpp"
@@ -34,33 +37,18 @@ std::size_t point_of(const SweepRequest &request, std::size_t row) {
   return row / (2 * count) * count + (k < count ? k : 2 * count - 1 - k);
 }
 
-// The record of a point, or nullopt where its scene is refused or its run given up: the sweep goes
-// on with the others. What makes no sense at any point has been refused before the sweep began.
-std::optional<OrbitRecord> record_at(const SweepRequest &request, std::size_t point,
-                                     const std::optional<OrbitRecord> &before) {
-  try {
-    const Scene scene = request.grid.scene_at(point);
-    if (!before) return record_of(scene, request.records);
-    return record_of(scene, start_near(scene, before->state), request.records);
-  } catch (const std::invalid_argument &) {
-    return std::nullopt;
-  } catch (const std::runtime_error &) {
-    return std::nullopt;
-  }
-}
-
 // Sends the records of the rows of a chain.
 void compute_chain(const SweepRequest &request, std::size_t chain, const Processes::Take &send) {
-  std::optional<OrbitRecord> record;
+  PointRecord at;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
     Table records, impacts, sections;
     const std::size_t point = point_of(request, row);
-    record = record_at(request, point, record);
-    add_row(records, request.grid, request.records, point, record);
-    if (record) add_impacts(impacts, request.grid, point, *record);
-    if (record) add_section(sections, request.grid, point, *record);
-    send(journal_record(row, {records.text, impacts.text, sections.text}));
+    at = point_record(request.grid.scene_at(point), request.records, at.record);
+    add_row(records, request.grid, request.records, point, at.record);
+    if (at.record) add_impacts(impacts, request.grid, point, *at.record);
+    if (at.record) add_section(sections, request.grid, point, *at.record);
+    send(journal_record(row, {records.text, impacts.text, sections.text, at.reason}));
   }
 }
 
@@ -72,6 +60,12 @@ Output journal_of(const SweepRequest &request) {
   return {"rows in", first->path + ".partial"};
 }
 
+// The table that the picture is drawn from.
+std::size_t table_of_plot(const SweepRequest &request) {
+  if (request.grid.axes.size() > 1 || !request.column.empty()) return 0;
+  return request.tables[2].wanted() && !request.tables[1].wanted() ? 2 : 1;
+}
+
 void check_outputs_of(const SweepRequest &request) {
   std::vector<Output> outputs(request.tables.begin(), request.tables.end());
   outputs.insert(outputs.end(), {request.plot, journal_of(request)});
@@ -79,15 +73,24 @@ void check_outputs_of(const SweepRequest &request) {
     if (output.path == "-")
       refuse("{}: must be a file, beside which the rows are kept", output.given());
   check_outputs(outputs, request.scene_file);
-  if (!request.plot.wanted()) return;
+  const RecordOptions &records = request.records;
+  for (const auto &[asked, option] : {std::pair{records.lyapunov, "--lyapunov"},
+                                      {records.pairs, "--pairs"},
+                                      {records.attractor, "--attractor"}})
+    if (asked && !request.tables[0].wanted())
+      refuse("{}: adds to --table, which is not asked for", option);
+  if (!request.plot.wanted()) {
+    if (!request.column.empty()) refuse("--column {}: needs --plot", request.column);
+    return;
+  }
   const std::size_t ranges = request.grid.axes.size();
   if (ranges > 2) refuse("{}: draws one or two ranges, not {}", request.plot.given(), ranges);
-  check_picture(request.plot, request.tables[ranges == 1 ? 1 : 0]);
-  if (ranges == 1 && request.panels.empty())
-    refuse("{}: no mass has a stop that it could hit", request.plot.given());
-  const auto columns = record_columns(request.grid.scene.masses(), request.records);
-  if (ranges == 2 && std::ranges::find(columns, request.column, &Column::name) == columns.end())
+  check_picture(request.plot, request.tables[table_of_plot(request)]);
+  const auto columns = record_columns(request.grid.scene.masses(), records);
+  if (request.column.empty()) return;
+  if (std::ranges::find(columns, request.column, &Column::name) == columns.end())
     refuse("--column {}: is no column of the table", request.column);
+  if (request.column == "pairs") refuse("--column pairs: has words, which cannot be drawn");
 }
 
 // The journal names this very program: rows that another build of it has computed may differ.
@@ -104,47 +107,86 @@ Journal begin(const SweepRequest &request) {
   return journal;
 }
 
-// An axis in words for gnuplot. A range of one value gets a width, too.
+// An axis in words for gnuplot. A range of one value gets a width, too. The boxes of a map overlap
+// by a fiftieth.
 std::string words_of(const Axis &axis) {
-  const double width = axis.count > 1 ? axis.value(1) - axis.from : axis.from;
-  return fmt::format("{} {} {} {}", axis.parameter, axis.from, axis.to,
-                     width != 0.0 ? std::abs(width) / 2.0 : 0.5);
+  const bool logarithmic = axis.logarithmic && axis.from > 0.0 && axis.count > 1;
+  double half = axis.from != 0.0 ? std::abs(axis.from) / 2.0 : 0.5;
+  if (axis.count > 1) half = 0.51 * std::abs(axis.value(1) - axis.from);
+  if (logarithmic) half = std::exp(0.51 * std::abs(std::log(axis.value(1) / axis.from)));
+  return fmt::format("{} {} {} {} {}", axis.parameter, axis.from, axis.to, half,
+                     logarithmic ? "logarithmic" : "linear");
 }
 
 void draw_plot(const SweepRequest &request) {
   const auto &axes = request.grid.axes;
+  const std::size_t table = table_of_plot(request);
   if (axes.size() == 2)
-    return draw(request.plot, "map", request.column, {request.tables[0]},
-                {words_of(axes[0]), words_of(axes[1])});
-  draw(request.plot, "diagram", fmt::format("{}", fmt::join(request.panels, " ")),
-       {request.tables[1]}, {request.follow ? "branches" : "points", words_of(axes[0])});
+    return draw(request.plot, "map", request.column.empty() ? "period" : request.column,
+                {request.tables[0]}, {words_of(axes[0]), words_of(axes[1])});
+  std::string content = request.column;
+  if (table > 0)
+    content = fmt::format("{}{}", table == 2 ? "x" : "",
+                          fmt::join(request.panels, table == 2 ? " x" : " "));
+  draw(request.plot, table == 1 ? "diagram" : "columns", content, {request.tables[table]},
+       {request.follow ? "branches" : "points", words_of(axes[0])});
 }
 
-void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {
+// Points without a record for reasons that differ in numbers only.
+struct Missing {
+  std::size_t points = 0;
+  std::string first = {};  // the reason and the values of the first of them
+};
+
+// Writes the tables of the journal. Returns the points without a record, by the kind of reason.
+std::map<std::string, Missing> write_tables(const SweepRequest &request, const Journal &journal) {
   const Table headers[] = {sweep_table(request.grid, request.records), impact_table(request.grid),
                            section_table(request.grid)};
-  // All cells of a point without a record are empty behind its parameters.
-  const std::string empty(record_columns(request.grid.scene.masses(), request.records).size(), ',');
-  std::size_t without_record = 0;
+  std::map<std::string, Missing> missing;
   for (std::size_t k = 0; k < request.tables.size(); ++k) {
     if (!request.tables[k].wanted()) continue;
-    without_record = 0;
+    missing.clear();
+    std::size_t row = 0;
     const auto give = [&](const Add &add) {
       add(request.head + headers[k].text);
       journal.read([&](const Texts &texts) {
         add(texts[k]);
-        without_record += texts[0].ends_with(empty + '\n');
+        const std::size_t point = point_of(request, row++);
+        if (texts[3].empty()) return;
+        Missing &of = missing[kind_of_reason(texts[3])];
+        if (of.points++ > 0) return;
+        of.first = texts[3];
+        const std::vector<double> values = request.grid.values(point);
+        for (std::size_t axis = 0; axis < values.size(); ++axis)
+          of.first += fmt::format("{} {} = {}", axis == 0 ? "; first at" : ",",
+                                  request.grid.axes[axis].parameter, values[axis]);
       });
     };
     write_pieces(give, request.tables[k].path);
   }
+  return missing;
+}
+
+void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {
+  const auto missing = write_tables(request, journal);
   if (!journal.remove())
     fmt::print(stderr, "{} was changed by another program; the tables do not depend on it\n",
                journal_of(request).path);
-  if (request.plot.wanted()) draw_plot(request);
-  fmt::print(stderr,
-             "{} points, {} computed now; {} were refused or given up, and have empty cells\n",
-             number_of_rows(request), computed, without_record);
+  try {
+    if (request.plot.wanted()) draw_plot(request);
+  } catch (const std::runtime_error &failure) {
+    throw std::runtime_error(fmt::format("{}; the tables are complete", failure.what()));
+  }
+  std::size_t without_record = 0;
+  for (const auto &[kind, points] : missing) without_record += points.points;
+  fmt::print(stderr, "{} points, {} computed now; {} were refused or given up, and have {}\n",
+             number_of_rows(request), computed, without_record,
+             request.tables[0].wanted() ? "empty cells" : "no rows");
+  for (const auto &[kind, points] : missing)
+    fmt::print(stderr, "{} of {} points: {}\n", points.points, number_of_rows(request),
+               points.first);
+  if (without_record == number_of_rows(request))
+    throw std::runtime_error("every point of the sweep was refused or given up");
 }
 
 // The chains of which the journal does not have all rows.

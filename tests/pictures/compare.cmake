@@ -20,7 +20,8 @@ if(name STREQUAL "plot")
       "sweep --vary omega=0.3:0.5:5 --impacts i.csv --plot plot_diagram.svg"
       "sweep --vary omega=0.5:0.3:5 --back --impacts i.csv --plot plot_branches.svg"
       "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot plot_map.svg"
-      "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.1:1 --table t.csv --column sticks2 --plot plot_row.svg")
+      "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.1:1 --table t.csv --column sticks2 --plot plot_row.svg"
+      "sweep --vary omega=0.3:0.5:5:log --section s.csv --panels 2 --plot plot_states.svg")
     separate_arguments(command UNIX_COMMAND "${command}")
     execute_process(COMMAND ${build}/bin/vibro-impact ${command} WORKING_DIRECTORY ${tables}
                     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
