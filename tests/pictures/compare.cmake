@@ -13,6 +13,7 @@ file(REMOVE_RECURSE ${tables})
 file(MAKE_DIRECTORY ${tables})
 
 if(name STREQUAL "plot")
+  # Versions of gnuplot label other ticks on a logarithmic axis that is shorter or longer than a decade.
   foreach(command
       "run --stop 1:lower:-0.3 --stop 1:upper:0.33 --stop 2:upper:0.1 --from 30 --until 150 --events e.csv --samples s.csv --plot plot_run.svg"
       "run --until 50 --velocities --samples s.csv --portrait plot_portrait.svg"
@@ -21,7 +22,7 @@ if(name STREQUAL "plot")
       "sweep --vary omega=0.5:0.3:5 --back --impacts i.csv --plot plot_branches.svg"
       "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot plot_map.svg"
       "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.1:1 --table t.csv --column sticks2 --plot plot_row.svg"
-      "sweep --vary omega=0.3:0.5:5:log --section s.csv --panels 2 --plot plot_states.svg")
+      "sweep --vary omega=0.04:0.4:5:log --section s.csv --panels 2 --plot plot_states.svg")
     separate_arguments(command UNIX_COMMAND "${command}")
     execute_process(COMMAND ${build}/bin/vibro-impact ${command} WORKING_DIRECTORY ${tables}
                     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
