@@ -1,5 +1,6 @@
 # Runs what the README shows: the commands of its `sh` block and its C++ program, with the program and
-# the library of this build. Every file that the README links to must exist.
+# the libraries of this build, and the programs at the head of public headers. Every file that the
+# README links to must exist.
 # cmake -D source=... -D build=... -D compiler=... -D flags=... -D folder=... -P readme.cmake
 cmake_minimum_required(VERSION 3.21)
 file(READ ${source}/README.md text)
@@ -48,17 +49,40 @@ foreach(picture run figure3 states portrait section branches basins ball)
   endif()
 endforeach()
 
-text_of_block(cpp program)
-file(WRITE ${folder}/program.cpp "${program}")
 separate_arguments(flags)
-execute_process(COMMAND ${compiler} -std=c++20 ${flags} -I${source}/lib/include program.cpp
-                        ${build}/lib/libvibro_impact_simulation.a -o program
-                WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed)
-if(failed)
-  message(FATAL_ERROR "the program of README.md does not compile")
+function(output_of name program variable)  # what this C++ program writes
+  file(WRITE ${folder}/${name}.cpp "${program}")
+  execute_process(COMMAND ${compiler} -std=c++20 ${flags} -I${source}/lib/include ${name}.cpp
+                          ${build}/lib/libvibro_impact_analysis.a
+                          ${build}/lib/libvibro_impact_simulation.a -o ${name}
+                  WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "the program of ${name} does not compile")
+  endif()
+  execute_process(COMMAND ./${name} WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed
+                  OUTPUT_VARIABLE output)
+  if(failed)
+    message(SEND_ERROR "the program of ${name}: status ${failed}")
+  endif()
+  set(${variable} "${output}" PARENT_SCOPE)
+endfunction()
+
+text_of_block(cpp program)
+output_of(README.md "${program}" output)
+if(NOT output MATCHES "mass 1 stick" OR NOT output MATCHES "[1-9][0-9]* impacts")
+  message(SEND_ERROR "the program of README.md: ${output}")
 endif()
-execute_process(COMMAND ./program WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed
-                OUTPUT_VARIABLE output)
-if(failed OR NOT output MATCHES "mass 1 stick" OR NOT output MATCHES "[1-9][0-9]* impacts")
-  message(SEND_ERROR "the program of README.md: status ${failed}\n${output}")
-endif()
+
+# The lines of a header above `#pragma once` that are indented by three are a program.
+set(headers simulate analysis/periodic_orbit analysis/sweep)
+set(outputs "[1-9][0-9]* impacts" "\nstable" "1\n1\n")
+foreach(header expected IN ZIP_LISTS headers outputs)
+  file(READ ${source}/lib/include/vibro_impact/${header}.hpp program)
+  string(REGEX REPLACE "\n#pragma once.*" "\n" program "${program}")
+  string(REGEX REPLACE "(^|\n)//( [^ ][^\n]*)?" "\\1" program "${program}")
+  string(REPLACE "/" "_" name ${header})
+  output_of(${name} "${program}" output)
+  if(NOT output MATCHES "${expected}")
+    message(SEND_ERROR "the program of ${header}.hpp: ${output}")
+  endif()
+endforeach()

@@ -1,6 +1,19 @@
 // A run goes from a scene and a start to an outcome, and reports the events and samples on the way
 // to recorders. Times, velocities and forces are non-dimensional.
 //
+//   #include <vibro_impact/vibro_impact.hpp>
+//   #include <cstdio>
+//   int main() {
+//     using namespace vibro_impact;
+//     const Scene scene{.mass = {1}, .stiffness = {1}, .amplitude = {0.5}, .omega = 0.4,
+//                       .restitution = 0.7, .stops = {{1, Side::upper, 0.2}}};
+//     EventRecorder events;
+//     const Outcome outcome = require_complete(simulate(scene, 100.0, events));
+//     for (const Event &e : events.events) std::printf("%.17g %s\n", e.time, name(e.kind));
+//     std::printf("%lld impacts, x = %.17g\n", outcome.counters.impacts,
+//                 outcome.state.displacement[0]);
+//   }
+//
 // Threads may run different simulations at the same time, because runs share nothing that changes.
 #pragma once
 
@@ -73,7 +86,8 @@ class Simulation {
   const Scene &scene() const;
 
   // Goes on with other options. An event before the end of the latest call is not reported, also
-  // where the call ended inside a chatter that other options resolve further. Throws std::invalid_argument for options out of range.
+  // where the call ended inside a chatter that other options resolve further. Throws
+  // std::invalid_argument for options out of range.
   void set_options(const RunOptions &options);
 
   // Goes on from another motion of the scene, as a new simulation with these options would start

@@ -5,6 +5,18 @@
 // whole number of forcing periods later. Masses held at the section have no freedom: the unknowns
 // are the displacements and velocities of the free masses.
 //
+//   #include <vibro_impact/analysis/analysis.hpp>
+//   #include <cstdio>
+//   int main() {
+//     using namespace vibro_impact;
+//     const Scene scene{.mass = {1}, .stiffness = {1}, .beta = 0.1, .amplitude = {0.5},
+//                       .omega = 0.8, .restitution = 0.7, .stops = {{1, Side::upper, 0.2}}};
+//     const MotionState settled = state_after_periods(scene, 50);
+//     const PeriodicOrbit orbit = find_periodic_orbit(scene, at_quiet_phase(scene, settled));
+//     for (const auto &z : orbit.multipliers) std::printf("%.12f %.12fi\n", z.real(), z.imag());
+//     std::printf("%s\n", orbit.stable() ? "stable" : "not found or not stable");
+//   }
+//
 // All functions throw std::invalid_argument for a scene, a state or a number of periods out of
 // range, and std::runtime_error when a run is given up.
 #pragma once

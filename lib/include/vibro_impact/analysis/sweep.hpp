@@ -1,6 +1,17 @@
 // Sweeps: something computed at many parameter points, on all threads of the machine. Each point is
 // computed by one of them, and the results stand in the order of the points. So they do not depend
 // on the number of threads.
+//
+//   #include <vibro_impact/analysis/analysis.hpp>
+//   #include <cstdio>
+//   int main() {
+//     using namespace vibro_impact;
+//     const Scene scene{.mass = {1}, .stiffness = {1}, .beta = 0.1, .amplitude = {0.5},
+//                       .omega = 0.8, .restitution = 0.7, .stops = {{1, Side::upper, 0.2}}};
+//     const Grid grid{scene, {{"omega", 0.5, 1.0, 11}, {"restitution", 0.5, 0.9, 5}}};
+//     const auto period = [](const Scene &s) { return settle(s, start_of(s)).period; };
+//     for (const int periods : sweep(grid, period)) std::printf("%d\n", periods);
+//   }
 #pragma once
 
 #include <cstddef>
