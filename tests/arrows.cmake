@@ -56,6 +56,15 @@ foreach(folder / /stability /beyond)
   refuse(figures${folder} "(figures/)?error_vs_runtime/")
 endforeach()
 
+# Tests of two users, or of two builds, share no file.
+file(GLOB_RECURSE files ${source}/tests/*.?pp)
+foreach(file IN LISTS files)
+  file(STRINGS ${file} wrong REGEX "TempDir|\"/tmp")
+  if(wrong)
+    message(SEND_ERROR "${file}: ${wrong}: must be a folder of the build, or one of mkdtemp")
+  endif()
+endforeach()
+
 # A public header of the simulation includes none of the analysis.
 file(GLOB headers ${source}/lib/include/vibro_impact/*.hpp)
 foreach(header IN LISTS headers)

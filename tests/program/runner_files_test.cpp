@@ -84,10 +84,17 @@ TEST_F(Runner, AFullDiskIsAnErrorAndHasNoFile) {
 
 // A folder that cannot be written to is noticed before the run. Root can write to every folder.
 TEST_F(Runner, AWriteProtectedFolderIsRefusedBeforeTheRun) {
-  if (geteuid() == 0) GTEST_SKIP() << "root writes everywhere";
   fs::create_directory(folder / "ro");
-  fs::permissions(folder / "ro", fs::perms::owner_read | fs::perms::owner_exec);
-  expect_message(run("run --until 20 --events ro/x.csv"), "is write-protected");
+  fs::permissions(folder / "ro", fs::perms(0555));
+  std::string program = VIBRO_IMPACT_PROGRAM, by;
+  if (geteuid() == 0) {  // root writes everywhere, and starts a copy as a user who does not
+    fs::permissions(folder, fs::perms(0755));
+    fs::copy_file(program, folder / "program");
+    program = "./program";
+    by = "setpriv --reuid=65534 --clear-groups ";
+  }
+  expect_message(run("run --until 20 --events ro/x.csv", "true", by, program),
+                 "is write-protected");
 }
 
 }  // namespace

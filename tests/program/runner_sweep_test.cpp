@@ -143,18 +143,18 @@ TEST_F(Runner, TheJobOfTheHelpRuns) {
   const std::size_t begin = help.find("#!/bin/sh"), end = help.find("\n\n", begin);
   ASSERT_LT(end, help.size());
   std::string job = help.substr(begin, end - begin);
-  for (const auto &[from, to] :
-       std::vector<std::pair<std::string, std::string>>{{":1001", ":3"},
-                                                        {":1001", ":3"},
-                                                        {"mpirun", mpirun(2)},
-                                                        {"vibro-impact", VIBRO_IMPACT_PROGRAM}}) {
+  for (const auto &[from, to] : std::vector<std::pair<std::string, std::string>>{
+           {":1001", ":3"},
+           {":1001", ":3"},
+           {"mpirun", mpirun(2)},
+           {"vibro-impact", "'" VIBRO_IMPACT_PROGRAM "'"}}) {
     ASSERT_LT(job.find(from), job.size()) << from;
     job.replace(job.find(from), from.size(), to);
   }
   fs::create_directory(folder / "atlas");
   std::ofstream(folder / "job") << job << '\n';
   for (const char *message : {"9 points, 9 computed now", ""}) {
-    const Result result = run("", "export HOME=" + folder.string(), "", "sh job");
+    const Result result = run("", "export HOME='" + folder.string() + "'", "sh ", "job");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_TRUE(result.err.starts_with(message)) << result.err;
     EXPECT_EQ(lines(contents(folder / "atlas" / "atlas.csv")).size(), 10u);

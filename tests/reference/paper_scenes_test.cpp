@@ -54,7 +54,7 @@ Scene without_zeros(Scene scene) {
 
 // The program reads a file that its fields in words make, as the tables have them.
 Scene read_by_the_program(const Scene &scene) {
-  const std::string path = ::testing::TempDir() + "vibro_impact_scene_in_words";
+  const std::string path = PROGRAM_DIR "/../scene_in_words";
   {
     std::ofstream file(path);
     for (const auto &[name, words] : fields_in_words(scene))

@@ -125,7 +125,7 @@ TEST(EventTables, OnlyImpactsOfACompleteChatterMayBeMissing) {
 }
 
 TEST(EventTables, AnUnknownKindOfEventIsRefusedWithItsLine) {
-  const std::string path = ::testing::TempDir() + "vibro_impact_unknown_event.csv";
+  const std::string path = PROGRAM_DIR "/../unknown_event.csv";
   std::ofstream(path) << "time,mass,event,velocity_before,velocity_after,contact_mode\n"
                          "1,1,impact,1,-1,-\n2,1,strike,1,-1,-\n";
   EXPECT_EQ(testing::refusal<std::runtime_error>([&] { truth::read_event_table(path); }),

@@ -77,9 +77,9 @@ struct Runner : ::testing::Test {
   Result run(const std::string &arguments, const std::string &before = "true",
              const std::string &by = "", const std::string &program = VIBRO_IMPACT_PROGRAM) const {
     const fs::path out = folder / "out.txt", err = folder / "err.txt";
-    const std::string command = "cd " + folder.string() + " && " + before + " && { " + by +
-                                program + " " + arguments + "; } >" + out.string() + " 2>" +
-                                err.string();
+    const std::string command = "cd '" + folder.string() + "' && " + before + " && { " + by + "'" +
+                                program + "' " + arguments + "; } >'" + out.string() + "' 2>'" +
+                                err.string() + "'";
     const int status = std::system(command.c_str());
     Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err)};
     fs::remove(out);
