@@ -15,12 +15,12 @@
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
 # make clean          remove build/
 #
-# Variable: preset=release, a preset of CMakePresets.json (release, werror, clang, sanitize)
+# Variable: preset=release, a preset of CMakePresets.json (release, werror, dev, clang, sanitize)
 
 drawn  := $(filter-out style,$(basename $(notdir $(wildcard figures/*.gp figures/*/*.gp))))
 jobs   := $(shell nproc 2>/dev/null || echo 1)
 preset := release
-folder := build$(addprefix /,$(filter clang sanitize,$(preset)))
+folder := build$(addprefix /,$(filter dev clang sanitize,$(preset)))
 
 .PHONY: help figures beyond pictures $(drawn) peers check build test test-sanitize reference docs clean
 .NOTPARALLEL:  # the targets share build/, and each uses all processors
@@ -64,14 +64,14 @@ test: configured-tests
 	$(make_target) test_programs
 	@ctest --preset $(preset) -j $(jobs)
 
-check: configured-figures
+check: configured-runner
 	$(make_target) check
 	@$(folder)/bin/check
 
 test-sanitize:
 	@$(MAKE) test preset=sanitize
 
-reference: configured-figures
+reference: configured-runner
 	$(make_target) reference-generate
 	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
 	  $(folder)/bin/reference-generate $$scene reference/tables/$${scene}_events.csv || exit 2; done
