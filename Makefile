@@ -6,7 +6,7 @@
 #
 # make figure2 ...    draw one picture
 # make beyond         draw the rest: stiff and extreme cases, and what goes beyond the paper (minutes)
-# make peers          install SUNDIALS and Siconos, and draw error against run time with them
+# make peers          install SUNDIALS, and draw error against run time with it
 # make pictures       draw all and renew figures/pictures, which the documents show
 # make check          compare every key number and published number
 # make build          build the library and the program only

@@ -49,10 +49,11 @@ int command(int argc, char **argv, const std::string &purpose, const std::vector
 }
 
 int drive(int argc, char **argv, const std::string &purpose,
-          const std::function<void(const std::filesystem::path &)> &draw) {
+          const std::function<void(const std::filesystem::path &)> &draw,
+          std::vector<Option> options) {
   std::string output = "build/figures";
-  const Option option{"--output", "Folder for the tables (created if missing)", &output};
-  return command(argc, argv, purpose, {option}, [&] {
+  options.push_back({"--output", "Folder for the tables (created if missing)", &output});
+  return command(argc, argv, purpose, options, [&] {
     open_folder(output);
     draw(output);
     return 0;

@@ -24,9 +24,11 @@ struct Option {
 int command(int argc, char **argv, const std::string &purpose, const std::vector<Option> &options,
             const std::function<int()> &run);
 
-// The main function of a driver: `command` with the option --output. Creates the folder the tables
-// go to, makes sure before any work that they can be written, and calls draw(folder).
+// The main function of a driver: `command` with the option --output and further ones. Creates the
+// folder the tables go to, makes sure before any work that they can be written, and calls
+// draw(folder).
 int drive(int argc, char **argv, const std::string &purpose,
-          const std::function<void(const std::filesystem::path &)> &draw);
+          const std::function<void(const std::filesystem::path &)> &draw,
+          std::vector<Option> options = {});
 
 }  // namespace vibro_impact::figures

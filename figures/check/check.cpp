@@ -32,18 +32,19 @@ constexpr const char *explanation_of_published =
 // The documents that quote these findings, and the table of error against run time.
 std::vector<Document> documents_on(const Findings &findings,
                                    const std::vector<comparison::Measured> &measured) {
-  return {{"README.md",
-           {count_of_verdicts(findings),
-            table_of_few(findings, {"multi_sliding_mass_1", "border_mass_1_2", "border_mass_1_3",
-                                    "figure3_sticks_of_mass_1_at_0_65",
-                                    "figure5a_impacts_while_stuck", "figure5b_dual_sticks"}),
-            comparison::sentence_of_speed(measured)},
-           true},
-          {"figures/README.md", {}, true},
-          {"figures/error_vs_runtime/README.md",
-           {table_of(comparison::rows_of_methods(measured))},
-           false},
-          {"reference/README.md", {count_of_results(findings)}, false}};
+  return {
+      {"README.md",
+       {count_of_verdicts(findings),
+        table_of_few(findings, {"multi_sliding_mass_1", "border_mass_1_2", "border_mass_1_3",
+                                "figure3_sticks_of_mass_1_at_0_65", "figure5a_impacts_while_stuck",
+                                "figure5b_dual_sticks"}),
+        comparison::sentences_of_speed(measured), table_of(comparison::rows_of_steppers(measured))},
+       true},
+      {"figures/README.md", {}, true},
+      {"figures/error_vs_runtime/README.md",
+       {table_of(comparison::rows_of_methods(measured))},
+       false},
+      {"reference/README.md", {count_of_results(findings)}, false}};
 }
 
 std::string content_of(const std::string &path) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <ctime>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct Trial {
   Result result = {};
   Errors errors = {};
   long long runs_per_sample = 1;
-  std::vector<double> microseconds = {};  // one entry per repeat
+  bool repeated = true;
+  std::vector<double> microseconds = {};  // one entry per sample
 
   double median() const {
     std::vector<double> sorted = microseconds;
@@ -39,8 +41,7 @@ struct Trial {
 // another method pays some 0.1 ms for cold caches, which should not count for any of them.
 constexpr double shortest_sample = 5e-3;
 
-// Processor time of this thread, in which all methods run. It leaves out other programs, and the
-// idle threads of OpenBLAS behind Siconos, which spin.
+// Processor time of this thread, in which all methods run. It leaves out other programs.
 double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -54,11 +55,29 @@ double seconds_of(const Trial &trial) {
   return processor_seconds() - begin;
 }
 
-// The first run of a trial gives its errors; further ones give how many runs make a sample.
+// Run times are per forcing period, and for less than a period, per run.
+double runs_counted(const Problem &problem) {
+  const double length = problem.until - problem.start.time;
+  return std::max(1.0, length / Clock(problem.scene.omega).period);
+}
+
+void add_sample(Trial &trial, double seconds) {
+  trial.microseconds.push_back(1e6 * seconds / static_cast<double>(trial.runs_per_sample) /
+                               runs_counted(*trial.problem));
+}
+
+// The first run of a trial gives its errors; further ones give how many runs make a sample. A run
+// of more than `long_run` seconds is not repeated, and is its own sample.
+constexpr double long_run = 0.1;
+
 void run_first(Trial &trial) {
+  const double begin = processor_seconds();
   trial.result = trial.method->run(*trial.problem, trial.setting);
+  double seconds = processor_seconds() - begin;
   trial.errors = errors_of(trial.result, *trial.problem);
-  double seconds = seconds_of(trial);
+  trial.repeated = seconds <= long_run;
+  if (!trial.repeated) return add_sample(trial, seconds);
+  seconds = seconds_of(trial);
   while (seconds < shortest_sample) {
     trial.runs_per_sample *= 2;
     seconds = seconds_of(trial);
@@ -79,23 +98,14 @@ Table table_of(const std::vector<Trial> &trials) {
   return table;
 }
 
-// Run times are per forcing period, and for less than a period, per run.
-double runs_counted(const Problem &problem) {
-  const double length = problem.until - problem.start.time;
-  return std::max(1.0, length / Clock(problem.scene.omega).period);
-}
-
 constexpr int repeats = 5;  // of every trial; their median is the run time
 
-void compare(const std::filesystem::path &output) {
-  const std::vector<Problem> cases = problems(REFERENCE_DIR);
-  const Methods all = all_methods();
-  for (const std::string &line : all.left_out)
-    fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
+std::vector<Trial> measured(const std::vector<Problem> &cases, const std::vector<Method> &methods) {
   std::vector<Trial> trials;
   for (const Problem &problem : cases)
-    for (const Method &method : all.methods)
-      for (const double setting : method.settings) trials.push_back({&problem, &method, setting});
+    for (const Method &method : methods)
+      if (problem.scene.masses() == 2 || method.for_chains)
+        for (const double setting : method.settings) trials.push_back({&problem, &method, setting});
   Progress progress("error_vs_runtime", static_cast<double>(trials.size()) * (repeats + 1));
   for (Trial &trial : trials) {
     run_first(trial);
@@ -104,17 +114,28 @@ void compare(const std::filesystem::path &output) {
   // The methods take turns, so that a busy machine disturbs all of them alike.
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (Trial &trial : trials) {
-      trial.microseconds.push_back(1e6 * seconds_of(trial) /
-                                   static_cast<double>(trial.runs_per_sample) /
-                                   runs_counted(*trial.problem));
+      if (trial.repeated) add_sample(trial, seconds_of(trial));
       progress.advance();
     }
-  write(table_of(trials), output / "error_vs_runtime.csv");
+  return trials;
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  return figures::drive(argc, argv, "Error against run time of this library and other methods",
-                        compare);
+  std::string chains = "no";
+  const auto compare = [&](const std::filesystem::path &output) {
+    if (chains != "yes" && chains != "no")
+      throw std::invalid_argument("--chains " + chains + ": must be yes or no");
+    std::vector<Problem> cases = problems(REFERENCE_DIR);
+    if (chains == "yes")
+      for (const std::size_t masses : {10u, 200u}) cases.push_back(chain_problem(masses));
+    const Methods all = all_methods();
+    for (const std::string &line : all.left_out)
+      fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
+    write(table_of(measured(cases, all.methods)), output / "error_vs_runtime.csv");
+  };
+  return figures::drive(
+      argc, argv, "Error against run time of this library and other methods", compare,
+      {{"--chains", "Whether chains of 10 and 200 masses are measured, too: yes or no", &chains}});
 }

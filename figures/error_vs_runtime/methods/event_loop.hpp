@@ -40,40 +40,40 @@ double first_zero(const GuardAt &guard_at, double a, double b) {
 // failure. A method is
 //   void restart(double longest_first)  start again at `now`; the first step is no longer than that
 //   std::pair<double, double> next()    take a step and return its ends
-//   Vec at(double tau)                  the state within the step
+//   at(double tau)                      the state within the step, or a view of its coordinates
 // Its times are counted from `now.time`. The time of an event then has the rounding of t, but the
-// place of the event has a rounding as small as the flight is short. guard(i, y, time) is positive
-// until the next event of mass i + 1. event_of(i) makes that event at `now` and returns the longest
-// first step behind it.
-template <class Steps, class Guard, class EventOf>
-void advance(Steps &steps, GapState &now, double until, double longest_first, const Guard &guard,
-             const EventOf &event_of, std::string &failure) try {
-  constexpr std::size_t no_mass = 2;
+// place of the event has a rounding as small as the flight is short. There are so many guards, and
+// guard(i, y, time) is positive until the next event of its kind. event_of(i) makes that event at
+// `now` and returns the longest first step behind it.
+template <class Steps, class Now, class Guard, class EventOf>
+void advance(Steps &steps, Now &now, double until, double longest_first, std::size_t guards,
+             const Guard &guard, const EventOf &event_of, std::string &failure) try {
   steps.restart(longest_first);
   while (failure.empty() && now.time < until) {
     const auto [from, end] = steps.next();
     const double left = until - now.time, to = std::min(end, left);
     const int parts = std::max(1, static_cast<int>((to - from) / longest_unseen + 0.5));
     double a = from, event = to;
-    std::size_t mass = no_mass;
-    for (int part = 1; part <= parts && mass == no_mass; ++part) {
+    std::size_t first = guards;  // the guard of the first event, or none
+    for (int part = 1; part <= parts && first == guards; ++part) {
       const double b = part == parts ? to : from + (to - from) * part / parts;
-      const Vec at_b = steps.at(b);
-      for (std::size_t i = 0; i < 2; ++i) {
+      const auto at_b = steps.at(b);
+      for (std::size_t i = 0; i < guards; ++i) {
         if (guard(i, at_b, now.time + b) > 0.0) continue;
         const auto guard_at = [&](double t) { return guard(i, steps.at(t), now.time + t); };
-        const double zero = first_zero(guard_at, a, b);
-        if (mass == no_mass || zero < event) {
+        if (first != guards && guard_at(event) > 0.0) continue;  // its event comes later
+        const double zero = first_zero(guard_at, a, std::min(b, event));
+        if (first == guards || zero < event) {
           event = zero;
-          mass = i;
+          first = i;
         }
       }
       a = b;
     }
-    if (mass == no_mass && to < left) continue;
+    if (first == guards && to < left) continue;
     now.y = steps.at(event);
-    now.time = mass == no_mass ? until : now.time + event;
-    if (mass != no_mass) steps.restart(event_of(mass));
+    now.time = first == guards ? until : now.time + event;
+    if (first != guards) steps.restart(event_of(first));
   }
 } catch (const std::exception &error) {
   failure = error.what();
@@ -92,8 +92,8 @@ Result with_events(const Problem &problem, double slowest, const StepsOf &steps_
   Result result;
   auto steps = steps_of(chain, now, result.work);
   advance(
-      steps, now, problem.until, flight_ahead(chain, now),
-      [&](std::size_t i, const Vec &y, double t) { return guard(chain, now.held, i, y, t); },
+      steps, now, problem.until, flight_ahead(chain, now), 2,
+      [&](std::size_t i, const auto &y, double t) { return guard(chain, now.held, i, y, t); },
       [&](std::size_t i) {
         apply_event(chain, now, i, slowest, result);
         return beyond_the_flight * flight_ahead(chain, now);
@@ -102,6 +102,19 @@ Result with_events(const Problem &problem, double slowest, const StepsOf &steps_
   result.end = physical_state(chain, now);
   return result;
 }
+
+// The right-hand side at the time tau after the last event, as Odeint calls it.
+struct System {
+  const TwoMasses &chain;
+  const GapState &now;
+  long long &evaluations;
+
+  template <class Derivative>
+  void operator()(const Vec &y, Derivative &&dydt, double tau) const {
+    ++evaluations;
+    right_hand_side(chain, now.held, y, dydt, now.time + tau);
+  }
+};
 
 // The length of the next step of a stepper that controls its own. The first step behind an event
 // may be shorter than usual, and does not make the usual length shorter.

@@ -15,18 +15,6 @@ namespace {
 
 using namespace boost::numeric::odeint;
 
-// The right-hand side as Odeint calls it.
-struct System {
-  const TwoMasses &chain;
-  const GapState &now;
-  long long &evaluations;
-
-  void operator()(const Vec &y, Vec &dydt, double tau) const {
-    ++evaluations;
-    right_hand_side(chain, now.held, y, dydt, now.time + tau);
-  }
-};
-
 Result dormand_prince(const Problem &problem, double tolerance) {
   const auto stepper = make_dense_output(tolerance, tolerance, runge_kutta_dopri5<Vec>());
   using Steps = DenseOutput<std::decay_t<decltype(stepper)>, System>;
@@ -57,6 +45,8 @@ struct Fehlberg {
     y_from = y_to;
     from = to;
     while (controlled.try_step(system, y_from, to, y_to, step) == fail) continue;
+    // A step is no longer than the distance of two looks at the guards. A longer one would have to
+    // be repeated for the looks within it, which takes more time than it saves.
     length.chosen(std::min(step, longest_unseen));
     step = length.usual;
     return {from, to};
@@ -81,7 +71,8 @@ Result fehlberg(const Problem &problem, double tolerance) {
 }  // namespace
 
 std::vector<Method> odeint() {
-  const std::vector<double> tolerances{1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
+  const std::vector<double> tolerances{1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
+                                       1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
   return {{"odeint runge_kutta_dopri5", tolerances, dormand_prince},
           {"odeint runge_kutta_fehlberg78", tolerances, fehlberg}};
 }

@@ -96,7 +96,7 @@ Result integrate(const Problem &problem, double kappa) {
     return first_step;
   };
   Result &result = springs.result;
-  advance(steps, springs.now, problem.until, first_step, guard, event_of, result.failure);
+  advance(steps, springs.now, problem.until, first_step, 2, guard, event_of, result.failure);
   for (std::size_t i = 0; i < 2; ++i) springs.record_stick(i);
   result.end = physical_state(springs.chain, springs.now);
   return result;
@@ -105,7 +105,7 @@ Result integrate(const Problem &problem, double kappa) {
 }  // namespace
 
 std::vector<Method> stiff_spring() {
-  return {{"stiff spring (dopri5)", {1e4, 1e5, 1e6, 1e7, 1e8, 1e9}, integrate}};
+  return {{"stiff spring (dopri5)", {1e4, 1e5, 1e6, 1e7}, integrate}};
 }
 
 }  // namespace vibro_impact::comparison

@@ -72,11 +72,12 @@ double guard(const TwoMasses &chain, const std::array<bool, 2> &held, std::size_
 // may be jumped over.
 constexpr double longest_unseen = 0.25;
 
-// Speed below which a chattering mass is held, for a run of the given tolerance. With it the error
-// in the time of a stick, up to 1e4 times the square of this speed where the mass is pressed
-// weakly, stays in step with the tolerance; a decade in speed costs seven impacts (r = 0.7).
+// Speed below which a chattering mass is held, for a run of the given tolerance. The error in the
+// time of a stick is up to 1e4 times the square of this speed where the mass is pressed weakly, and
+// a decade in speed costs seven impacts (r = 0.7). With the exponent 2/3, DOP853 takes 7 percent
+// more time for the same errors in Figure 2.
 inline double stick_below(double tolerance) {
-  return std::pow(tolerance, 2.0 / 3.0);
+  return std::pow(tolerance, 0.6);
 }
 
 // Makes the event of mass i + 1 at the present state: an impact, or the release of a held mass.

@@ -1,0 +1,111 @@
+#include "figures/error_vs_runtime/measured.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace vibro_impact::comparison {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+const std::string library = "this library";
+const Names steppers{"DOP853", "odeint runge_kutta_dopri5", "odeint runge_kutta_fehlberg78",
+                     "ARKODE ERKStep"};
+constexpr double errors[] = {1e-5, 1e-6, 1e-8, 1e-9, 1e-10, 3e-11, 7e-13};
+
+const std::pair<std::string, std::string> motions[] = {{"figure2", "ten periods of Figure 2"},
+                                                       {"figure4", "ten periods of Figure 4(a)"},
+                                                       {"flight", "one flight"},
+                                                       {"sticking", "one sticking phase"},
+                                                       {"chatter", "one chatter"},
+                                                       {"chain10", "ten masses"},
+                                                       {"chain200", "200 masses"}};
+
+std::string two_digits(double value) {
+  return value < 10.0 ? fmt::format("{:#.2g}", value) : fmt::format("{:.0f}", value);
+}
+
+// The time of the fastest of these methods relative to that of the library, at no larger an error.
+std::string ratio(const std::vector<Measured> &runs, const std::string &problem,
+                  const Names &methods, double error) {
+  const auto ours = fastest(runs, problem, {library}, error),
+             other = fastest(runs, problem, methods, error);
+  return ours && other ? two_digits(other->microseconds / ours->microseconds) : "-";
+}
+
+std::string name_of(double error) {
+  return fmt::format("{:.0e}", error);
+}
+
+}  // namespace
+
+std::vector<Measured> read_measured(const std::string &path) {
+  std::vector<Measured> runs;
+  for (const auto &cells : truth::read_rows(path, 11)) {
+    if (!cells[10].empty()) continue;
+    const auto number = [&](std::size_t k) { return truth::number_in(path, cells[k]); };
+    runs.push_back({cells[0], cells[1], number(2), number(3), number(5)});
+  }
+  return runs;
+}
+
+std::optional<Measured> fastest(const std::vector<Measured> &runs, const std::string &problem,
+                                const Names &methods, double error) {
+  std::optional<Measured> best;
+  for (const Measured &run : runs)
+    if (run.problem == problem && run.error <= error &&
+        std::ranges::count(methods, run.method) > 0 &&
+        (!best || run.microseconds < best->microseconds))
+      best = run;
+  return best;
+}
+
+truth::Rows rows_of_steppers(const std::vector<Measured> &runs) {
+  truth::Rows rows{{"motion"}};
+  for (const double error : errors) rows.front().push_back(name_of(error));
+  for (const auto &[problem, motion] : motions) {
+    truth::Row &row = rows.emplace_back(truth::Row{motion});
+    for (const double error : errors) row.push_back(ratio(runs, problem, steppers, error));
+  }
+  return rows;
+}
+
+truth::Rows rows_of_methods(const std::vector<Measured> &runs) {
+  const std::pair<std::string, std::string> columns[] = {
+      {"by hand", "by hand"},         {"this library (every impact)", "every impact"},
+      {steppers[0], "DOP853"},        {steppers[1], "dopri5"},
+      {steppers[2], "fehlberg78"},    {steppers[3], "ERKStep"},
+      {"plain event-driven", "plain"}};
+  truth::Rows rows{{"Figure", "error", "library, us"}};
+  for (const auto &[method, column] : columns) rows.front().push_back(column);
+  for (const auto &[problem, figure] : {std::pair{"figure2", "2"}, std::pair{"figure4", "4(a)"}})
+    for (const double error : errors) {
+      const auto ours = fastest(runs, problem, {library}, error);
+      rows.push_back(
+          {figure, name_of(error), ours ? fmt::format("{:.1f}", ours->microseconds) : "-"});
+      for (const auto &[method, column] : columns)
+        rows.back().push_back(ratio(runs, problem, {method}, error));
+    }
+  return rows;
+}
+
+std::string sentences_of_speed(const std::vector<Measured> &runs) {
+  std::vector<std::string> parts;
+  for (const double error : {1e-6, 1e-9, 3e-11, 7e-13}) {
+    const auto best = fastest(runs, "figure2", steppers, error);
+    if (!best) throw std::runtime_error("no stepper has an error of " + name_of(error));
+    parts.push_back(fmt::format("{} times for {} ({})", ratio(runs, "figure2", steppers, error),
+                                name_of(error), best->method));
+  }
+  return fmt::format(
+      "In ten periods of Figure 2, the time of the fastest general-purpose stepper, relative to "
+      "the "
+      "library, depends on the error: {}. Of this the limit of a chatter makes a factor of {}.",
+      fmt::join(parts, ", "), ratio(runs, "figure2", {"this library (every impact)"}, 1e-10));
+}
+
+}  // namespace vibro_impact::comparison
