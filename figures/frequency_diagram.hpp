@@ -31,7 +31,7 @@ inline std::vector<double> distinct(std::vector<double> values) {
 // The motion from rest with its chatter impacts down to slowest_impact_shown.
 inline OrbitRecord recorded_in_figure3(const Scene &scene) {
   return record_of(scene, {.settle = {.longest = paper::figure3_settling_periods},
-                           .impact_velocities = true,
+                           .impacts = true,
                            .slowest = paper::slowest_impact_shown});
 }
 
@@ -39,10 +39,12 @@ inline OrbitRecord recorded_in_figure3(const Scene &scene) {
 inline Table impact_velocities(const Grid &grid, const std::vector<OrbitRecord> &records,
                                int mass) {
   Table table("omega,v" + std::to_string(mass));
-  for (std::size_t i = 0; i < records.size(); ++i)
-    for (const double v :
-         distinct(records[i].impact_velocities[static_cast<std::size_t>(mass - 1)]))
-      table.row(grid.values(i).front(), v);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    std::vector<double> velocities;
+    for (const Event &impact : records[i].impacts[static_cast<std::size_t>(mass - 1)])
+      velocities.push_back(impact.velocity_before);
+    for (const double v : distinct(velocities)) table.row(grid.values(i).front(), v);
+  }
   return table;
 }
 

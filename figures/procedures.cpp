@@ -143,8 +143,8 @@ bool same(const OrbitRecord &one, const OrbitRecord &other) {
     return false;
   for (std::size_t i = 0; i < 2; ++i) {
     figures::Range speeds, others;
-    for (const double v : one.impact_velocities[i]) speeds.include(std::abs(v));
-    for (const double v : other.impact_velocities[i]) others.include(std::abs(v));
+    for (const Event &impact : one.impacts[i]) speeds.include(std::abs(impact.velocity_before));
+    for (const Event &impact : other.impacts[i]) others.include(std::abs(impact.velocity_before));
     if (!(std::abs(speeds.highest - others.highest) < 1e-6)) return false;
   }
   return true;
@@ -155,7 +155,7 @@ bool same(const OrbitRecord &one, const OrbitRecord &other) {
 void add_starts(Table &table, double omega, std::size_t count) {
   const Scene scene = paper::figure3(omega);
   const auto starts = random_starts(scene, count, 0);
-  const RecordOptions options{.impact_velocities = true};
+  const RecordOptions options{.impacts = true};
   const auto records =
       sweep(count, [&](std::size_t k) { return record_of(scene, starts[k], options); });
   std::vector<OrbitRecord> different;

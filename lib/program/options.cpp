@@ -173,7 +173,7 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
   sweep.option_defaults()->configurable(false);  // the rows do not depend on these
   option(sweep, request.tables[0], "Periods and counts of the settled motions");
   option(sweep, request.tables[1],
-         "Their impacts: parameters,mass,velocity, the velocity before the impact; over\n"
+         "Their impacts, with the velocity before, the stop, the phase and the impulse; over\n"
          "one period, or 40 forcing periods of a motion that has not settled");
   option(sweep, request.tables[2],
          "Their states at the phase of the start: parameters,x1,x2,...,v1,v2,...");

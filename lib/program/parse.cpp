@@ -129,7 +129,7 @@ void complete(SweepRequest &request, const Words &words) {
     request.grid.axes.push_back(read_at("--vary", [&] { return axis_of(range); }));
   check(request.grid);
   request.follow = request.follow || request.back;
-  request.records.impact_velocities = request.tables[1].wanted();
+  request.records.impacts = request.tables[1].wanted();
   request.records.section = request.tables[2].wanted();
 }
 

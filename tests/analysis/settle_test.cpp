@@ -249,15 +249,15 @@ TEST(Record, HasOnlyWhatIsAskedFor) {
   const OrbitRecord bare = record_of(settling);
   EXPECT_GT(bare.period, 0);
   EXPECT_FALSE(bare.lyapunov.has_value());
-  EXPECT_TRUE(bare.impact_velocities.empty());
+  EXPECT_TRUE(bare.impacts.empty());
   EXPECT_TRUE(bare.pairs.empty());
   RecordOptions asked;
-  asked.impact_velocities = true;
+  asked.impacts = true;
   const OrbitRecord speeds = record_of(settling, asked);
   EXPECT_EQ(speeds.counts.impacts, bare.counts.impacts);
-  EXPECT_EQ(speeds.impact_velocities[0].size(), static_cast<std::size_t>(bare.counts.impacts[0]));
-  EXPECT_LT(speeds.impact_velocities[0].front(), 0.0) << "mass 1 hits a lower stop";
-  EXPECT_GT(speeds.impact_velocities[1].front(), 0.0) << "mass 2 hits an upper stop";
+  EXPECT_EQ(speeds.impacts[0].size(), static_cast<std::size_t>(bare.counts.impacts[0]));
+  EXPECT_LT(speeds.impacts[0].front().velocity_before, 0.0) << "mass 1 hits a lower stop";
+  EXPECT_GT(speeds.impacts[1].front().velocity_before, 0.0) << "mass 2 hits an upper stop";
 }
 
 // Pressed onto their stops for ever: no event says so.

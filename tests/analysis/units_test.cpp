@@ -64,8 +64,8 @@ class Measured {
     add(record.lyapunov->error, -units_.time);
     add(static_cast<double>(record.pairs.size()));
     if (record.attractor) add(*record.attractor, units_.length);
-    for (const Values &velocities : record.impact_velocities)
-      for (const double v : velocities) add(v, units_.length - units_.time);
+    for (const std::vector<Event> &impacts : record.impacts)
+      for (const Event &impact : impacts) add(impact.velocity_before, units_.length - units_.time);
     for (const Values &state : record.section)
       for (const double x : state) add(x, units_.length);
     add(record.state);
@@ -101,7 +101,7 @@ const std::vector<Units> lengths{{0}, {-500}, {-20}, {-10}, {450}};
 
 void measure_record(const Scene &scene, const Units &, Measured &measured) {
   RecordOptions options{.lyapunov = true, .pairs = true};
-  options.impact_velocities = options.attractor = true;
+  options.impacts = options.attractor = true;
   measured.add(record_of(scene, options));
 }
 

@@ -99,22 +99,35 @@ TEST_F(Runner, BranchesAreTheSameOnThreadsAndProcesses) {
 }
 
 // The states of --section are those of a run at whole forcing periods, and every tenth period is
-// every 10P.
-TEST_F(Runner, ASectionHasTheStatesAtWholePeriods) {
-  ASSERT_EQ(run("sweep --vary omega=1.2:1.25:2 --section s.csv" + oscillator).status, 0);
+// every 10P. The impacts of --impacts are those of the run, with the impulse (1 + r) v. The motion
+// counts as settled at 1e-10.
+TEST_F(Runner, ASweepHasTheStatesAndImpactsOfARun) {
   ASSERT_EQ(
-      run("run --omega 1.2 --from 400P --until 420P --every 10P --velocities --samples r.csv" +
-          oscillator)
-          .status,
-      0);
+      run("sweep --vary omega=1.1:1.12:2 --section s.csv --impacts i.csv" + oscillator).status, 0);
+  ASSERT_EQ(run("run --omega 1.1 --from 400P --until 420P --every 10P --velocities --samples r.csv "
+                "--events e.csv" +
+                oscillator)
+                .status,
+            0);
   EXPECT_EQ(lines(contents(folder / "s.csv"))[0], "omega,x1,v1");
   EXPECT_EQ(lines(contents(folder / "r.csv"))[0], "time,x1,v1");
   const auto section = numbers(folder / "s.csv"), run_rows = numbers(folder / "r.csv");
   ASSERT_EQ(section.size(), 2u);
   ASSERT_EQ(run_rows.size(), 3u);
   for (const auto &row : run_rows) {
-    EXPECT_NEAR(row[1], section[0][1], 1e-9);  // the motion counts as settled at 1e-10
+    EXPECT_NEAR(row[1], section[0][1], 1e-9);
     EXPECT_NEAR(row[2], section[0][2], 1e-9);
+  }
+  EXPECT_EQ(lines(contents(folder / "i.csv"))[0], "omega,mass,velocity,stop,side,phase,impulse");
+  const auto impacts = numbers(folder / "i.csv"), events = numbers(folder / "e.csv");
+  ASSERT_EQ(impacts.size(), 2u);
+  ASSERT_EQ(events.size(), 20u);
+  for (const auto &row : events) {
+    EXPECT_NEAR(row[3], impacts[0][2], 1e-9);
+    EXPECT_EQ(row[6], impacts[0][3]) << "stop";
+    EXPECT_NEAR(row[8], impacts[0][5], 1e-9) << "phase";
+    EXPECT_NEAR(row[9], 1.7 * row[3], 1e-15) << "impulse";
+    EXPECT_NEAR(row[9], impacts[0][6], 1e-9);
   }
 }
 

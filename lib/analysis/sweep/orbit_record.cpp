@@ -45,7 +45,7 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   SectionRecorder section(scene, motion.state, periods);
   std::vector<Recorder *> recorders{&events};
   if (options.section) recorders.push_back(&section);
-  if (options.impact_velocities)
+  if (options.impacts)
     run.limit_below_speed = std::min(run.limit_below_speed,
                                      options.slowest.value_or(slow_impact * motion.fastest_impact));
   Simulation simulation = motion.simulation;
@@ -53,12 +53,11 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
   require_complete(simulation.advance(until, recorders));
   record.counts = counts_in(scene, events.events, periods, motion.state.held);
   if (options.section) record.section = std::move(section.section);
-  if (!options.impact_velocities) return;
-  record.impact_velocities.resize(scene.mass.size());
+  if (!options.impacts) return;
+  record.impacts.resize(scene.mass.size());
   for (const Event &event : events.events)
     if (event.kind == EventKind::impact)
-      record.impact_velocities[static_cast<std::size_t>(event.mass - 1)].push_back(
-          event.velocity_before);
+      record.impacts[static_cast<std::size_t>(event.mass - 1)].push_back(event);
 }
 
 Growth exponent_of(Simulation &simulation, const OrbitRecord &record,
@@ -95,7 +94,7 @@ OrbitRecord record_of(Simulation simulation, const MotionState &start,
   record.approached = motion.approached;
   if (options.attractor && motion.period > 0)
     record.attractor = attractor_mark(scene, motion.section);
-  if (motion.period == 0 || options.impact_velocities || options.section)
+  if (motion.period == 0 || options.impacts || options.section)
     record_on(scene, motion, motion.period > 0 ? motion.period : periods_counted, options, record);
   else
     record.counts = std::move(motion.counts);

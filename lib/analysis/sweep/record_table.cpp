@@ -118,18 +118,19 @@ void add_row(Table &table, const Grid &grid, const RecordOptions &options, std::
 }
 
 Table impact_table(const Grid &grid) {
-  return Table(parameters_of(grid) + "mass,velocity");
+  return Table(parameters_of(grid) + "mass,velocity,stop,side,phase,impulse");
 }
 
 void add_impacts(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record) {
-  int mass = 0;
-  for (const std::vector<double> &of_mass : record.impact_velocities) {
-    ++mass;
-    for (const double velocity : of_mass) {
+  const std::vector<double> mass = grid.scene_at(point).mass;
+  for (const std::vector<Event> &of_mass : record.impacts)
+    for (const Event &impact : of_mass) {
       begin_row(table, grid, point);
-      table.row(mass, velocity);
+      table.row(impact.mass, impact.velocity_before, impact.stop, name(impact.side),
+                impact.instant.phase,
+                mass[static_cast<std::size_t>(impact.mass - 1)] *
+                    std::abs(impact.velocity_before - impact.velocity_after));
     }
-  }
 }
 
 Table section_table(const Grid &grid) {

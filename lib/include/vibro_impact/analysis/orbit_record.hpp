@@ -17,7 +17,7 @@ struct RecordOptions {
   bool lyapunov = false;               // greatest Lyapunov exponent
   GrowthOptions growth = {};           // of a motion that has not settled
   bool pairs = false;                  // the pairs of events of Table I that occur
-  bool impact_velocities = false;      // every impact faster than `slowest`
+  bool impacts = false;                // every impact faster than `slowest`
   std::optional<double> slowest = {};  // >= 0; if empty, 1e-4 of the fastest impact
   bool section = false;                // the states at the phase of the start
   bool attractor = false;              // the mark of the attractor
@@ -29,9 +29,8 @@ struct OrbitRecord {
   EventCounts counts = {};              // over one period, or 40 of a motion that has not settled
   std::optional<Growth> lyapunov = {};  // if asked for
   std::vector<EventPair> pairs = {};    // if asked for; each once, in the order of Table I
-  // If asked for: per mass, in the order of time, the velocities just before the impacts over the
-  // same periods as `counts`.
-  std::vector<std::vector<double>> impact_velocities = {};
+  // If asked for: per mass, in the order of time, the impacts over the same periods as `counts`.
+  std::vector<std::vector<Event>> impacts = {};
   // If asked for: (x_1 .. x_N, x_1' .. x_N') at the beginning of each forcing period of `counts`.
   std::vector<std::vector<double>> section = {};
   std::optional<double> attractor = {};  // if asked for, of a motion that has settled

@@ -105,7 +105,8 @@ void add_row(Table &table, const Grid &grid, const RecordOptions &options, std::
              const std::optional<OrbitRecord> &record);
 
 // The table of the impacts that records have, one a row: one column for each axis, mass, velocity
-// before the impact. `add_impacts` adds those of a point, mass by mass in the order of time.
+// before the impact, stop, side, phase within the forcing period, impulse. `add_impacts` adds those
+// of a point, mass by mass in the order of time.
 Table impact_table(const Grid &grid);
 void add_impacts(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record);
 
