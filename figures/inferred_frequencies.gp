@@ -11,7 +11,8 @@ least = 0.0005        # half the least width at which a strip can be seen
 of(n) = strcol('figure') eq figure[n]
 # The name of a condition, at its first strip.
 named = 0
-name_once(condition) = condition == named ? '' : (named = condition, strcol('condition'))
+in_words(text) = text[1:2] eq 'x₂' ? slanted('x_2').text[3:*] : text
+name_once(condition) = condition == named ? '' : (named = condition, in_words(strcol('condition')))
 # All frequencies that fit, in words.
 listed(w) = (list = list.(strlen(list) ? ',  ' : '').sprintf('%g', w), 0)
 
