@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
 
+#include "reference/numbers/checked_number.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/degenerate_cases.hpp"
 #include "reference/truth/event_comparison.hpp"
@@ -124,12 +128,45 @@ TEST(EventTables, OnlyImpactsOfACompleteChatterMayBeMissing) {
   EXPECT_FALSE(agree(std::vector<Event>{}, interrupted, some));
 }
 
-TEST(EventTables, AnUnknownKindOfEventIsRefusedWithItsLine) {
-  const std::string path = PROGRAM_DIR "/../unknown_event.csv";
-  std::ofstream(path) << "time,mass,event,velocity_before,velocity_after,contact_mode\n"
-                         "1,1,impact,1,-1,-\n2,1,strike,1,-1,-\n";
-  EXPECT_EQ(testing::refusal<std::runtime_error>([&] { truth::read_event_table(path); }),
-            path + ": line 3: 'strike' must be impact, stick or release");
+TEST(EventTables, AWrongLineIsRefusedWithItsNumber) {
+  const std::string path = PROGRAM_DIR "/../wrong_event.csv";
+  for (const auto &[line, says] :
+       {std::pair{"2,1,strike,1,-1,-", ": line 3: 'strike' must be impact, stick or release"},
+        std::pair{"2,1,impact,1,-1", ": line 3 has 5 columns, 6 are needed"}}) {
+    std::ofstream(path) << "time,mass,event,velocity_before,velocity_after,contact_mode\n"
+                           "1,1,impact,1,-1,-\n"
+                        << line << '\n';
+    EXPECT_EQ(testing::refusal<std::runtime_error>([&] { truth::read_event_table(path); }),
+              path + says);
+  }
+}
+
+// Key numbers and event tables are two outputs of the generator. All digits of the tables agree, so
+// that a wrong digit in either one is seen even where it lies below the tolerance of the library.
+TEST(CheckedNumbers, ThatAreTimesOfEventsStandInTheEventTables) {
+  int times = 0;
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
+    if (number.quantity != "time" || !number.of_the_paper()) continue;
+    std::ifstream table(REFERENCE_DIR "/" + number.arguments.text("scene") + "_events.csv");
+    const std::string text{std::istreambuf_iterator<char>(table), {}};
+    EXPECT_NE(text.find("\n" + number.digits + ','), std::string::npos) << number.id;
+    ++times;
+  }
+  EXPECT_GE(times, 6);
+}
+
+// A tolerance is an error of the library and not a distance to the paper's number: at most 1e-10
+// for times and frequencies. An extreme is read off samples every 1e-4, which miss it by 1e-8. The
+// exit boundary is a quotient of differences of forces.
+TEST(CheckedNumbers, OfThePaperHaveTolerancesOfRounding) {
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
+    if (!number.of_the_paper()) continue;
+    const std::string &asked = number.quantity;
+    double largest = 1e-10;
+    if (asked == "lowest" || asked == "highest") largest = 1e-8;
+    if (asked.starts_with("exit")) largest = 1e-9;
+    EXPECT_LE(number.tolerance, largest) << number.id;
+  }
 }
 
 }  // namespace

@@ -53,6 +53,11 @@ TEST(Refusals, OfScenes) {
             s.stops[1] = {1, Side::upper, -0.4};
           },
           "the lower must lie below"),
+      spoilt_scene(
+          [](Scene &s) {
+            s.stops[1] = {1, Side::upper, -0.3};  // where the lower one is
+          },
+          "the lower must lie below"),
       spoilt_scene([](Scene &s) { s.mass[0] = 1e-310; }, "rate = inf"),
       spoilt_scene([](Scene &s) { s.beta = 1e200; }, "and its square, must be finite"),
       {[&] { check(without_links); }, "0 values given, the chain has 2"},
@@ -84,6 +89,13 @@ TEST(Refusals, OfStarts) {
       spoilt_start([](MotionState &s) { s.held[0] = 1; }, "mass 1 held as 1: it has no such stop"),
       spoilt_start([](MotionState &s) { s.held.pop_back(); }, "contact mode of 1 masses given"),
       spoilt_start([](MotionState &s) { s.held[0] = -1; }, "held at its lower stop at -0.3, and"),
+      spoilt_start(
+          [](MotionState &s) {
+            s.displacement[0] = -0.3;
+            s.velocity[0] = 1.0;
+            s.held[0] = -1;
+          },
+          "held at its lower stop at -0.3, and stands at -0.3 with velocity 1"),
       spoilt_start([](MotionState &s) { s.instant.phase = 1e3; }, "phase = 1000 in period 0: must"),
       spoilt_start([](MotionState &s) { s.instant.phase = nan; }, "phase = nan in period 0: must"),
       spoilt_start([](MotionState &s) { s.instant.cycle = -1; }, "in period -1: must lie in"),
