@@ -102,6 +102,12 @@ inline double amplitude(const std::vector<double> &frequencies, const MotionStat
   return largest;
 }
 
+// The distance of a state from zero.
+inline double amplitude(const std::vector<double> &frequencies, const MotionState &state) {
+  const std::vector<double> zero(frequencies.size(), 0.0);
+  return amplitude(frequencies, state, {state.instant, zero, zero, state.held});
+}
+
 // Replaces the velocities just after an event by those just before it. Only an impact changes one.
 inline void undo_jump(const Event &event, std::vector<double> &velocity) {
   switch (event.kind) {

@@ -36,9 +36,8 @@ Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
   const Eigen::VectorXd residual =
       (view(coordinates(iterate.image.state)) - view(coordinates(at)))(free);
   const std::vector<double> frequencies = local_frequencies(simulation.scene());
-  const std::vector<double> zero(at.held.size(), 0.0);
   iterate.residual = amplitude(frequencies, iterate.image.state, at);
-  iterate.size = amplitude(frequencies, at, {at.instant, zero, zero, at.held});
+  iterate.size = amplitude(frequencies, at);
   const Eigen::MatrixXd derivative = view(iterate.image.derivative)(free, free);
   if (!residual.allFinite() || !derivative.allFinite())
     iterate.why_not_usable = "the map or its derivative is not finite";

@@ -26,8 +26,11 @@ void require_fits(const Scene &scene, const Event &event) {
 
 // Leaves out the impacts of complete chatters: those before a stick at the same stop, each slower
 // than the one before. The events repeat, so that a chatter under way at their end goes on at their
-// beginning.
-std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events) {
+// beginning. A chatter begins one impact earlier where two impacts become equally fast: for the
+// comparison of orbits, all impacts at the stop between a stick and the event before it are left
+// out.
+std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events,
+                                    bool all_before_sticks) {
   std::vector<Event> twice = events;
   twice.insert(twice.end(), events.begin(), events.end());
   std::vector<bool> left_out(twice.size(), false);
@@ -39,7 +42,7 @@ std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event>
       if (before.mass != stick.mass) continue;
       if (changes_contact_mode(before.kind) || before.stop != stick.stop) break;
       left_out[j] = true;
-      if (before.falling == 0) break;
+      if (before.falling == 0 && !all_before_sticks) break;
     }
   }
   std::vector<Event> kept;

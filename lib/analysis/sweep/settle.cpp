@@ -52,7 +52,6 @@ class Sections : public Recorder {
         first_(start.instant),
         frequency_(local_frequencies(scene)) {
     held_ = start.held;
-    rest_.displacement = rest_.velocity = std::vector<double>(scene.mass.size(), 0.0);
     for (std::size_t p = 1; p <= index(options.largest_period); ++p)
       contractions_.push_back({std::vector<double>(p, infinity), std::vector<double>(p, infinity)});
     sections_.resize(2 * contractions_.size() + 1);
@@ -73,7 +72,7 @@ class Sections : public Recorder {
     bring_to_section(at);
     at.instant = section_at(taken_);
     enter(std::move(at));
-    amplitude_.add(amplitude(frequency_, latest(0).state, rest_), taken_);
+    amplitude_.add(amplitude(frequency_, latest(0).state), taken_);
     for (int p = 1; p <= options_.largest_period && p < taken_; ++p) compare(p);
     find_period();
   }
@@ -111,7 +110,6 @@ class Sections : public Recorder {
   int taken_ = 0;  // sections entered, that of the start included
   int period_ = 0;
   Held held_;
-  MotionState rest_;                    // all coordinates zero
   std::vector<double> frequency_;       // of each mass
   LargestByBlock amplitude_ = {};       // at the sections
   std::vector<Event> events_ = {};      // since the latest section

@@ -7,7 +7,8 @@
 
 namespace vibro_impact {
 
-std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events);
+std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events,
+                                    bool all_before_sticks = false);
 
 EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "event_pairs.hpp"
+#include "follow_orbit.hpp"
 #include "locate.hpp"
 #include "lyapunov.hpp"
 #include "matrix.hpp"

@@ -1,0 +1,132 @@
+#include "branch.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/orbits/orbit_tolerances.hpp"
+#include "settled_runs.hpp"
+
+namespace vibro_impact {
+
+using Vector = Eigen::VectorXd;
+
+MotionState Branch::state_of(const Scene &scene, const Vector &u) const {
+  const std::size_t n = held_.size();
+  const Vector z = u.head(u.size() - 1).cwiseProduct(unit_);
+  MotionState state{.instant = {0, part_ * Clock(scene.omega).period}, .held = held_};
+  state.displacement = state.velocity = std::vector<double>(n, 0.0);
+  Eigen::Index k = 0;
+  for (const std::size_t row : free_coordinates(held_))
+    (row < n ? state.displacement[row] : state.velocity[row - n]) = z(k++);
+  return moved_into(scene, std::move(state));
+}
+
+Vector Branch::vector_of(const MotionState &state, double q) const {
+  Vector u(unit_.size() + 1);
+  u << view(coordinates(state))(free_coordinates(held_)).cwiseQuotient(unit_), q / width();
+  return u;
+}
+
+void Branch::set_section(const MotionState &state, double q) {
+  const Scene scene = with(scene_, range_.parameter, q);
+  const std::size_t n = state.held.size();
+  const std::vector<double> frequencies = local_frequencies(scene);
+  const double size = amplitude(frequencies, state);
+  length_ = size > 0.0 ? size : 1.0;
+  held_ = state.held;
+  part_ = state.instant.phase / Clock(scene.omega).period;
+  const std::vector<std::size_t> rows = free_coordinates(held_);
+  unit_.resize(static_cast<Eigen::Index>(rows.size()));
+  Eigen::Index k = 0;
+  for (const std::size_t row : rows) unit_(k++) = length_ * (row < n ? 1.0 : frequencies[row - n]);
+}
+
+std::optional<Orbit> Branch::correct(const Vector &guess, const Vector &normal) const {
+  const Eigen::Index n = unit_.size();
+  const std::vector<std::size_t> free = free_coordinates(held_);
+  // The difference by q is taken towards the orbits that are known.
+  const double step = -std::copysign(difference_step, normal(n));
+  Orbit orbit{.u = guess};
+  for (int iteration = 0; iteration < most_corrections; ++iteration) {
+    const Scene scene = scene_at(orbit.u);
+    orbit.state = state_of(scene, orbit.u);
+    const StroboscopicImage image = stroboscopic_map_and_derivative(scene, orbit.state, periods_);
+    if (image.state.held != held_) return std::nullopt;
+    orbit.derivative = view(image.derivative)(free, free);
+    const Vector images = vector_of(image.state, parameter(orbit.u));
+    const double before = orbit.residual;
+    orbit.residual = (images - orbit.u).norm();
+    if (orbit.residual <= newton_tolerance ||
+        (orbit.residual <= rounding_of_orbit && orbit.residual > 0.5 * before)) {
+      orbit.multipliers = floquet_multipliers(image.derivative, held_);
+      return orbit;
+    }
+    Vector moved = orbit.u;
+    moved(n) += step;
+    const Scene other = scene_at(moved);
+    const MotionState end = stroboscopic_map(other, state_of(other, moved), periods_);
+    if (end.held != held_) return std::nullopt;
+    Eigen::MatrixXd matrix(n + 1, n + 1);
+    matrix.topLeftCorner(n, n) =
+        unit_.asDiagonal().inverse() * orbit.derivative * unit_.asDiagonal();
+    matrix.topLeftCorner(n, n).diagonal().array() -= 1.0;
+    matrix.topRightCorner(n, 1) = (vector_of(end, parameter(moved)) - images).head(n) / step;
+    matrix.bottomRows(1) = normal.transpose();
+    Vector right(n + 1);
+    right << (orbit.u - images).head(n), normal.dot(guess - orbit.u);
+    orbit.u += matrix.partialPivLu().solve(right);
+    if (!orbit.u.allFinite()) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<Orbit> Branch::orbit_at(const Vector &guess, const Vector &normal) const {
+  try {
+    std::optional<Orbit> orbit = correct(guess, normal);
+    if (!orbit) return orbit;
+    const Scene scene = scene_at(orbit->u);
+    EventRecorder recorder(-infinity);
+    stroboscopic_map(scene, orbit->state, periods_, {}, recorder);
+    orbit->counts = counts_in(scene, recorder.events, periods_, held_);
+    orbit->events = without_chatters(scene, recorder.events, true);
+    return orbit;
+  } catch (const std::invalid_argument &) {
+    return std::nullopt;
+  } catch (const std::runtime_error &) {
+    return std::nullopt;
+  }
+}
+
+bool Branch::move_section(Orbit &last, Orbit &before) {
+  if (last.events.empty()) return true;
+  const Scene scene = scene_at(last.u);
+  const Clock clock(scene.omega);
+  const double first = elapsed(last.state.instant, last.events.front().instant, clock),
+               rest = periods_ * clock.period -
+                      elapsed(last.state.instant, last.events.back().instant, clock);
+  if (std::min(first, rest) > least_distance * clock.period) return true;
+  const double q = parameter(last.u), q_before = parameter(before.u);
+  const MotionState moved = at_quiet_phase(scene, last.state);
+  const Scene scene_before = scene_at(before.u);
+  set_section(moved, q);
+  const Instant target{0, part_ * Clock(scene_before.omega).period};
+  const bool later_period = target < before.state.instant;
+  Simulation simulation(scene_before, before.state);
+  MotionState moved_before =
+      require_complete(simulation.advance(time_of({later_period ? 1 : 0, target.phase},
+                                                  Clock(scene_before.omega))))
+          .state;
+  moved_before.instant = target;
+  if (moved_before.held != held_) return false;
+  const Vector u = vector_of(moved, q), u_before = vector_of(moved_before, q_before);
+  const Vector normal = (u - u_before).normalized();
+  const std::optional<Orbit> a = orbit_at(u_before, normal), b = orbit_at(u, normal);
+  if (!a || !b) return false;
+  before = *a;
+  last = *b;
+  return true;
+}
+
+}  // namespace vibro_impact

@@ -1,0 +1,161 @@
+// Branches of periodic orbits: folds and flips of one mass in closed form, and the ends of the
+// branches of Figure 3.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/refusals.hpp"
+#include "vibro_impact/analysis/analysis.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+// Orbits of one mass with one impact in two forcing periods: x'' + c x' + x = A cos(omega t) below
+// the stop 1, with c = 0.04 and r = 0.9. (a11 a12; a21 a22) is the transition of the free motion
+// over the period. With the impact speed y, alpha y is the free part of the displacement at the
+// impact and (1 - beta) y the velocity of the steady part, so that A^2 = Z^2 ((1 - alpha y)^2 +
+// (q y)^2), where q = (1 - beta) / omega and Z^2 = (1 - omega^2)^2 + (c omega)^2.
+struct OneImpact {
+  static constexpr double c = 0.04, r = 0.9;
+  static constexpr int periods = 2;
+  double omega, z, alpha, q, trace_of_flow, a12, beta;
+
+  explicit OneImpact(double frequency) : omega(frequency) {
+    const double t = periods * 2.0 * std::numbers::pi / omega, w = std::sqrt(1.0 - c * c / 4.0),
+                 decay = std::exp(-c * t / 2.0), cosine = decay * std::cos(w * t);
+    a12 = decay * std::sin(w * t) / w;
+    const double a11 = cosine + c / 2.0 * a12, a22 = cosine - c / 2.0 * a12;
+    trace_of_flow = a11 + a22;
+    alpha = (1.0 + r) / (-a12 + (a22 - 1.0) * (1.0 - a11) / a12);
+    beta = alpha * (1.0 - a11) / a12 + 1.0 + r;
+    q = (1.0 - beta) / omega;
+    z = std::hypot(1.0 - omega * omega, c * omega);
+  }
+  double amplitude(double y) const {
+    return z * std::hypot(1.0 - alpha * y, q * y);
+  }
+  // The amplitude is stationary in the speed.
+  double fold() const {
+    return amplitude(alpha / (alpha * alpha + q * q));
+  }
+  // 1 + trace + determinant = 0 is linear in 1/y.
+  double flip() const {
+    const double determinant = r * r * std::exp(-c * periods * 2.0 * std::numbers::pi / omega),
+                 k = -(1.0 + determinant - r * trace_of_flow) / a12,
+                 c0 = -(1.0 + r) * omega * omega,
+                 c1 = (1.0 + r) * (c * (1.0 - beta) - (1.0 - omega * omega) * alpha);
+    return amplitude(c0 / (k - c1));
+  }
+  Scene scene(double y) const {
+    return {.mass = {1.0},
+            .stiffness = {1.0},
+            .beta = c,
+            .amplitude = {amplitude(y)},
+            .omega = omega,
+            .restitution = r,
+            .stops = {{1, Side::upper, 1.0}}};
+  }
+  // The steady part is Re(A H e^(i omega t)), H = 1 / (1 - omega^2 + i c omega).
+  MotionState after_impact(double y) const {
+    const std::complex<double> steady(1.0 - alpha * y, -q * y),
+        inverse(1.0 - omega * omega, c * omega);
+    const double period = 2.0 * std::numbers::pi / omega,
+                 time = (std::arg(steady) + std::arg(inverse)) / omega;
+    return {{0, time - period * std::floor(time / period)}, {1.0}, {-r * y}, {0}};
+  }
+};
+
+std::vector<OrbitPoint> branch_of(const OneImpact &known, double y, double from, double to) {
+  const Scene scene = known.scene(y);
+  const double a = scene.amplitude[0];
+  return follow_orbit(scene, at_quiet_phase(scene, known.after_impact(y)),
+                      {"amplitude1", from * a, to * a, 20}, {.periods = OneImpact::periods});
+}
+
+const OrbitPoint &point_of_kind(const std::vector<OrbitPoint> &branch, BranchPoint kind) {
+  const auto found = std::ranges::find(branch, kind, &OrbitPoint::kind);
+  if (found == branch.end()) throw std::runtime_error(std::string("no ") + name(kind));
+  return *found;
+}
+
+// The fold is passed from the unstable branch, and the branch goes on in the other direction,
+// stable. The amplitude is stationary at a fold, and so is known to rounding.
+TEST(FollowOrbit, PassesTheFoldInClosedForm) {
+  const OneImpact known(0.79);
+  const std::vector<OrbitPoint> branch = branch_of(known, 0.3, 1.1, 0.9);
+  const OrbitPoint &fold = point_of_kind(branch, BranchPoint::fold);
+  EXPECT_NEAR(fold.parameter, known.fold(), 1e-13);
+  EXPECT_FALSE(branch.front().orbit.stable());
+  const auto after = std::ranges::find(branch, BranchPoint::fold, &OrbitPoint::kind) + 1;
+  ASSERT_LT(after, branch.end());
+  EXPECT_TRUE(after->orbit.stable());
+  EXPECT_GT(after->parameter, fold.parameter);
+  EXPECT_EQ(after->counts.impacts, std::vector{1});
+}
+
+// A multiplier passes -1, at a place that is as exact as the multipliers times the slope of the
+// branch. The unstable orbits beyond it are followed to the grazing, at the amplitude Z.
+TEST(FollowOrbit, PassesTheFlipInClosedFormAndEndsAtTheGrazing) {
+  const OneImpact known(0.81);
+  const std::vector<OrbitPoint> branch = branch_of(known, 0.3, 1.3, 0.7);
+  EXPECT_TRUE(branch.front().orbit.stable());
+  EXPECT_NEAR(point_of_kind(branch, BranchPoint::flip).parameter, known.flip(), 1e-12);
+  EXPECT_EQ(branch.back().kind, BranchPoint::graze);
+  EXPECT_FALSE(branch.back().orbit.stable());
+  // The square of the last speed, relative to the first.
+  EXPECT_NEAR(branch.back().parameter, known.z, 1e-5);
+}
+
+// In Figure 3 the orbit of Figure 2 ends where a sticking phase of mass 2 splits (Figure 4(a)), at
+// the frequency that the table of checked numbers has. Below, it goes to the end of the range.
+TEST(FollowOrbit, EndsAtTheMultiSlidingAndAtTheEndOfItsRange) {
+  const Scene scene = paper::figure2();
+  const OrbitPoint orbit = orbit_near(scene, start_of(scene));
+  ASSERT_TRUE(orbit.orbit.converged);
+  const auto up = follow_orbit(scene, orbit.orbit.state, {"omega", 0.15, 0.3, 40});
+  EXPECT_EQ(up.back().kind, BranchPoint::multi_sliding);
+  EXPECT_NEAR(up.back().parameter, 0.25600633, 1e-8);
+  const auto down = follow_orbit(scene, orbit.orbit.state, {"omega", 0.3, 0.15, 40});
+  EXPECT_EQ(down.back().kind, BranchPoint::end_of_range);
+  EXPECT_EQ(down.back().parameter, 0.15);
+}
+
+// At 0.6 the orbit of Figure 3 is stable. Downwards it turns round at a fold.
+TEST(FollowOrbit, GoesThroughUnstablePartsOfFigure3) {
+  const Scene scene = paper::figure3(0.6);
+  const OrbitPoint orbit = orbit_near(scene, start_of(scene));
+  const auto branch = follow_orbit(scene, orbit.orbit.state, {"omega", 0.7, 0.5, 100});
+  const OrbitPoint &fold = point_of_kind(branch, BranchPoint::fold);
+  EXPECT_NEAR(std::abs(fold.orbit.multipliers.front()), 1.0, 1e-6);
+  EXPECT_FALSE(branch.back().orbit.stable());
+  EXPECT_GT(branch.back().parameter, fold.parameter);
+  EXPECT_EQ(branch.back().kind, BranchPoint::graze);
+  const auto few =
+      follow_orbit(scene, orbit.orbit.state, {"omega", 0.7, 0.5, 100}, {.most_points = 5});
+  EXPECT_EQ(few.size(), 5u);
+  EXPECT_EQ(few.back().kind, BranchPoint::most_points);
+}
+
+TEST(FollowOrbit, RefusesBadRanges) {
+  const Scene scene = paper::figure2();
+  const MotionState start = start_of(scene);
+  const auto follow = [&](const Axis &range, const FollowOptions &options = {}) {
+    return [&scene, &start, range, options] { follow_orbit(scene, start, range, options); };
+  };
+  vibro_impact::testing::expect_refused(
+      {{follow({"omega", 0.1, 0.3, 1}), "1 values: must have a finite width"},
+       {follow({"omega", 0.2, 0.2, 5}), "omega from 0.2 to 0.2"},
+       {follow({"omega", 0.3, 0.4, 5}), "omega = 0.2: must lie in the range from 0.3"},
+       {follow({"omega", 0.1, 0.3, 5}, {.most_points = 0}), "most_points = 0"},
+       {follow({"omega", 0.1, 0.3, 5}, {.periods = 0}), "periods = 0"},
+       {[] { name(BranchPoint{11}); }, "kind of a point = 11"}});
+}
+
+}  // namespace
