@@ -79,6 +79,12 @@ std::vector<OrbitPoint> branch_of(const OneImpact &known, double y, double from,
                       {"amplitude1", from * a, to * a, 20}, {.periods = OneImpact::periods});
 }
 
+// The branch of the orbit at which the motion from rest settles.
+std::vector<OrbitPoint> settled_branch(const Scene &scene, const Axis &range, int most = 1000) {
+  return follow_orbit(scene, at_quiet_phase(scene, record_of(scene).state), range,
+                      {.most_points = most});
+}
+
 const OrbitPoint &point_of_kind(const std::vector<OrbitPoint> &branch, BranchPoint kind) {
   const auto found = std::ranges::find(branch, kind, &OrbitPoint::kind);
   if (found == branch.end()) throw std::runtime_error(std::string("no ") + name(kind));
@@ -117,12 +123,10 @@ TEST(FollowOrbit, PassesTheFlipInClosedFormAndEndsAtTheGrazing) {
 // the frequency that the table of checked numbers has. Below, it goes to the end of the range.
 TEST(FollowOrbit, EndsAtTheMultiSlidingAndAtTheEndOfItsRange) {
   const Scene scene = paper::figure2();
-  const OrbitPoint orbit = orbit_near(scene, start_of(scene));
-  ASSERT_TRUE(orbit.orbit.converged);
-  const auto up = follow_orbit(scene, orbit.orbit.state, {"omega", 0.15, 0.3, 40});
+  const auto up = settled_branch(scene, {"omega", 0.15, 0.3, 40});
   EXPECT_EQ(up.back().kind, BranchPoint::multi_sliding);
   EXPECT_NEAR(up.back().parameter, 0.25600633, 1e-8);
-  const auto down = follow_orbit(scene, orbit.orbit.state, {"omega", 0.3, 0.15, 40});
+  const auto down = settled_branch(scene, {"omega", 0.3, 0.15, 40});
   EXPECT_EQ(down.back().kind, BranchPoint::end_of_range);
   EXPECT_EQ(down.back().parameter, 0.15);
 }
@@ -130,15 +134,13 @@ TEST(FollowOrbit, EndsAtTheMultiSlidingAndAtTheEndOfItsRange) {
 // At 0.6 the orbit of Figure 3 is stable. Downwards it turns round at a fold.
 TEST(FollowOrbit, GoesThroughUnstablePartsOfFigure3) {
   const Scene scene = paper::figure3(0.6);
-  const OrbitPoint orbit = orbit_near(scene, start_of(scene));
-  const auto branch = follow_orbit(scene, orbit.orbit.state, {"omega", 0.7, 0.5, 100});
+  const auto branch = settled_branch(scene, {"omega", 0.7, 0.5, 100});
   const OrbitPoint &fold = point_of_kind(branch, BranchPoint::fold);
   EXPECT_NEAR(std::abs(fold.orbit.multipliers.front()), 1.0, 1e-6);
   EXPECT_FALSE(branch.back().orbit.stable());
   EXPECT_GT(branch.back().parameter, fold.parameter);
   EXPECT_EQ(branch.back().kind, BranchPoint::graze);
-  const auto few =
-      follow_orbit(scene, orbit.orbit.state, {"omega", 0.7, 0.5, 100}, {.most_points = 5});
+  const auto few = settled_branch(scene, {"omega", 0.7, 0.5, 100}, 5);
   EXPECT_EQ(few.size(), 5u);
   EXPECT_EQ(few.back().kind, BranchPoint::most_points);
 }

@@ -126,6 +126,57 @@ TEST(Grid, TheLastAxisIsInnermost) {
   EXPECT_EQ(ratios.value(2), -0.04);
 }
 
+// A start beyond a stop has no record, and the others have theirs. Other points fail for a reason
+// that is the same but for its numbers.
+TEST(Sweep, APointWithoutARecordHasAReason) {
+  Scene scene = paper::figure2();
+  scene.displacement = {0.0, 0.0};
+  const Grid grid{scene, {{"displacement1", -0.5, 0.1, 3}, {"stop2", -0.1, 0.1, 2}}};
+  check(grid);
+  std::vector<PointRecord> points;
+  for (std::size_t k = 0; k < grid.points(); ++k)
+    points.push_back(point_record(grid.scene_at(k), {}));
+  std::map<std::string, int> kinds;
+  for (const PointRecord &point : points) {
+    EXPECT_NE(point.record.has_value(), point.reason != "");
+    if (!point.record) ++kinds[kind_of_reason(point.reason)];
+  }
+  EXPECT_EQ(points[0].reason, "start: mass 1 at -0.5, beyond its lower stop at -0.3");
+  const std::map<std::string, int> expected{{"start: mass # at #, beyond its lower stop at #", 2},
+                                            {"start: mass # at #, beyond its upper stop at #", 2}};
+  EXPECT_EQ(kinds, expected);
+  EXPECT_TRUE(points[3].record.has_value());
+  const PointRecord followed = point_record(scene, {}, points[3].record);
+  EXPECT_EQ(followed.record->period, 1);
+  RecordOptions few;
+  few.settle.run.max_steps = 10;
+  EXPECT_EQ(point_record(scene, few).reason.substr(0, 18), "more than 10 steps");
+}
+
+// The two orbits of a symmetric oscillator have equal counts and exponents, and other marks. Two
+// starts of one orbit have one mark. The mark of the rest of an unforced mass is zero.
+TEST(Sweep, MirrorOrbitsHaveOtherMarks) {
+  Scene scene{.mass = {1.0},
+              .stiffness = {1.0},
+              .beta = 0.1,
+              .amplitude = {2.0},
+              .omega = 2.0,
+              .restitution = 0.5,
+              .stops = {{1, Side::lower, -0.5}, {1, Side::upper, 0.5}}};
+  const RecordOptions options{.lyapunov = true, .attractor = true};
+  std::map<double, int> marks;
+  for (int k = 0; k <= 20; ++k) {
+    scene.displacement = {-0.5 + 0.05 * k};
+    scene.velocity = {1.5 * (k % 3 - 1)};
+    const OrbitRecord record = record_of(scene, options);
+    EXPECT_EQ(record.counts.impacts, std::vector{2});
+    ++marks[record.attractor.value()];
+  }
+  EXPECT_EQ(marks.size(), 2u);
+  Scene resting{.mass = {1.0}, .stiffness = {1.0}, .beta = 0.5, .velocity = {1.0}};
+  EXPECT_NEAR(record_of(resting, options).attractor.value(), 0.0, 1e-9);
+}
+
 TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
   const Scene good = paper::figure2();
   const std::string omega = "omega", stop3 = "stop3";

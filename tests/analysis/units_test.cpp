@@ -156,6 +156,22 @@ void measure_places(const Scene &scene, const Units &units, Measured &measured) 
   }
 }
 
+void measure_branch(const Scene &scene, const Units &units, Measured &measured) {
+  const MotionState guess = at_quiet_phase(scene, record_of(scene).state);
+  const double stop = scene.stops[0].position;
+  for (const OrbitPoint &point :
+       follow_orbit(scene, guess, {"stop1", stop, 1.2 * stop, 10}, {.most_points = 20})) {
+    measured.add(point.parameter, units.length);
+    measured.add(static_cast<int>(point.kind));
+    for (const auto &multiplier : point.orbit.multipliers) measured.add(std::abs(multiplier));
+    measured.add(point.orbit.state);
+  }
+}
+
+TEST(UnitsOfLength, ChangeNoBitOfABranch) {
+  expect_equal_in(lengths, measure_branch);
+}
+
 TEST(UnitsOfLength, ChangeNoBitOfARecord) {
   expect_equal_in(lengths, measure_record);
 }

@@ -30,9 +30,11 @@ std::vector<StopContact> phases_under_way(const std::vector<PressedEvent> &event
   std::vector<StopContact> phases;
   if (events.empty()) return phases;
   const Event &first = events.front().event;
-  for (const auto &[event, press] : events)
+  for (const PressedEvent &pressed : events) {
+    const Event &event = pressed.event;
     if (event.time == first.time && event.kind == EventKind::release)
       phases.push_back({ContactKind::sticking, event.mass, -infinity, infinity});
+  }
   for (std::size_t i = 0; i < first.held.size(); ++i)
     if (first.held[i] != 0)
       phases.push_back({ContactKind::sticking, static_cast<int>(i) + 1, -infinity, infinity});
@@ -43,7 +45,8 @@ std::vector<StopContact> phases_under_way(const std::vector<PressedEvent> &event
 // late chatter the mass is pressed into it; in those about an equilibrium at the stop (Figure 5(c))
 // the force is zero to rounding.
 bool grazes(const PressedEvent &impact) {
-  return std::abs(impact.event.velocity_before) <= slow_contact && impact.press < -pulled_off;
+  return std::abs(impact.event.velocity_before) <= slow_contact * impact.speed_scale &&
+         impact.press < -pulled_off * impact.force_scale;
 }
 
 std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
@@ -141,16 +144,21 @@ void PressedEventRecorder::check(const Scene &of_run) const {
 
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.time < from) return;
-  double press = 0.0;
-  switch (event.kind) {
-    case EventKind::impact:
-      press = pressing_force_of(scene, stop_of(scene, event), state_at(moment, event.held));
-      break;
-    case EventKind::stick:
-    case EventKind::release:
-      break;
+  PressedEvent pressed{event};
+  if (event.kind == EventKind::impact) {
+    const MotionState state = state_at(moment, event.held);
+    const auto i = static_cast<std::size_t>(event.mass - 1);
+    const double frequency = local_frequencies(scene)[i],
+                 stiffness = scene.mass[i] * frequency * frequency;
+    pressed.press = pressing_force_of(scene, stop_of(scene, event), state);
+    pressed.force_scale = 0.0;
+    for (const auto *force : {&scene.amplitude, &scene.sine, &scene.constant})
+      pressed.force_scale += std::abs(entry_of(*force, i));
+    for (std::size_t j = i > 0 ? i - 1 : 0; j <= i + 1 && j < scene.mass.size(); ++j)
+      pressed.force_scale += stiffness * std::abs(state.displacement[j]);
+    pressed.speed_scale = pressed.force_scale / (scene.mass[i] * frequency);
   }
-  events.push_back({event, press});
+  events.push_back(std::move(pressed));
 }
 
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {

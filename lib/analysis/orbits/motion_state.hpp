@@ -80,13 +80,14 @@ inline MotionState state_at(const Moment &moment, const Held &held) {
   return at;
 }
 
-// The frequency of each mass between neighbours that stand still, or Omega > 0 on no spring.
+// The frequency of each mass between neighbours that stand still. On no spring it is Omega, or 1.
 inline std::vector<double> local_frequencies(const Scene &scene) {
   std::vector<double> frequencies;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
     const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
                  stiffness = scene.stiffness[i] + right + entry_of(scene.ground, i);
-    frequencies.push_back(stiffness > 0.0 ? std::sqrt(stiffness / scene.mass[i]) : scene.omega);
+    const double without_spring = scene.omega > 0.0 ? scene.omega : 1.0;
+    frequencies.push_back(stiffness > 0.0 ? std::sqrt(stiffness / scene.mass[i]) : without_spring);
   }
   return frequencies;
 }
@@ -127,6 +128,11 @@ double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state
 // True where the contact mode holds a mass at this stop.
 inline bool holds(const Stop &stop, const Held &held) {
   return held[static_cast<std::size_t>(stop.mass - 1)] == static_cast<signed char>(stop.side);
+}
+
+// True where a mass at x is beyond this stop.
+inline bool is_beyond(const Stop &stop, double x) {
+  return sign(stop.side) * (x - stop.position) > 0.0;
 }
 
 // The state in this scene, which may not be quite the one it was found in: its phase lies within

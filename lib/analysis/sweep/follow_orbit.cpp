@@ -80,8 +80,8 @@ void add_special_points(const Branch &branch, const Orbit &a, const Orbit &b,
       return sign_of(orbit);
     };
     try {
-      const double part = zero(value, 0.0, 1.0);
-      value(part);
+      const double part = zero(value, 0.0, 1.0), left = std::abs(value(part));
+      if (left > 1e-6 * (std::abs(sign_of(a)) + std::abs(sign_of(b)))) continue;  // a jump
       // At a fold the parameter is greater than on both sides, or smaller.
       const double q = branch.parameter(orbit.u);
       const bool turns = (q - branch.parameter(a.u)) * (q - branch.parameter(b.u)) > 0.0;
@@ -97,7 +97,7 @@ void add_special_points(const Branch &branch, const Orbit &a, const Orbit &b,
 
 // The kind of the end of a branch of which this is the last orbit. Every condition is relative: a
 // gap to the amplitude, the square of a speed to that of the fastest impact, the length of a phase
-// to the forcing period, and a force to the largest of the phase.
+// to the forcing period, and a force to that of the links over the amplitude.
 BranchPoint end_at(const Branch &branch, const Orbit &orbit) {
   const Scene scene = branch.scene_at(orbit.u);
   const int periods = orbit.counts.periods;
@@ -127,14 +127,15 @@ BranchPoint end_at(const Branch &branch, const Orbit &orbit) {
     note(1, length / clock.period);
   }
   const double size = branch.unit_of_length();
+  const std::vector<double> frequencies = local_frequencies(scene);
   MotionState start = orbit.state;
   for (int period = 0; period < periods; ++period) {
     for (const Stop &stop : scene.stops) {
-      const double stiffness = scene.stiffness[static_cast<std::size_t>(stop.mass - 1)];
+      const auto i = static_cast<std::size_t>(stop.mass - 1);
       const auto gap = least_gap(scene, start, stop);
       if (gap && gap->value > 0.0) note(0, gap->value / size);  // 0: the mass leaves its stop
       if (const auto least = least_pressing_force(scene, start, stop))
-        note(2, std::abs(least->value) / (size * std::max(stiffness, rate_bound(scene))));
+        note(2, std::abs(least->value) / (size * scene.mass[i] * std::pow(frequencies[i], 2)));
     }
     start = stroboscopic_map(scene, start, 1);
   }
@@ -208,14 +209,6 @@ OrbitPoint find_orbit(const Scene &scene, const MotionState &guess, int periods)
   stroboscopic_map(scene, point.orbit.state, periods, {}, recorder);
   point.counts = counts_of(scene, recorder.events, periods, point.orbit.state.held);
   return point;
-}
-
-OrbitPoint orbit_near(const Scene &scene, const MotionState &start, const SettleOptions &options) {
-  const SettledMotion motion = settle(scene, start, options);
-  MotionState state = motion.state;
-  state.instant.cycle = 0;
-  return find_orbit(scene, at_quiet_phase(scene, state, options.run),
-                    std::max({motion.period, motion.approached, 1}));
 }
 
 std::vector<OrbitPoint> follow_orbit(const Scene &scene, const MotionState &guess,

@@ -156,7 +156,7 @@ MotionState start_near(const Scene &scene, MotionState state) {
   state = moved_into(scene, std::move(state));
   for (const Stop &stop : scene.stops) {
     double &x = state.displacement[static_cast<std::size_t>(stop.mass - 1)];
-    if (sign(stop.side) * (x - stop.position) > 0.0) x = stop.position;
+    if (is_beyond(stop, x)) x = stop.position;
   }
   check(scene, state);
   return state;

@@ -58,11 +58,6 @@ struct FollowOptions {
 // kind is `lost`, and `orbit.why_not` says why. Throws as find_periodic_orbit does.
 OrbitPoint find_orbit(const Scene &scene, const MotionState &guess, int periods = 1);
 
-// The orbit near the motion that settles from `start`, of its period. Of a motion that has not
-// settled it is the period that the motion approaches, or 1.
-OrbitPoint orbit_near(const Scene &scene, const MotionState &start,
-                      const SettleOptions &options = {});
-
 // The branch of the orbit near `guess`, from the value of the parameter in the scene, at first
 // towards `range.to`, and as far as the orbit leads between the ends of the range. A step is at
 // most as long as the distance of two values of the range. The first point is the orbit itself; the
