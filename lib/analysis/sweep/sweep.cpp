@@ -10,7 +10,7 @@
 #include <exception>
 #include <utility>
 
-#include "simulation/for_analysis.hpp"
+#include "analysis/orbits/motion_state.hpp"
 
 namespace vibro_impact {
 
@@ -89,6 +89,18 @@ Scene Grid::scene_at(std::size_t point) const {
   return at;
 }
 
+namespace {
+
+// Starts every mass at 0, or at the stop that 0 lies beyond.
+void move_inside(Scene &scene) {
+  scene.displacement.assign(scene.mass.size(), 0.0);
+  for (const Stop &stop : scene.stops)
+    if (stop.mass >= 1 && stop.mass <= scene.masses() && is_beyond(stop, 0.0))
+      scene.displacement[static_cast<std::size_t>(stop.mass - 1)] = stop.position;
+}
+
+}  // namespace
+
 void check(const Grid &grid) {
   grid.points();
   for (std::size_t k = 0; k < grid.axes.size(); ++k) {
@@ -117,7 +129,7 @@ void check(const Grid &grid) {
       const std::size_t end = (corner >> k) % 2 == 0 ? 0 : axis.count - 1;
       scene = with(std::move(scene), axis.parameter, axis.value(end));
     }
-    if (starts_vary) scene.displacement.clear();
+    if (starts_vary) move_inside(scene);
     check(scene);
     require(scene.omega > 0.0, "omega = ", scene.omega, ": a sweep needs a forcing period");
   }
