@@ -141,15 +141,16 @@ TEST(EventTables, AWrongLineIsRefusedWithItsNumber) {
   }
 }
 
-// Key numbers and event tables are two outputs of the generator. All digits of the tables agree, so
-// that a wrong digit in either one is seen even where it lies below the tolerance of the library.
+// Key numbers and event tables are two outputs of the generator. 20 digits agree, so that a wrong
+// one is seen even where it lies below the tolerance of the library. The tables follow a chatter
+// down to a speed of 1e-20 only, which is the error of the time at its end.
 TEST(CheckedNumbers, ThatAreTimesOfEventsStandInTheEventTables) {
   int times = 0;
   for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
     if (number.quantity != "time" || !number.of_the_paper()) continue;
     std::ifstream table(REFERENCE_DIR "/" + number.arguments.text("scene") + "_events.csv");
     const std::string text{std::istreambuf_iterator<char>(table), {}};
-    EXPECT_NE(text.find("\n" + number.digits + ','), std::string::npos) << number.id;
+    EXPECT_NE(text.find("\n" + number.digits.substr(0, 21)), std::string::npos) << number.id;
     ++times;
   }
   EXPECT_GE(times, 6);
