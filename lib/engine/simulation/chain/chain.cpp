@@ -1,0 +1,42 @@
+#include "chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces.hpp"
+
+namespace vibro_impact::detail {
+
+Chain::Chain(const Scene &scene)
+    : masses(scene.mass.size()),
+      padded((masses + 1) / 2 * 2),
+      beta(scene.beta),
+      omega(scene.forced() ? scene.omega : 0.0),
+      rate_bound(detail::rate_bound(scene)),
+      rate_unit(std::exp2(std::ilogb(rate_bound) + 1)) {
+  const auto padded_list = [this](const std::vector<double> &values) {
+    std::vector<double> list = values;
+    list.resize(padded, 0.0);
+    return list;
+  };
+  mass = padded_list(scene.mass);
+  link = padded_list(scene.stiffness);
+  ground = padded_list(scene.ground);
+  a = padded_list(scene.amplitude);
+  b = padded_list(scene.sine);
+  p = padded_list(scene.constant);
+  inverse_mass.resize(padded);
+  lowest.assign(padded, -infinity);
+  highest.assign(padded, infinity);
+  for (std::size_t i = 0; i < masses; ++i) {
+    inverse_mass[i] = Real(1.0) / mass[i];
+    force_bound = std::max(force_bound, (std::abs(a[i]) + std::abs(b[i]) + std::abs(p[i])) / mass[i]);
+  }
+  for (const Stop &stop : scene.stops) {
+    const auto i = static_cast<std::size_t>(stop.mass - 1);
+    stops.push_back({i, sign(stop.side), stop.position, law_of(scene, stop)});
+    (stop.side == Side::upper ? highest : lowest)[i] = stop.position;
+  }
+}
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,46 @@
+// A scene as the equations of a run take it: every list has an entry for every mass, padded with
+// zeros to an even number, and stops are counted from 0.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "twofold.hpp"
+#include "vibro_impact/scene.hpp"
+
+namespace vibro_impact::detail {
+
+struct ChainStop {
+  std::size_t mass = 0;
+  double sigma = 1.0;  // the sign of its side
+  double position = 0.0;
+  ImpactLaw law = {1.0};
+};
+
+// M x'' + C x' + K x = A cos(Omega t) + B sin(Omega t) + P with C = beta K (Eq. 4).
+struct Chain {
+  std::size_t masses = 0, padded = 0;
+  std::vector<double> mass, a, b, p, ground;
+  std::vector<double> link;           // entry i ties mass i to mass i - 1, entry 0 to the ground
+  std::vector<Real> inverse_mass;
+  std::vector<ChainStop> stops;
+  std::vector<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
+  double beta = 0.0;
+  double omega = 0.0;       // of the forcing, 0 where nothing is forced
+  double rate_bound = 1.0;  // of all contact modes and the forcing, 1 if all their rates are 0
+  double rate_unit = 1.0;   // the power of two above it: exact as a unit
+  double force_bound = 0.0;  // the largest |A_i| + |B_i| + |P_i| per mass m_i
+
+  explicit Chain(const Scene &scene);
+
+  // The stiffness of the link from mass i to mass i + 1; none beyond the last mass.
+  double above(std::size_t i) const {
+    return i + 1 < masses ? link[i + 1] : 0.0;
+  }
+  // The sum of the stiffnesses of the springs of mass i.
+  double stiffness_at(std::size_t i) const {
+    return link[i] + above(i) + ground[i];
+  }
+};
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,89 @@
+#include "contact_mode.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces.hpp"
+#include "tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+// An upper bound, to a percent, of the largest eigenvalue of M^-1 K of the free masses. By
+// Sylvester's law, all eigenvalues lie below z if all pivots of z - M^-1/2 K M^-1/2 are positive.
+// The matrix is tridiagonal, so that a test of z costs O(N).
+double largest_eigenvalue(const Chain &chain, const Held &held) {
+  const std::size_t n = chain.masses;
+  std::vector<double> diagonal(n), off(n);  // off[i] ties mass i to mass i - 1
+  double high = 0.0, low = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (held[i] != 0) continue;
+    diagonal[i] = chain.stiffness_at(i) / chain.mass[i];
+    if (i > 0 && held[i - 1] == 0)
+      off[i] = chain.link[i] / std::sqrt(chain.mass[i]) / std::sqrt(chain.mass[i - 1]);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    // Gershgorin, and the largest entry of the diagonal.
+    high = std::max(high, diagonal[i] + off[i] + (i + 1 < n ? off[i + 1] : 0.0));
+    low = std::max(low, diagonal[i]);
+  }
+  while (high > rate_margin * low) {
+    const double middle = 0.5 * (high + low);
+    bool above_all = true;
+    double pivot = 1.0;
+    for (std::size_t i = 0; i < n && above_all; ++i) {
+      pivot = middle - diagonal[i] - (i > 0 ? off[i] * (off[i] / pivot) : 0.0);
+      above_all = pivot > 0.0;
+    }
+    (above_all ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+ContactMode build_contact_mode(const Chain &chain, const Held &held) {
+  ContactMode mode;
+  mode.held = held;
+  mode.inverse_mass.assign(chain.padded, 0.0);
+  mode.rounded_inverse.assign(chain.padded, 0.0);
+  mode.within.assign(chain.padded, 0.0);
+  mode.outside.assign(chain.padded, 0.0);
+  for (std::size_t i = 0; i < chain.masses; ++i) {
+    (i % 2 == 0 ? mode.outside : mode.within)[i] = chain.link[i];
+    (i % 2 == 0 ? mode.within : mode.outside)[i] = chain.above(i);
+    mode.grounded = mode.grounded || chain.ground[i] != 0.0;
+    if (held[i] != 0) continue;
+    mode.inverse_mass[i] = chain.inverse_mass[i];
+    mode.rounded_inverse[i] = chain.inverse_mass[i].hi;
+    const bool forced = chain.a[i] != 0.0 || chain.b[i] != 0.0;
+    const std::size_t first = i / 2 * 2;
+    if (forced && (mode.forced_pairs.empty() || mode.forced_pairs.back() != first))
+      mode.forced_pairs.push_back(first);
+  }
+  const double lambda = largest_eigenvalue(chain, held);
+  mode.fastest = std::max(root_modulus(chain.beta * lambda, lambda), chain.omega);
+  for (std::size_t k = 0; k < chain.stops.size(); ++k) {
+    const ChainStop &stop = chain.stops[k];
+    const bool is_held = held[stop.mass] != 0;
+    if (is_held && held[stop.mass] != static_cast<signed char>(stop.sigma)) continue;
+    mode.contacts.push_back({k, stop.mass, stop.sigma, stop.position, is_held});
+  }
+  return mode;
+}
+
+const ContactMode &ContactModes::enter(const Chain &chain, const Held &held, bool &built) {
+  const auto latest = std::find_if(recent_.rbegin(), recent_.rend(),
+                                   [&held](const auto &mode) { return mode->held == held; });
+  built = latest == recent_.rend();
+  if (!built) {
+    std::rotate(latest.base() - 1, latest.base(), recent_.end());
+    return *recent_.back();
+  }
+  if (recent_.size() == most_contact_modes) recent_.erase(recent_.begin());
+  recent_.push_back(std::make_shared<const ContactMode>(build_contact_mode(chain, held)));
+  return *recent_.back();
+}
+
+}  // namespace vibro_impact::detail

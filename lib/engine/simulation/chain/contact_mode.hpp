@@ -1,0 +1,49 @@
+// A contact mode: which masses are held at which stop. What follows from it here costs O(N) and
+// holds for every motion of the mode.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "chain.hpp"
+
+namespace vibro_impact::detail {
+
+// What stays positive until something happens at a stop: the gap g = sigma (s - x) of a free mass,
+// or sigma F of a held one, the force that presses it into the stop (Eqs. 12-13).
+struct Contact {
+  std::size_t stop = 0, mass = 0;
+  double sigma = 1.0;
+  double position = 0.0;
+  bool held = false;
+};
+
+struct ContactMode {
+  Held held;
+  // 1 / m of a free mass, 0 of a held one: it has no acceleration.
+  std::vector<Real> inverse_mass;
+  std::vector<double> rounded_inverse;
+  // The masses are taken two at a time. A link lies within such a pair of masses or outside, to
+  // the next pair. Both lists have for each mass the link of its kind.
+  std::vector<double> within, outside;
+  bool grounded = false;                // some mass has a spring to the ground
+  std::vector<std::size_t> forced_pairs;  // the first masses of pairs with a forced one
+  std::vector<Contact> contacts;
+  double fastest = 0.0;  // the largest rate of the free masses and of the forcing
+};
+
+ContactMode build_contact_mode(const Chain &chain, const Held &held);
+
+// The contact modes of one run, built when the run enters them. The latest `most_contact_modes` are
+// kept. Copies of a run share them.
+class ContactModes {
+ public:
+  // `built` is set to whether the mode had to be built. The mode lives at least until
+  // `most_contact_modes` others have been entered.
+  const ContactMode &enter(const Chain &chain, const Held &held, bool &built);
+
+ private:
+  std::vector<std::shared_ptr<const ContactMode>> recent_;  // the latest entered last
+};
+
+}  // namespace vibro_impact::detail

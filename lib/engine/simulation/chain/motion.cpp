@@ -1,0 +1,123 @@
+#include "motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+void clear(const Chain &chain, Motion &motion) {
+  for (std::vector<Real> *list : {&motion.x, &motion.v, &motion.acceleration})
+    list->assign(chain.padded, 0.0);
+  for (std::vector<double> *list :
+       {&motion.x_terms, &motion.v_terms, &motion.x_change, &motion.v_change})
+    list->assign(chain.padded, 0.0);
+  motion.acceleration_known = false;
+}
+
+void set_turn(const Chain &chain, Motion &motion) {
+  motion.turned = 0;
+  if (chain.omega > 0.0)
+    sincos(motion.now.phase * chain.omega, motion.turn.sine, motion.turn.cosine);
+}
+
+// With w = Omega tau, e^(iw) = 1 + iw + (cos w - 1) + i (sin w - w). The last two are of second
+// order and are found in double precision. From time to time the turn is computed anew.
+void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motion) {
+  pass(tau, clock, motion.now);
+  motion.acceleration_known = false;
+  if (chain.omega == 0.0) return;
+  if (++motion.turned > most_turns) return set_turn(chain, motion);
+  const Real angle = Real::exact_product(chain.omega, tau);
+  const double w = angle.hi, square = w * w;
+  double even, odd;
+  if (std::abs(w) < short_angle) {
+    even = square * (-0.5 + square * (1.0 / 24 - square * (1.0 / 720 - square * (1.0 / 40320))));
+    odd = w * square * (-1.0 / 6 + square * (1.0 / 120 - square * (1.0 / 5040 - square / 362880)));
+  } else {
+    const double half = std::sin(0.5 * w);
+    even = -2.0 * half * half;
+    odd = std::sin(w) - w;
+  }
+  Real &c = motion.turn.cosine, &s = motion.turn.sine;
+  const RealPair z{Pair{c.hi, s.hi}, Pair{c.lo, s.lo}}, iz{Pair{-s.hi, c.hi}, Pair{-s.lo, c.lo}};
+  const RealPair after = z + (both(angle) * iz + (even * z.hi + odd * iz.hi));
+  c = {after.hi[0], after.lo[0]};
+  s = {after.hi[1], after.lo[1]};
+}
+
+void find_acceleration(const Chain &chain, Motion &motion) {
+  if (motion.acceleration_known) return;
+  motion.acceleration_known = true;
+  const ContactMode &mode = *motion.mode;
+  const RealPair cosine = both(motion.turn.cosine), sine = both(motion.turn.sine);
+  const Pair beta{chain.beta, chain.beta};
+  // Spring and damper of a link together pull with k (z_i - z_j), z = x + beta v. Differences come
+  // first: a neighbour at the same place exerts no force at all.
+  const auto z_of = [&](std::size_t i) { return load(&motion.x[i]) + load(&motion.v[i]) * beta; };
+  RealPair before{}, z = z_of(0);
+  for (std::size_t i = 0; i < chain.padded; i += 2) {
+    const RealPair after = i + 2 < chain.padded ? z_of(i + 2) : RealPair{};
+    const RealPair other{exchanged(z.hi), exchanged(z.lo)},
+        beyond{__builtin_shufflevector(before.hi, after.hi, 1, 2),
+               __builtin_shufflevector(before.lo, after.lo, 1, 2)};
+    RealPair force = cosine * pair(&chain.a[i]) + pair(&chain.p[i]);
+    if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
+    force -= (z - other) * pair(&mode.within[i]);
+    force -= (z - beyond) * pair(&mode.outside[i]);
+    if (mode.grounded) force -= z * pair(&chain.ground[i]);
+    store(force * load(&mode.inverse_mass[i]), &motion.acceleration[i]);
+    before = z;
+    z = after;
+  }
+}
+
+void place(std::size_t mass, const Real &x, const Real &v, Motion &motion) {
+  motion.x[mass] = x;
+  motion.v[mass] = v;
+  motion.x_terms[mass] = std::abs(x.hi);
+  motion.v_terms[mass] = std::abs(v.hi);
+  motion.x_change[mass] = motion.v_change[mass] = 0.0;
+  motion.acceleration_known = false;
+}
+
+bool Value::is_zero() const {
+  return abs(value) <= zero_threshold * terms + rounding;
+}
+
+Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion) {
+  const std::size_t i = contact.mass;
+  const double sigma = contact.sigma;
+  if (!contact.held)
+    return {sigma * (contact.position - motion.x[i]), -(sigma * motion.v[i]),
+            std::abs(contact.position) + motion.x_terms[i], motion.v_terms[i],
+            change_rounding * motion.x_change[i]};
+  const auto &[cosine, sine] = motion.turn;
+  Real force = chain.p[i] + chain.a[i] * cosine + chain.b[i] * sine - chain.ground[i] * motion.x[i];
+  Real rate = chain.omega * (chain.b[i] * cosine - chain.a[i] * sine);
+  Value value;
+  value.terms = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
+                chain.ground[i] * motion.x_terms[i];
+  const auto add_link = [&](double stiffness, std::size_t other, bool exists) {
+    value.terms += stiffness * motion.x_terms[i];
+    if (!exists) {
+      force -= stiffness * motion.x[i];
+      return;
+    }
+    force += stiffness * ((motion.x[other] - motion.x[i]) + chain.beta * motion.v[other]);
+    rate += stiffness * (motion.v[other] + chain.beta * motion.acceleration[other]);
+    value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);
+    value.rate_terms += stiffness * motion.v_terms[other];
+    value.rounding += stiffness * (motion.x_change[other] + chain.beta * motion.v_change[other]);
+  };
+  add_link(chain.link[i], i - 1, i > 0);
+  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1, true);
+  value.value = sigma * force;
+  value.rate = sigma * rate;
+  value.rate_terms += std::abs(rate.hi);
+  value.rounding *= change_rounding;
+  return value;
+}
+
+}  // namespace vibro_impact::detail

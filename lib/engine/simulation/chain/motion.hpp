@@ -1,0 +1,59 @@
+// The motion of a run at one instant: displacements and velocities of the masses, in twice the
+// precision.
+#pragma once
+
+#include <vector>
+
+#include "contact_mode.hpp"
+#include "twofold_instant.hpp"
+
+namespace vibro_impact::detail {
+
+// e^(i Omega t), in twice the precision.
+struct Turn {
+  Real cosine = 1.0, sine = 0.0;
+};
+
+// Numbers of each mass, padded like those of the chain.
+struct Motion {
+  TwofoldInstant now;
+  Turn turn;
+  int turned = 0;  // steps since `turn` was computed from the phase
+  const ContactMode *mode = nullptr;
+  std::vector<Real> x, v;
+  std::vector<Real> acceleration;  // if it is known
+  bool acceleration_known = false;
+  // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
+  // passes x = 0 onto a stop at 0 has no terms at that instant.
+  std::vector<double> x_terms, v_terms;
+  // What the latest step has added to x and v in double precision.
+  std::vector<double> x_change, v_change;
+};
+
+// A motion of the chain at rest at zero.
+void clear(const Chain &chain, Motion &motion);
+
+// Computes e^(i Omega t) from the phase.
+void set_turn(const Chain &chain, Motion &motion);
+
+// Moves the clock on by a step, with e^(i Omega t).
+void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motion);
+
+// Sets the acceleration x'' = M^-1 (F - C x' - K x) of the free masses, unless it is known.
+void find_acceleration(const Chain &chain, Motion &motion);
+
+// Puts a mass, at an instant, to a displacement and a velocity that are known exactly.
+void place(std::size_t mass, const Real &x, const Real &v, Motion &motion);
+
+// The gap or the pressing force of a contact and its rate, each with the sum of the moduli of its
+// terms. `rounding` is that of the latest step.
+struct Value {
+  Real value, rate;
+  double terms = 0.0, rate_terms = 0.0, rounding = 0.0;
+  bool is_zero() const;
+};
+
+// The rate of a force needs the acceleration.
+Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion);
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,48 @@
+// What is exactly known of a stop at an instant. A flight forgets it, but for `Forceless`.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "vibro_impact/instant.hpp"
+
+namespace vibro_impact::detail {
+
+// Nothing: the gap of a free mass, or the force on a held one, is evaluated from the motion.
+struct Evaluated {};
+// The gap is exactly 0, as at an impact, and this is its speed just after it.
+struct Leaving {
+  double speed = 0.0;
+};
+// The mass is free and at rest at the stop, and not yet decided.
+struct Resting {};
+// The decision of this instant. The derivatives of order 0, ..., zeros - 1 of what is evaluated at
+// the contact, the gap of a released mass or the force on a held one, are exactly zero. The next one
+// is `first` > 0.
+struct Decided {
+  int zeros = 0;
+  double first = 0.0;
+};
+// No force acts on the mass, to all orders. It is free, and stays at rest at the stop.
+struct Forceless {};
+// A mass neither sticks nor is released at the instant of the latest of these events. The decision
+// is made again one rounding of the clock later.
+struct Postponed {};
+
+using AtStop = std::variant<Evaluated, Leaving, Resting, Decided, Forceless, Postponed>;
+
+template <class State>
+bool is(const AtStop &at) {
+  return std::holds_alternative<State>(at);
+}
+
+struct StopState {
+  AtStop at = {};
+  double last_speed = 0.0;              // closing speed of the latest impact
+  int falling = 0;                      // see Event::falling
+  // The longest time to the limit, to leading order, that one of the falling impacts has predicted.
+  double duration = 0.0;
+  std::optional<Instant> changed = {};  // instant of the latest stick or release
+};
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,135 @@
+// Every tolerance of the simulation but the two of `RunOptions`, each with its reason.
+#pragma once
+
+#include <cstddef>
+
+namespace vibro_impact::detail {
+
+// Decisions.
+
+// A number is zero if it lies below this times the sum of the moduli of its terms over the latest
+// flight. Numbers of twice the precision err by 2^-102 = 2e-31 of that in an operation: this leaves
+// room for 10^4 operations on the way. A gap or force that is truly smaller was never seen.
+constexpr double zero_threshold = 1e-26;
+// Rounding of the second-order change of a step, which is found in double precision: eight units in
+// the last place. It tells which contacts come to zero at the same instant.
+constexpr double change_rounding = 0x1p-50;
+// A hold force larger than this, relative to its terms, is not in question at the event of another
+// mass: the jump of a force is at least as large as that of its terms.
+constexpr double force_in_question = 1e-3;
+// A gap and its speed this small, relative to the motion of the chain and of the forcing in one unit
+// of time, are below the rounding of twice the precision.
+constexpr double as_at_rest = 1e-32;
+// Least pressing force at a chatter limit, relative to its terms: on a border orbit it is zero.
+constexpr double least_press = 1e-9;
+// Orders of a decision at rest that take as long as a step, for chains of 2 to 200 masses.
+constexpr int orders_as_a_step = 20;
+
+// Steps.
+
+// Rate times length of the longest step. The order is then 23; other lengths cost more.
+constexpr double max_step_radians = 2.0;
+// Longest step of a motion of any rate, whose square has to be finite.
+constexpr double longest_step = 0x1p500;
+// Margin of the largest rate of a contact mode, from a bisection.
+constexpr double rate_margin = 1.01;
+// Least `flight_tolerance`. The remainder of order 27 over the longest step is 4.4e-22.
+constexpr double least_flight_tolerance = 1e-21;
+// Length of the step after an impact, relative to the expected flight. Impacts of a chatter are at
+// most 20 percent late.
+constexpr double expected_flight_margin = 1.2;
+// Least length of a step, relative to the longest: a flight may be shorter than any bound (r =
+// 1e-300), but the product of a slope and a length must not underflow.
+constexpr double shortest_step = 0x1p-60;
+// Margin of a bound of the change of a gap over a step, for its rounding.
+constexpr double travel_margin = 1.001;
+// Largest displacement or velocity, 1e-3 of the largest double. A motion beyond it is given up,
+// because products in a step may overflow where no number of the motion does.
+constexpr double largest_motion = 0x1p1014;
+// Steps after which e^(i Omega t) is computed anew: each adds a rounding of 2^-53 of a second-order
+// change.
+constexpr int most_turns = 50;
+// Angle below which cos w - 1 and sin w - w are series of four terms: the fifth is below rounding.
+constexpr double short_angle = 0.1;
+
+// Roots.
+
+// Largest number of iterations of the search for a root. Searches of ordinary scenes need some ten.
+constexpr int most_root_iterations = 10000;
+// Newton's steps that polish a root, and the change, relative to the way from where they began, at
+// which the next one would lie below rounding. Two or three are ordinary.
+constexpr int most_newton_steps = 8;
+constexpr double newton_accuracy = 1e-9;
+// Rounding of a polynomial, relative to the sum of the moduli of its terms.
+constexpr double polynomial_rounding = 0x1p-53;
+// Least first coefficient of a decided force: a positive number, far below every motion.
+constexpr double least_coefficient = 1e-290;
+// Time between simultaneous events, times the fastest rate: the rounding of one or two periods.
+constexpr double same_instant = 0x1p-46;
+// Two roots u1 < u2 of a step may be one instant only if u2 - u1 is also at most this times u1,
+// however small u1 is.
+constexpr double same_instant_of_flight = 0x1p-16;
+// A gap below this share of its terms, of a mass just released, is taken from its polynomial.
+constexpr double small_gap = 1e-3;
+
+// Long flights.
+
+// Steps without an event after which a flight goes on in closed form. With 8 the work of ten masses
+// is 40 percent more: a search costs as much as 16 steps. The modes of N masses cost as much as some
+// N^2 / 8 steps.
+constexpr long long fewest_short_steps = 16;
+constexpr long long short_steps_divisor = 8;
+// A damping ratio squared, minus one, from which the decays of a coordinate are bounded one by one.
+constexpr double two_decays = 0.01;
+// Relative distance from resonance below which the steady response is too large for a bound.
+constexpr double near_resonance = 0.01;
+// Rounding of the search in double precision, relative to the terms and to what moves in an angle.
+// A contact within `suspicious` of it is evaluated in twice the precision.
+constexpr double search_rounding = 2e-15;
+constexpr double suspicious = 64.0;
+// Roundings within which a contact may come to zero together with the first.
+constexpr double near_roundings = 1e6;
+// Time of a root, relative to the flight, below which a value of the wrong sign is rounding.
+constexpr double time_rounding = 1e-13;
+// Newton's steps in twice the precision on the time of an event, and the longest of them relative to
+// the flight: the search has found the root to 1e-13.
+constexpr int exact_newton_steps = 4;
+constexpr double longest_correction = 1e-3;
+// Evaluations after which a long flight begins anew where it is.
+constexpr int most_search_steps = 1000;
+// Bounds of one-sided rotations, as in LAPACK's dgesvj, and of their sweeps.
+constexpr double rotation_rounding = 1e-30;
+constexpr int most_sweeps = 40;
+
+// Chatter, with x the flight time after an impact.
+
+// Nodes of the extrapolation. More nodes amplify rounding, fewer need more impacts.
+constexpr std::size_t most_chatter_nodes = 12;
+// Nodes of an accepted limit. With three, the estimates of a limit at r = 0.05 agreed by chance and
+// were off by 14 tolerances.
+constexpr std::size_t fewest_chatter_nodes = 4;
+// Largest ratio of x at one node to x at the node before. Closer nodes amplify rounding.
+constexpr double node_ratio = 0.75;
+// Error of a limit, relative to the difference that its oldest node makes.
+constexpr double error_share = 10.0;
+// Largest difference of the extrapolated and the predicted time left, relative to the latter. Near
+// a border orbit the two differ until late.
+constexpr double prediction_share = 1.0 / 16.0;
+// Bound of the sum of the jumps to come, relative to the geometric series J r / (1 - r).
+constexpr double jump_sum_factor = 1.5;
+// Longest time to a limit, in radians of the fastest rate: accelerations then hardly change.
+constexpr double longest_rest_of_chatter = 0.5;
+// A chatter whose time left is this share of its duration is over: it is below the rounding of time.
+constexpr double chatter_end = 1e-17;
+// Bound of the next closing speed, relative to the latest rebound speed. `limit_below_speed`
+// reports every faster impact.
+constexpr double next_speed_factor = 1.125;
+// Number of falling impacts from which the counter of incomplete chatters takes them for a chatter.
+constexpr int chatter_impacts = 5;
+
+// What a run keeps.
+
+// Contact modes, and the modal forms of those that long flights have asked for.
+constexpr std::size_t most_contact_modes = 64;
+
+}  // namespace vibro_impact::detail

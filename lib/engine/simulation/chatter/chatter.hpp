@@ -1,0 +1,75 @@
+// The limit of a complete chatter. Near it the impacts form an analytic sequence with the ratio r,
+// so that the time and the state at the limit follow from those of a few impacts by Richardson's
+// extrapolation: (11) and (12) of lib/README.md.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "simulation/chain/motion.hpp"
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+// An impact as a node of the extrapolation: the motion just after it.
+struct ChatterNode {
+  double left = 0.0;       // the time to the limit, to leading order
+  TwofoldInstant instant;  // of the impact
+  std::vector<Real> x, v, acceleration;
+  std::vector<double> jumps;  // of the velocities at all impacts to come, to leading order
+  double largest_jump = 0.0;
+};
+
+// The extrapolated motion at the limit.
+struct ChatterLimit {
+  double time_left = 0.0;  // after the latest node
+  std::vector<Real> x, v;
+};
+
+class Chatter {
+ public:
+  // The impacts at these stops at one instant: x is the time of the flight after them, to leading
+  // order, `jumps` are the changes of v at all impacts to come, and r is the limit of the
+  // restitution. A new chatter begins unless this one continues. Returns whether they are a node.
+  bool add(const std::vector<std::size_t> &stops, double x, double r, const Motion &motion,
+           const std::vector<double> &jumps);
+  void end();
+
+  // True if the latest impact is a node, after which a limit may be taken.
+  bool stands_at_node() const {
+    return size_ > 0 && (impacts_ - 1) % stride_ == 0;
+  }
+  // Extrapolates the motion at the limit. Returns false until that has settled: the time within
+  // this tolerance of the duration of the chatter, and the velocities within it of their jumps.
+  bool find_limit(double tolerance, const Clock &clock, ChatterLimit &limit) const;
+
+  const std::vector<std::size_t> &stops() const {
+    return stops_;
+  }
+  bool hits(std::size_t stop) const;
+  // The changes of the velocities at all impacts after the latest node.
+  const std::vector<double> &latest_jumps() const {
+    return ring_[newest_].jumps;
+  }
+  // The time in which its impacts happen, to leading order.
+  double duration() const {
+    return duration_;
+  }
+  double restitution() const {
+    return restitution_;
+  }
+
+ private:
+  using Weights = std::array<double, most_chatter_nodes>;  // of the latest node first
+
+  std::vector<std::size_t> stops_;
+  std::array<ChatterNode, most_chatter_nodes> ring_;
+  std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
+  double x_ = 0.0, duration_ = 0.0, restitution_ = -1.0;
+  std::array<Weights, most_chatter_nodes + 1> weights_{};  // for each number of nodes
+
+  const ChatterNode &node(std::size_t before_latest) const;
+  void set_weights(double ratio);
+};
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,117 @@
+#include "first_event.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+// Inserts what is known of the start of the flight into the coefficients of a contact.
+void insert_start(const Start &start, double unit, Polynomial &p) {
+  Terms &c = p.coefficient;
+  c[0] = start.value;
+  c[1] = start.rate * unit;
+  if (start.zeros == 0) return;
+  // A mass that leaves in an order beyond that of the step does so in its last order.
+  const int zeros = std::min(start.zeros, p.order);
+  std::fill_n(c.begin(), zeros, 0.0);
+  if (zeros < 2) return;
+  double first = start.first;
+  for (int n = 1; n <= zeros; ++n) first *= unit / n;
+  c[static_cast<std::size_t>(zeros)] = std::max(first, least_coefficient);
+}
+
+// A bound of the fall of a gap over the step: u <= u_max, and u^n <= u_max^2 from order 2 on.
+double travel_of(const TaylorTable &table, const Contact &contact, const Start &start) {
+  const Step &step = table.step;
+  return travel_margin * (table.travel[contact.mass] * step.u_max * step.u_max +
+                          step.length * std::max(0.0, -start.rate));
+}
+
+// A bound of the fall of a polynomial over the step.
+double travel_of(const Polynomial &p) {
+  double sum = 0.0;
+  for (int n = 1; n <= p.order; ++n) sum += std::abs(p.coefficient[static_cast<std::size_t>(n)]);
+  return travel_margin * sum;
+}
+
+}  // namespace
+
+Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion) {
+  if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
+  if (const auto *decided = std::get_if<Decided>(&at); decided && decided->zeros > 1)
+    return {.zeros = decided->zeros, .first = decided->first};
+  if (const auto *leaving = std::get_if<Leaving>(&at))
+    return {.rate = leaving->speed, .zeros = 1};
+  const Value value = evaluate(chain, contact, motion);
+  const auto *decided = std::get_if<Decided>(&at);
+  if ((decided && decided->zeros == 1) || rounded(value.value) <= zero_threshold * value.terms)
+    return {.rate = rounded(value.rate), .zeros = 1};
+  return {.value = rounded(value.value), .rate = rounded(value.rate)};
+}
+
+FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, const Step &step,
+                                   const std::vector<Start> &starts, std::vector<Near> &near,
+                                   Counters &counters) {
+  const ContactMode &mode = *motion.mode;
+  expand(chain, motion, step, table);
+  // Two roots may be one instant if they differ by at most so much.
+  const double radians =
+      mode.fastest > 0.0 ? same_instant / (mode.fastest * step.unit) : infinity;
+  const auto tolerance = [radians](double u) {
+    return std::min(radians, same_instant_of_flight * u);
+  };
+  if (polynomials.size() < mode.contacts.size()) polynomials.resize(mode.contacts.size());
+  double u = step.u_max;
+  bool event = false;
+  std::size_t earliest = 0;
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    const Contact &contact = mode.contacts[k];
+    const Start &start = starts[k];
+    near[k] = Near::no;
+    if (start.idle) continue;
+    if (!contact.held && start.zeros == 0 && start.value > travel_of(table, contact, start)) {
+      ++counters.out_of_reach;
+      continue;
+    }
+    Polynomial &p = polynomials[k];
+    read(chain, table, contact, p);
+    insert_start(start, step.unit, p);
+    if (contact.held && start.zeros == 0 && start.value > travel_of(p)) {
+      ++counters.out_of_reach;
+      continue;
+    }
+    const std::optional<Root> root =
+        first_root(p, std::min(step.u_max, event ? u + tolerance(u) : u), counters);
+    if (!root) continue;
+    if (std::isnan(root->u)) return {root->u, true};
+    near[k] = Near::perhaps;
+    if (!event || root->u < u) {
+      u = root->u;
+      earliest = k;
+    }
+    event = true;
+  }
+  if (!event) return {step.length, false};
+  near[earliest] = Near::zero;
+  return {u * step.unit, true};
+}
+
+void Flight::place_released(const std::vector<Start> &starts, double tau, Motion &motion) const {
+  const std::vector<Contact> &contacts = motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact &contact = contacts[k];
+    if (starts[k].zeros < 2 || starts[k].idle || contact.held) continue;
+    const double unit = table.step.unit;
+    const Jet jet = jet_at(polynomials[k], 0, tau / unit);
+    const std::size_t i = contact.mass;
+    if (!(jet.value < small_gap * (std::abs(contact.position) + motion.x_terms[i]))) continue;
+    motion.x[i] = contact.position - contact.sigma * Real(jet.value);
+    motion.v[i] = -contact.sigma * jet.slope / unit;
+  }
+}
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,50 @@
+// The first event along one step: an impact, or a root of a hold force, or several of these at the
+// same instant.
+#pragma once
+
+#include <vector>
+
+#include "simulation/chain/stop_state.hpp"
+#include "taylor_table.hpp"
+
+namespace vibro_impact::detail {
+
+// What is known of a contact at the start of a flight.
+struct Start {
+  double value = 0.0, rate = 0.0;
+  int zeros = 0;        // the number of derivatives, from the value on, that are exactly zero
+  double first = 0.0;   // the next derivative, where two or more are zero
+  bool idle = false;    // the contact stays at zero
+};
+
+// Where a contact is at the end of a flight. The first that comes to zero is zero by definition;
+// others may be so within rounding.
+enum class Near : char { no, perhaps, zero };
+
+// A flight that ends at the time tau, with or without an event. tau is NaN if the motion leaves the
+// range of double precision.
+struct FlightEnd {
+  Real tau = 0.0;
+  bool event = false;
+};
+
+// The start of the flight of a contact from the motion, and from what is known of its stop.
+Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion);
+
+// One step of a flight. Its storage is reused, so that steps allocate no memory.
+struct Flight {
+  TaylorTable table;
+  std::vector<Polynomial> polynomials;  // one for each contact of the mode
+
+  // Finds the first event of the step, which begins at `motion`, whose acceleration is known.
+  // `starts` and `near` have one entry for each contact.
+  FlightEnd find_first_event(const Chain &chain, const Motion &motion, const Step &step,
+                             const std::vector<Start> &starts, std::vector<Near> &near,
+                             Counters &counters);
+
+  // Sets the gaps of masses that were released at the start of the step, at its time tau. Their
+  // polynomials have exact zeros, while the motion has the rounding of the displacements.
+  void place_released(const std::vector<Start> &starts, double tau, Motion &motion) const;
+};
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,185 @@
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polynomial.hpp"
+#include "simulation/chain/tolerances.hpp"
+#include "vibro_impact/instant.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+// Sums run over packets of four terms c_n u^n, because a chain of dependent operations as long as
+// the polynomial would be slower.
+using Packet = Eigen::Array<double, 4, 1>;
+
+// binomial[k][n] = n! / (k! (n - k)!). The k-th derivative of u^n is k! binomial[k][n] u^(n - k).
+const auto binomial = [] {
+  std::array<Terms, 6> table{};
+  for (std::size_t n = 0; n < table[0].size(); ++n) {
+    table[0][n] = 1.0;
+    for (std::size_t k = 1; k < table.size() && n > 0; ++k)
+      table[k][n] = table[k][n - 1] + table[k - 1][n - 1];
+  }
+  return table;
+}();
+
+Packet packet(const double *numbers) {
+  return Eigen::Map<const Packet>(numbers);
+}
+
+// 1, x, x^2, x^3.
+Packet powers_of(double x) {
+  return Packet(1.0, x, x * x, x * x * x);
+}
+
+Packet binomials(int k, int n) {
+  return packet(binomial[static_cast<std::size_t>(k)].data() + n);
+}
+
+// An upper bound on [0, u] of |q^(k)| / k!, q(u) = p(u) / u^zeros. For k = 0 this is the sum of the
+// moduli of the terms, which is the scale of the rounding of q(u).
+inline double derivative_bound(const Polynomial &p, int zeros, int k, double u) {
+  const double *c = p.coefficient.data() + zeros + k, quartic = u * u * u * u;
+  Packet sum = Packet::Zero(), power = powers_of(u);
+  for (int n = 0; n <= p.order - zeros - k; n += 4) {
+    sum += binomials(k, n + k) * packet(c + n).abs() * power;
+    power *= quartic;
+  }
+  return sum.sum();
+}
+
+// A lower bound over [u, u + h] of the polynomial with this jet at u and |p^(5)| / 5! <= fifth. It
+// is the minimum of a parabola below the polynomial, with the least second coefficient that the
+// higher terms allow.
+inline double lower_bound(const Jet &jet, double fifth, double h) {
+  const double third = jet.third + h * std::min(0.0, jet.fourth - h * fifth),
+               second = jet.second + h * std::min(0.0, third);
+  const double lowest = second > 0.0 ? std::clamp(-0.5 * jet.slope / second, 0.0, h) : h;
+  return jet.value + std::min(0.0, lowest * (jet.slope + lowest * second));
+}
+
+// An upper bound of |p''| over [u - h, u + h].
+inline double curvature_bound(const Jet &jet, double fifth, double h) {
+  const double third =
+      3.0 * std::abs(jet.third) + h * (6.0 * std::abs(jet.fourth) + h * 10.0 * fifth);
+  return 2.0 * (std::abs(jet.second) + h * third);
+}
+
+// The root of p at a root u of p(u) / u^zeros with this slope.
+Root root_at(double u, double slope, int zeros) {
+  for (int k = 0; k < zeros; ++k) slope *= u;
+  return {u, slope};
+}
+
+// The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies. The inverse of the series
+// about u gives it to fourth order in Newton's step, and then Newton's method with value and slope
+// alone. `curvature` bounds |q'' newton / q'|, so that the root lies within curvature * |newton| of
+// Newton's step.
+std::optional<Root> polished(const Polynomial &p, int zeros, double u, const Jet &jet,
+                             double newton, double curvature, double u_max) {
+  const double inverse = -1.0 / jet.slope, a = jet.second * inverse, b = jet.third * inverse,
+               c = jet.fourth * inverse, aa = a * a;
+  const double correction =
+      newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
+  const double *coefficient = p.coefficient.data() + zeros;
+  double v = u + newton * (1.0 + std::clamp(correction, -curvature, curvature));
+  double slope = 0.0, change = infinity;
+  for (int k = 0; k < most_newton_steps && std::abs(change) > newton_accuracy * std::abs(v - u);
+       ++k) {
+    const double quartic = v * v * v * v;
+    Packet power = powers_of(v), value = Packet::Zero(), rate = value;
+    for (int n = 0; n <= p.order - zeros; n += 4) {
+      const Packet term = packet(coefficient + n) * power;
+      value += term;
+      rate += binomials(1, n) * term;
+      power *= quartic;
+    }
+    slope = rate.sum() / v;
+    change = -value.sum() / slope;
+    v += change;
+  }
+  if (!(v <= u_max)) return std::nullopt;
+  // The slope at the root, from that before the last step.
+  const double step = v - u;
+  slope += 2.0 * change * (jet.second + step * (3.0 * jet.third + 6.0 * step * jet.fourth));
+  return root_at(std::max(v, 0.0), slope, zeros);
+}
+
+// The length of the longest stretch from u on, up to u_max, on which the lower bound (5) of the
+// polynomial exceeds its rounding: the whole, or a half of it, a quarter and so on. It is 0 if that
+// is too short to move u.
+double positive_stretch(const Polynomial &p, int zeros, double u, double u_max, const Jet &jet,
+                        double fifth, double rounding) {
+  for (double stretch = u_max - u; u + stretch > u; stretch *= 0.5) {
+    const double end = u + stretch;
+    // The bound of p^(5) over the whole step is far too large for a small polynomial near 0.
+    const double fifth_to_end = end < 0.25 ? derivative_bound(p, zeros, 5, end) : fifth;
+    if (lower_bound(jet, fifth_to_end, stretch) > rounding) return stretch;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+Jet jet_at(const Polynomial &p, int zeros, double u) {
+  const double *c = p.coefficient.data() + zeros;
+  const double quartic = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
+  Packet power = powers_of(u);
+  Packet value = Packet::Zero(), slope = value, second = value, third = value, fourth = value;
+  for (int n = 0; n <= p.order - zeros; n += 4) {
+    const Packet term = packet(c + n) * power;
+    value += term;
+    slope += binomials(1, n) * term;
+    second += binomials(2, n) * term;
+    third += binomials(3, n) * term;
+    fourth += binomials(4, n) * term;
+    power *= quartic;
+  }
+  // The products run from left to right: a sum that has underflown stays zero.
+  return {value.sum(), slope.sum() * inverse, second.sum() * inverse * inverse,
+          third.sum() * inverse * inverse * inverse,
+          fourth.sum() * inverse * inverse * inverse * inverse};
+}
+
+std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &counters) {
+  int zeros = 0;
+  while (zeros <= p.order && p.coefficient[static_cast<std::size_t>(zeros)] == 0.0) ++zeros;
+  if (zeros > p.order) return std::nullopt;  // identically zero
+  const double *c = p.coefficient.data() + zeros;
+  if (c[0] < 0.0) return Root{0.0, zeros == 0 ? c[1] : zeros == 1 ? c[0] : 0.0};
+  Jet jet{c[0], c[1], c[2], c[3], c[4]};  // coefficients beyond the order are zero
+  const double fifth = derivative_bound(p, zeros, 5, u_max);
+  if (lower_bound(jet, fifth, u_max) > 0.0) {
+    ++counters.roots_dismissed;
+    return std::nullopt;
+  }
+  const double sum = jet.value + jet.slope + jet.second + jet.third + jet.fourth + fifth;
+  if (!std::isfinite(sum)) return std::nullopt;  // the run will be given up
+  ++counters.roots_searched;
+  double u = 0.0;
+  // Away from roots u grows, unless a power of u leaves the range of double precision.
+  for (int iteration = 0; iteration < most_root_iterations; ++iteration) {
+    ++counters.root_iterations;
+    // Kantorovich's condition with a margin of two: p' varies by less than half of itself over
+    // twice Newton's step, so that this interval has exactly one root.
+    const double newton = -jet.value / jet.slope, distance = std::abs(newton);
+    const double curvature = curvature_bound(jet, fifth, 2.0 * distance) * distance / -jet.slope;
+    if (jet.slope < 0.0 && curvature <= 0.25)
+      return polished(p, zeros, u, jet, newton, curvature, u_max);
+    const double rounding = polynomial_rounding * derivative_bound(p, zeros, 0, u);
+    // From more than twice the rounding a step goes a share of the way to a tangency. With less the
+    // steps would become ever shorter.
+    if (!(jet.value > 2.0 * rounding)) return root_at(u, jet.slope, zeros);
+    const double stretch = positive_stretch(p, zeros, u, u_max, jet, fifth, rounding);
+    if (stretch == 0.0) return root_at(u, jet.slope, zeros);
+    u += stretch;
+    if (!(u < u_max)) return std::nullopt;
+    jet = jet_at(p, zeros, u);
+  }
+  return Root{std::numeric_limits<double>::quiet_NaN(), 0.0};
+}
+
+}  // namespace vibro_impact::detail

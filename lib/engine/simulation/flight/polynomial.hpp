@@ -1,0 +1,43 @@
+// Polynomials in u on [0, 1]: a gap or a hold force along one step.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "vibro_impact/counters.hpp"
+
+namespace vibro_impact::detail {
+
+// The largest order of a step. Over the longest step (`max_step_radians`) the remainder of order 23
+// lies below rounding.
+constexpr int max_order = 27;
+
+// One number for each order. Loops read packets of four, also beyond the last order.
+using Terms = std::array<double, max_order + 8>;
+
+// p(u) = sum of coefficient_n u^n, n = 0, ..., order. Four zeros follow the last coefficient.
+struct Polynomial {
+  Terms coefficient{};
+  int order = 0;
+};
+
+// The Taylor coefficients p, p', p''/2, p'''/6, p''''/24 of a polynomial about one point.
+struct Jet {
+  double value, slope, second, third, fourth;
+};
+
+// The jet about u >= 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.
+Jet jet_at(const Polynomial &p, int zeros, double u);
+
+struct Root {
+  double u = 0.0;
+  double slope = 0.0;  // p' at the root
+};
+
+// The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
+// coefficients that are exactly zero. The search is guaranteed to miss no root and takes no
+// samples: (8) of lib/README.md. If the first non-zero coefficient is negative, the root is 0 with
+// the slope there. If powers of u leave the range of double precision, it is NaN.
+std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &counters);
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,67 @@
+// The Taylor table of a step: the coefficients of all displacements about its start. Gaps and hold
+// forces are read from it, and it moves the motion ((1) to (3) of lib/README.md).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "polynomial.hpp"
+#include "simulation/chain/motion.hpp"
+
+namespace vibro_impact::detail {
+
+// One step of a flight, in u = tau / unit from 0 to u_max = length / unit. The unit of time is a
+// power of two, so that no scaling of a coefficient is rounded: such roundings are the same in every
+// step of a length, and the energy of an elastic chain would drift.
+struct Step {
+  double length = 0.0;
+  double unit = 1.0;
+  double u_max = 1.0;  // between 1/2 and 1
+  int order = 0;
+};
+
+// The order of a step of this many radians: the smallest p = 4 k + 3 with the remainder
+// 2 x^(p-1) / (p+1)! <= tolerance. The remainder is its first term, relative to the second-order
+// term: small gaps stay accurate.
+class OrderTable {
+ public:
+  explicit OrderTable(double tolerance);
+  int order_of(double radians) const;
+
+ private:
+  std::array<double, max_order / 4> longest_;  // in radians, of order 4 k + 3
+};
+
+struct TaylorTable {
+  Step step;
+  std::size_t stride = 0;
+  std::vector<double> coefficients = {};  // order by order, one for each mass, from order 1 on
+  std::vector<double> travel = {};        // of each mass, the moduli from order 2 on, added up
+  Terms cosine{}, sine{};                 // of the forcing at the start of the step
+
+  double *of_order(int n) {
+    return coefficients.data() + static_cast<std::size_t>(n) * stride;
+  }
+  const double *of_order(int n) const {
+    return coefficients.data() + static_cast<std::size_t>(n) * stride;
+  }
+};
+
+// Makes the table of the motion over a step, whose acceleration is known.
+void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTable &table);
+
+// The coefficients from the second order on of the gap or pressing force of a contact.
+void read(const Chain &chain, const TaylorTable &table, const Contact &contact, Polynomial &p);
+
+// Moves motion and clock to the time tau of the step. The first-order change is exact, so that only
+// what is of second order has the rounding of a double.
+void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
+                Motion &motion);
+
+// A displacement and a velocity at the time tau of the step that begins at this motion.
+struct Place {
+  double x, v;
+};
+Place place_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau);
+
+}  // namespace vibro_impact::detail

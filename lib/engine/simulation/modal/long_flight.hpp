@@ -1,0 +1,90 @@
+// A flight of any length in closed form: its first event is found by bounds of the motion, without
+// steps. A slow forcing, a stiff link that has come to rest, a chain far from its stops and one that
+// has left them for good are all such flights.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "modal_form.hpp"
+#include "simulation/flight/first_event.hpp"
+
+namespace vibro_impact::detail {
+
+// A lower bound of a contact, for 0 <= s <= l: value - away + rate s + second s^2 / 2
+// - bound s^3 / 6. Parts of the motion that turn within l are in `away` by their amplitude.
+struct ContactBound {
+  double value = 0.0, rate = 0.0, second = 0.0, bound = 0.0, away = 0.0;
+
+  // A time up to l before which the bound is positive.
+  double first_root(double l) const;
+};
+
+// A flight under way. The calls of a run may end within it: its search stands between them, at the
+// time u of the flight, and does not depend on where they end.
+class LongFlight {
+ public:
+  bool is_under_way() const {
+    return form_ != nullptr;
+  }
+  void begin(const Chain &chain, std::shared_ptr<const ModalForm> form, const Motion &motion,
+             const std::vector<Start> &starts);
+  void end() {
+    form_ = nullptr;
+  }
+  const std::vector<Start> &starts() const {
+    return starts_;
+  }
+
+  // What the search has found, counting its steps: an event, the end of the call before any event, or neither after
+  // `most_search_steps`, and then the flight may begin anew where it is.
+  enum class Found { event, end_of_call, nothing };
+  struct Result {
+    Found found;
+    Real tau = 0.0;
+  };
+  Result search(const Chain &chain, const Clock &clock, const Motion &start, double end,
+                std::vector<Near> &near, long long &steps);
+
+  // The motion at the time tau of the flight.
+  const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
+
+ private:
+  // A coordinate: y - y0 - u y0', the same of y', and the derivatives at u.
+  struct Coordinate {
+    double y0 = 0.0, dy0 = 0.0, second0 = 0.0, change = 0.0, slope = 0.0, d[5] = {};
+    double third = 0.0, fourth = 0.0;  // bounds of these derivatives while the forcing stands
+    ModalForce<double> force = {};     // at the start of the flight
+    double modulus = 0.0;              // of the forcing
+  };
+
+  std::shared_ptr<const ModalForm> form_;
+  ModalState state_;
+  std::vector<ModalForce<Real>> forces_;
+  std::vector<Contact> contacts_;
+  std::vector<Start> starts_;
+  std::vector<Coordinate> coordinates_;
+  std::vector<ModalForce<double>> waves_;        // of the watches, at the start
+  std::vector<double> values_, rates_, errors_;  // of the contacts at u
+  double omega_ = 0.0, turn_ = 0.0;  // of the forcing; the fastest rate
+  double u_ = 0.0;
+  double l_ = 0.0;        // the time for which bounds are made
+  double longest_ = 0.0;  // for which they are good
+  int evaluations_ = 0;
+  Motion there_;
+  Real there_tau_ = -1.0;
+
+  void evaluate(double u);
+  double sign_of(std::size_t contact) const;
+  ContactBound bound_of(std::size_t contact, double l) const;
+  void add_parts(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
+                 double weight, double l, ContactBound &bound) const;
+  double safe_time(double l) const;
+  double next_step();
+  bool is_root(const Chain &chain, const Clock &clock, const Motion &start,
+               std::vector<Near> &near);
+  Real refined(const Chain &chain, const Clock &clock, const Motion &start,
+               const std::vector<Near> &near);
+};
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,179 @@
+#include "modal_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+using Eigen::Index;
+
+Index as_index(std::size_t i) {
+  return static_cast<Index>(i);
+}
+
+double position_of_held(const Chain &chain, const Held &held, std::size_t i) {
+  return held[i] > 0 ? chain.highest[i] : chain.lowest[i];
+}
+
+// The constant force on a free mass, with the pull of held neighbours.
+Real constant_force(const Chain &chain, const Held &held, std::size_t i) {
+  Real force = chain.p[i];
+  if (i > 0 && held[i - 1] != 0)
+    force += Real(chain.link[i]) * position_of_held(chain, held, i - 1);
+  if (i + 1 < chain.masses && held[i + 1] != 0)
+    force += Real(chain.above(i)) * position_of_held(chain, held, i + 1);
+  return force;
+}
+
+Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact) {
+  const std::size_t i = contact.mass;
+  Watch watch{.row = std::vector<double>(form.size(), 0.0)};
+  const auto add = [&](double weight, std::size_t mass) {
+    for (std::size_t j = 0; j < form.size(); ++j)
+      watch.row[j] += weight * rounded(form.shape(as_index(mass), as_index(j)));
+  };
+  if (!contact.held) {
+    add(1.0, i);
+    return watch;
+  }
+  watch.damping = chain.beta;
+  watch.a = chain.a[i];
+  watch.b = chain.b[i];
+  if (i > 0) add(chain.link[i], i - 1);
+  if (i + 1 < chain.masses) add(chain.above(i), i + 1);
+  return watch;
+}
+
+ModalForm build_modal_form(const Chain &chain, const ContactMode &mode,
+                           const std::vector<std::shared_ptr<const BlockModes>> &blocks) {
+  ModalForm form;
+  form.held = mode.held;
+  Index size = 0;
+  for (const auto &block : blocks) size += block->lambda.size();
+  form.shape = RealMatrix::Constant(as_index(chain.masses), size, Real(0.0));
+  form.a = form.b = form.c = RealVector::Constant(size, Real(0.0));
+  Index first = 0;
+  for (const auto &block : blocks) {
+    const Index n = block->lambda.size();
+    form.shape.block(as_index(block->first), first, n, n) = block->shape;
+    for (Index j = 0; j < n; ++j) {
+      const Real &lambda = block->lambda(j);
+      const Real kappa = chain.beta * lambda;
+      form.exact.emplace_back(lambda, kappa);
+      form.rounded.emplace_back(rounded(lambda), rounded(kappa));
+      form.fastest = std::max(form.fastest, form.rounded.back().rate);
+      for (Index row = 0; row < n; ++row) {
+        const std::size_t i = block->first + static_cast<std::size_t>(row);
+        const Real &s = block->shape(row, j);
+        form.a(first + j) += s * chain.a[i];
+        form.b(first + j) += s * chain.b[i];
+        form.c(first + j) += s * constant_force(chain, mode.held, i);
+      }
+    }
+    first += n;
+  }
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    const auto same = std::find_if(
+        mode.contacts.begin(), mode.contacts.begin() + as_index(k),
+        [&](const Contact &contact) { return contact.mass == mode.contacts[k].mass; });
+    const auto before = static_cast<std::size_t>(same - mode.contacts.begin());
+    if (before < k) {
+      form.watch_of.push_back(form.watch_of[before]);
+      continue;
+    }
+    form.watch_of.push_back(form.watches.size());
+    form.watches.push_back(watch_at(chain, form, mode.contacts[k]));
+  }
+  return form;
+}
+
+}  // namespace
+
+std::shared_ptr<const ModalForm> ModalForms::enter(const Chain &chain, const ContactMode &mode,
+                                                   int &built) {
+  built = 0;
+  const auto latest = std::find_if(recent_.rbegin(), recent_.rend(),
+                                   [&mode](const auto &form) { return form->held == mode.held; });
+  if (latest != recent_.rend()) {
+    std::rotate(latest.base() - 1, latest.base(), recent_.end());
+    return recent_.back();
+  }
+  std::vector<std::shared_ptr<const BlockModes>> blocks;
+  for (std::size_t first = 0; first < chain.masses; ++first) {
+    if (mode.held[first] != 0) continue;
+    std::size_t last = first;
+    while (last + 1 < chain.masses && mode.held[last + 1] == 0) ++last;
+    std::shared_ptr<const BlockModes> &block = blocks_[{first, last}];
+    if (!block) {
+      block = std::make_shared<const BlockModes>(modes_of_block(chain, first, last));
+      ++built;
+    }
+    blocks.push_back(block);
+    first = last;
+  }
+  if (recent_.size() == most_contact_modes) recent_.erase(recent_.begin());
+  recent_.push_back(std::make_shared<const ModalForm>(build_modal_form(chain, mode, blocks)));
+  return recent_.back();
+}
+
+ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &motion) {
+  const Index size = form.shape.cols();
+  ModalState state{RealVector::Constant(size, Real(0.0)), RealVector::Constant(size, Real(0.0))};
+  for (std::size_t i = 0; i < chain.masses; ++i) {
+    if (form.held[i] != 0) continue;
+    const Real x = chain.mass[i] * motion.x[i], v = chain.mass[i] * motion.v[i];
+    for (Index j = 0; j < size; ++j) {
+      const Real &s = form.shape(as_index(i), j);
+      state.y(j) += s * x;
+      state.dy(j) += s * v;
+    }
+  }
+  return state;
+}
+
+std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &motion) {
+  const auto &[cosine, sine] = motion.turn;
+  std::vector<ModalForce<Real>> forces;
+  for (Index j = 0; j < form.a.size(); ++j)
+    forces.push_back({form.a(j) * cosine + form.b(j) * sine, form.b(j) * cosine - form.a(j) * sine,
+                      form.c(j)});
+  return forces;
+}
+
+void fly(const Chain &chain, const Clock &clock, const ModalForm &form, const Motion &start,
+         const ModalState &state, const std::vector<ModalForce<Real>> &forces, const Real &tau,
+         Motion &to) {
+  to = start;
+  if (rounded(tau) == 0.0) return;
+  const ComplexOf<Real> wave = wave_at(tau * chain.omega);
+  for (std::size_t i = 0; i < chain.masses; ++i) {
+    to.x_change[i] = to.v_change[i] = 0.0;
+    if (form.held[i] == 0) to.x[i] = to.v[i] = to.x_terms[i] = to.v_terms[i] = 0.0;
+  }
+  for (std::size_t j = 0; j < form.size(); ++j) {
+    const Index column = as_index(j);
+    const Real &y0 = state.y(column), &dy0 = state.dy(column);
+    const ModalChange<Real> d = change(form.exact[j], y0, dy0, forces[j], chain.omega, tau, wave);
+    const Real travel = tau * dy0, y = y0 + (travel + d.y), dy = dy0 + d.dy;
+    const double y_terms = std::abs(y0.hi) + std::abs(travel.hi) + std::abs(d.y.hi),
+                 dy_terms = std::abs(dy0.hi) + std::abs(d.dy.hi);
+    for (std::size_t i = 0; i < chain.masses; ++i) {
+      if (form.held[i] != 0) continue;
+      const Real &s = form.shape(as_index(i), column);
+      to.x[i] += s * y;
+      to.v[i] += s * dy;
+      to.x_terms[i] += std::abs(s.hi) * y_terms;
+      to.v_terms[i] += std::abs(s.hi) * dy_terms;
+    }
+  }
+  pass(tau, clock, to.now);
+  set_turn(chain, to);
+  to.acceleration_known = false;
+  find_acceleration(chain, to);
+}
+
+}  // namespace vibro_impact::detail

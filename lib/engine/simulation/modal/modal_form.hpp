@@ -1,0 +1,64 @@
+// A contact mode in modal coordinates, for flights without an event over any time. The modes are
+// made when such a flight asks for them, block by block: a block lies between held masses.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "modes.hpp"
+#include "oscillator.hpp"
+#include "simulation/chain/motion.hpp"
+
+namespace vibro_impact::detail {
+
+// What moves at a contact, as a sum over the coordinates: row . (y + damping y') + a cos + b sin.
+// It is the displacement of a free mass or the force on a held one, but for a constant.
+struct Watch {
+  std::vector<double> row;
+  double damping = 0.0, a = 0.0, b = 0.0;
+};
+
+struct ModalForm {
+  Held held;
+  RealMatrix shape;                         // x = shape y for the free masses, N x coordinates
+  std::vector<Oscillator<Real>> exact;      // of each coordinate,
+  std::vector<Oscillator<double>> rounded;  // and in double precision for searches
+  RealVector a, b, c;                       // Psi^T A, Psi^T B, and P with the pull of held masses
+  std::vector<Watch> watches;
+  std::vector<std::size_t> watch_of;  // of each contact of the mode
+  double fastest = 0.0;               // the largest rate of a coordinate
+
+  std::size_t size() const {
+    return exact.size();
+  }
+};
+
+// The modal forms of one run, and the blocks that they share. Copies of a run share them, too.
+class ModalForms {
+ public:
+  // `built` is set to the number of blocks that had to be decomposed.
+  std::shared_ptr<const ModalForm> enter(const Chain &chain, const ContactMode &mode, int &built);
+
+ private:
+  std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<const BlockModes>> blocks_;
+  std::vector<std::shared_ptr<const ModalForm>> recent_;  // the latest entered last
+};
+
+// The modal coordinates and their velocities, y = shape^T M x.
+struct ModalState {
+  RealVector y, dy;
+};
+ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &motion);
+
+// The forces of the coordinates over a flight from this motion.
+std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &motion);
+
+// Sets `to` to the motion at the time tau of the flight from `start`, whose modal state and forces
+// these are. Its acceleration is found.
+void fly(const Chain &chain, const Clock &clock, const ModalForm &form, const Motion &start,
+         const ModalState &state, const std::vector<ModalForce<Real>> &forces, const Real &tau,
+         Motion &to);
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,210 @@
+// The event loop chooses a flight, finds the first event in it, moves there and handles the event.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "events_at_an_instant.hpp"
+#include "observers.hpp"
+#include "samples.hpp"
+#include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+// Finds the limit of the chatter under way, as scratch.motion. Returns false when it is not accurate
+// enough, when another contact may come to zero before it, or when a mass hit is not pressed against
+// its stop there.
+bool find_limit(Run &run) {
+  const Chain &chain = run.chain();
+  const Chatter &chatter = run.chatter;
+  const RunOptions &options = run.problem.options;
+  Scratch &scratch = run.scratch;
+  double fastest = 0.0;
+  for (const std::size_t k : chatter.stops())
+    fastest = std::max(fastest, std::abs(run.motion.v[chain.stops[k].mass].hi));
+  // The closing speed of the next impact may be a little above the latest rebound speed.
+  if (!(next_speed_factor * fastest < options.limit_below_speed)) return false;
+  if (!chatter.find_limit(options.chatter_tolerance / error_share, run.problem.clock,
+                          scratch.limit))
+    return false;
+  find_acceleration(chain, run.motion);
+  if (!others_stay_out_of_reach(chain, chatter, run.motion, run.stops, scratch.limit.time_left))
+    return false;
+  Motion &motion = scratch.motion;
+  motion = run.motion;
+  motion.x = scratch.limit.x;
+  motion.v = scratch.limit.v;
+  motion.acceleration_known = false;
+  pass(scratch.limit.time_left, run.problem.clock, motion.now);
+  set_turn(chain, motion);
+  find_acceleration(chain, motion);
+  return all_are_pressed(chain, chatter, motion);
+}
+
+// Moves the run to the limit of a chatter whose latest impact is a node of its table, if the limit
+// is found.
+void take_limit(Run &run, Recorders recorders) {
+  if (run.progress.over || run.progress.inside_chatter || !run.chatter.stands_at_node() ||
+      !find_limit(run))
+    return;
+  const Instant limit = run.scratch.motion.now.rounded();
+  if (run.progress.end < limit || run.progress.next_sample <= time_of(limit, run.problem.clock)) {
+    look_inside(run, limit, recorders);
+    if (run.progress.over) return;
+  }
+  std::swap(run.motion, run.scratch.motion);
+  enter_limit(run, recorders);
+}
+
+// The longest step of a mode. A mode without a rate, as a free fall, is exact at any length and
+// takes steps as long as the time before.
+double longest_step_of(const Run &run) {
+  const double rate = run.motion.mode->fastest;
+  if (rate > 0.0) return std::min(max_step_radians / rate, longest_step);
+  return std::clamp(time_of(run.motion.now.rounded(), run.problem.clock),
+                    max_step_radians / run.chain().rate_bound, longest_step);
+}
+
+Step plan_step(Run &run) {
+  const double longest = longest_step_of(run);
+  Step step;
+  step.length =
+      std::min(longest, std::max(expected_flight_margin * run.hint.flight_time,
+                                 shortest_step * longest));
+  if (run.hint.postponed) {  // the decision is made at the next instant of the clock
+    const double phase = run.motion.now.rounded().phase;
+    step.length = 2.0 * (std::nextafter(phase, infinity) - phase);
+  }
+  step.unit = std::exp2(std::ilogb(step.length) + 1);
+  step.u_max = step.length / step.unit;
+  step.order = run.problem.orders.order_of(run.motion.mode->fastest * step.length);
+  int zeros = 0;  // a gap with many zeros needs an order beyond them
+  for (const Start &start : run.scratch.starts)
+    if (!start.idle) zeros = std::max(zeros, start.zeros);
+  if (zeros > 1) step.order = std::max(step.order, std::min(max_order, (zeros + 3) / 4 * 4 + 3));
+  ++run.counters.expansions;
+  run.counters.coefficients += step.order + 1;
+  run.counters.products += static_cast<long long>(step.order + 1) *
+                           static_cast<long long>(run.chain().padded);
+  return step;
+}
+
+void set_starts(Run &run) {
+  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  run.scratch.starts.resize(contacts.size());
+  run.scratch.near.resize(run.chain().stops.size());
+  find_acceleration(run.chain(), run.motion);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    run.scratch.starts[k] =
+        start_of(run.chain(), contacts[k], run.stops[contacts[k].stop].at, run.motion);
+}
+
+// Lets time pass at the stops, after a flight.
+void forget_instant(Run &run) {
+  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (!run.scratch.starts[k].idle) run.stops[contacts[k].stop].at = Evaluated{};
+}
+
+// Handles the end of a flight, to which the run has been moved.
+void end_flight(Run &run, const Real &tau, bool event, Recorders recorders) {
+  forget_instant(run);
+  const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
+  run.hint = {.quiet_steps = quiet_steps, .time_passed = tau.hi > 0.0};
+  if (!event) return;
+  handle_instant(run, recorders);
+  take_limit(run, recorders);
+}
+
+// Flies over one step of the Taylor table, or to the first event in it.
+void fly_one_step(Run &run, double remaining, Recorders recorders) {
+  const Chain &chain = run.chain();
+  Scratch &scratch = run.scratch;
+  set_starts(run);
+  const Step step = plan_step(run);
+  const FlightEnd end = scratch.flight.find_first_event(chain, run.motion, step, scratch.starts,
+                                                        scratch.near, run.counters);
+  const double tau = end.tau.hi;
+  if (std::isnan(tau)) return give_up_beyond_range(run, run.motion.now.rounded());
+  if (tau > remaining || remaining == 0.0) return end_at_time(run, false, recorders);
+  sample(run, tau, false, recorders);
+  if (run.progress.over) return;
+  if (tau > 0.0) {
+    move_along(chain, run.problem.clock, scratch.flight.table, tau, run.motion);
+    scratch.flight.place_released(scratch.starts, tau, run.motion);
+  }
+  end_flight(run, tau, end.event || run.hint.postponed, recorders);
+}
+
+// Flies in closed form, to the first event or to the end of the call.
+void fly_far(Run &run, double remaining, Recorders recorders) {
+  const Chain &chain = run.chain();
+  const Clock &clock = run.problem.clock;
+  Scratch &scratch = run.scratch;
+  if (!run.long_flight.is_under_way()) {
+    set_starts(run);
+    int built = 0;
+    auto form = run.forms.enter(chain, *run.motion.mode, built);
+    run.long_flight.begin(chain, std::move(form), run.motion, scratch.starts);
+  }
+  const LongFlight::Result result = run.long_flight.search(
+      chain, clock, run.motion, remaining, scratch.near, run.search_steps);
+  if (result.found == LongFlight::Found::end_of_call || result.tau.hi > remaining)
+    return end_at_time(run, true, recorders);
+  sample(run, result.tau, true, recorders);
+  if (run.progress.over) return;
+  scratch.motion = run.long_flight.at(chain, clock, run.motion, result.tau);
+  std::swap(run.motion, scratch.motion);
+  scratch.starts = run.long_flight.starts();
+  run.long_flight.end();
+  end_flight(run, result.tau, result.found == LongFlight::Found::event, recorders);
+}
+
+bool is_in_range(const Motion &motion) {
+  for (std::size_t i = 0; i < motion.x.size(); ++i)
+    if (!(std::abs(motion.x[i].hi) <= largest_motion && std::abs(motion.v[i].hi) <= largest_motion))
+      return false;
+  return true;
+}
+
+// One flight of the loop. The number of steps without an event alone decides of which kind it is.
+void fly_on(Run &run, Recorders recorders) {
+  const Real until_end =
+      elapsed(run.motion.now, TwofoldInstant(run.progress.end), run.problem.clock);
+  const double remaining = std::max(0.0, rounded(until_end));
+  if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
+  const auto n = static_cast<long long>(run.chain().masses);
+  if (run.hint.quiet_steps < fewest_short_steps + n * n / short_steps_divisor)
+    fly_one_step(run, remaining, recorders);
+  else
+    fly_far(run, remaining, recorders);
+}
+
+}  // namespace
+
+void advance(Run &run, const Instant &end, Recorders recorders) {
+  run.progress = {.end = end,
+                  .inside_chatter = run.progress.inside_chatter,
+                  .next_sample = next_sample(recorders)};
+  run.ended_inside_chatter = false;
+  run.search_steps = 0;
+  if (run.start) handle_start(run, recorders);
+  take_limit(run, recorders);  // a chatter may stand at a node since the call before
+  while (!run.progress.over) {
+    fly_on(run, recorders);
+    const long long steps = run.counters.expansions + run.search_steps +
+                            run.counters.rest_orders / orders_as_a_step;
+    if (!run.progress.over && steps >= run.problem.options.max_steps)
+      stop_run(run, Ending::given_up,
+               line("more than ", run.problem.options.max_steps,
+                    " steps, given up at t = ", time_of(run.motion.now.rounded(), run.problem.clock),
+                    "; the largest rate is ", run.motion.mode->fastest,
+                    "; max_steps (--max-steps) allows more"));
+  }
+  // A call that ends at an event has its end state where the run stands.
+  if (run.progress.last.displacement.empty()) run.progress.last = state_of(run);
+}
+
+}  // namespace vibro_impact::detail

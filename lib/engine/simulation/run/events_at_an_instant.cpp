@@ -1,0 +1,189 @@
+#include "events_at_an_instant.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "impacts.hpp"
+#include "observers.hpp"
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+// Puts a mass into question. Of a mass at both its stops the force chooses one.
+void add_resting(Run &run, const Contact &contact, bool force_is_zero) {
+  std::vector<RestingMass> &resting = run.scratch.resting;
+  for (RestingMass &mass : resting) {
+    if (mass.mass != contact.mass) continue;
+    mass.opposite = contact.stop;
+    return;
+  }
+  resting.push_back({.stop = contact.stop,
+                     .mass = contact.mass,
+                     .sigma = contact.sigma,
+                     .was_held = contact.held,
+                     .force_is_zero = force_is_zero});
+}
+
+// True when a neighbour has an impact, whose jump the damper between them passes on.
+bool is_pushed(const Run &run, std::size_t mass) {
+  if (!(run.chain().beta > 0.0)) return false;
+  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  return std::any_of(run.scratch.hits.begin(), run.scratch.hits.end(), [&](const Hit &hit) {
+    const std::size_t other = contacts[hit.contact].mass;
+    return other + 1 == mass || mass + 1 == other;
+  });
+}
+
+// A held mass is in question when its force is zero, was decided at this instant before, or has
+// jumped to a value that is small or negative.
+void question_held(Run &run, std::size_t k, bool at_start) {
+  const Contact &contact = run.motion.mode->contacts[k];
+  const AtStop &at = run.stops[contact.stop].at;
+  const Value value = evaluate(run.chain(), contact, run.motion);
+  const Near near = run.scratch.near[k];
+  const bool small = rounded(value.value) <= force_in_question * value.terms;
+  if (!small && !at_start && near != Near::zero && !is<Postponed>(at)) return;
+  // The force is zero by definition at its root, and as decided at this instant before.
+  const auto *decided = std::get_if<Decided>(&at);
+  const bool by_definition = near == Near::zero || (decided && decided->zeros > 0);
+  const bool zero = by_definition && !is_pushed(run, contact.mass)
+                        ? true
+                        : (by_definition || near != Near::no) && value.is_zero();
+  add_resting(run, contact, zero);
+}
+
+// The motion of the chain and of the forcing, within one unit of time, has a rounding. A mass whose
+// bounces have died down below it is at rest with the others in question.
+void question_dead_bounces(Run &run) {
+  const Chain &chain = run.chain();
+  const Motion &motion = run.motion;
+  double speed = 0.0;
+  for (std::size_t i = 0; i < chain.masses; ++i) speed = std::max(speed, std::abs(motion.v[i].hi));
+  const double rate = chain.rate_bound,
+               reach = as_at_rest * (speed + chain.force_bound / rate) / rate;
+  for (const Contact &contact : motion.mode->contacts) {
+    const AtStop &at = run.stops[contact.stop].at;
+    if (contact.held || !(is<Evaluated>(at) || is<Leaving>(at))) continue;
+    const Value value = evaluate(chain, contact, motion);
+    if (rounded(value.value) <= reach && std::abs(value.rate.hi) <= reach * rate)
+      add_resting(run, contact, false);
+  }
+}
+
+void gather_resting(Run &run, bool at_start) {
+  run.scratch.resting.clear();
+  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const AtStop &at = run.stops[contacts[k].stop].at;
+    if (contacts[k].held)
+      question_held(run, k, at_start);
+    else if (is<Resting>(at) || is<Forceless>(at) || is<Postponed>(at))
+      add_resting(run, contacts[k], false);
+  }
+  if (!run.scratch.resting.empty()) question_dead_bounces(run);
+}
+
+// Sets the states of the stops of a mass after its decision.
+void set_stops(Run &run, const RestingMass &mass) {
+  StopState &stop = run.stops[mass.stop];
+  if (mass.forceless)
+    stop.at = Forceless{};
+  else  // the gap of a released mass has two zeros more than its acceleration
+    stop.at = Decided{mass.zeros + (mass.held ? 0 : 2), mass.first};
+  if (mass.opposite) run.stops[*mass.opposite].at = Evaluated{};
+  if (mass.held == mass.was_held) return;
+  stop = {.at = stop.at, .changed = run.motion.now.rounded()};
+  const std::vector<ChainStop> &stops = run.chain().stops;
+  for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
+    if (k != mass.stop && stops[k].mass == mass.mass) run.stops[k] = {};
+}
+
+// Decides which masses stick after this instant, for all masses in question together, and enters
+// the contact mode that follows.
+void hold_or_release(Run &run, Recorders recorders, bool at_start = false) {
+  gather_resting(run, at_start);
+  Scratch &scratch = run.scratch;
+  Motion &motion = run.motion;
+  const Chain &chain = run.chain();
+  if (scratch.resting.empty()) return;
+  set_turn(chain, motion);
+  for (const RestingMass &mass : scratch.resting)
+    place(mass.mass, chain.stops[mass.stop].position, 0.0, motion);
+  run.counters.rest_orders += scratch.rest.decide(chain, motion, scratch.resting);
+  scratch.held = motion.mode->held;
+  for (RestingMass &mass : scratch.resting) {
+    const std::optional<Instant> &changed = run.stops[mass.stop].changed;
+    // A mass does not stick and leave, or leave and stick, at one instant of the clock.
+    if (mass.held != mass.was_held && changed && !(*changed < motion.now.rounded())) {
+      run.stops[mass.stop].at = Postponed{};
+      run.hint.postponed = true;
+      mass.held = mass.was_held;
+    } else {
+      set_stops(run, mass);
+    }
+    scratch.held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
+    motion.x[mass.mass] = chain.stops[mass.stop].position;
+  }
+  if (scratch.held == motion.mode->held) return;
+  bool built = false;
+  motion.mode = &run.modes.enter(chain, scratch.held, built);
+  motion.acceleration_known = false;
+  if (built) ++run.counters.modes_built;
+  for (const RestingMass &mass : scratch.resting) {
+    if (mass.held == mass.was_held) continue;
+    ++(mass.held ? run.counters.sticks : run.counters.releases);
+    report_event(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, {},
+                 !mass.held && !mass.force_is_zero, recorders);
+  }
+}
+
+}  // namespace
+
+void handle_instant(Run &run, Recorders recorders) {
+  const ContactMode *before = run.motion.mode;
+  gather_hits(run);
+  apply_hits(run, recorders);
+  hold_or_release(run, recorders);
+  follow_chatter(run, before);
+}
+
+void handle_start(Run &run, Recorders recorders) {
+  const Chain &chain = run.chain();
+  const MotionState state = *std::exchange(run.start, std::nullopt);
+  Motion &motion = run.motion;
+  bool built = false;
+  motion.mode = &run.modes.enter(chain, state.held, built);
+  if (built) ++run.counters.modes_built;
+  clear(chain, motion);
+  motion.now = TwofoldInstant(state.instant);
+  for (std::size_t i = 0; i < chain.masses; ++i)
+    place(i, state.displacement[i], state.velocity[i], motion);
+  set_turn(chain, motion);
+  run.stops.assign(chain.stops.size(), {});
+  run.scratch.near.assign(chain.stops.size(), Near::perhaps);
+  gather_hits(run);
+  apply_hits(run, recorders);
+  hold_or_release(run, recorders, true);
+  follow_chatter(run, motion.mode);
+}
+
+void enter_limit(Run &run, Recorders recorders) {
+  for (const Contact &contact : run.motion.mode->contacts) {
+    StopState &stop = run.stops[contact.stop];
+    if (run.chatter.hits(contact.stop))
+      stop.at = Resting{};
+    else if (!is<Forceless>(stop.at))
+      stop.at = Evaluated{};
+  }
+  run.chatter.end();
+  run.hint = {};
+  ++run.counters.chatter_limits;
+  run.scratch.hits.clear();
+  run.scratch.near.assign(run.chain().stops.size(), Near::no);
+  hold_or_release(run, recorders);
+}
+
+}  // namespace vibro_impact::detail

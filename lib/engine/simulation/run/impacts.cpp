@@ -1,0 +1,119 @@
+#include "impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "observers.hpp"
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+// Counts an impact at a stop, at this closing speed, among those of its chatter.
+void count_impact(Run &run, StopState &stop, double speed) {
+  ++run.counters.impacts;
+  const bool falls = speed < stop.last_speed;
+  if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
+  stop.falling = falls ? stop.falling + 1 : 0;
+  stop.last_speed = speed;
+  if (!falls) stop.duration = 0.0;
+}
+
+// To leading order, a mass with the acceleration a towards its stop returns after 2 v / a.
+double flight_after(const Motion &motion, const Contact &contact, double speed) {
+  const double press = contact.sigma * motion.acceleration[contact.mass].hi;
+  return press > 0.0 ? 2.0 * speed / press : infinity;
+}
+
+}  // namespace
+
+void gather_hits(Run &run) {
+  Scratch &scratch = run.scratch;
+  scratch.hits.clear();
+  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    AtStop &at = run.stops[contacts[k].stop].at;
+    const Near near = scratch.near[k];
+    if (contacts[k].held || near == Near::no || is<Forceless>(at) || is<Postponed>(at)) continue;
+    const Value value = evaluate(run.chain(), contacts[k], run.motion);
+    if (near != Near::zero && !value.is_zero()) continue;
+    // A zero without any flight that does not close is rest within rounding.
+    const bool stays = !run.hint.time_passed && near == Near::zero && !(value.rate.hi < 0.0);
+    if (stays || !(abs(value.rate) > zero_threshold * value.rate_terms))
+      at = Resting{};
+    else if (value.rate.hi < 0.0)
+      scratch.hits.push_back({k, -value.rate});
+  }
+}
+
+void apply_hits(Run &run, Recorders recorders) {
+  const Chain &chain = run.chain();
+  Motion &motion = run.motion;
+  const std::vector<Contact> &contacts = motion.mode->contacts;
+  std::vector<Hit> &hits = run.scratch.hits;
+  for (const Hit &hit : hits) {
+    const Contact &contact = contacts[hit.contact];
+    const ImpactLaw &law = chain.stops[contact.stop].law;
+    StopState &stop = run.stops[contact.stop];
+    const double closing = rounded(hit.closing);
+    count_impact(run, stop, closing);
+    const Real after = law.after(closing) + Real(law.slope(closing) * hit.closing.lo);
+    place(contact.mass, contact.position, -contact.sigma * after, motion);
+    motion.v_terms[contact.mass] = closing;
+    if (after.hi > 0.0)
+      stop.at = Leaving{after.hi};
+    else
+      stop.at = Resting{};
+  }
+  for (const Hit &hit : hits) {
+    const Contact &contact = contacts[hit.contact];
+    const double closing = rounded(hit.closing);
+    report_event(
+        run, EventKind::impact, contact.stop,
+        {contact.sigma * closing, -contact.sigma * chain.stops[contact.stop].law.after(closing)},
+        false, recorders);
+  }
+  if (hits.empty()) return;
+  find_acceleration(chain, motion);
+  for (Hit &hit : hits) {
+    const Contact &contact = contacts[hit.contact];
+    StopState &stop = run.stops[contact.stop];
+    const auto *leaving = std::get_if<Leaving>(&stop.at);
+    if (!leaving) continue;
+    hit.flight_time = flight_after(motion, contact, leaving->speed);
+    const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest());
+    if (time_left < infinity) stop.duration = std::max(stop.duration, time_left);
+    if (!(time_left < chatter_end * stop.duration)) continue;
+    stop.at = Resting{};
+    ++run.counters.chatter_limits;
+  }
+}
+
+void follow_chatter(Run &run, const ContactMode *mode_before) {
+  const Chain &chain = run.chain();
+  const Motion &motion = run.motion;
+  Scratch &scratch = run.scratch;
+  Chatter &chatter = run.chatter;
+  if (scratch.hits.empty() || motion.mode != mode_before) return chatter.end();
+  scratch.stops.clear();
+  scratch.jumps.assign(chain.padded, 0.0);
+  double flight_time = 0.0, r = 0.0;
+  for (const Hit &hit : scratch.hits) {
+    const Contact &contact = motion.mode->contacts[hit.contact];
+    const auto *leaving = std::get_if<Leaving>(&run.stops[contact.stop].at);
+    if (!leaving) return chatter.end();
+    r = chain.stops[contact.stop].law.at_rest();
+    scratch.stops.push_back(contact.stop);
+    // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
+    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->speed;
+    flight_time = std::max(flight_time, hit.flight_time);
+  }
+  run.hint.flight_time = flight_time;
+  // With r = 1 the impacts have no limit.
+  if (!(r < 1.0 && flight_time < infinity)) return chatter.end();
+  if (chatter.add(scratch.stops, flight_time, r, motion, scratch.jumps))
+    ++run.counters.chatter_nodes;
+}
+
+}  // namespace vibro_impact::detail

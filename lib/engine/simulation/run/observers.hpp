@@ -1,0 +1,40 @@
+// The reports of a run to its recorders. They change nothing of the run but its progress.
+#pragma once
+
+#include "run.hpp"
+
+namespace vibro_impact::detail {
+
+// The velocities of an impact, just before and just after it.
+struct ImpactVelocities {
+  double before = 0.0, after = 0.0;
+};
+
+// Ends the call of `advance`. The first ending and reason of a call are kept.
+void stop_run(Run &run, Ending ending, std::string reason = {});
+
+// Reports an event at a stop, and ends the call when a recorder is done. Events inside a chatter,
+// before the limit that the run takes, are not reported.
+void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
+                  bool by_a_jump, Recorders recorders);
+
+// A time `tau` after the motion of the run, which stands before this instant: on a step, whose table
+// is in scratch.flight, or on a long flight.
+struct TimeOfFlight {
+  Instant instant;
+  Real tau = 0.0;
+  bool in_long_flight = false;
+};
+
+// The next time at which a recorder asks for a sample; infinite when there is none.
+double next_sample(Recorders recorders);
+
+// Reports the sample at this time to the recorders that have asked for it. Returns true when one of
+// them is done.
+bool report_sample(Run &run, double time, const TimeOfFlight &at, Recorders recorders);
+
+// The state at this time, and that at which the run stands.
+MotionState state_at(Run &run, const TimeOfFlight &at);
+MotionState state_of(const Run &run);
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,62 @@
+#include "vibro_impact/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/chain/require.hpp"
+
+namespace vibro_impact {
+
+using detail::require;
+using detail::require_mass;
+
+std::string contact_mode_name(const Held &held) {
+  std::string text;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] != 0) {
+      if (!text.empty()) text.push_back('+');
+      text += std::to_string(i + 1);
+    }
+  return text.empty() ? "-" : text;
+}
+
+void EventRecorder::event(const Event &event, const Moment &) {
+  if (event.time < from) return;
+  events.push_back(event);
+}
+
+void EventRecorder::check(const Scene &) const {
+  require(!std::isnan(from), "from = ", from, ": must be a time");
+}
+
+void ImpactVelocityRecorder::event(const Event &event, const Moment &) {
+  if (event.kind == EventKind::impact && event.mass == mass && event.time >= from)
+    velocities.push_back(event.velocity_before);
+}
+
+void ImpactVelocityRecorder::check(const Scene &scene) const {
+  require(!std::isnan(from), "from = ", from, ": must be a time");
+  require_mass(mass, scene.masses());
+}
+
+double sample_time(double from, double to, double every, std::size_t taken) {
+  const double next = from + every * static_cast<double>(taken);
+  return next <= to * (1.0 + 4e-16) ? std::min(next, to) : infinity;
+}
+
+double SampleRecorder::next_time() const {
+  return sample_time(from, to, every, times.size());
+}
+
+void SampleRecorder::sample(const Moment &moment) {
+  times.push_back(moment.time);
+  for (int i = 1; i <= moment.masses(); ++i) displacements.push_back(moment.displacement(i));
+}
+
+void SampleRecorder::check(const Scene &) const {
+  require(std::isfinite(every) && every > 0.0, "every = ", every, ": must be positive and finite");
+  require(std::isfinite(from) && std::isfinite(to), "samples from ", from, " to ", to,
+          ": must be finite");
+}
+
+}  // namespace vibro_impact

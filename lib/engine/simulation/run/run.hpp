@@ -1,0 +1,109 @@
+// A run: everything that it carries from event to event.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "simulation/chatter/reach.hpp"
+#include "simulation/flight/first_event.hpp"
+#include "simulation/modal/long_flight.hpp"
+#include "simulation/stops/rest.hpp"
+#include "vibro_impact/simulate.hpp"
+
+namespace vibro_impact::detail {
+
+using Recorders = std::span<Recorder *const>;
+
+// The scene and the options of a run, with the constants that follow from them.
+struct Problem {
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Chain> chain;
+  RunOptions options;
+  Clock clock;
+  OrderTable orders;
+
+  Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run);
+  // The same scene with other options.
+  Problem(const Problem &other, const RunOptions &other_options);
+};
+
+// What the latest step and its events tell of the next step.
+struct StepHint {
+  double flight_time = infinity;  // expected until the next impact of a mass that was just hit
+  long long quiet_steps = 0;      // steps since the latest event
+  bool time_passed = true;        // in the latest flight
+  // A decision about a stop is postponed: the next step ends one rounding of the clock later.
+  bool postponed = false;
+};
+
+// An impact of an instant: the contact of the mode, and the speed at which the mass came.
+struct Hit {
+  std::size_t contact = 0;
+  Real closing = 0.0;
+  double flight_time = infinity;  // expected after it, to leading order
+};
+
+// Storage that is reused from event to event. No value passes from one event to the next.
+struct Scratch {
+  Flight flight;
+  std::vector<Start> starts;
+  std::vector<Near> near;
+  Motion motion;  // at a sample, or at a limit
+  ChatterLimit limit;
+  RestDecision rest;
+  std::vector<RestingMass> resting;
+  std::vector<Hit> hits;
+  std::vector<std::size_t> stops;  // of a chatter
+  std::vector<double> jumps;
+  Held held;
+  Event event;
+};
+
+// The progress of one call of `advance`.
+struct Progress {
+  Instant end;
+  bool over = false;
+  Ending ending = Ending::reached;
+  std::string reason = {};
+  // True of the copy of a run that resolves the impacts of a chatter before its limit, because a
+  // sample or the end lies there. The copy reports samples only and takes no limit.
+  bool inside_chatter = false;
+  // The time of the next sample. It changes when a recorder has been called.
+  double next_sample = infinity;
+  MotionState last = {};  // the state at the end; empty before
+};
+
+struct Run {
+  Problem problem;
+  std::optional<MotionState> start;  // the initial state, until the run begins
+  ContactModes modes = {};
+  ModalForms forms = {};
+  Motion motion = {};
+  std::vector<StopState> stops = {};  // one for each stop of the scene
+  Chatter chatter = {};
+  LongFlight long_flight = {};
+  StepHint hint = {};
+  // The latest call ended inside a chatter, whose impacts after the latest node are not yet taken.
+  bool ended_inside_chatter = false;
+  Counters counters = {};
+  long long search_steps = 0;  // of long flights in this call
+  Progress progress = {};
+  Scratch scratch = {};
+
+  const Scene &scene() const {
+    return *problem.scene;
+  }
+  const Chain &chain() const {
+    return *problem.chain;
+  }
+};
+
+// Runs on to `end`, or until a recorder is done or the run is given up, and sets progress.last to
+// the state there. The motion of the run stays at the start of the flight that contains the end:
+// hence the flights do not depend on where a call ends.
+void advance(Run &run, const Instant &end, Recorders recorders);
+
+}  // namespace vibro_impact::detail

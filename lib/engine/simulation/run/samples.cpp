@@ -1,0 +1,72 @@
+#include "samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "observers.hpp"
+#include "simulation/chain/require.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+Real time_until(const Run &run, const Instant &instant) {
+  return elapsed(run.motion.now, TwofoldInstant(instant), run.problem.clock);
+}
+
+}  // namespace
+
+void sample(Run &run, const Real &tau, bool in_long_flight, Recorders recorders) {
+  const Clock &clock = run.problem.clock;
+  while (run.progress.next_sample < infinity) {
+    const double next = run.progress.next_sample;
+    TimeOfFlight at{instant_at(next, clock), 0.0, in_long_flight};
+    const Real since = time_until(run, at.instant);
+    if (!(since <= tau) && since.hi > 0.0) return;
+    require(since.hi >= -16.0 * std::numeric_limits<double>::epsilon() * next, "next_time = ", next,
+            ": lies before the motion, which is at t = ",
+            time_of(run.motion.now.rounded(), clock));
+    if (since.hi > 0.0) at.tau = since;
+    ++run.counters.modal_evaluations;
+    if (!report_sample(run, next, at, recorders)) continue;
+    run.progress.last = state_at(run, at);
+    return stop_run(run, Ending::stopped);
+  }
+}
+
+void end_at_time(Run &run, bool in_long_flight, Recorders recorders) {
+  TimeOfFlight at{run.progress.end, time_until(run, run.progress.end), in_long_flight};
+  if (!(at.tau.hi > 0.0)) at.tau = 0.0;
+  sample(run, at.tau, in_long_flight, recorders);
+  if (run.progress.over) return;
+  run.progress.last = state_at(run, at);
+  if (in_long_flight) ++run.counters.modal_evaluations;
+  for (const double x : run.progress.last.displacement)
+    if (!std::isfinite(x)) give_up_beyond_range(run, run.progress.end);
+  stop_run(run, Ending::reached);
+}
+
+void look_inside(Run &run, const Instant &limit, Recorders recorders) {
+  Run inside = run;
+  inside.counters = {};
+  inside.progress.inside_chatter = true;
+  advance(inside, std::min(run.progress.end, limit), recorders);
+  run.modes = std::move(inside.modes);  // with the modes that the copy has built
+  run.counters.modal_evaluations += inside.counters.modal_evaluations;
+  run.counters.modes_built += inside.counters.modes_built;
+  run.progress.next_sample = inside.progress.next_sample;
+  if (!(run.progress.end < limit) && inside.progress.ending == Ending::reached) return;
+  run.progress = std::move(inside.progress);
+  run.progress.inside_chatter = false;
+  run.ended_inside_chatter = true;
+}
+
+void give_up_beyond_range(Run &run, const Instant &instant) {
+  stop_run(run, Ending::given_up,
+           line("the motion leaves the range of double precision before t = ",
+                time_of(instant, run.problem.clock), ", given up"));
+}
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,24 @@
+// The samples between the events of a run, and the end of a call at its time. Neither moves the
+// run.
+#pragma once
+
+#include "run.hpp"
+
+namespace vibro_impact::detail {
+
+// Reports the samples up to `tau` after the motion of the run, on its step or long flight.
+void sample(Run &run, const Real &tau, bool in_long_flight, Recorders recorders);
+
+// Ends the call at its end, on the step or long flight of the run.
+void end_at_time(Run &run, bool in_long_flight, Recorders recorders);
+
+// Advances a copy of the run through the impacts before the limit of its chatter, for samples and
+// an end there. A run that ends there takes over the end state of the copy, and stays itself at the
+// latest node: the next call finds the same limit again. The copy counts its own steps: a run with
+// samples is given up where it is without.
+void look_inside(Run &run, const Instant &limit, Recorders recorders);
+
+// Gives the run up: the motion leaves the range of double precision before this instant.
+void give_up_beyond_range(Run &run, const Instant &instant);
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,138 @@
+#include "vibro_impact/simulate.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "run.hpp"
+#include "simulation/chain/forces.hpp"
+#include "simulation/chain/require.hpp"
+
+namespace vibro_impact {
+
+namespace detail {
+
+namespace {
+
+constexpr double most_radians = 1e12;  // of an undamped mode, whose phase rounds to 1e-4 there
+
+void check_options(const RunOptions &options) {
+  for (const auto &[name, tolerance] :
+       {std::pair{"chatter", options.chatter_tolerance}, {"flight", options.flight_tolerance}})
+    require(tolerance > 0.0 && tolerance < 1.0, name, "_tolerance = ", tolerance,
+            ": must lie between 0 and 1");
+  require(options.flight_tolerance >= least_flight_tolerance,
+          "flight_tolerance = ", options.flight_tolerance, ": must be at least ",
+          least_flight_tolerance, ", the remainder of the highest order");
+  require(options.limit_below_speed >= 0.0, "limit_below_speed = ", options.limit_below_speed,
+          ": must be non-negative");
+  require(options.max_steps > 0, "max_steps = ", options.max_steps, ": must be positive");
+}
+
+// The problem of a scene that has been checked.
+Problem problem_of(const Scene &scene, const RunOptions &options) {
+  check_options(options);
+  return {std::make_shared<const Scene>(scene), options};
+}
+
+// A run before its first step, from a motion that has been checked.
+std::unique_ptr<Run> start_run(Problem problem, const MotionState &start) {
+  Run run{.problem = std::move(problem), .start = start};
+  run.motion.now = TwofoldInstant(start.instant);
+  return std::make_unique<Run>(std::move(run));
+}
+
+}  // namespace
+
+Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run)
+    : scene(std::move(scene_of_run)),
+      chain(std::make_shared<const Chain>(*scene)),
+      options(options_of_run),
+      clock(scene->omega),
+      orders(options.flight_tolerance) {
+}
+
+Problem::Problem(const Problem &other, const RunOptions &other_options) : Problem(other) {
+  options = other_options;
+  orders = OrderTable(options.flight_tolerance);
+}
+
+}  // namespace detail
+
+Outcome require_complete(Outcome outcome) {
+  if (outcome.ending == Ending::given_up) throw std::runtime_error(outcome.reason);
+  return outcome;
+}
+
+Simulation::Simulation(const Scene &scene, const RunOptions &options) {
+  const MotionState start = start_of(scene);  // checks the scene
+  run_ = detail::start_run(detail::problem_of(scene, options), start);
+}
+
+Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options) {
+  check(scene);
+  check(scene, start);
+  run_ = detail::start_run(detail::problem_of(scene, options), start);
+}
+
+Simulation::Simulation(const Simulation &other) : run_(std::make_unique<detail::Run>(*other.run_)) {
+}
+
+Simulation::Simulation(Simulation &&other) noexcept = default;
+
+Simulation &Simulation::operator=(Simulation other) noexcept {
+  run_ = std::move(other.run_);
+  return *this;
+}
+
+Simulation::~Simulation() = default;
+
+const Scene &Simulation::scene() const {
+  return run_->scene();
+}
+
+void Simulation::start_from(const MotionState &start) {
+  check(scene(), start);
+  run_ = detail::start_run(run_->problem, start);
+}
+
+void Simulation::set_options(const RunOptions &options) {
+  detail::check_options(options);
+  detail::Run &run = *run_;
+  if (run.ended_inside_chatter) {  // other options may not take its limit: the run goes on from here
+    run.progress.inside_chatter = true;
+    detail::advance(run, run.progress.last.instant, {});
+    run.progress.inside_chatter = false;
+    run.ended_inside_chatter = false;
+  }
+  run.problem = detail::Problem(run.problem, options);
+}
+
+Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) {
+  using detail::require;
+  detail::Run &run = *run_;
+  const Clock &clock = run.problem.clock;
+  // The motion of the run may stand before the end of the call before: see `advance`.
+  const Instant begin = run.start ? run.start->instant : run.progress.last.instant;
+  const double begin_time = time_of(begin, clock);
+  require(std::isfinite(until), "until = ", until, ": must be finite");
+  const Instant end = instant_at(until, clock);
+  require(until >= begin_time || !(end < begin), "until = ", until, ": lies before the start at ",
+          begin_time);
+  const double rate = std::sqrt(detail::largest_eigenvalue_bound(run.scene()));
+  require(run.scene().beta > 0.0 || rate * (until - begin_time) <= detail::most_radians,
+          "rate = ", rate, " of an undamped chain: times the time ", until - begin_time,
+          " it must not exceed ", detail::most_radians);
+  for (const Recorder *recorder : recorders) {
+    recorder->check(run.scene());
+    const double first = recorder->next_time();
+    require(first >= begin_time, "sample at t = ", first, ": the run begins at ", begin_time);
+  }
+  run.counters = {};
+  detail::advance(run, end, recorders);
+  const detail::Progress &progress = run.progress;
+  return {progress.last, time_of(progress.last.instant, clock), progress.ending, progress.reason,
+          run.counters};
+}
+
+}  // namespace vibro_impact

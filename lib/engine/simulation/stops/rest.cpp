@@ -1,0 +1,101 @@
+// The derivatives of the motion follow from the equation of motion:
+// x^(n+2) = M^-1 (F^(n) - C x^(n+1) - K x^(n)). The force on a mass at rest depends on those of its
+// neighbours, which have been decided at the orders before.
+//
+// Derivatives of order n are carried in the unit rate^n: those of a long chain beside a stiff
+// link differ by more than a double can hold. The rate is a power of two and rounds nothing.
+#include "rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+// The force of springs and dampers on a mass at order n, over rate^n.
+RestDecision::Term RestDecision::force_on(const Chain &chain, std::size_t i) const {
+  const double damping = chain.beta * chain.rate_unit;
+  Term force;
+  const auto add_spring = [&](double stiffness, bool has_neighbour, std::size_t other) {
+    if (stiffness == 0.0) return;
+    Real pull = order_n_[i].value + damping * order_n_plus_1_[i].value;
+    force.terms += stiffness * (order_n_[i].terms + damping * order_n_plus_1_[i].terms);
+    if (has_neighbour) {
+      // Differences first: a neighbour at the same place exerts no force at all.
+      pull = (order_n_[i].value - order_n_[other].value) +
+             damping * (order_n_plus_1_[i].value - order_n_plus_1_[other].value);
+      force.terms += stiffness * (order_n_[other].terms + damping * order_n_plus_1_[other].terms);
+    }
+    force.value -= stiffness * pull;
+  };
+  add_spring(chain.link[i], i > 0, i - 1);
+  add_spring(chain.above(i), true, i + 1);
+  add_spring(chain.ground[i], false, i);
+  return force;
+}
+
+int RestDecision::decide(const Chain &chain, const Motion &motion,
+                         std::vector<RestingMass> &masses) {
+  const std::size_t n = chain.masses;
+  const double rate = chain.rate_unit;
+  kind_.resize(n);
+  resting_.assign(n, nullptr);
+  for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_})
+    order->resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    kind_[i] = motion.mode->held[i] != 0 ? Kind::held : Kind::moving;
+    order_n_[i] = {motion.x[i], motion.x_terms[i]};
+    order_n_plus_1_[i] = {motion.v[i] * (1.0 / rate), motion.v_terms[i] / rate};
+  }
+  for (RestingMass &mass : masses) {
+    kind_[mass.mass] = Kind::undecided;
+    resting_[mass.mass] = &mass;
+  }
+  Real cosine = motion.turn.cosine, sine = motion.turn.sine;
+  double power = 1.0;  // (Omega / rate)^order
+  std::size_t left = masses.size();
+  int order = 0;
+  for (; left > 0 && order < 2 * static_cast<int>(n) + 4; ++order) {
+    for (std::size_t i = 0; i < n; ++i) {
+      order_n_plus_2_[i] = {};
+      if (kind_[i] == Kind::held) continue;
+      Term force = force_on(chain, i);
+      force.value += chain.a[i] * cosine + chain.b[i] * sine;
+      force.terms += (std::abs(chain.a[i]) + std::abs(chain.b[i])) * power;
+      if (order == 0) {
+        force.value += chain.p[i];
+        force.terms += std::abs(chain.p[i]);
+      }
+      if (kind_[i] == Kind::undecided) {
+        RestingMass &mass = *resting_[i];
+        mass.zeros = order;
+        const bool zero = order == 0 && mass.force_is_zero;
+        if (zero || !(abs(force.value) > zero_threshold * force.terms)) continue;
+        --left;
+        double push = mass.sigma * force.value.hi;
+        if (mass.opposite && push < 0.0) {
+          std::swap(mass.stop, *mass.opposite);
+          mass.sigma = -mass.sigma;
+          push = -push;
+        }
+        mass.held = push > 0.0;
+        kind_[i] = mass.held ? Kind::held : Kind::moving;
+        mass.first = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
+        if (mass.held) continue;
+      }
+      const double inertia = chain.mass[i] * rate * rate;
+      order_n_plus_2_[i] = {force.value / Real(inertia), force.terms / inertia};
+    }
+    order_n_.swap(order_n_plus_1_);
+    order_n_plus_1_.swap(order_n_plus_2_);
+    const Real slower = chain.omega / Real(rate), before = cosine;
+    cosine = -(slower * sine);
+    sine = slower * before;
+    power *= slower.hi;
+  }
+  for (RestingMass &mass : masses) mass.forceless = kind_[mass.mass] == Kind::undecided;
+  return order;
+}
+
+}  // namespace vibro_impact::detail

@@ -1,0 +1,52 @@
+// The decision which masses stick after an instant. All masses at rest at a stop are decided
+// together, order by order, each by the first non-zero derivative of its force (lib/README.md,
+// "Held masses").
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "simulation/chain/motion.hpp"
+
+namespace vibro_impact::detail {
+
+// A mass at rest at a stop that may stick or leave.
+struct RestingMass {
+  std::size_t stop = 0, mass = 0;
+  double sigma = 1.0;
+  // The other stop of the mass, if twice the precision does not tell the two apart. The force
+  // chooses one of them.
+  std::optional<std::size_t> opposite = {};
+  bool was_held = false;
+  bool force_is_zero = false;  // the force is exactly zero: the instant is a root of the force
+  // The decision.
+  bool held = false;
+  bool forceless = false;  // no force of any order: the mass is free and stays at rest
+  int zeros = 0;           // orders of the force that are zero
+  double first = 0.0;      // the modulus of the next: of the force if it is held, else of x''
+};
+
+// The storage of a decision, which is reused.
+class RestDecision {
+ public:
+  // Decides whether each of `masses` is held. The other masses are free or held as in the mode of
+  // the motion. Returns how many orders this took. A mass on which no force acts in the first
+  // 2 N + 4 orders is free and stays at rest: by these orders motion has passed along the chain.
+  int decide(const Chain &chain, const Motion &motion, std::vector<RestingMass> &masses);
+
+ private:
+  enum class Kind : char { moving, held, undecided };
+  // A derivative with the sum of the moduli of its terms.
+  struct Term {
+    Real value = 0.0;
+    double terms = 0.0;
+  };
+  // Derivatives of order n, n + 1 and n + 2 of the displacements.
+  std::vector<Term> order_n_, order_n_plus_1_, order_n_plus_2_;
+  std::vector<Kind> kind_;
+  std::vector<RestingMass *> resting_;  // of each mass
+
+  Term force_on(const Chain &chain, std::size_t i) const;
+};
+
+}  // namespace vibro_impact::detail
