@@ -83,12 +83,6 @@ constexpr long long short_steps_divisor = 8;
 constexpr double two_decays = 0.01;
 // Relative distance from resonance below which the steady response is too large for a bound.
 constexpr double near_resonance = 0.01;
-// Rounding of the search in double precision, relative to the terms and to what moves in an angle.
-// A contact within `suspicious` of it is evaluated in twice the precision.
-constexpr double search_rounding = 2e-15;
-constexpr double suspicious = 64.0;
-// Roundings within which a contact may come to zero together with the first.
-constexpr double near_roundings = 1e6;
 // Time of a root, relative to the flight, below which a value of the wrong sign is rounding.
 constexpr double time_rounding = 1e-13;
 // Newton's steps in twice the precision on the time of an event, and the longest of them relative to

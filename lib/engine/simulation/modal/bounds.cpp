@@ -1,4 +1,5 @@
 // Bounds of a contact ahead of a long flight.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,12 +32,6 @@ SteadyResponse steady_response(const Oscillator<double> &o, const ModalForce<dou
   return {y, omega * z, std::hypot(y, z)};
 }
 
-// A force after the angle `phase`.
-ModalForce<double> turned(const ModalForce<double> &f, double phase) {
-  const ComplexOf<double> wave = wave_at(phase);
-  return {f.a * wave.re + f.b * wave.im, f.b * wave.re - f.a * wave.im, f.c};
-}
-
 }  // namespace
 
 // Parabolas below the cubic, one after the other, move on like Newton's steps.
@@ -56,52 +51,50 @@ double ContactBound::first_root(double l) const {
 }
 
 // A coordinate that turns within l is bounded in parts, each by its derivatives or by its amplitude:
-// the steady response, the static displacement, and one oscillation or two decays.
+// the steady response, and one free oscillation or two decays about the static displacement. A part
+// that is bounded by its amplitude is taken out of the value and of the rate; the others stay.
 void LongFlight::add_parts(const Watch &w, const Coordinate &c, const Oscillator<double> &o,
                            double weight, double l, ContactBound &bound) const {
   const double size = std::abs(weight), d = w.damping, square = omega_ * omega_;
-  double y = c.d[0], dy = c.d[1];
-  // The parts replace the coordinate in the value and in the rate.
-  bound.value -= weight * (y + d * dy);
-  bound.rate -= weight * (dy + d * c.d[2]);
+  double y = c.deviation, dy = c.d[1], second = c.d[2], third = c.d[3];  // of the free part
   if (c.modulus > 0.0) {
-    const SteadyResponse s = steady_response(o, turned(c.force, omega_ * u_), omega_);
-    const double amplitude = size * s.modulus * (1.0 + d * omega_);
+    const SteadyResponse s = steady_response(o, c.force, omega_);
+    const double amplitude = size * s.modulus * (1.0 + d * omega_),
+                 value = weight * (s.y + d * s.dy), rate = weight * (s.dy - d * square * s.y);
     y -= s.y;
     dy -= s.dy;
+    second += square * s.y;
+    third += square * s.dy;
     if (omega_ * l <= 1.0) {
-      bound.value += weight * (s.y + d * s.dy);
-      bound.rate += weight * (s.dy - d * square * s.y);
-      bound.second -= weight * square * (s.y + d * s.dy);
+      bound.second -= square * value;
       bound.bound += amplitude * square * omega_;
     } else {
+      bound.value -= value;
+      bound.rate -= rate;
       bound.away += amplitude;
     }
   }
-  if (o.rate * l <= 1.0) {  // free, under its constant force
-    const double second = c.force.c - o.kappa * dy - o.lambda * y,
-                 third = -o.kappa * second - o.lambda * dy, root = std::sqrt(o.lambda);
-    bound.value += weight * (y + d * dy);
-    bound.rate += weight * (dy + d * second);
+  const double root = std::sqrt(o.lambda);
+  if (o.rate * l <= 1.0) {
     bound.second += weight * (second + d * third);
     bound.bound += size * std::hypot(third, root * second) * (1.0 + d * (o.kappa + root));
     return;
   }
-  bound.value += weight * c.force.c / o.lambda;
-  y -= c.force.c / o.lambda;
   if (!o.has_two_decays()) {
-    bound.away += size * std::hypot(y, dy / std::sqrt(o.lambda)) * (1.0 + d * o.rate);
+    bound.value -= weight * (y + d * dy);
+    bound.rate -= weight * (dy + d * second);
+    bound.away += size * std::hypot(y, dy / root) * (1.0 + d * o.rate);
     return;
   }
   const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
-  for (const auto &[part, root] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
-    const double z = weight * part * (1.0 + d * root);
-    if (-root * l <= 1.0) {
-      bound.value += z;
-      bound.rate += z * root;
-      bound.second += z * root * root;
-      bound.bound += std::abs(z * root * root * root);
+  for (const auto &[part, decay] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
+    const double z = weight * part * (1.0 + d * decay);
+    if (-decay * l <= 1.0) {
+      bound.second += z * decay * decay;
+      bound.bound += std::abs(z * decay * decay * decay);
     } else {
+      bound.value -= z;
+      bound.rate -= z * decay;
       bound.away += std::abs(z);
     }
   }
@@ -111,7 +104,9 @@ ContactBound LongFlight::bound_of(std::size_t k, double l) const {
   const std::size_t watch = form_->watch_of[k];
   const Watch &w = form_->watches[watch];
   const double sign = sign_of(k), square = omega_ * omega_;
-  ContactBound bound{.value = values_[k], .rate = rates_[k]};
+  ContactBound bound;
+  bound.value = std::max(0.0, values_[k].value.hi);
+  bound.rate = values_[k].rate.hi;
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     const Coordinate &c = coordinates_[j];
     const Oscillator<double> &o = form_->rounded[j];
@@ -127,7 +122,7 @@ ContactBound LongFlight::bound_of(std::size_t k, double l) const {
     }
   }
   if (w.a == 0.0 && w.b == 0.0) return bound;
-  const ModalForce<double> f = turned(waves_[watch], omega_ * u_);
+  const ModalForce<double> &f = watch_forces_[watch];
   const double modulus = std::hypot(f.a, f.b);
   if (omega_ * l <= 1.0) {
     bound.second -= square * sign * f.a;

@@ -27,7 +27,7 @@ class LongFlight {
   bool is_under_way() const {
     return form_ != nullptr;
   }
-  void begin(const Chain &chain, std::shared_ptr<const ModalForm> form, const Motion &motion,
+  void begin(const Chain &chain, const Clock &clock, std::shared_ptr<const ModalForm> form, const Motion &motion,
              const std::vector<Start> &starts);
   void end() {
     form_ = nullptr;
@@ -50,41 +50,41 @@ class LongFlight {
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
 
  private:
-  // A coordinate: y - y0 - u y0', the same of y', and the derivatives at u.
+  // A coordinate at u: its deviation from the static displacement, its derivatives of order 1 to 4,
+  // and bounds of those of order 3 and 4 while the forcing stands.
   struct Coordinate {
-    double y0 = 0.0, dy0 = 0.0, second0 = 0.0, change = 0.0, slope = 0.0, d[5] = {};
-    double third = 0.0, fourth = 0.0;  // bounds of these derivatives while the forcing stands
-    ModalForce<double> force = {};     // at the start of the flight
-    double modulus = 0.0;              // of the forcing
+    double deviation = 0.0;
+    double d[5] = {};
+    double third = 0.0, fourth = 0.0;
+    ModalForce<double> force = {};  // at u
+    double modulus = 0.0;           // of the forcing
   };
 
   std::shared_ptr<const ModalForm> form_;
-  ModalState state_;
+  ModalState start_, state_;  // at the start of the flight, and at u
   std::vector<ModalForce<Real>> forces_;
-  std::vector<Contact> contacts_;
   std::vector<Start> starts_;
+  Motion motion_;  // at the time that was evaluated last,
+  Real motion_tau_ = -1.0;
   std::vector<Coordinate> coordinates_;
-  std::vector<ModalForce<double>> waves_;        // of the watches, at the start
-  std::vector<double> values_, rates_, errors_;  // of the contacts at u
-  double omega_ = 0.0, turn_ = 0.0;  // of the forcing; the fastest rate
+  std::vector<ModalForce<double>> watch_forces_;  // of the watches at u
+  std::vector<Value> values_;                     // of the contacts at u
+  double omega_ = 0.0, turn_ = 0.0;               // of the forcing; the fastest rate
   double u_ = 0.0;
   double l_ = 0.0;        // the time for which bounds are made
   double longest_ = 0.0;  // for which they are good
   int evaluations_ = 0;
-  Motion there_;
-  Real there_tau_ = -1.0;
 
-  void evaluate(double u);
+  void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u);
   double sign_of(std::size_t contact) const;
   ContactBound bound_of(std::size_t contact, double l) const;
   void add_parts(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
                  double weight, double l, ContactBound &bound) const;
   double safe_time(double l) const;
   double next_step();
-  bool is_root(const Chain &chain, const Clock &clock, const Motion &start,
-               std::vector<Near> &near);
+  bool is_root() const;
   Real refined(const Chain &chain, const Clock &clock, const Motion &start,
-               const std::vector<Near> &near);
+               std::vector<Near> &near);
 };
 
 }  // namespace vibro_impact::detail

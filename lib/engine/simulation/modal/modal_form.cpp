@@ -122,7 +122,8 @@ std::shared_ptr<const ModalForm> ModalForms::enter(const Chain &chain, const Con
 
 ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &motion) {
   const Index size = form.shape.cols();
-  ModalState state{RealVector::Constant(size, Real(0.0)), RealVector::Constant(size, Real(0.0))};
+  ModalState state{RealVector::Constant(size, Real(0.0)), RealVector::Constant(size, Real(0.0)),
+                   Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
   for (std::size_t i = 0; i < chain.masses; ++i) {
     if (form.held[i] != 0) continue;
     const Real x = chain.mass[i] * motion.x[i], v = chain.mass[i] * motion.v[i];
@@ -144,36 +145,42 @@ std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &m
   return forces;
 }
 
-void fly(const Chain &chain, const Clock &clock, const ModalForm &form, const Motion &start,
-         const ModalState &state, const std::vector<ModalForce<Real>> &forces, const Real &tau,
-         Motion &to) {
+void fly(const ModalForm &form, double omega, const ModalState &start,
+         const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to) {
   to = start;
   if (rounded(tau) == 0.0) return;
-  const ComplexOf<Real> wave = wave_at(tau * chain.omega);
-  for (std::size_t i = 0; i < chain.masses; ++i) {
-    to.x_change[i] = to.v_change[i] = 0.0;
-    if (form.held[i] == 0) to.x[i] = to.v[i] = to.x_terms[i] = to.v_terms[i] = 0.0;
+  const ComplexOf<Real> wave = wave_at(tau * omega);
+  for (std::size_t k = 0; k < form.size(); ++k) {
+    const Index j = as_index(k);
+    const Real travel = tau * start.dy(j);
+    const ModalChange<Real> d =
+        change(form.exact[k], start.y(j), start.dy(j), forces[k], omega, tau, wave);
+    to.y(j) += travel + d.y;
+    to.dy(j) += d.dy;
+    to.y_terms(j) = std::abs(start.y(j).hi) + std::abs(travel.hi) + std::abs(d.y.hi);
+    to.dy_terms(j) = std::abs(start.dy(j).hi) + std::abs(d.dy.hi);
   }
-  for (std::size_t j = 0; j < form.size(); ++j) {
-    const Index column = as_index(j);
-    const Real &y0 = state.y(column), &dy0 = state.dy(column);
-    const ModalChange<Real> d = change(form.exact[j], y0, dy0, forces[j], chain.omega, tau, wave);
-    const Real travel = tau * dy0, y = y0 + (travel + d.y), dy = dy0 + d.dy;
-    const double y_terms = std::abs(y0.hi) + std::abs(travel.hi) + std::abs(d.y.hi),
-                 dy_terms = std::abs(dy0.hi) + std::abs(d.dy.hi);
-    for (std::size_t i = 0; i < chain.masses; ++i) {
-      if (form.held[i] != 0) continue;
-      const Real &s = form.shape(as_index(i), column);
-      to.x[i] += s * y;
-      to.v[i] += s * dy;
-      to.x_terms[i] += std::abs(s.hi) * y_terms;
-      to.v_terms[i] += std::abs(s.hi) * dy_terms;
+}
+
+void set_masses(const ModalForm &form, const ModalState &state, Motion &motion) {
+  for (std::size_t i = 0; i < form.held.size(); ++i) {
+    motion.x_change[i] = motion.v_change[i] = 0.0;
+    if (form.held[i] != 0) continue;
+    Real x = 0.0, v = 0.0;
+    double x_terms = 0.0, v_terms = 0.0;
+    for (Index j = 0; j < state.y.size(); ++j) {
+      const Real &s = form.shape(as_index(i), j);
+      x += s * state.y(j);
+      v += s * state.dy(j);
+      x_terms += std::abs(s.hi) * state.y_terms(j);
+      v_terms += std::abs(s.hi) * state.dy_terms(j);
     }
+    motion.x[i] = x;
+    motion.v[i] = v;
+    motion.x_terms[i] = x_terms;
+    motion.v_terms[i] = v_terms;
   }
-  pass(tau, clock, to.now);
-  set_turn(chain, to);
-  to.acceleration_known = false;
-  find_acceleration(chain, to);
+  motion.acceleration_known = false;
 }
 
 }  // namespace vibro_impact::detail

@@ -46,19 +46,22 @@ class ModalForms {
   std::vector<std::shared_ptr<const ModalForm>> recent_;  // the latest entered last
 };
 
-// The modal coordinates and their velocities, y = shape^T M x.
+// The modal coordinates and their velocities, y = shape^T M x, with the sums of the moduli of the
+// terms of each.
 struct ModalState {
   RealVector y, dy;
+  Eigen::VectorXd y_terms, dy_terms;
 };
 ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &motion);
 
-// The forces of the coordinates over a flight from this motion.
+// The forces on the coordinates over a flight from this motion.
 std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &motion);
 
-// Sets `to` to the motion at the time tau of the flight from `start`, whose modal state and forces
-// these are. Its acceleration is found.
-void fly(const Chain &chain, const Clock &clock, const ModalForm &form, const Motion &start,
-         const ModalState &state, const std::vector<ModalForce<Real>> &forces, const Real &tau,
-         Motion &to);
+// Sets `to` to the state at the time tau of the flight from `start`.
+void fly(const ModalForm &form, double omega, const ModalState &start,
+         const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to);
+
+// Sets the free masses of a motion to a modal state.
+void set_masses(const ModalForm &form, const ModalState &state, Motion &motion);
 
 }  // namespace vibro_impact::detail

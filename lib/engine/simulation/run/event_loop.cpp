@@ -147,7 +147,7 @@ void fly_far(Run &run, double remaining, Recorders recorders) {
     set_starts(run);
     int built = 0;
     auto form = run.forms.enter(chain, *run.motion.mode, built);
-    run.long_flight.begin(chain, std::move(form), run.motion, scratch.starts);
+    run.long_flight.begin(chain, clock, std::move(form), run.motion, scratch.starts);
   }
   const LongFlight::Result result = run.long_flight.search(
       chain, clock, run.motion, remaining, scratch.near, run.search_steps);
