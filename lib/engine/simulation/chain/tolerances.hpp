@@ -22,6 +22,11 @@ constexpr double force_in_question = 1e-3;
 constexpr double as_at_rest = 1e-32;
 // Least pressing force at a chatter limit, relative to its terms: on a border orbit it is zero.
 constexpr double least_press = 1e-9;
+// A term of a decision at rest below this has lost digits to underflow. The unit of its rates is
+// then slower by a factor, down to a share of the fastest rate.
+constexpr double least_term = 1e-280;
+constexpr double slower_unit = 0x1p-10;
+constexpr double slowest_unit = 0x1p-60;
 // Orders of a decision at rest that take as long as a step, for chains of 2 to 200 masses.
 constexpr int orders_as_a_step = 20;
 

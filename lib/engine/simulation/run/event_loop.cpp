@@ -108,9 +108,26 @@ void forget_instant(Run &run) {
     if (!run.scratch.starts[k].idle) run.stops[contacts[k].stop].at = Evaluated{};
 }
 
+bool any_forceless(const Run &run) {
+  return std::any_of(run.stops.begin(), run.stops.end(),
+                     [](const StopState &stop) { return is<Forceless>(stop.at); });
+}
+
+// True when a motion of the chain has come to a mass that no force acted on: it is decided again.
+bool any_force_begins(const Run &run) {
+  return std::any_of(run.motion.mode->contacts.begin(), run.motion.mode->contacts.end(),
+                     [&run](Contact contact) {
+                       if (!is<Forceless>(run.stops[contact.stop].at)) return false;
+                       contact.held = true;  // the force on the mass at rest
+                       const Value force = evaluate(run.chain(), contact, run.motion);
+                       return abs(force.value) > zero_threshold * force.terms;
+                     });
+}
+
 // Handles the end of a flight, to which the run has been moved.
 void end_flight(Run &run, const Real &tau, bool event, Recorders recorders) {
   forget_instant(run);
+  event = event || (any_forceless(run) && any_force_begins(run));
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
   run.hint = {.quiet_steps = quiet_steps, .time_passed = tau.hi > 0.0};
   if (!event) return;
@@ -169,17 +186,25 @@ bool is_in_range(const Motion &motion) {
   return true;
 }
 
-// One flight of the loop. The number of steps without an event alone decides of which kind it is.
+// The only place that chooses the kind of a flight, by the number of steps without an event. A
+// motion may be on its way to a mass without force, which only steps notice.
+bool is_quiet(const Run &run) {
+  const auto n = static_cast<long long>(run.chain().masses);
+  if (run.hint.quiet_steps < fewest_short_steps + n * n / short_steps_divisor) return false;
+  const auto moves = [](const Real &v) { return v.hi != 0.0; };
+  return !any_forceless(run) || std::none_of(run.motion.v.begin(), run.motion.v.end(), moves);
+}
+
+// One flight of the loop.
 void fly_on(Run &run, Recorders recorders) {
   const Real until_end =
       elapsed(run.motion.now, TwofoldInstant(run.progress.end), run.problem.clock);
   const double remaining = std::max(0.0, rounded(until_end));
   if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
-  const auto n = static_cast<long long>(run.chain().masses);
-  if (run.hint.quiet_steps < fewest_short_steps + n * n / short_steps_divisor)
-    fly_one_step(run, remaining, recorders);
-  else
+  if (is_quiet(run))
     fly_far(run, remaining, recorders);
+  else
+    fly_one_step(run, remaining, recorders);
 }
 
 }  // namespace

@@ -2,8 +2,9 @@
 // x^(n+2) = M^-1 (F^(n) - C x^(n+1) - K x^(n)). The force on a mass at rest depends on those of its
 // neighbours, which have been decided at the orders before.
 //
-// Derivatives of order n are carried in the unit rate^n: those of a long chain beside a stiff
-// link differ by more than a double can hold. The rate is a power of two and rounds nothing.
+// Derivatives of order n are carried in the unit rate^n. The rate is a power of two and rounds
+// nothing. At the fastest rate of the chain no derivative overflows. Beside a stiff link, those of
+// masses far from it may underflow, and the decision is made again at a slower rate.
 #include "rest.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace vibro_impact::detail {
 
 // The force of springs and dampers on a mass at order n, over rate^n.
 RestDecision::Term RestDecision::force_on(const Chain &chain, std::size_t i) const {
-  const double damping = chain.beta * chain.rate_unit;
+  const double damping = chain.beta * rate_;
   Term force;
   const auto add_spring = [&](double stiffness, bool has_neighbour, std::size_t other) {
     if (stiffness == 0.0) return;
@@ -37,8 +38,20 @@ RestDecision::Term RestDecision::force_on(const Chain &chain, std::size_t i) con
 
 int RestDecision::decide(const Chain &chain, const Motion &motion,
                          std::vector<RestingMass> &masses) {
+  rate_ = chain.rate_unit;
+  int orders = decide_by_order(chain, motion, masses);
+  while (underflown_ && rate_ > chain.rate_unit * slowest_unit) {
+    rate_ *= slower_unit;
+    orders += decide_by_order(chain, motion, masses);
+  }
+  return orders;
+}
+
+int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
+                                  std::vector<RestingMass> &masses) {
   const std::size_t n = chain.masses;
-  const double rate = chain.rate_unit;
+  const double rate = rate_;
+  bool underflown = false;
   kind_.resize(n);
   resting_.assign(n, nullptr);
   for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_})
@@ -84,6 +97,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
         mass.first = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
         if (mass.held) continue;
       }
+      underflown = underflown || (force.terms > 0.0 && force.terms < least_term);
       const double inertia = chain.mass[i] * rate * rate;
       order_n_plus_2_[i] = {force.value / Real(inertia), force.terms / inertia};
     }
@@ -94,7 +108,11 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
     sine = slower * before;
     power *= slower.hi;
   }
-  for (RestingMass &mass : masses) mass.forceless = kind_[mass.mass] == Kind::undecided;
+  for (RestingMass &mass : masses) {
+    mass.forceless = kind_[mass.mass] == Kind::undecided;
+    if (mass.forceless) mass.held = false;
+  }
+  underflown_ = underflown && left > 0;
   return order;
 }
 
