@@ -14,6 +14,7 @@ void clear(const Chain &chain, Motion &motion) {
        {&motion.x_terms, &motion.v_terms, &motion.x_change, &motion.v_change})
     list->assign(chain.padded, 0.0);
   motion.acceleration_known = false;
+  motion.step_time = 0.0;
 }
 
 void set_turn(const Chain &chain, Motion &motion) {
@@ -26,6 +27,7 @@ void set_turn(const Chain &chain, Motion &motion) {
 // order and are found in double precision. From time to time the turn is computed anew.
 void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motion) {
   pass(tau, clock, motion.now);
+  motion.step_time = tau;
   motion.acceleration_known = false;
   if (chain.omega == 0.0) return;
   if (++motion.turned > most_turns) return set_turn(chain, motion);
@@ -92,11 +94,14 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
   if (!contact.held)
     return {sigma * (contact.position - motion.x[i]), -(sigma * motion.v[i]),
             std::abs(contact.position) + motion.x_terms[i], motion.v_terms[i],
-            change_rounding * motion.x_change[i]};
+            change_rounding * (motion.x_change[i] +
+                               step_time_rounding * motion.step_time * std::abs(motion.v[i].hi))};
   const auto &[cosine, sine] = motion.turn;
   Real force = chain.p[i] + chain.a[i] * cosine + chain.b[i] * sine - chain.ground[i] * motion.x[i];
   Real rate = chain.omega * (chain.b[i] * cosine - chain.a[i] * sine);
+  const double late = step_time_rounding * motion.step_time;
   Value value;
+  value.rounding = motion.step_time > 0.0 ? std::abs(chain.a[i]) + std::abs(chain.b[i]) : 0.0;
   value.terms = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
                 chain.ground[i] * motion.x_terms[i];
   const auto add_link = [&](double stiffness, std::size_t other, bool exists) {
@@ -109,7 +114,8 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
     rate += stiffness * (motion.v[other] + chain.beta * motion.acceleration[other]);
     value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);
     value.rate_terms += stiffness * motion.v_terms[other];
-    value.rounding += stiffness * (motion.x_change[other] + chain.beta * motion.v_change[other]);
+    value.rounding += stiffness * (motion.x_change[other] + late * std::abs(motion.v[other].hi) +
+                                   chain.beta * motion.v_change[other]);
   };
   add_link(chain.link[i], i - 1, i > 0);
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1, true);

@@ -26,8 +26,10 @@ struct Motion {
   // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
   // passes x = 0 onto a stop at 0 has no terms at that instant.
   std::vector<double> x_terms, v_terms;
-  // What the latest step has added to x and v in double precision.
+  // What the latest step has added to x and v in double precision, and its time, which is a double.
+  // Both are 0 after a flight in closed form.
   std::vector<double> x_change, v_change;
+  double step_time = 0.0;
 };
 
 // A motion of the chain at rest at zero.

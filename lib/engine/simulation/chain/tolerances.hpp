@@ -14,6 +14,9 @@ constexpr double zero_threshold = 1e-26;
 // Rounding of the second-order change of a step, which is found in double precision: eight units in
 // the last place. It tells which contacts come to zero at the same instant.
 constexpr double change_rounding = 0x1p-50;
+// Rounding of the time of an event in a step, in units of `change_rounding`: one unit in the last
+// place.
+constexpr double step_time_rounding = 0x1p-2;
 // A hold force larger than this, relative to its terms, is not in question at the event of another
 // mass: the jump of a force is at least as large as that of its terms.
 constexpr double force_in_question = 1e-3;

@@ -69,7 +69,7 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, con
 }
 
 bool Chatter::find_limit(double tolerance, const Clock &clock, ChatterLimit &limit) const {
-  if (size_ < fewest_chatter_nodes || !stands_at_node()) return false;
+  if (size_ < fewest_chatter_nodes) return false;
   const Weights &all = weights_[size_], &fewer = weights_[size_ - 1];
   const ChatterNode &latest = node(0);
   // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.

@@ -35,9 +35,11 @@ class Chatter {
            const std::vector<double> &jumps);
   void end();
 
-  // True if the latest impact is a node, after which a limit may be taken.
-  bool stands_at_node() const {
-    return size_ > 0 && (impacts_ - 1) % stride_ == 0;
+  // True if the motion is just after the latest impact, and this is a node: a limit may be taken.
+  bool stands_at_node(const Motion &motion) const {
+    const TwofoldInstant &latest = ring_[newest_].instant;
+    return size_ > 0 && (impacts_ - 1) % stride_ == 0 && latest.cycle == motion.now.cycle &&
+           latest.phase == motion.now.phase;
   }
   // Extrapolates the motion at the limit. Returns false until that has settled: the time within
   // this tolerance of the duration of the chatter, and the velocities within it of their jumps.

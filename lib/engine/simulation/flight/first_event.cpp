@@ -65,9 +65,9 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     return std::min(radians, same_instant_of_flight * u);
   };
   if (polynomials.size() < mode.contacts.size()) polynomials.resize(mode.contacts.size());
+  roots.assign(mode.contacts.size(), infinity);
   double u = step.u_max;
   bool event = false;
-  std::size_t earliest = 0;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact &contact = mode.contacts[k];
     const Start &start = starts[k];
@@ -89,14 +89,13 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     if (!root) continue;
     if (std::isnan(root->u)) return {root->u, true};
     near[k] = Near::perhaps;
-    if (!event || root->u < u) {
-      u = root->u;
-      earliest = k;
-    }
+    roots[k] = root->u;
+    if (!event || root->u < u) u = root->u;
     event = true;
   }
   if (!event) return {step.length, false};
-  near[earliest] = Near::zero;
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k)
+    if (roots[k] == u) near[k] = Near::zero;
   return {u * step.unit, true};
 }
 

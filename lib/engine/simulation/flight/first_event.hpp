@@ -17,7 +17,7 @@ struct Start {
   bool idle = false;    // the contact stays at zero
 };
 
-// Where a contact is at the end of a flight. The first that comes to zero is zero by definition;
+// Where a contact is at the end of a flight. The first to come there are zero by definition;
 // others may be so within rounding.
 enum class Near : char { no, perhaps, zero };
 
@@ -34,7 +34,8 @@ Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, con
 // One step of a flight. Its storage is reused, so that steps allocate no memory.
 struct Flight {
   TaylorTable table;
-  std::vector<Polynomial> polynomials;  // one for each contact of the mode
+  std::vector<Polynomial> polynomials;  // one for each contact of the mode,
+  std::vector<double> roots;            // with its first root in the step
 
   // Finds the first event of the step, which begins at `motion`, whose acceleration is known.
   // `starts` and `near` have one entry for each contact.

@@ -19,6 +19,7 @@ void LongFlight::begin(const Chain &chain, const Clock &clock,
   omega_ = chain.omega;
   turn_ = std::max(form_->fastest, omega_);
   evaluations_ = 0;
+  is_at_event_ = false;
   longest_ = longest_step;
   coordinates_.assign(form_->size(), {});
   for (std::size_t j = 0; j < form_->size(); ++j) {
@@ -156,7 +157,7 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
 
 LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, const Motion &start,
                                       double end, std::vector<Near> &near, long long &steps) {
-  while (true) {
+  while (!is_at_event_) {
     const double l = l_, step = next_step();
     if (u_ + step >= end) {
       l_ = l;  // the next call makes this step
@@ -165,9 +166,13 @@ LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, co
     const double before = u_;
     evaluate(chain, clock, start, u_ + step);
     ++steps;
-    if (is_root() || u_ == before) return {Found::event, refined(chain, clock, start, near)};
-    if (++evaluations_ >= most_search_steps) return {Found::nothing, u_};
+    if (is_root() || u_ == before)
+      is_at_event_ = true;
+    else if (++evaluations_ >= most_search_steps)
+      return {Found::nothing, u_};
   }
+  // Also for a call that goes on after one that ended between u and the event.
+  return {Found::event, refined(chain, clock, start, near)};
 }
 
 }  // namespace vibro_impact::detail

@@ -74,6 +74,7 @@ class LongFlight {
   double l_ = 0.0;        // the time for which bounds are made
   double longest_ = 0.0;  // for which they are good
   int evaluations_ = 0;
+  bool is_at_event_ = false;  // the search has found an event next to u
 
   void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u);
   double sign_of(std::size_t contact) const;

@@ -180,6 +180,7 @@ void set_masses(const ModalForm &form, const ModalState &state, Motion &motion) 
     motion.x_terms[i] = x_terms;
     motion.v_terms[i] = v_terms;
   }
+  motion.step_time = 0.0;
   motion.acceleration_known = false;
 }
 

@@ -37,6 +37,7 @@ bool find_limit(Run &run) {
   motion.x = scratch.limit.x;
   motion.v = scratch.limit.v;
   motion.acceleration_known = false;
+  motion.step_time = 0.0;
   pass(scratch.limit.time_left, run.problem.clock, motion.now);
   set_turn(chain, motion);
   find_acceleration(chain, motion);
@@ -46,7 +47,7 @@ bool find_limit(Run &run) {
 // Moves the run to the limit of a chatter whose latest impact is a node of its table, if the limit
 // is found.
 void take_limit(Run &run, Recorders recorders) {
-  if (run.progress.over || run.progress.inside_chatter || !run.chatter.stands_at_node() ||
+  if (run.progress.over || run.progress.inside_chatter || !run.chatter.stands_at_node(run.motion) ||
       !find_limit(run))
     return;
   const Instant limit = run.scratch.motion.now.rounded();

@@ -157,6 +157,7 @@ void handle_start(Run &run, Recorders recorders) {
   bool built = false;
   motion.mode = &run.modes.enter(chain, state.held, built);
   if (built) ++run.counters.modes_built;
+  const ContactMode *before = motion.mode;
   clear(chain, motion);
   motion.now = TwofoldInstant(state.instant);
   for (std::size_t i = 0; i < chain.masses; ++i)
@@ -167,7 +168,7 @@ void handle_start(Run &run, Recorders recorders) {
   gather_hits(run);
   apply_hits(run, recorders);
   hold_or_release(run, recorders, true);
-  follow_chatter(run, motion.mode);
+  follow_chatter(run, before);
 }
 
 void enter_limit(Run &run, Recorders recorders) {
