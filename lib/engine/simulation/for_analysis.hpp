@@ -2,10 +2,10 @@
 // needs stands in the public headers.
 #pragma once
 
-#include "chain/forces.hpp"    // the forces of Eq. 4, and a bound of every rate
-#include "chain/require.hpp"   // the refusal of bad input
+#include "chain/forces.hpp"         // the forces of Eq. 4, and a bound of every rate
+#include "chain/require.hpp"        // the refusal of bad input
 #include "modal/free_response.hpp"  // the free motion of one mode in closed form
-#include "modal/modes.hpp"     // the natural modes of the free masses
+#include "modal/modes.hpp"          // the natural modes of the free masses
 
 namespace vibro_impact {
 

@@ -30,7 +30,8 @@ Chain::Chain(const Scene &scene)
   highest.assign(padded, infinity);
   for (std::size_t i = 0; i < masses; ++i) {
     inverse_mass[i] = Real(1.0) / mass[i];
-    force_bound = std::max(force_bound, (std::abs(a[i]) + std::abs(b[i]) + std::abs(p[i])) / mass[i]);
+    force_bound =
+        std::max(force_bound, (std::abs(a[i]) + std::abs(b[i]) + std::abs(p[i])) / mass[i]);
   }
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);

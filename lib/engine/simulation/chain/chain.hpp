@@ -21,14 +21,14 @@ struct ChainStop {
 struct Chain {
   std::size_t masses = 0, padded = 0;
   std::vector<double> mass, a, b, p, ground;
-  std::vector<double> link;           // entry i ties mass i to mass i - 1, entry 0 to the ground
+  std::vector<double> link;  // entry i ties mass i to mass i - 1, entry 0 to the ground
   std::vector<Real> inverse_mass;
   std::vector<ChainStop> stops;
   std::vector<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
   double beta = 0.0;
-  double omega = 0.0;       // of the forcing, 0 where nothing is forced
-  double rate_bound = 1.0;  // of all contact modes and the forcing, 1 if all their rates are 0
-  double rate_unit = 1.0;   // the power of two above it: exact as a unit
+  double omega = 0.0;        // of the forcing, 0 where nothing is forced
+  double rate_bound = 1.0;   // of all contact modes and the forcing, 1 if all their rates are 0
+  double rate_unit = 1.0;    // the power of two above it: exact as a unit
   double force_bound = 0.0;  // the largest |A_i| + |B_i| + |P_i| per mass m_i
 
   explicit Chain(const Scene &scene);

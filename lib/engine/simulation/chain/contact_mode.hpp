@@ -26,7 +26,7 @@ struct ContactMode {
   // The masses are taken two at a time. A link lies within such a pair of masses or outside, to
   // the next pair. Both lists have for each mass the link of its kind.
   std::vector<double> within, outside;
-  bool grounded = false;                // some mass has a spring to the ground
+  bool grounded = false;                  // some mass has a spring to the ground
   std::vector<std::size_t> forced_pairs;  // the first masses of pairs with a forced one
   std::vector<Contact> contacts;
   double fastest = 0.0;  // the largest rate of the free masses and of the forcing

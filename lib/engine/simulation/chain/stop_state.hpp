@@ -17,8 +17,8 @@ struct Leaving {
 // The mass is free and at rest at the stop, and not yet decided.
 struct Resting {};
 // The decision of this instant. The derivatives of order 0, ..., zeros - 1 of what is evaluated at
-// the contact, the gap of a released mass or the force on a held one, are exactly zero. The next one
-// is `first` > 0.
+// the contact, the gap of a released mass or the force on a held one, are exactly zero. The next
+// one is `first` > 0.
 struct Decided {
   int zeros = 0;
   double first = 0.0;
@@ -38,8 +38,8 @@ bool is(const AtStop &at) {
 
 struct StopState {
   AtStop at = {};
-  double last_speed = 0.0;              // closing speed of the latest impact
-  int falling = 0;                      // see Event::falling
+  double last_speed = 0.0;  // closing speed of the latest impact
+  int falling = 0;          // see Event::falling
   // The longest time to the limit, to leading order, that one of the falling impacts has predicted.
   double duration = 0.0;
   std::optional<Instant> changed = {};  // instant of the latest stick or release

@@ -20,8 +20,8 @@ constexpr double step_time_rounding = 0x1p-2;
 // A hold force larger than this, relative to its terms, is not in question at the event of another
 // mass: the jump of a force is at least as large as that of its terms.
 constexpr double force_in_question = 1e-3;
-// A gap and its speed this small, relative to the motion of the chain and of the forcing in one unit
-// of time, are below the rounding of twice the precision.
+// A gap and its speed this small, relative to the motion of the chain and of the forcing in one
+// unit of time, are below the rounding of twice the precision.
 constexpr double as_at_rest = 1e-32;
 // Least pressing force at a chatter limit, relative to its terms: on a border orbit it is zero.
 constexpr double least_press = 1e-9;
@@ -83,8 +83,8 @@ constexpr double small_gap = 1e-3;
 // Long flights.
 
 // Steps without an event after which a flight goes on in closed form. With 8 the work of ten masses
-// is 40 percent more: a search costs as much as 16 steps. The modes of N masses cost as much as some
-// N^2 / 8 steps.
+// is 40 percent more: a search costs as much as 16 steps. The modes of N masses cost as much as
+// some N^2 / 8 steps.
 constexpr long long fewest_short_steps = 16;
 constexpr long long short_steps_divisor = 8;
 // A damping ratio squared, minus one, from which the decays of a coordinate are bounded one by one.
@@ -93,8 +93,8 @@ constexpr double two_decays = 0.01;
 constexpr double near_resonance = 0.01;
 // Time of a root, relative to the flight, below which a value of the wrong sign is rounding.
 constexpr double time_rounding = 1e-13;
-// Newton's steps in twice the precision on the time of an event, and the longest of them relative to
-// the flight: the search has found the root to 1e-13.
+// Newton's steps in twice the precision on the time of an event, and the longest of them relative
+// to the flight: the search has found the root to 1e-13.
 constexpr int exact_newton_steps = 4;
 constexpr double longest_correction = 1e-3;
 // Evaluations after which a long flight begins anew where it is.
@@ -121,7 +121,8 @@ constexpr double prediction_share = 1.0 / 16.0;
 constexpr double jump_sum_factor = 1.5;
 // Longest time to a limit, in radians of the fastest rate: accelerations then hardly change.
 constexpr double longest_rest_of_chatter = 0.5;
-// A chatter whose time left is this share of its duration is over: it is below the rounding of time.
+// A chatter whose time left is this share of its duration is over: it is below the rounding of
+// time.
 constexpr double chatter_end = 1e-17;
 // Bound of the next closing speed, relative to the latest rebound speed. `limit_below_speed`
 // reports every faster impact.

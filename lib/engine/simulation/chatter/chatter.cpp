@@ -19,8 +19,8 @@ void Chatter::end() {
   x_ = duration_ = 0.0;
 }
 
-// What successive nodes predict differs from the limit by the powers 2, 3, ... of the ratio of their
-// x. Each column of the scheme removes one of them.
+// What successive nodes predict differs from the limit by the powers 2, 3, ... of the ratio of
+// their x. Each column of the scheme removes one of them.
 void Chatter::set_weights(double ratio) {
   std::array<Weights, most_chatter_nodes> column{};  // entry k ends with node k, the oldest first
   weights_ = {};
@@ -44,8 +44,8 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, con
     stops_ = stops;
     if (r != restitution_) {
       restitution_ = r;
-      stride_ = static_cast<std::size_t>(
-          std::ceil(std::max(1.0, std::log(node_ratio) / std::log(r))));
+      stride_ =
+          static_cast<std::size_t>(std::ceil(std::max(1.0, std::log(node_ratio) / std::log(r))));
       set_weights(std::pow(r, static_cast<double>(stride_)));
     }
   }
@@ -95,8 +95,7 @@ bool Chatter::find_limit(double tolerance, const Clock &clock, ChatterLimit &lim
       const RealPair ex = load(&earlier.x[i]), ev = load(&earlier.v[i]);
       const Pair early_gain =
           load(&earlier.acceleration[i]).hi * earlier.left + pair(&earlier.jumps[i]);
-      const Pair x_distance =
-                     (ex.hi - x.hi) + (ex.lo - x.lo) + (ev.hi * earlier.left - travel),
+      const Pair x_distance = (ex.hi - x.hi) + (ex.lo - x.lo) + (ev.hi * earlier.left - travel),
                  v_distance = (ev.hi - v.hi) + (ev.lo - v.lo) + (early_gain - gain);
       x_change += all[k] * x_distance;
       v_change += all[k] * v_distance;

@@ -7,14 +7,14 @@
 
 namespace vibro_impact::detail {
 
-// True when no contact outside the chatter can come to zero within the time left. The latest node is
-// at the motion, whose acceleration is known. The jumps at the impacts to come add up to at most
+// True when no contact outside the chatter can come to zero within the time left. The latest node
+// is at the motion, whose acceleration is known. The jumps at the impacts to come add up to at most
 // `jump_sum_factor` times the geometric series.
 bool others_stay_out_of_reach(const Chain &chain, const Chatter &chatter, const Motion &motion,
                               const std::vector<StopState> &stops, double left);
 
-// True when all masses of the chatter are pressed against their stops. On a border orbit, and beyond
-// it, they are not. The acceleration is known.
+// True when all masses of the chatter are pressed against their stops. On a border orbit, and
+// beyond it, they are not. The acceleration is known.
 bool all_are_pressed(const Chain &chain, const Chatter &chatter, const Motion &motion);
 
 }  // namespace vibro_impact::detail

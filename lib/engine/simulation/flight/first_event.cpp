@@ -44,8 +44,7 @@ Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, con
   if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
   if (const auto *decided = std::get_if<Decided>(&at); decided && decided->zeros > 1)
     return {.zeros = decided->zeros, .first = decided->first};
-  if (const auto *leaving = std::get_if<Leaving>(&at))
-    return {.rate = leaving->speed, .zeros = 1};
+  if (const auto *leaving = std::get_if<Leaving>(&at)) return {.rate = leaving->speed, .zeros = 1};
   const Value value = evaluate(chain, contact, motion);
   const auto *decided = std::get_if<Decided>(&at);
   if ((decided && decided->zeros == 1) || rounded(value.value) <= zero_threshold * value.terms)
@@ -59,8 +58,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   const ContactMode &mode = *motion.mode;
   expand(chain, motion, step, table);
   // Two roots may be one instant if they differ by at most so much.
-  const double radians =
-      mode.fastest > 0.0 ? same_instant / (mode.fastest * step.unit) : infinity;
+  const double radians = mode.fastest > 0.0 ? same_instant / (mode.fastest * step.unit) : infinity;
   const auto tolerance = [radians](double u) {
     return std::min(radians, same_instant_of_flight * u);
   };

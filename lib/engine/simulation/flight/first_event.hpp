@@ -12,9 +12,9 @@ namespace vibro_impact::detail {
 // What is known of a contact at the start of a flight.
 struct Start {
   double value = 0.0, rate = 0.0;
-  int zeros = 0;        // the number of derivatives, from the value on, that are exactly zero
-  double first = 0.0;   // the next derivative, where two or more are zero
-  bool idle = false;    // the contact stays at zero
+  int zeros = 0;       // the number of derivatives, from the value on, that are exactly zero
+  double first = 0.0;  // the next derivative, where two or more are zero
+  bool idle = false;   // the contact stays at zero
 };
 
 // Where a contact is at the end of a flight. The first to come there are zero by definition;

@@ -74,10 +74,10 @@ Root root_at(double u, double slope, int zeros) {
   return {u, slope};
 }
 
-// The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies. The inverse of the series
-// about u gives it to fourth order in Newton's step, and then Newton's method with value and slope
-// alone. `curvature` bounds |q'' newton / q'|, so that the root lies within curvature * |newton| of
-// Newton's step.
+// The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies. The inverse of the
+// series about u gives it to fourth order in Newton's step, and then Newton's method with value and
+// slope alone. `curvature` bounds |q'' newton / q'|, so that the root lies within curvature *
+// |newton| of Newton's step.
 std::optional<Root> polished(const Polynomial &p, int zeros, double u, const Jet &jet,
                              double newton, double curvature, double u_max) {
   const double inverse = -1.0 / jet.slope, a = jet.second * inverse, b = jet.third * inverse,

@@ -54,8 +54,9 @@ void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table
 // Two masses fit into one register.
 void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
   const double unit = table.step.unit, damping = chain.beta / unit;
-  const Pair scale = (unit * unit) * pair(mode.rounded_inverse.data()), a = scale * pair(chain.a.data()),
-             b = scale * pair(chain.b.data()), within = scale * pair(mode.within.data()),
+  const Pair scale = (unit * unit) * pair(mode.rounded_inverse.data()),
+             a = scale * pair(chain.a.data()), b = scale * pair(chain.b.data()),
+             within = scale * pair(mode.within.data()),
              own = scale * (pair(mode.outside.data()) + pair(chain.ground.data()));
   double *entry = table.of_order(2);
   Pair before = pair(table.of_order(1)), latest = pair(entry), travel = modulus(latest);

@@ -11,8 +11,8 @@
 namespace vibro_impact::detail {
 
 // One step of a flight, in u = tau / unit from 0 to u_max = length / unit. The unit of time is a
-// power of two, so that no scaling of a coefficient is rounded: such roundings are the same in every
-// step of a length, and the energy of an elastic chain would drift.
+// power of two, so that no scaling of a coefficient is rounded: such roundings are the same in
+// every step of a length, and the energy of an elastic chain would drift.
 struct Step {
   double length = 0.0;
   double unit = 1.0;

@@ -50,9 +50,10 @@ double ContactBound::first_root(double l) const {
   return s;
 }
 
-// A coordinate that turns within l is bounded in parts, each by its derivatives or by its amplitude:
-// the steady response, and one free oscillation or two decays about the static displacement. A part
-// that is bounded by its amplitude is taken out of the value and of the rate; the others stay.
+// A coordinate that turns within l is bounded in parts, each by its derivatives or by its
+// amplitude: the steady response, and one free oscillation or two decays about the static
+// displacement. A part that is bounded by its amplitude is taken out of the value and of the rate;
+// the others stay.
 void LongFlight::add_parts(const Watch &w, const Coordinate &c, const Oscillator<double> &o,
                            double weight, double l, ContactBound &bound) const {
   const double size = std::abs(weight), d = w.damping, square = omega_ * omega_;
@@ -114,9 +115,8 @@ ContactBound LongFlight::bound_of(std::size_t k, double l) const {
     if (weight == 0.0) continue;
     if (o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0)) {
       bound.second += weight * (c.d[2] + w.damping * c.d[3]);
-      bound.bound +=
-          std::abs(weight) * (c.third + w.damping * c.fourth +
-                              c.modulus * square * l * (1.0 + w.damping * omega_));
+      bound.bound += std::abs(weight) * (c.third + w.damping * c.fourth +
+                                         c.modulus * square * l * (1.0 + w.damping * omega_));
     } else {
       add_parts(w, c, o, weight, l, bound);
     }

@@ -14,7 +14,8 @@ struct OscillatorState {
 inline OscillatorState free_response(double kappa, double lambda, OscillatorState start,
                                      double tau) {
   const auto [h, dh] = impulse_response(Oscillator<double>(lambda, kappa), tau);
-  return {start.value * (dh + kappa * h) + start.slope * h, start.slope * dh - lambda * start.value * h};
+  return {start.value * (dh + kappa * h) + start.slope * h,
+          start.slope * dh - lambda * start.value * h};
 }
 
 }  // namespace vibro_impact::detail

@@ -26,8 +26,7 @@ void LongFlight::begin(const Chain &chain, const Clock &clock,
     const Oscillator<double> &o = form_->rounded[j];
     coordinates_[j].modulus = std::hypot(forces_[j].a.hi, forces_[j].b.hi);
     const double distance = std::hypot(o.lambda - omega_ * omega_, o.kappa * omega_);
-    if (coordinates_[j].modulus > 0.0 &&
-        distance < near_resonance * (o.lambda + omega_ * omega_))
+    if (coordinates_[j].modulus > 0.0 && distance < near_resonance * (o.lambda + omega_ * omega_))
       longest_ = std::min(longest_, 1.0 / o.rate);
   }
   l_ = std::min(turn_ > 0.0 ? 1.0 / turn_ : longest_, longest_);
@@ -100,7 +99,8 @@ double LongFlight::next_step() {
   return step;
 }
 
-// True if an event is at u: a contact is zero, or has a simple root within the rounding of its time.
+// True if an event is at u: a contact is zero, or has a simple root within the rounding of its
+// time.
 bool LongFlight::is_root() const {
   for (std::size_t k = 0; k < values_.size(); ++k) {
     const double value = values_[k].value.hi, rate = values_[k].rate.hi;

@@ -1,6 +1,6 @@
 // A flight of any length in closed form: its first event is found by bounds of the motion, without
-// steps. A slow forcing, a stiff link that has come to rest, a chain far from its stops and one that
-// has left them for good are all such flights.
+// steps. A slow forcing, a stiff link that has come to rest, a chain far from its stops and one
+// that has left them for good are all such flights.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ class LongFlight {
   bool is_under_way() const {
     return form_ != nullptr;
   }
-  void begin(const Chain &chain, const Clock &clock, std::shared_ptr<const ModalForm> form, const Motion &motion,
-             const std::vector<Start> &starts);
+  void begin(const Chain &chain, const Clock &clock, std::shared_ptr<const ModalForm> form,
+             const Motion &motion, const std::vector<Start> &starts);
   void end() {
     form_ = nullptr;
   }
@@ -36,8 +36,8 @@ class LongFlight {
     return starts_;
   }
 
-  // What the search has found, counting its steps: an event, the end of the call before any event, or neither after
-  // `most_search_steps`, and then the flight may begin anew where it is.
+  // What the search has found, counting its steps: an event, the end of the call before any event,
+  // or neither after `most_search_steps`, and then the flight may begin anew where it is.
   enum class Found { event, end_of_call, nothing };
   struct Result {
     Found found;

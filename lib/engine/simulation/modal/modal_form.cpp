@@ -77,9 +77,9 @@ ModalForm build_modal_form(const Chain &chain, const ContactMode &mode,
     first += n;
   }
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    const auto same = std::find_if(
-        mode.contacts.begin(), mode.contacts.begin() + as_index(k),
-        [&](const Contact &contact) { return contact.mass == mode.contacts[k].mass; });
+    const auto same =
+        std::find_if(mode.contacts.begin(), mode.contacts.begin() + as_index(k),
+                     [&](const Contact &contact) { return contact.mass == mode.contacts[k].mass; });
     const auto before = static_cast<std::size_t>(same - mode.contacts.begin());
     if (before < k) {
       form.watch_of.push_back(form.watch_of[before]);
@@ -140,8 +140,8 @@ std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &m
   const auto &[cosine, sine] = motion.turn;
   std::vector<ModalForce<Real>> forces;
   for (Index j = 0; j < form.a.size(); ++j)
-    forces.push_back({form.a(j) * cosine + form.b(j) * sine, form.b(j) * cosine - form.a(j) * sine,
-                      form.c(j)});
+    forces.push_back(
+        {form.a(j) * cosine + form.b(j) * sine, form.b(j) * cosine - form.a(j) * sine, form.c(j)});
   return forces;
 }
 

@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Index;
 
-// The tensions of the springs of a block for a displacement of each mass times the root of the mass.
+// The tensions of the springs of a block for a displacement of each mass times the root of the
+// mass.
 struct Tensions {
   RealMatrix matrix;
   bool tied = false;  // to the ground or to a held mass
@@ -58,8 +59,7 @@ void rotate(RealMatrix &matrix, Index p, Index q, const Real &cosine, const Real
 void make_orthogonal(RealMatrix &factor, RealMatrix &vectors) {
   const Index n = factor.cols();
   double largest = 0.0;
-  for (Index j = 0; j < n; ++j)
-    largest = std::max(largest, rounded(factor.col(j).squaredNorm()));
+  for (Index j = 0; j < n; ++j) largest = std::max(largest, rounded(factor.col(j).squaredNorm()));
   bool rotated = true;
   for (int sweep = 0; rotated && sweep < most_sweeps; ++sweep) {
     rotated = false;
@@ -100,7 +100,8 @@ RealMatrix start_of_modes(const RealMatrix &factor) {
 BlockModes modes_of_block(const Chain &chain, std::size_t first, std::size_t last) {
   const auto n = static_cast<Index>(last - first + 1);
   RealVector root(n);
-  for (Index i = 0; i < n; ++i) root(i) = sqrt(Real(chain.mass[first + static_cast<std::size_t>(i)]));
+  for (Index i = 0; i < n; ++i)
+    root(i) = sqrt(Real(chain.mass[first + static_cast<std::size_t>(i)]));
   const Tensions tensions = tensions_of(chain, first, root);
   RealMatrix vectors = start_of_modes(tensions.matrix), factor = tensions.matrix * vectors;
   make_orthogonal(factor, vectors);
@@ -148,8 +149,7 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
     basis.lambda(j) = lambda(order[static_cast<std::size_t>(j)]);
     basis.shape.col(j) = shape.col(order[static_cast<std::size_t>(j)]);
   }
-  const Eigen::VectorXd mass =
-      Eigen::Map<const Eigen::VectorXd>(scene.mass.data(), shape.rows());
+  const Eigen::VectorXd mass = Eigen::Map<const Eigen::VectorXd>(scene.mass.data(), shape.rows());
   basis.inverse = basis.shape.transpose() * mass.asDiagonal();
   return basis;
 }

@@ -135,7 +135,8 @@ ComplexOf<T> forced_response(const Oscillator<T> &o, const ModalChange<T> &h, do
   const bool oscillates = rounded(o.square) < 0.0;
   if (oscillates && std::hypot(rounded(o.half), rounded(off)) * rounded(tau) < 1.0) {
     // Near resonance the usual form cancels. With q = -half + i root, the response is
-    // (near - far) / (2 i root), near = (e^(q tau) - e^(i Omega tau)) / (q - i Omega) by its series.
+    // (near - far) / (2 i root), near = (e^(q tau) - e^(i Omega tau)) / (q - i Omega) by its
+    // series.
     const ComplexOf<T> z{-o.half * tau, off * tau};
     ComplexOf<T> sum{1.0, 0.0}, term{1.0, 0.0};
     for (double k = 2.0; k < 30.0; ++k) {

@@ -13,9 +13,9 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// Finds the limit of the chatter under way, as scratch.motion. Returns false when it is not accurate
-// enough, when another contact may come to zero before it, or when a mass hit is not pressed against
-// its stop there.
+// Finds the limit of the chatter under way, as scratch.motion. Returns false when it is not
+// accurate enough, when another contact may come to zero before it, or when a mass hit is not
+// pressed against its stop there.
 bool find_limit(Run &run) {
   const Chain &chain = run.chain();
   const Chatter &chatter = run.chatter;
@@ -71,9 +71,8 @@ double longest_step_of(const Run &run) {
 Step plan_step(Run &run) {
   const double longest = longest_step_of(run);
   Step step;
-  step.length =
-      std::min(longest, std::max(expected_flight_margin * run.hint.flight_time,
-                                 shortest_step * longest));
+  step.length = std::min(
+      longest, std::max(expected_flight_margin * run.hint.flight_time, shortest_step * longest));
   if (run.hint.postponed) {  // the decision is made at the next instant of the clock
     const double phase = run.motion.now.rounded().phase;
     step.length = 2.0 * (std::nextafter(phase, infinity) - phase);
@@ -87,8 +86,8 @@ Step plan_step(Run &run) {
   if (zeros > 1) step.order = std::max(step.order, std::min(max_order, (zeros + 3) / 4 * 4 + 3));
   ++run.counters.expansions;
   run.counters.coefficients += step.order + 1;
-  run.counters.products += static_cast<long long>(step.order + 1) *
-                           static_cast<long long>(run.chain().padded);
+  run.counters.products +=
+      static_cast<long long>(step.order + 1) * static_cast<long long>(run.chain().padded);
   return step;
 }
 
@@ -167,8 +166,8 @@ void fly_far(Run &run, double remaining, Recorders recorders) {
     auto form = run.forms.enter(chain, *run.motion.mode, built);
     run.long_flight.begin(chain, clock, std::move(form), run.motion, scratch.starts);
   }
-  const LongFlight::Result result = run.long_flight.search(
-      chain, clock, run.motion, remaining, scratch.near, run.search_steps);
+  const LongFlight::Result result =
+      run.long_flight.search(chain, clock, run.motion, remaining, scratch.near, run.search_steps);
   if (result.found == LongFlight::Found::end_of_call || result.tau.hi > remaining)
     return end_at_time(run, true, recorders);
   sample(run, result.tau, true, recorders);
@@ -220,14 +219,13 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
   take_limit(run, recorders);  // a chatter may stand at a node since the call before
   while (!run.progress.over) {
     fly_on(run, recorders);
-    const long long steps = run.counters.expansions + run.search_steps +
-                            run.counters.rest_orders / orders_as_a_step;
+    const long long steps =
+        run.counters.expansions + run.search_steps + run.counters.rest_orders / orders_as_a_step;
     if (!run.progress.over && steps >= run.problem.options.max_steps)
       stop_run(run, Ending::given_up,
-               line("more than ", run.problem.options.max_steps,
-                    " steps, given up at t = ", time_of(run.motion.now.rounded(), run.problem.clock),
-                    "; the largest rate is ", run.motion.mode->fastest,
-                    "; max_steps (--max-steps) allows more"));
+               line("more than ", run.problem.options.max_steps, " steps, given up at t = ",
+                    time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
+                    run.motion.mode->fastest, "; max_steps (--max-steps) allows more"));
   }
   // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty()) run.progress.last = state_of(run);

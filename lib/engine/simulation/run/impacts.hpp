@@ -10,8 +10,8 @@ namespace vibro_impact::detail {
 void gather_hits(Run &run);
 
 // Applies the impacts (Eqs. 8-11), then reports them. Simultaneous impacts act on different masses.
-// A mass comes to rest when no speed is left, or when the time left to the limit of its chatter lies
-// below rounding.
+// A mass comes to rest when no speed is left, or when the time left to the limit of its chatter
+// lies below rounding.
 void apply_hits(Run &run, Recorders recorders);
 
 // Adds the impacts to their chatter, and sets the step hint to the longest flight expected after

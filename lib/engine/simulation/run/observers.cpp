@@ -67,7 +67,10 @@ class MomentOfStep final : public MomentOfChain {
  public:
   MomentOfStep(const Chain &chain, const TaylorTable &table, const Motion &start, double tau,
                const Instant &at, const Clock &clock)
-      : MomentOfChain(chain, *start.mode, at, clock), table_(table), start_(start), tau_(tau),
+      : MomentOfChain(chain, *start.mode, at, clock),
+        table_(table),
+        start_(start),
+        tau_(tau),
         clock_(clock) {
   }
   double hold_force(int mass) const override {
@@ -177,8 +180,7 @@ MotionState state_at(Run &run, const TimeOfFlight &at) {
 }
 
 MotionState state_of(const Run &run) {
-  const MomentOfMotion moment(run.chain(), run.motion, run.motion.now.rounded(),
-                              run.problem.clock);
+  const MomentOfMotion moment(run.chain(), run.motion, run.motion.now.rounded(), run.problem.clock);
   return state_of_moment(moment, run.motion.mode->held);
 }
 

@@ -18,8 +18,8 @@ void stop_run(Run &run, Ending ending, std::string reason = {});
 void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
                   bool by_a_jump, Recorders recorders);
 
-// A time `tau` after the motion of the run, which stands before this instant: on a step, whose table
-// is in scratch.flight, or on a long flight.
+// A time `tau` after the motion of the run, which stands before this instant: on a step, whose
+// table is in scratch.flight, or on a long flight.
 struct TimeOfFlight {
   Instant instant;
   Real tau = 0.0;

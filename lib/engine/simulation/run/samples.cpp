@@ -26,8 +26,7 @@ void sample(Run &run, const Real &tau, bool in_long_flight, Recorders recorders)
     const Real since = time_until(run, at.instant);
     if (!(since <= tau) && since.hi > 0.0) return;
     require(since.hi >= -16.0 * std::numeric_limits<double>::epsilon() * next, "next_time = ", next,
-            ": lies before the motion, which is at t = ",
-            time_of(run.motion.now.rounded(), clock));
+            ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
     if (since.hi > 0.0) at.tau = since;
     ++run.counters.modal_evaluations;
     if (!report_sample(run, next, at, recorders)) continue;

@@ -99,7 +99,8 @@ void Simulation::start_from(const MotionState &start) {
 void Simulation::set_options(const RunOptions &options) {
   detail::check_options(options);
   detail::Run &run = *run_;
-  if (run.ended_inside_chatter) {  // other options may not take its limit: the run goes on from here
+  if (run.ended_inside_chatter) {  // other options may not take its limit: the run goes on from
+                                   // here
     run.progress.inside_chatter = true;
     detail::advance(run, run.progress.last.instant, {});
     run.progress.inside_chatter = false;

@@ -54,8 +54,7 @@ int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
   bool underflown = false;
   kind_.resize(n);
   resting_.assign(n, nullptr);
-  for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_})
-    order->resize(n);
+  for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_}) order->resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     kind_[i] = motion.mode->held[i] != 0 ? Kind::held : Kind::moving;
     order_n_[i] = {motion.x[i], motion.x_terms[i]};

@@ -46,7 +46,7 @@ class RestDecision {
   std::vector<Kind> kind_;
   std::vector<RestingMass *> resting_;  // of each mass
 
-  double rate_ = 1.0;       // the unit of time is 1 / rate
+  double rate_ = 1.0;        // the unit of time is 1 / rate
   bool underflown_ = false;  // some derivative, with masses left undecided
 
   Term force_on(const Chain &chain, std::size_t i) const;
