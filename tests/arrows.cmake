@@ -7,9 +7,11 @@
 #                               includes another one
 #   lib/simulation   <- lib/analysis, through for_analysis.hpp alone
 #   lib/analysis     <- lib/program   <- figures (its progress line)
-# Inside the simulation a folder includes only folders before it: chain, flight, stops, chatter, run.
+#   lib/engine/simulation obeys the rules of lib/simulation.
+# Inside the simulation a folder includes only folders before it: chain, flight, modal, stops,
+# chatter, run.
 cmake_minimum_required(VERSION 3.21)
-set(folders chain flight stops chatter run)
+set(folders chain flight modal stops chatter run)
 
 # refuse(where pattern): no file of `where` includes what `pattern` describes. With `where` ending in
 # a slash, the files of its subfolders may.
@@ -31,7 +33,9 @@ function(refuse where pattern)
 endfunction()
 
 set(inside "(\\.\\./|lib/|figures/|reference/|tests/|program/)")
-refuse(lib/simulation "(${inside}|analysis/|simulation/analysis|vibro_impact/analysis/)")
+foreach(engine lib lib/engine)
+  refuse(${engine}/simulation "(${inside}|analysis/|simulation/analysis|vibro_impact/analysis/)")
+endforeach()
 refuse(lib/analysis "(${inside}|simulation/[a-z]+/)")
 # Orbits include neither settled motions nor sweeps.
 set(sweeping "(vibro_impact/analysis/)?(sweep|settle|orbit_record|lyapunov)")
@@ -74,13 +78,15 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-set(later ${folders})
-foreach(folder IN LISTS folders)
-  list(REMOVE_ITEM later ${folder})
-  list(JOIN later "|" behind)
-  if(behind)
-    refuse(lib/simulation/${folder} "(simulation/)?(${behind})/")
-  endif()
+foreach(engine lib lib/engine)
+  set(later ${folders})
+  foreach(folder IN LISTS folders)
+    list(REMOVE_ITEM later ${folder})
+    list(JOIN later "|" behind)
+    if(behind AND EXISTS ${source}/${engine}/simulation/${folder})
+      refuse(${engine}/simulation/${folder} "(simulation/)?(${behind})/")
+    endif()
+  endforeach()
 endforeach()
 
 # The header of all headers includes each of them, but itself.

@@ -36,38 +36,49 @@ Pair over_product(Pair sum, int n) {
   return n <= last_divided_order ? sum / factors(n).product : sum * factors(n).inverse;
 }
 
-// The coefficients of cos(Omega t) and sin(Omega t) about the start.
+// a cos(Omega t) + b sin(Omega t) about the start has the coefficients w_n even, w_n odd.
+template <class T>
+struct Parts {
+  T even, odd;
+};
+template <class T>
+Parts<T> parts_of(const TaylorTable &table, const T &a, const T &b) {
+  return {a * table.cosine + b * table.sine, b * table.cosine - a * table.sine};
+}
+
 void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table) {
-  const double angle = chain.omega * table.step.unit, square = -(angle * angle),
-               c = motion.turn.cosine.hi, s = motion.turn.sine.hi;
-  Pair even{c, s}, odd{-(angle * s), angle * c};
-  for (std::size_t n = 0; n <= static_cast<std::size_t>(table.step.order); n += 2) {
-    table.cosine[n] = even[0];
-    table.sine[n] = even[1];
-    table.cosine[n + 1] = odd[0];
-    table.sine[n + 1] = odd[1];
-    even = even * square * factors_of[n + 2].inverse;
-    odd = odd * square * factors_of[n + 3].inverse;
-  }
+  const double angle = chain.omega * table.step.unit, square = -(angle * angle);
+  table.cosine = motion.turn.cosine.hi;
+  table.sine = motion.turn.sine.hi;
+  Terms &wave = table.wave;
+  wave[0] = 1.0;
+  wave[1] = angle;
+  for (std::size_t n = 2; n <= static_cast<std::size_t>(table.step.order) + 1; ++n)
+    wave[n] = square * factors_of[n].inverse[0] * wave[n - 2];
 }
 
 // Two masses fit into one register.
 void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
   const double unit = table.step.unit, damping = chain.beta / unit;
-  const Pair scale = (unit * unit) * pair(mode.rounded_inverse.data()),
-             a = scale * pair(chain.a.data()), b = scale * pair(chain.b.data()),
-             within = scale * pair(mode.within.data()),
+  const Pair scale = (unit * unit) * pair(mode.rounded_inverse.data());
+  const auto [even, odd] =
+      parts_of<Pair>(table, scale * pair(chain.a.data()), scale * pair(chain.b.data()));
+  const Pair within = scale * pair(mode.within.data()),
              own = scale * (pair(mode.outside.data()) + pair(chain.ground.data()));
   double *entry = table.of_order(2);
   Pair before = pair(table.of_order(1)), latest = pair(entry), travel = modulus(latest);
-  for (int n = 3; n <= table.step.order + 1; ++n) {
-    const auto k = static_cast<std::size_t>(n - 2);
+  const auto next = [&](int n, const Pair &force) {
     const Pair z = before + damping * (factors(n - 1).order * latest);
-    const Pair force = a * table.cosine[k] + b * table.sine[k];
+    const Pair sum = (force * table.wave[static_cast<std::size_t>(n - 2)] - own * z) -
+                     within * (z - exchanged(z));
     before = latest;
-    latest = over_product((force - own * z) - within * (z - exchanged(z)), n);
+    latest = over_product(sum, n);
     travel += modulus(latest);
     put(latest, entry += 2);
+  };
+  for (int n = 3; n <= table.step.order + 1; n += 2) {  // the order is odd
+    next(n, odd);
+    next(n + 1, even);
   }
   put(travel, table.travel.data());
 }
@@ -92,9 +103,10 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTabl
     left = own;
     own = right;
   }
-  const auto k = static_cast<std::size_t>(n - 2);
+  const double wave = table.wave[static_cast<std::size_t>(n - 2)];
   for (const std::size_t i : mode.forced_pairs) {
-    const Pair force = pair(&chain.a[i]) * table.cosine[k] + pair(&chain.b[i]) * table.sine[k];
+    const auto [even, odd] = parts_of<Pair>(table, pair(&chain.a[i]), pair(&chain.b[i]));
+    const Pair force = wave * (n % 2 == 0 ? even : odd);
     const Pair change = over_product((square * pair(&mode.rounded_inverse[i])) * force, n);
     put(pair(to + i) + change, to + i);
     put(pair(&table.travel[i]) + modulus(change), &table.travel[i]);
@@ -152,9 +164,10 @@ void read(const Chain &chain, const TaylorTable &table, const Contact &contact, 
     for (std::size_t n = 2; n <= orders; ++n, entry += stride) c[n] = -contact.sigma * *entry;
     return;
   }
-  const double a = contact.sigma * chain.a[i], b = contact.sigma * chain.b[i],
-               damping = chain.beta / table.step.unit;
-  for (std::size_t n = 2; n <= orders; ++n) c[n] = a * table.cosine[n] + b * table.sine[n];
+  const auto [even, odd] =
+      parts_of<double>(table, contact.sigma * chain.a[i], contact.sigma * chain.b[i]);
+  const double damping = chain.beta / table.step.unit;
+  for (std::size_t n = 2; n <= orders; ++n) c[n] = (n % 2 == 0 ? even : odd) * table.wave[n];
   const auto add_link = [&](double stiffness, std::size_t other) {
     const double *entry = table.of_order(2) + other;
     const double weight = contact.sigma * stiffness;

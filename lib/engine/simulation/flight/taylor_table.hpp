@@ -1,5 +1,5 @@
 // The Taylor table of a step: the coefficients of all displacements about its start. Gaps and hold
-// forces are read from it, and it moves the motion ((1) to (3) of lib/README.md).
+// forces are read from it, and it moves the motion ((1) to (3) of lib/engine/README.md).
 #pragma once
 
 #include <array>
@@ -37,7 +37,8 @@ struct TaylorTable {
   std::size_t stride = 0;
   std::vector<double> coefficients = {};  // order by order, one for each mass, from order 1 on
   std::vector<double> travel = {};        // of each mass, the moduli from order 2 on, added up
-  Terms cosine{}, sine{};                 // of the forcing at the start of the step
+  double cosine = 1.0, sine = 0.0;        // of the forcing at the start of the step,
+  Terms wave{};                           // with +-(Omega h)^n / n!
 
   double *of_order(int n) {
     return coefficients.data() + static_cast<std::size_t>(n) * stride;

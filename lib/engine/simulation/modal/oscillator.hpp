@@ -1,6 +1,6 @@
 // One modal coordinate in closed form, in either precision:
 //
-//   y'' + kappa y' + lambda y = a cos(Omega t) + b sin(Omega t) + c,   kappa = beta lambda    (8)
+//   y'' + kappa y' + lambda y = a cos(Omega t) + b sin(Omega t) + c,   kappa = beta lambda    (9)
 //
 // with t from the start of the flight. The change over any time is found without cancellation. The
 // paper prints the under-damped case only (Eqs. 6-7).

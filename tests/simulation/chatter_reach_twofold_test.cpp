@@ -1,0 +1,36 @@
+// When a chatter may be carried to its limit: the reach of other contacts, in the engine in displacements of twice the precision.
+#include <gtest/gtest.h>
+
+#include "reference/scenes/paper_scenes.hpp"
+#include "simulation/chatter/reach.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+// A mass held next to a chattering mass feels the jumps of its neighbour through the damper between
+// them. A limit is only taken where all jumps to come, r / (1 - r) of the latest, cannot release
+// it.
+TEST(ChatterReach, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
+  constexpr double r = 0.7, jump = 1e-3, jumps_left = jump * r / (1.0 - r);
+  Scene scene = paper::figure2();
+  scene.restitution = r;
+  scene.stops = {{1, Side::upper, 0.0}, {2, Side::upper, 0.0}};
+  // Both at rest at the origin, and a phase of the forcing that presses the second by its share.
+  for (const auto &[share, stays] : {std::pair{1.2, false}, {0.5, false}, {3.0, true}}) {
+    scene.amplitude = {0.0, share * scene.beta * scene.stiffness[1] * jumps_left};
+    const detail::Chain chain(scene);
+    const detail::ContactMode mode = build_contact_mode(chain, Held{0, 1});
+    detail::Motion motion;
+    motion.mode = &mode;
+    clear(chain, motion);
+    find_acceleration(chain, motion);
+    detail::Chatter chatter;
+    // All jumps to come, of which the first is that of this impact times r.
+    chatter.add({0}, 1e-9, r, motion, {-jumps_left, 0.0});
+    const std::vector<detail::StopState> stops(2);
+    EXPECT_EQ(others_stay_out_of_reach(chain, chatter, motion, stops, 1e-9), stays) << share;
+  }
+}
+
+}  // namespace
