@@ -47,7 +47,6 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
   ContactMode mode;
   mode.held = held;
   mode.inverse_mass.assign(chain.padded, 0.0);
-  mode.rounded_inverse.assign(chain.padded, 0.0);
   mode.within.assign(chain.padded, 0.0);
   mode.outside.assign(chain.padded, 0.0);
   for (std::size_t i = 0; i < chain.masses; ++i) {
@@ -56,7 +55,6 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
     mode.grounded = mode.grounded || chain.ground[i] != 0.0;
     if (held[i] != 0) continue;
     mode.inverse_mass[i] = chain.inverse_mass[i];
-    mode.rounded_inverse[i] = chain.inverse_mass[i].hi;
     const bool forced = chain.a[i] != 0.0 || chain.b[i] != 0.0;
     const std::size_t first = i / 2 * 2;
     if (forced && (mode.forced_pairs.empty() || mode.forced_pairs.back() != first))

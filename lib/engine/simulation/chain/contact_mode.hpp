@@ -22,7 +22,6 @@ struct ContactMode {
   Held held;
   // 1 / m of a free mass, 0 of a held one: it has no acceleration.
   std::vector<Real> inverse_mass;
-  std::vector<double> rounded_inverse;
   // The masses are taken two at a time. A link lies within such a pair of masses or outside, to
   // the next pair. Both lists have for each mass the link of its kind.
   std::vector<double> within, outside;

@@ -8,18 +8,19 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// n, n (n - 1) and its reciprocal, for two masses.
+// n, and 1 / (n (n - 1)) in twice the precision, for two masses.
 struct OrderFactors {
-  Pair order, product, inverse;
+  Pair order, inverse, inverse_low;
 };
 
 const auto factors_of = [] {
   std::array<OrderFactors, max_order + 3> factors{};
-  for (std::size_t n = 0; n < factors.size(); ++n) {
+  for (std::size_t n = 2; n < factors.size(); ++n) {
     const auto order = static_cast<double>(n);
+    const Real inverse = Real(1.0) / (order * (order - 1.0));
     factors[n].order = Pair{order, order};
-    factors[n].product = factors[n].order * (order - 1.0);
-    factors[n].inverse = 1.0 / factors[n].product;
+    factors[n].inverse = Pair{inverse.hi, inverse.hi};
+    factors[n].inverse_low = Pair{inverse.lo, inverse.lo};
   }
   return factors;
 }();
@@ -28,12 +29,16 @@ const OrderFactors &factors(int n) {
   return factors_of[static_cast<std::size_t>(n)];
 }
 
-// A rounded reciprocal errs always in the same direction. In the first orders a quotient is rounded
-// instead: they are nearly all of the motion.
-constexpr int last_divided_order = 4;
+// A product with a reciprocal of twice the precision. A rounded reciprocal would err always in the
+// same direction, and the energy of an elastic chain would drift.
+Pair over(Pair sum, Pair inverse, Pair inverse_low) {
+  return sum * inverse + sum * inverse_low;
+}
 
-Pair over_product(Pair sum, int n) {
-  return n <= last_divided_order ? sum / factors(n).product : sum * factors(n).inverse;
+// The force of order n - 2 over the mass and n (n - 1).
+Pair coefficient(Pair force, const RealPair &inverse_mass, int n) {
+  return over(over(force, inverse_mass.hi, inverse_mass.lo), factors(n).inverse,
+              factors(n).inverse_low);
 }
 
 // a cos(Omega t) + b sin(Omega t) about the start has the coefficients w_n even, w_n odd.
@@ -60,11 +65,12 @@ void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table
 // Two masses fit into one register.
 void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
   const double unit = table.step.unit, damping = chain.beta / unit;
-  const Pair scale = (unit * unit) * pair(mode.rounded_inverse.data());
+  const double square = unit * unit;
+  const RealPair inverse = load(mode.inverse_mass.data());
   const auto [even, odd] =
-      parts_of<Pair>(table, scale * pair(chain.a.data()), scale * pair(chain.b.data()));
-  const Pair within = scale * pair(mode.within.data()),
-             own = scale * (pair(mode.outside.data()) + pair(chain.ground.data()));
+      parts_of<Pair>(table, square * pair(chain.a.data()), square * pair(chain.b.data()));
+  const Pair within = square * pair(mode.within.data()),
+             own = square * (pair(mode.outside.data()) + pair(chain.ground.data()));
   double *entry = table.of_order(2);
   Pair before = pair(table.of_order(1)), latest = pair(entry), travel = modulus(latest);
   const auto next = [&](int n, const Pair &force) {
@@ -72,7 +78,7 @@ void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table
     const Pair sum = (force * table.wave[static_cast<std::size_t>(n - 2)] - own * z) -
                      within * (z - exchanged(z));
     before = latest;
-    latest = over_product(sum, n);
+    latest = coefficient(sum, inverse, n);
     travel += modulus(latest);
     put(latest, entry += 2);
   };
@@ -97,7 +103,7 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTabl
     Pair sum = pair(&mode.within[i]) * (own - exchanged(own)) +
                pair(&mode.outside[i]) * (own - __builtin_shufflevector(left, right, 1, 2));
     if constexpr (grounded) sum += pair(&chain.ground[i]) * own;
-    sum = over_product(-(square * pair(&mode.rounded_inverse[i])) * sum, n);
+    sum = coefficient(-square * sum, load(&mode.inverse_mass[i]), n);
     put(pair(&table.travel[i]) + modulus(sum), &table.travel[i]);
     put(sum, to + i);
     left = own;
@@ -107,7 +113,7 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTabl
   for (const std::size_t i : mode.forced_pairs) {
     const auto [even, odd] = parts_of<Pair>(table, pair(&chain.a[i]), pair(&chain.b[i]));
     const Pair force = wave * (n % 2 == 0 ? even : odd);
-    const Pair change = over_product((square * pair(&mode.rounded_inverse[i])) * force, n);
+    const Pair change = coefficient(square * force, load(&mode.inverse_mass[i]), n);
     put(pair(to + i) + change, to + i);
     put(pair(&table.travel[i]) + modulus(change), &table.travel[i]);
   }

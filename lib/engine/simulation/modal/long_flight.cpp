@@ -10,7 +10,7 @@ namespace vibro_impact::detail {
 
 void LongFlight::begin(const Chain &chain, const Clock &clock,
                        std::shared_ptr<const ModalForm> form, const Motion &motion,
-                       const std::vector<Start> &starts) {
+                       const std::vector<Start> &starts, double flown) {
   form_ = std::move(form);
   start_ = modal_state(chain, *form_, motion);
   forces_ = forces_from(*form_, motion);
@@ -30,7 +30,7 @@ void LongFlight::begin(const Chain &chain, const Clock &clock,
       longest_ = std::min(longest_, 1.0 / o.rate);
   }
   l_ = std::min(turn_ > 0.0 ? 1.0 / turn_ : longest_, longest_);
-  evaluate(chain, clock, motion, 0.0);
+  evaluate(chain, clock, motion, flown);
 }
 
 double LongFlight::sign_of(std::size_t k) const {

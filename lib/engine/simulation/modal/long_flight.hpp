@@ -27,8 +27,9 @@ class LongFlight {
   bool is_under_way() const {
     return form_ != nullptr;
   }
+  // The flight from `motion` has no event in the time `flown`.
   void begin(const Chain &chain, const Clock &clock, std::shared_ptr<const ModalForm> form,
-             const Motion &motion, const std::vector<Start> &starts);
+             const Motion &motion, const std::vector<Start> &starts, double flown);
   void end() {
     form_ = nullptr;
   }

@@ -148,6 +148,7 @@ void fly_one_step(Run &run, double remaining, Recorders recorders) {
   if (tau > remaining || remaining == 0.0) return end_at_time(run, false, recorders);
   sample(run, tau, false, recorders);
   if (run.progress.over) return;
+  if (!end.event && run.hint.quiet_steps == 0) run.flight_start = run.motion;
   if (tau > 0.0) {
     move_along(chain, run.problem.clock, scratch.flight.table, tau, run.motion);
     scratch.flight.place_released(scratch.starts, tau, run.motion);
@@ -155,8 +156,9 @@ void fly_one_step(Run &run, double remaining, Recorders recorders) {
   end_flight(run, tau, end.event || run.hint.postponed, recorders);
 }
 
-// Flies in closed form, to the first event or to the end of the call.
-void fly_far(Run &run, double remaining, Recorders recorders) {
+// Flies in closed form, to the first event or to the end of the call. The flight begins where that
+// of the steps before has begun: a slow coordinate has lost digits in them.
+void fly_far(Run &run, Recorders recorders) {
   const Chain &chain = run.chain();
   const Clock &clock = run.problem.clock;
   Scratch &scratch = run.scratch;
@@ -164,8 +166,13 @@ void fly_far(Run &run, double remaining, Recorders recorders) {
     set_starts(run);
     int built = 0;
     auto form = run.forms.enter(chain, *run.motion.mode, built);
-    run.long_flight.begin(chain, clock, std::move(form), run.motion, scratch.starts);
+    const Real flown = elapsed(run.flight_start.now, run.motion.now, clock);
+    run.motion = run.flight_start;
+    run.long_flight.begin(chain, clock, std::move(form), run.motion, scratch.starts,
+                          rounded(flown));
   }
+  const double remaining =
+      rounded(elapsed(run.motion.now, TwofoldInstant(run.progress.end), clock));
   const LongFlight::Result result =
       run.long_flight.search(chain, clock, run.motion, remaining, scratch.near, run.search_steps);
   if (result.found == LongFlight::Found::end_of_call || result.tau.hi > remaining)
@@ -175,6 +182,7 @@ void fly_far(Run &run, double remaining, Recorders recorders) {
   scratch.motion = run.long_flight.at(chain, clock, run.motion, result.tau);
   std::swap(run.motion, scratch.motion);
   scratch.starts = run.long_flight.starts();
+  run.flight_start = run.motion;
   run.long_flight.end();
   end_flight(run, result.tau, result.found == LongFlight::Found::event, recorders);
 }
@@ -202,7 +210,7 @@ void fly_on(Run &run, Recorders recorders) {
   const double remaining = std::max(0.0, rounded(until_end));
   if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
   if (is_quiet(run))
-    fly_far(run, remaining, recorders);
+    fly_far(run, recorders);
   else
     fly_one_step(run, remaining, recorders);
 }
