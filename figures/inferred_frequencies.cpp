@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "driver.hpp"
+#include "runs.hpp"
 
 namespace {
 
@@ -18,13 +19,12 @@ constexpr double lowest = 0.1, highest = 0.5;
 
 // Adds a row for each run of neighbouring frequencies at which a condition holds.
 void add_strips(Table &table, const InferredFigure &figure, const std::vector<Trial> &trials) {
-  for (std::size_t condition = 0; condition < figure.conditions.size(); ++condition)
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      if (!trials[i].met[condition]) continue;
-      const double from = trials[i].omega;
-      while (i + 1 < trials.size() && trials[i + 1].met[condition]) ++i;
-      table.row(figure.name, figure.conditions[condition], condition + 1, from, trials[i].omega);
-    }
+  for (std::size_t condition = 0; condition < figure.conditions.size(); ++condition) {
+    const auto met = [&](std::size_t i) { return trials[i].met[condition]; };
+    for (const auto &[first, last] : runs_where(met, trials.size()))
+      table.row(figure.name, figure.conditions[condition], condition + 1, trials[first].omega,
+                trials[last].omega);
+  }
 }
 
 void draw(const std::filesystem::path &output) {

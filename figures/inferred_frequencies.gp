@@ -17,7 +17,7 @@ name_once(condition) = condition == named ? '' : (named = condition, in_words(st
 listed(w) = (list = list.(strlen(list) ? ',  ' : '').sprintf('%g', w), 0)
 
 eval page('inferred_frequencies', 2, 1)
-set xrange [0.15:0.37]; set xtics 0.02
+set xrange [0.14:0.37]; set xtics 0.02
 unset ytics
 set style fill solid noborder
 unset key

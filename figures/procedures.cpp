@@ -22,26 +22,13 @@ using figures::Procedure;
 // The frequencies tried are 0.001 apart.
 const Grid frequencies{paper::figure3(0.28), {{"omega", 0.28, 0.42, 141}}};
 
+// A frequency of a grid with the three decimals that it has.
+std::string shown(const Grid &grid, std::size_t i) {
+  return fmt::format("{:.3f}", grid.values(i).front());
+}
+
 // For each frequency, how many chatters of mass 1 are complete.
 using Complete = std::vector<std::ptrdiff_t>;
-
-// The cells of a row: the first and the last frequency without one up to 0.36, and those above. The
-// cells of a window that does not exist are empty.
-void add_windows(Table &table, const std::string &procedure, const Complete &complete,
-                 std::size_t every = 1) {
-  constexpr double between_windows = 0.36;
-  table.cell(procedure);
-  for (const bool low : {true, false}) {
-    figures::Range window;
-    for (std::size_t i = 0; i < complete.size(); i += every) {
-      const double omega = frequencies.values(i).front();
-      if (complete[i] == 0 && (omega < between_windows) == low) window.include(omega);
-    }
-    for (const double edge : {window.lowest, window.highest})
-      std::isfinite(edge) ? table.cell(fmt::format("{:.3f}", edge)) : table.cell("");
-  }
-  table.end_row();
-}
 
 // Follows a motion for `settling` and then `counted` forcing periods, to which it moves the start.
 // Returns how often mass 1 comes to stick in the latter.
@@ -110,26 +97,50 @@ Complete by_visible_speed(double threshold) {
   });
 }
 
+// A row for each run of neighbouring frequencies at which no chatter of mass 1 is complete, by
+// procedure.
 Table windows() {
-  Table table("procedure,from_1,to_1,from_2,to_2");
+  Table table("procedure,number,from,to");
+  int number = 0;
+  const auto add = [&](const std::string &procedure, const Complete &complete,
+                       std::size_t every = 1) {
+    ++number;
+    const auto none = [&](std::size_t i) { return complete[i] == 0; };
+    for (const auto &[first, last] : figures::runs_where(none, complete.size(), every))
+      table.row(procedure, number, shown(frequencies, first), shown(frequencies, last));
+  };
   const Complete exact = from_rest({}, 60, 40);
-  add_windows(table, "the exact motion from rest", exact);
-  add_windows(table, "continuation upwards", by_continuation(true));
-  add_windows(table, "continuation downwards", by_continuation(false));
-  add_windows(table, "a random start at each frequency", from_random_starts());
+  add("the exact motion from rest", exact);
+  add("continuation upwards", by_continuation(true));
+  add("continuation downwards", by_continuation(false));
+  add("a random start at each frequency", from_random_starts());
+  add("period 1 alone", from_rest({}, 0, 1));
   for (const auto &[settling, counted] : {std::pair{0, 2}, {0, 40}, {2, 40}, {5, 40}, {10, 40}})
-    add_windows(table, fmt::format("periods {} to {}", settling + 1, settling + counted),
-                from_rest({}, settling, counted));
-  add_windows(table, "frequencies 0.01 apart", exact, 10);
+    add(fmt::format("periods {} to {}", settling + 1, settling + counted),
+        from_rest({}, settling, counted));
+  add("frequencies 0.01 apart", exact, 10);
   for (const double flight : {0.01, 0.05, 0.1, 0.15})
-    add_windows(table, fmt::format("cut off: flight < {}", flight),
-                from_rest({.shortest_flight = flight}, 60, 10));
+    add(fmt::format("cut off: flight < {}", flight),
+        from_rest({.shortest_flight = flight}, 60, 10));
   for (const double speed : {1e-4, 1e-3, 2e-3})
-    add_windows(table, fmt::format("cut off: speed < {}", speed),
-                from_rest({.slowest_impact = speed}, 60, 10));
+    add(fmt::format("cut off: speed < {}", speed), from_rest({.slowest_impact = speed}, 60, 10));
   for (const double speed : {1e-3, 2e-3})
-    add_windows(table, fmt::format("seen: no speed < {}", speed), by_visible_speed(speed));
-  add_windows(table, "Eq. 24 as printed", from_rest({.printed_equation24 = true}, 60, 20));
+    add(fmt::format("seen: no speed < {}", speed), by_visible_speed(speed));
+  add("Eq. 24 as printed", from_rest({.printed_equation24 = true}, 60, 20));
+  return table;
+}
+
+// The same of the frequencies above 0.5 at which mass 1 sticks, from rest.
+Table sticking_above_one_half() {
+  const Grid above{paper::figure3(0.5), {{"omega", 0.5, 0.7, 201}}};
+  const Complete settled = sweep(above, [](const Scene &scene) {
+    MotionState start = start_of(scene);
+    return sticks(scene, start, {}, paper::figure3_settling_periods, 10);
+  });
+  Table table("sticks,from,to");
+  const auto some = [&](std::size_t i) { return settled[i] > 0; };
+  for (const auto &[first, last] : figures::runs_where(some, settled.size()))
+    table.row("mass 1", shown(above, first), shown(above, last));
   return table;
 }
 
@@ -229,6 +240,7 @@ Table nearly_equal_stops() {
 
 void draw(const std::filesystem::path &output) {
   write(windows(), output / "procedures_windows.csv");
+  write(sticking_above_one_half(), output / "procedures_sticking.csv");
   write(starts(), output / "procedures_starts.csv");
   write(dual_sticking(), output / "procedures_dual.csv");
   write(nearly_equal_stops(), output / "procedures_figure5c.csv");

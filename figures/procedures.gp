@@ -6,22 +6,25 @@ load 'figures/style.gp'
 windows = data.'/procedures_windows.csv'
 dual = data.'/procedures_dual.csv'
 half_step = 0.0005  # of the frequencies
-stats windows using 0 nooutput name 'row'
+stats windows using 'number' nooutput name 'row'
+rows = row_max + 1
 
 eval page('procedures', 2, 1)
 set lmargin at screen 0.31; set tmargin at screen 0.985; set bmargin at screen 0.42
 set label 1 '(a)' at screen 0.01, screen 0.965
 set xlabel 'Ω {/*0.85 (dashed: ends of the first row)}'
 set xrange [0.28:0.42]; set xtics 0.01
-set yrange [row_records - 0.4:-0.6]  # row 0 is the header
+set yrange [rows - 0.4:-0.6]  # row 0 is the header
 set label 2 'printed: 0.3 to 0.35' at 0.325, 0 center front
 set label 3 '0.37 to 0.4' at 0.385, 0 center front
 set ytics scale 0
-plot for [k = 1:2] '+' using (window_from[k]):(row_records):(window_from[k]):(window_to[k]):(-0.6):(row_records) every ::::0 \
+plot for [k = 1:2] '+' using (window_from[k]):(rows):(window_from[k]):(window_to[k]):(-0.6):(rows) every ::::0 \
     with boxxyerror fillcolor rgb '#d9d9d9' fillstyle solid noborder, \
-  for [k = 1:2] windows using (column('from_'.k)):0:(column('from_'.k) - half_step):(column('to_'.k) + half_step):($0 - 0.22):($0 + 0.22):ytic(1) \
+  windows using 'from':'number':(column('from') - half_step):(column('to') + half_step): \
+    (column('number') - 0.22):(column('number') + 0.22):ytic(1) \
     with boxxyerror lt 1 fillstyle solid noborder, \
-  for [edge = 2:5] windows using (column(edge)):(0.5):(0):(row_records) every ::1::1 with vectors nohead lt 2 lw 0.7
+  for [edge in 'from to'] windows using (column('number') == 1 ? column(edge) : NaN):(0.5):(0):(rows) \
+    with vectors nohead lt 2 lw 0.7
 
 unset label
 set lmargin at screen 0.31; set tmargin at screen 0.33; set bmargin at screen 0.09

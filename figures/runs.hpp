@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/numbers/panels.hpp"
@@ -24,6 +25,21 @@ struct Range {
     highest = std::max(highest, value);
   }
 };
+
+// The first and the last of each run of neighbours among 0, every, 2 every, ... below `count` for
+// which `holds` is true.
+template <class Predicate>
+std::vector<std::pair<std::size_t, std::size_t>> runs_where(const Predicate &holds,
+                                                            std::size_t count,
+                                                            std::size_t every = 1) {
+  std::vector<std::pair<std::size_t, std::size_t>> runs;
+  for (std::size_t i = 0; i < count; i += every) {
+    if (!holds(i)) continue;
+    if (runs.empty() || runs.back().second + every != i) runs.emplace_back(i, i);
+    runs.back().second = i;
+  }
+  return runs;
+}
 
 // The displacement of one of two masses at a sample.
 inline double displacement(const SampleRecorder &samples, std::size_t sample, int mass) {
