@@ -8,7 +8,7 @@
 # make beyond         draw the rest: stiff and extreme cases, and what goes beyond the paper (minutes)
 # make peers          install SUNDIALS, and draw error against run time with it
 # make pictures       draw all and renew figures/pictures, which the documents show
-# make check          compare every key number and published number
+# make check          compare every key number, published number and fragment of a document
 # make build          build the library and the program only
 # make test-sanitize  run the tests under the address and undefined-behaviour sanitizers
 # make reference      recompute the 50-digit tables in reference/tables/ (about an hour)
@@ -65,7 +65,7 @@ test: configured-tests
 	@ctest --preset $(preset) -j $(jobs)
 
 check: configured-runner
-	$(make_target) check
+	$(make_target) check quoted_tables
 	@$(folder)/bin/check
 
 test-sanitize:

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <regex>
-#include <sstream>
+#include <stdexcept>
 
 namespace vibro_impact::figures {
 
@@ -17,61 +15,62 @@ std::string on_one_line(const std::string &text) {
   return std::regex_replace(text, space, " ");
 }
 
-// True if a key number, rounded to as many digits as `word` has, is `word`.
-bool is_a_key_number(const Findings &findings, const std::string &word) {
-  const auto exponent = word.find('e');
-  const auto decimals = std::min(exponent, word.size()) - word.find('.') - 1;
-  for (const Finding &finding : findings) {
-    if (!finding.number.of_the_paper()) continue;
-    const double size = std::abs(finding.computed);
-    const std::string rounded = exponent == std::string::npos
-                                    ? fmt::format("{:.{}f}", size, decimals)
-                                    : fmt::format("{:.{}e}", size, decimals);
-    if (std::stod(rounded) == std::stod(word)) return true;
-  }
-  return false;
+// Whether nothing but a bullet stands before this place in its line.
+bool begins_a_line(const std::string &text, std::size_t place) {
+  const auto last = text.find_last_not_of(" -", place - 1);
+  return place == 0 || last == std::string::npos || text[last] == '\n';
 }
 
-// The numbers of five or more significant digits, outside code and links, that are no key number.
-std::vector<std::string> unknown_numbers(const Findings &findings, const std::string &text) {
-  static const std::regex number(R"((^|[^\w./])(\d+\.\d+(e-?\d+)?)(?![\w/]))");
-  std::vector<std::string> unknown;
-  std::istringstream lines(text);
-  bool code = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("```")) code = !code;
-    if (code) continue;
-    for (std::sregex_iterator word(line.begin(), line.end(), number), none; word != none; ++word) {
-      const std::string digits = word->str(2).substr(0, word->str(2).find('e'));
-      const auto first = digits.find_first_not_of("0.");
-      const bool long_enough = first != std::string::npos &&
-                               digits.size() - first - (first < digits.find('.') ? 1 : 0) >= 5;
-      if (long_enough && !is_a_key_number(findings, word->str(2))) unknown.push_back(word->str(2));
-    }
-  }
-  return unknown;
+// The numbers with five or more decimals outside of code; an address may have four digits first.
+std::vector<std::string> long_numbers(const std::string &text) {
+  static const std::regex code("```[^`]*```"), number(R"(\b\d{1,3}\.\d{5,})");
+  const std::string prose = std::regex_replace(text, code, "");
+  std::vector<std::string> found;
+  for (std::sregex_iterator word(prose.begin(), prose.end(), number), none; word != none; ++word)
+    found.push_back(word->str());
+  return found;
 }
 
 }  // namespace
 
-std::vector<std::string> faults_of(const Findings &findings, const Document &document,
-                                   const std::string &text) {
-  std::vector<std::string> faults;
-  const std::string words = on_one_line(text);
-  for (const std::string &quoted : document.quoted)
-    if (words.find(on_one_line(quoted)) == std::string::npos)
-      faults.push_back(document.name + ": must quote: " + quoted);
-  static const std::regex verdict(R"re(\[([^\]]*)\]\([^)]*checked_numbers\.csv "([^"]*)"\))re");
-  for (std::sregex_iterator link(text.begin(), text.end(), verdict), none; link != none; ++link) {
-    const std::string right = name(number_of(findings, link->str(2)).verdict());
-    if (link->str(1) != right)
-      faults.push_back(fmt::format("{}: {}: must be '{}', not '{}'", document.name, link->str(2),
-                                   right, link->str(1)));
+Document renewed(const std::string &name, const std::string &text, const TextOf &text_of) {
+  const std::string opening = "<!--=", opened = "-->", closing = "<!--/-->";
+  Document document;
+  std::string outside;
+  const auto fault = [&](const std::string &fragment, const std::string &what) {
+    document.faults.push_back(fmt::format("{}: {}: {}", name, fragment, what));
+  };
+  std::size_t done = 0;
+  for (auto begin = text.find(opening); begin != std::string::npos;
+       begin = text.find(opening, done)) {
+    const auto shown_from = text.find(opened, begin) + opened.size(),
+               shown_to = text.find(closing, begin);
+    const std::string fragment =
+        text.substr(begin + opening.size(), shown_from - opened.size() - begin - opening.size());
+    if (shown_to == std::string::npos || text.find(opening, begin + 1) < shown_to) {
+      fault(fragment, "has no end");
+      break;
+    }
+    const std::string shown = text.substr(shown_from, shown_to - shown_from);
+    if (!shown.starts_with('\n') && (begins_a_line(text, begin) || begins_a_line(text, shown_to)))
+      fault(fragment, "begins a line");
+    outside += text.substr(done, begin - done) + ' ';
+    document.text += text.substr(done, shown_from - done);
+    std::string right = shown;
+    try {
+      right = text_of(fragment);
+    } catch (const std::exception &error) {
+      fault(fragment, error.what());
+    }
+    const bool same = on_one_line(shown) == on_one_line(right);
+    if (!same) fault(fragment, fmt::format("must be '{}', not '{}'", right, shown));
+    document.text += same ? shown : right;
+    done = shown_to;
   }
-  if (!document.only_key_numbers) return faults;
-  for (const std::string &word : unknown_numbers(findings, text))
-    faults.push_back(fmt::format("{}: {} is no key number rounded", document.name, word));
-  return faults;
+  document.text += text.substr(done);
+  for (const std::string &number : long_numbers(outside + text.substr(done)))
+    fault(number, "is in no fragment");
+  return document;
 }
 
 }  // namespace vibro_impact::figures

@@ -1,28 +1,26 @@
-// Documents that quote what `make check` computes. Each quotes some texts word for word: counts,
-// sentences, tables. A link to checked_numbers.csv whose title is the id of a key number shows the
-// verdict of that number:
-//   [agrees](../reference/tables/checked_numbers.csv "lambda1")
-// In the documents about the paper, every number of five or more significant digits is a key
-// number, rounded to the digits shown.
+// Fragments of documents: texts that `check` writes and compares. Comments of Markdown stand around
+// a fragment. The first one has its name, which says what the fragment shows (fragments.hpp):
+//   from <!--=border_mass_1_2:.5f-->0.29654<!--/-->
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "findings.hpp"
-
 namespace vibro_impact::figures {
 
+// The text of the fragment with this name. Throws std::runtime_error if there is none.
+using TextOf = std::function<std::string(const std::string &fragment)>;
+
+// A document with the right fragments, and a line for each fault that it had: a fragment with
+// another text, without an end, of an unknown name or at the beginning of a line, which Markdown
+// then takes for HTML, and a number with five decimals outside of fragments and code. Line breaks
+// and the number of blanks do not matter.
 struct Document {
-  std::string name;
-  std::vector<std::string> quoted;
-  bool only_key_numbers;
+  std::string text;
+  std::vector<std::string> faults;
 };
 
-// The faults of a document with this text, a line for each: a text that it does not quote, a
-// verdict that is another one, a number that is no key number. Line breaks and the number of blanks
-// do not matter. Throws std::runtime_error for a verdict of a number that the table lacks.
-std::vector<std::string> faults_of(const Findings &findings, const Document &document,
-                                   const std::string &text);
+Document renewed(const std::string &name, const std::string &text, const TextOf &text_of);
 
 }  // namespace vibro_impact::figures

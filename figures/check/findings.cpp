@@ -13,8 +13,14 @@ using numbers::Verdict;
 
 Findings findings(const std::string &folder) {
   Findings findings;
-  for (const auto &number : numbers::checked_numbers(folder))
-    findings.push_back({number, computed(number)});
+  for (const auto &number : numbers::checked_numbers(folder)) {
+    findings.push_back({number});
+    try {
+      findings.back().computed = computed(number);
+    } catch (const std::exception &error) {
+      findings.back().failure = error.what();
+    }
+  }
   return findings;
 }
 
@@ -45,34 +51,28 @@ Findings with_verdict(const Findings &findings, Verdict verdict) {
 
 }  // namespace
 
-std::string tables_by_verdict(const Findings &findings) {
+std::string tables_of(const Findings &findings) {
   std::string text;
-  for (const Verdict verdict : numbers::all_verdicts) {
-    truth::Rows rows{{"number", "the paper says", "computed", "error", "allowed", "reference"}};
-    for (const Finding &finding : with_verdict(findings, verdict)) {
+  const auto add = [&](const char *heading, const Findings &some) {
+    truth::Rows rows{{"number", "printed", "computed", "error", "allowed", "reference"}};
+    for (const Finding &finding : some) {
       const numbers::CheckedNumber &number = finding.number;
-      rows.push_back({number.meaning, number.printed.words, number.formatted(finding.computed),
-                      fmt::format("{:.1e}", finding.error()),
+      const bool other = !number.of_the_paper();
+      rows.push_back({other ? number.id : number.meaning,
+                      other ? number.digits : number.printed.words,
+                      number.formatted(finding.computed), fmt::format("{:.1e}", finding.error()),
                       fmt::format("{:.2g}", number.tolerance) + (finding.pass() ? "" : " FAILS"),
                       number.kind});
     }
-    text += fmt::format("\n**{}: {}**\n\n{}", name(verdict), rows.size() - 1, table_of(rows));
-  }
+    text += fmt::format("\n**{}: {}**\n\n{}", heading, some.size(), table_of(rows));
+  };
+  for (const Verdict verdict : numbers::all_verdicts)
+    add(name(verdict), with_verdict(findings, verdict));
+  Findings others;
+  for (const Finding &finding : findings)
+    if (!finding.number.of_the_paper()) others.push_back(finding);
+  add("published by others", others);
   return text;
-}
-
-std::string table_of_results(const Findings &findings) {
-  truth::Rows rows{{"id", "source", "quantity", "kind", "printed", "computed", "difference",
-                    "allowed", "limited by", "verdict"}};
-  for (const Finding &finding : findings) {
-    const numbers::CheckedNumber &number = finding.number;
-    if (number.of_the_paper()) continue;
-    rows.push_back(
-        {number.id, number.source, number.quantity, number.kind, number.digits,
-         number.formatted(finding.computed), fmt::format("{:.1e}", finding.computed - number.value),
-         fmt::format("{:.0e}", number.tolerance), number.why, finding.pass() ? "pass" : "FAIL"});
-  }
-  return table_of(rows);
 }
 
 const Finding &number_of(const Findings &findings, const std::string &id) {
@@ -92,16 +92,19 @@ std::string table_of_few(const Findings &findings, const std::vector<std::string
 }
 
 std::string count_of_verdicts(const Findings &findings) {
-  std::vector<std::size_t> counts;
-  std::size_t all = 0;
-  for (const Verdict verdict : numbers::all_verdicts) {
-    counts.push_back(with_verdict(findings, verdict).size());
-    all += counts.back();
+  const auto count = [&](Verdict verdict) { return with_verdict(findings, verdict).size(); };
+  std::size_t all = 0, algebra = 0, of_figure4 = 0;
+  for (const Verdict verdict : numbers::all_verdicts) all += count(verdict);
+  for (const Finding &finding : with_verdict(findings, Verdict::agrees)) {
+    if (finding.number.kind == "derived") ++algebra;
+    if (finding.number.meaning.starts_with("Figure 4")) ++of_figure4;
   }
   return fmt::format(
-      "{} key numbers: {} agree with the paper, {} are close to it, {} differ from it, {} depend "
-      "on an inferred value, {} are not in the paper",
-      all, counts[0], counts[1], counts[2], counts[3], counts[4]);
+      "{} key numbers. Of these, {} agree with the paper ({} by algebra, {} in Figure 4), {} are "
+      "close to it, {} differ from it, {} depend on an inferred value, and {} are not in the paper",
+      all, count(Verdict::agrees), algebra, of_figure4, count(Verdict::close),
+      count(Verdict::differs), count(Verdict::depends_on_an_inferred_value),
+      count(Verdict::not_in_the_paper));
 }
 
 std::string count_of_results(const Findings &findings) {

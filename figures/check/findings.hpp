@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,11 @@
 
 namespace vibro_impact::figures {
 
-// A row with the library's value.
+// A row with the library's value, which is NaN if it cannot be computed.
 struct Finding {
   numbers::CheckedNumber number;
-  double computed;
+  double computed = std::numeric_limits<double>::quiet_NaN();
+  std::string failure = {};  // why it cannot be computed
 
   double error() const {
     return std::abs(computed - number.value);
@@ -27,18 +29,14 @@ struct Finding {
 
 using Findings = std::vector<Finding>;
 
-// All rows of the table in a folder. Throws std::runtime_error naming a row that cannot be
-// computed.
+// All rows of the table in a folder. Throws std::runtime_error for a table that cannot be read.
 Findings findings(const std::string &folder);
 
 // A table of Markdown, every column as wide as its widest cell.
 std::string table_of(const truth::Rows &rows);
 
-// A table of the key numbers for every verdict, with the error of each.
-std::string tables_by_verdict(const Findings &findings);
-
-// A table of the results of other authors.
-std::string table_of_results(const Findings &findings);
+// A table of the key numbers for every verdict, and one of the results of other authors.
+std::string tables_of(const Findings &findings);
 
 // The number with that id. Throws std::runtime_error if there is none.
 const Finding &number_of(const Findings &findings, const std::string &id);

@@ -102,9 +102,8 @@ std::string sentences_of_speed(const std::vector<Measured> &runs) {
                                 name_of(error), best->method));
   }
   return fmt::format(
-      "In ten periods of Figure 2, the time of the fastest general-purpose stepper, relative to "
-      "the "
-      "library, depends on the error: {}. Of this the limit of a chatter makes a factor of {}.",
+      "the time of the fastest general-purpose stepper, relative to the library, depends on the "
+      "error: {}. Of this the limit of a chatter makes a factor of {}.",
       fmt::join(parts, ", "), ratio(runs, "figure2", {"this library (every impact)"}, 1e-10));
 }
 

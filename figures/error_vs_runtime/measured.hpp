@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/truth/table_reader.hpp"
+#include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::comparison {
 
@@ -34,7 +35,7 @@ truth::Rows rows_of_steppers(const std::vector<Measured> &runs);
 // 4(a), relative to the library, whose time is in microseconds.
 truth::Rows rows_of_methods(const std::vector<Measured> &runs);
 
-// The sentences on ten periods of Figure 2 for README.md. Throws std::runtime_error if no run has
+// What README.md says of ten periods of Figure 2. Throws std::runtime_error if no run has
 // one of the errors that they name.
 std::string sentences_of_speed(const std::vector<Measured> &runs);
 

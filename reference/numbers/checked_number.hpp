@@ -22,14 +22,25 @@
 
 namespace vibro_impact::numbers {
 
-enum class Verdict { agrees, close, differs, depends_on_an_inferred_value, not_in_the_paper };
+// The classes of figures/README.md. A claim that is no number may have the last two.
+enum class Verdict {
+  agrees,
+  close,
+  differs,
+  depends_on_an_inferred_value,
+  not_in_the_paper,
+  agrees_otherwise,
+  cannot_be_judged
+};
+// Those that a key number may have.
 constexpr Verdict all_verdicts[] = {Verdict::agrees, Verdict::close, Verdict::differs,
                                     Verdict::depends_on_an_inferred_value,
                                     Verdict::not_in_the_paper};
 
 inline const char *name(Verdict verdict) {
-  constexpr const char *names[] = {"agrees", "close", "differs", "depends on an inferred value",
-                                   "not in the paper"};
+  constexpr const char *names[] = {
+      "agrees",           "close",           "differs", "inferred", "not in the paper",
+      "agrees otherwise", "cannot be judged"};
   return names[static_cast<int>(verdict)];
 }
 

@@ -29,6 +29,14 @@ inline Stop grazed_stop(int mass, Side side, double turning_point) {
   return {mass, side, turning_point - sign(side) * 1e-14};
 }
 
+// A contact at zero velocity and acceleration (Section 2.2), of mass 1 with an upper stop, from
+// rest: the time and the frequency at which a minimum of its velocity is zero. The stop stands
+// where mass 1 is then. Given to 15 digits.
+struct NonGenericContact {
+  double time, omega;
+};
+constexpr NonGenericContact non_generic_contact{3.06557694678915, 0.236067583611677};
+
 // All six, in the order of Table I. DG, DI and GI happen on the way from rest.
 inline std::vector<PairScene> table1_scenes() {
   constexpr Side lower = Side::lower, upper = Side::upper;

@@ -1,68 +1,154 @@
-// The comparison of the documents with what `check` computes: an edited number, verdict, sentence
-// or table is found.
+// The documents against what `check` computes: an edited fragment is found, and each fragment shows
+// what its name says. (That those of the documents are right: key_numbers.)
 #include "figures/check/documents.hpp"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "figures/check/fragments.hpp"
+#include "tests/support/refusals.hpp"
+#include "tests/support/tables.hpp"
+
 namespace {
 
 using namespace vibro_impact::figures;
+namespace numbers = vibro_impact::numbers;
+using Lines = std::vector<std::string>;
 
-using vibro_impact::numbers::Claim, vibro_impact::numbers::Printed;
-
-Finding checked(const std::string &id, const Printed &printed, double computed) {
-  vibro_impact::numbers::CheckedNumber number;
+Finding checked(const std::string &id, const numbers::Printed &printed, double computed) {
+  numbers::CheckedNumber number;
   number.id = id;
   number.source = "wagg";
-  number.meaning = "of " + id;
   number.format = ".0e";
   number.printed = printed;
   return {number, computed};
 }
 
-// Two key numbers, of which the second differs from the paper.
-const Findings two{checked("start", {"715 to 716", Claim::stated, 715.0, 716.0}, 715.561564510661),
-                   checked("gap", {"it grazes", Claim::stated, 0.0, 0.0}, 7.53817007e-05)};
-
-using Lines = std::vector<std::string>;
-
-TEST(Documents, ANumberOfFiveDigitsThatIsNoKeyNumberIsFound) {
-  const auto unknown = [](const std::string &text) {
-    Lines words;
-    for (const std::string &fault : faults_of(two, {"a", {}, true}, text))
-      words.push_back(fault.substr(3, fault.find(" is no key number") - 3));
-    return words;
-  };
-  EXPECT_EQ(unknown("from 715.5616 to 715.5617, 715.56156 and -715.561564511"), Lines{"715.5617"});
-  EXPECT_EQ(unknown("a gap of 7.5382e-05, not 7.5381e-05"), Lines{"7.5381e-05"});
-  EXPECT_EQ(unknown("0.29655-0.33098"), (Lines{"0.29655", "0.33098"}));
-  EXPECT_EQ(unknown("four digits: 0.2561, 12.33, 0.0025; doi 10.1007/s11071-006-0757-7"), Lines{});
-  EXPECT_EQ(unknown("```\n0.123456\n```\n0.123457\n"), Lines{"0.123457"});
+// Two key numbers, of which the second differs from the paper, and a table.
+Sources sources() {
+  const std::string folder = PROGRAM_DIR "/../tables_of_tests/documents";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/speeds.csv") << "omega,r,speed\n0.25,0.7,1.5\n0.25,0.3,2.5e-12\n";
+  return {{checked("start", {"715 to 716", numbers::Claim::stated, 715.0, 716.0}, 715.561564510661),
+           checked("gap", {"it grazes", numbers::Claim::stated, 0.0, 0.0}, 7.53817007e-05)},
+          {},
+          folder};
 }
 
-TEST(Documents, AVerdictThatIsAnotherOneIsFound) {
-  const auto faults = [](const std::string &text) {
-    return faults_of(two, {"a", {}, false}, text);
-  };
-  const std::string link = "](../reference/tables/checked_numbers.csv ";
-  EXPECT_EQ(faults("| [agrees" + link + "\"start\") | [differs" + link + "\"gap\") |"), Lines{});
-  EXPECT_EQ(faults("| [agrees" + link + "\"start\") | [close" + link + "\"gap\") |"),
-            Lines{"a: gap: must be 'differs', not 'close'"});
-  EXPECT_THROW(faults("[agrees" + link + "\"nothing\")"), std::runtime_error);
+std::string text(const std::string &fragment) {
+  return text_of(fragment, sources());
 }
 
-TEST(Documents, AQuotationMayBeWrappedAndNotEdited) {
-  const std::string counts = count_of_verdicts(two), table = table_of_few(two, {"gap"});
-  EXPECT_EQ(counts,
-            "2 key numbers: 1 agree with the paper, 0 are close to it, 1 differ from it, 0 depend "
-            "on an inferred value, 0 are not in the paper");
-  EXPECT_NE(table.find("| it grazes | 8e-05 | differs |"), std::string::npos);
-  const Document document{"a", {counts, table}, false};
-  std::string text = "before\n" + table + counts + ". After.";
-  text[text.find("0 depend") - 1] = '\n';
-  EXPECT_EQ(faults_of(two, document, text), Lines{});
-  text[text.find("8e-05")] = '7';
-  EXPECT_EQ(faults_of(two, document, text), Lines{"a: must quote: " + table});
+TEST(Documents, AFragmentShowsWhatItsNameSays) {
+  EXPECT_EQ(text("gap"), "8e-05") << "the format of its row";
+  EXPECT_EQ(text("gap:.3e"), "7.538e-5");
+  EXPECT_EQ(text("start:.5f"), "715.56156");
+  EXPECT_EQ(text("class:start") + ", " + text("class:gap"), "agrees, differs");
+  EXPECT_EQ(text("claim:grazing_sliding"), "cannot be judged (`corrections_test`)");
+  EXPECT_EQ(text("count:g:w") + text("count:differs:w"), "oneone");
+  EXPECT_EQ(text("speeds:0.25:speed:.1f") + text("speeds:0.25,0.3:speed:.0e"), "1.52e-12");
+  EXPECT_EQ(text("verdicts").substr(0, 53),
+            "2 key numbers. Of these, 1 agree with the paper (0 by");
+  for (const char *unknown : {"nothing", "class:nothing", "claim:nothing", "speeds:0.3:speed:g",
+                              "speeds:0.25:time:g", "no_table:1:2:g", "start:x", "count:st"})
+    EXPECT_NE(vibro_impact::testing::refusal<std::exception>([&] { text(unknown); }), "accepted")
+        << unknown;
+}
+
+Document edited(const std::string &edited_text) {
+  return renewed("a", edited_text, text);
+}
+
+TEST(Documents, AnEditedFragmentIsFoundAndWrittenAgain) {
+  const std::string right = "At <!--=start:.1f-->715.6<!--/-->, a\n<!--/-->";
+  EXPECT_EQ(edited(right).faults, Lines{});
+  const Document wrong = edited("At <!--=start:.1f-->715.7<!--/-->, a\n<!--/-->");
+  EXPECT_EQ(wrong.faults, Lines{"a: start:.1f: must be '715.6', not '715.7'"});
+  EXPECT_EQ(wrong.text, right);
+  const std::string wrapped =
+      "It is <!--=claim:grazing_sliding-->cannot be\njudged  "
+      "(`corrections_test`)<!--/-->.";
+  EXPECT_EQ(edited(wrapped).faults, Lines{});
+  EXPECT_EQ(edited(wrapped).text, wrapped);
+}
+
+TEST(Documents, AFragmentThatCannotBeReadIsFound) {
+  EXPECT_EQ(edited("at <!--=start-->7").faults, Lines{"a: start: has no end"});
+  EXPECT_EQ(edited("<!--=start:.0f-->716<!--/-->").faults, Lines{"a: start:.0f: begins a line"});
+  EXPECT_EQ(edited("a\n- <!--=start:.0f-->716<!--/-->").faults.size(), 1u);
+  EXPECT_EQ(edited("a\n| <!--=start:.0f-->716<!--/--> |").faults, Lines{});
+  EXPECT_EQ(edited("a <!--=nothing-->7<!--/-->").faults.size(), 1u);
+  EXPECT_EQ(edited("0.2561 is 0.256100,\n```\n0.123456\n```").faults,
+            Lines{"a: 0.256100: is in no fragment"});
+}
+
+std::string content_of(const std::string &path) {
+  std::ostringstream content;
+  content << vibro_impact::truth::opened(SOURCE_DIR "/" + path).rdbuf();
+  return content.str();
+}
+
+bool is_a_test(const std::string &name) {
+  for (const auto &file : std::filesystem::recursive_directory_iterator(SOURCE_DIR "/tests"))
+    if (file.path().string().ends_with("/" + name + ".cpp")) return true;
+  return false;
+}
+
+// The table of drivers in README.md names scripts, key numbers and tests that exist, and claims
+// name tests.
+TEST(Documents, KeyNumbersAndTestsThatAreNamedExist) {
+  for (const Claim &claim : claims()) EXPECT_TRUE(is_a_test(claim.test)) << claim.name;
+  const auto known = numbers::checked_numbers(REFERENCE_DIR);
+  const std::regex quoted("`([^`*(]*)(\\*?)[^`]*`");
+  int rows = 0;
+  for (const auto &row : vibro_impact::testing::rows_in_document("README.md")) {
+    if (row.size() != 4 || !std::filesystem::exists(SOURCE_DIR "/figures/" +
+                                                    row[0].substr(1, row[0].size() - 2) + ".gp"))
+      continue;
+    ++rows;
+    for (std::sregex_iterator word(row[2].begin(), row[2].end(), quoted), none; word != none;
+         ++word)
+      EXPECT_TRUE(std::ranges::any_of(known, [&](const auto &number) {
+        return word->length(2) ? number.id.starts_with(word->str(1)) : number.id == word->str(1);
+      })) << word->str();
+    for (std::sregex_iterator word(row[3].begin(), row[3].end(), quoted), none; word != none;
+         ++word)
+      EXPECT_TRUE(is_a_test(word->str(1))) << word->str();
+  }
+  EXPECT_EQ(rows, 6);
+}
+
+// The paper is cited alike everywhere, and the code check lists every picture that `make figures`
+// draws but those of error against run time, on which no claim of the paper rests.
+TEST(Documents, ThePaperIsCitedAlikeAndTheCodeCheckListsAllPictures) {
+  const std::regex doi(R"(10\.\d{4}/[-\w]*)");
+  for (const char *file : {"README.md", "CITATION.cff", "codemeta.json", "codecheck.yml"}) {
+    const std::string content = content_of(file);
+    int cited = 0;
+    for (std::sregex_iterator word(content.begin(), content.end(), doi), none; word != none; ++word)
+      EXPECT_EQ((++cited, word->str()), "10.1007/s11071-006-0757-7") << file;
+    EXPECT_GE(cited, 1) << file;
+  }
+  for (const char *file : {"README.md", "CITATION.cff", "codecheck.yml"})
+    EXPECT_NE(content_of(file).find("eprints.whiterose.ac.uk/79689/"), std::string::npos) << file;
+  EXPECT_NE(content_of("README.md").find("43 (2006) 137-148"), std::string::npos);
+  EXPECT_NE(content_of("CITATION.cff").find("start: 137\n    end: 148\n    year: 2006"),
+            std::string::npos);
+  const std::string manifest = content_of("codecheck.yml");
+  for (const auto &script : std::filesystem::directory_iterator(SOURCE_DIR "/figures")) {
+    const std::string name = script.path().stem().string();
+    if (script.path().extension() != ".gp" || name == "style") continue;
+    EXPECT_NE(manifest.find("figures/pictures/" + name + ".png"), std::string::npos) << name;
+  }
+  for (const char *table : {"reference/tables/checked_numbers.csv", "figures/README.md"})
+    EXPECT_NE(manifest.find(table), std::string::npos) << table;
+  const std::regex file("file: (\\S+)");
+  for (std::sregex_iterator word(manifest.begin(), manifest.end(), file), none; word != none;
+       ++word)
+    EXPECT_TRUE(std::filesystem::exists(SOURCE_DIR "/" + word->str(1))) << word->str(1);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "figures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
-#include "reference/scenes/paper_scenes.hpp"
+#include "reference/scenes/table1_scenes.hpp"
 #include "tests/support/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -100,6 +100,30 @@ TEST(Corrections, Equations17And18NeedTheSquareOfTheNaturalFrequency) {
     const double rest = ddq + 2 * zeta * natural * dq - psi1 * 0.5 * std::cos(scene.omega * t);
     EXPECT_NEAR(rest + natural * natural * q, 0.0, 1e-14);
     EXPECT_GT(std::abs(rest + natural * q), 1e-3);
+  }
+}
+
+// Eqs. 9-11: an impact of mass p takes the modal velocities to Psi^-1 R Psi times these, where R is
+// -r at p and one at the other mass.
+TEST(Restitution, MapsTheModalVelocitiesByEquation11) {
+  const Scene scene = paper::figure2();
+  const NaturalModes modes = natural_modes(scene, Held{0, 0});
+  const auto events = events_of(scene, 0.0, 20.0);
+  const auto modal_velocity = [&](const MotionState &state, std::size_t j) {
+    return modes.shape(0, j) * state.velocity[0] + modes.shape(1, j) * state.velocity[1];
+  };
+  for (const std::size_t p : {0u, 1u}) {
+    const double time = select(events, EventKind::impact, static_cast<int>(p) + 1).at(0).time;
+    // The accelerations are below one: in 1e-9 no velocity changes by as much.
+    const MotionState before = state_at(scene, time - 1e-9), after = state_at(scene, time + 1e-9);
+    for (const std::size_t j : {0u, 1u}) {
+      double mapped = 0.0;
+      for (const std::size_t i : {0u, 1u})
+        for (const std::size_t l : {0u, 1u})
+          mapped += modes.shape(i, j) * (i == p ? -0.7 : 1.0) * modes.shape(i, l) *
+                    modal_velocity(before, l);
+      EXPECT_NEAR(mapped, modal_velocity(after, j), 4e-9);
+    }
   }
 }
 
@@ -197,10 +221,10 @@ TEST(GrazingSliding, AGrazeBeginsNoStickingPhase) {
 // from rest, which has no stop in reach, a minimum of the velocity is zero at this frequency, and
 // the stop stands at the displacement there.
 TEST(GrazingSliding, AContactAtZeroVelocityAndAccelerationBeginsAStickingPhase) {
-  constexpr double touch = 3.06557694678915, omega = 0.236067583611677, r = 0.7;
+  const auto [touch, omega] = paper::non_generic_contact;
   const Stop far{2, Side::upper, 10.0};
-  const auto with_stop = [&](double position) {
-    return paper::two_masses({1, Side::upper, position}, far, r, omega);
+  const auto with_stop = [&, omega = omega](double position) {
+    return paper::two_masses({1, Side::upper, position}, far, 0.7, omega);
   };
   const Scene free = with_stop(5.0);
   const MotionState state = state_at(free, touch);

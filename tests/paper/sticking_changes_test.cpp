@@ -8,6 +8,7 @@
 #include "figures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/numbers/quantities.hpp"
+#include "tests/support/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
 namespace {
@@ -48,6 +49,42 @@ TEST(StickingChanges, AreAllOfThoseBetween025And05) {
     }
   }
   EXPECT_EQ(changes, 13u);
+}
+
+// The shortest sticking phase of a mass in the last four of 154 periods from rest.
+double shortest_stick(double omega, int mass) {
+  const double period = Clock(omega).period;
+  double stick = -1.0, shortest = infinity;
+  for (const Event &event :
+       vibro_impact::testing::events_of(paper::figure3(omega), 150.0 * period, 154.0 * period)) {
+    if (event.mass != mass) continue;
+    if (event.kind == EventKind::stick) stick = event.time;
+    if (event.kind == EventKind::release && stick > 0.0)
+      shortest = std::min(shortest, event.time - stick);
+  }
+  return shortest;
+}
+
+// On the side with more phases, at a distance of 1e-6 and of 1e-8 from a change: towards a border
+// orbit the shortest phase vanishes, about as the root of the distance, and towards a multi-sliding
+// bifurcation both parts of the split phase keep their lengths.
+TEST(StickingChanges, AreBorderOrbitsWhereAPhaseVanishes) {
+  int border_orbits = 0;
+  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
+    const bool border = number.id.starts_with("border_mass_");
+    if (!border && !number.id.starts_with("multi_sliding_")) continue;
+    const int mass = number.arguments.mass("mass");
+    const auto phases = [&](double distance) {
+      return figures::settled_sticking_phases(paper::figure3(number.value + distance), mass);
+    };
+    const double inside = phases(1e-6) > phases(-1e-6) ? 1.0 : -1.0;
+    const double ratio = shortest_stick(number.value + 1e-8 * inside, mass) /
+                         shortest_stick(number.value + 1e-6 * inside, mass);
+    EXPECT_EQ(ratio < 0.2, border) << number.id;
+    EXPECT_EQ(ratio > 0.8, !border) << number.id;
+    border_orbits += border;
+  }
+  EXPECT_EQ(border_orbits, 10);
 }
 
 // At the jump the motion from rest changes, and both motions exist on both sides. Followed upwards,
