@@ -57,6 +57,8 @@ void SampleRecorder::check(const Scene &) const {
   require(std::isfinite(every) && every > 0.0, "every = ", every, ": must be positive and finite");
   require(std::isfinite(from) && std::isfinite(to), "samples from ", from, " to ", to,
           ": must be finite");
+  require(!(from < to) || to + every > to, "every = ", every,
+          ": must exceed the spacing of doubles at the latest sample, ", to);
 }
 
 }  // namespace vibro_impact
