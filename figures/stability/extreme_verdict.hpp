@@ -52,7 +52,7 @@ struct Relative {
   double time = 0.0, velocity = 0.0;
 };
 
-struct Measured {
+struct ExtremeErrors {
   std::string difference;  // the first event without a counterpart; empty when all agree
   std::size_t events = 0;  // compared
   Relative error;          // largest, of the events
@@ -67,7 +67,7 @@ struct Measured {
 // roundings times the sensitivity where the scene amplifies a change of its start. The events of a
 // touch pass by having counterparts: compare_grazing allows them no more than a stop some roundings
 // away does.
-inline bool passes(const Measured &measured, Truth truth) {
+inline bool passes(const ExtremeErrors &measured, Truth truth) {
   const auto right = [](double error, double sensitivity) {
     return error <= 1e-10 || error <= 100.0 * std::numeric_limits<double>::epsilon() * sensitivity;
   };
@@ -133,7 +133,7 @@ inline Relative sensitivity_of(const Scene &scene, double until, double period,
 
 // Runs a case once as it is, once sampled, and perturbed. `tables` holds the events of the cases
 // that are compared with the 50-digit generator.
-inline Measured measure(const Case &extreme, const EventTables &tables) {
+inline ExtremeErrors measure(const Case &extreme, const EventTables &tables) {
   const Scene &scene = extreme.scene;
   const double period = period_of(scene);
   EventRecorder recorder(extreme.from);

@@ -20,7 +20,7 @@ void judge_all(const std::filesystem::path &output) {
       "penetration,expansions,root_iterations,impacts,verdict");
   std::string failed;
   for (const truth::Case &extreme : cases) {
-    const stability::Measured m = stability::measure(extreme, tables);
+    const stability::ExtremeErrors m = stability::measure(extreme, tables);
     const bool pass = stability::passes(m, extreme.truth);
     table.row(extreme.name, extreme.group, truth::name(extreme.truth), m.events, m.error.time,
               m.sensitivity.time, m.error.velocity, m.sensitivity.velocity, m.penetration,

@@ -61,7 +61,7 @@ class Group : public ::testing::TestWithParam<std::string> {};
 TEST_P(Group, AgreesWithTheTruthWithinRounding) {
   for (const Case &extreme : extreme_cases()) {
     if (extreme.group != GetParam()) continue;
-    const Measured measured = measure(extreme, reference());
+    const ExtremeErrors measured = measure(extreme, reference());
     EXPECT_TRUE(passes(measured, extreme.truth))
         << extreme.name << ": " << measured.difference << " time " << measured.error.time
         << ", sensitivity " << measured.sensitivity.time << ", velocity " << measured.error.velocity
@@ -126,7 +126,7 @@ TEST(Verdict, FailsForAnImpactWhereThereIsATouch) {
 
 TEST(Verdict, FailsForAPenetrationAndForANumberThatIsNotFinite) {
   EXPECT_TRUE(passes({}, Truth::grazing));
-  Measured deep, infinite;
+  ExtremeErrors deep, infinite;
   deep.penetration = 1e-11;
   infinite.finite = false;
   EXPECT_FALSE(passes(deep, Truth::grazing));
