@@ -73,19 +73,26 @@ int conclude(const Findings &findings, const std::vector<std::string> &faults) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string reference = REFERENCE_DIR, tables = TABLES_DIR, compared = SOURCE_DIR, written;
+  std::string reference, tables, compared, written;
+  const auto given_or = [](const std::string &given, const char *folder_of_project) {
+    return given.empty() ? std::string(folder_of_project) : given;
+  };
   return command(
       argc, argv, "Computes every key number and every published result and compares them",
-      {{"--reference", "Folder of the tables of references", &reference},
-       {"--tables", "Folder of the tables that the drivers of the figures have written", &tables},
-       {"--documents", "Folder of the project, whose documents are compared", &compared},
+      {{"--reference", "Folder of the tables of references, if not that of the project",
+        &reference},
+       {"--tables", "Folder of the tables that the drivers have written, if not build/figures",
+        &tables},
+       {"--documents", "Folder whose documents are compared, if not the project", &compared},
        {"--write", "Folder of the project, whose documents are written instead", &written}},
       [&] {
         const Sources sources{
-            findings(reference),
-            comparison::read_measured(SOURCE_DIR "/figures/error_vs_runtime/measured.csv"), tables};
+            findings(given_or(reference, REFERENCE_DIR)),
+            comparison::read_measured(SOURCE_DIR "/figures/error_vs_runtime/measured.csv"),
+            given_or(tables, TABLES_DIR)};
         fmt::print("{}{}", explanation, tables_of(sources.findings));
-        return conclude(sources.findings, faults_of_documents(written.empty() ? compared : written,
-                                                              !written.empty(), sources));
+        const bool write = !written.empty();
+        const std::string folder = write ? written : given_or(compared, SOURCE_DIR);
+        return conclude(sources.findings, faults_of_documents(folder, write, sources));
       });
 }
