@@ -25,17 +25,28 @@ namespace {
 fs::path target_of(const Output &output) {
   std::error_code error;
   const fs::path name = fs::weakly_canonical(fs::absolute(output.path), error);
-  const fs::file_status there = error ? fs::file_status() : fs::status(name, error);
-  if (error && there.type() != fs::file_type::not_found)
+  const fs::file_status status = error ? fs::file_status() : fs::status(name, error);
+  if (error && status.type() != fs::file_type::not_found)
     refuse("{}: {}", output.given(), error.message());
   if (fs::is_symlink(fs::symlink_status(name, error)))
     refuse("{}: is a link to a file that is not there", output.given());
-  if (fs::exists(there) && !fs::is_regular_file(there))
+  if (fs::exists(status) && !fs::is_regular_file(status))
     refuse("{}: is no file, and cannot be replaced by one", output.given());
   return name;
 }
 
 }  // namespace
+
+std::string with_remedy(const std::string &reason) {
+  const bool too_long = reason.find(" steps, given up at t = ") != std::string::npos;
+  return reason + (too_long ? "; --max-steps can allow more" : "");
+}
+
+std::string numbered_columns(const std::string &name, std::size_t count) {
+  std::string columns;
+  for (std::size_t k = 1; k <= count; ++k) columns += fmt::format(",{}{}", name, k);
+  return columns;
+}
 
 void check_outputs(const std::vector<Output> &outputs, const std::string &scene_file) {
   std::vector<fs::path> names;

@@ -26,6 +26,12 @@ template <class... Values>
   throw std::invalid_argument(fmt::format(line, std::forward<Values>(values)...));
 }
 
+// The reason why a run was given up, with the option that allows more steps if it had too many.
+std::string with_remedy(const std::string &reason);
+
+// The columns of a list behind others: ,name1,name2,...
+std::string numbered_columns(const std::string &name, std::size_t count);
+
 // A file that a command writes, and the option that names it. An empty path means that the file is
 // not wanted; `-` is standard output.
 struct Output {

@@ -16,7 +16,8 @@ Example of a run:
   vibro-impact run --from 700 --events events.csv --samples samples.csv --plot run.png
 Events are impact, stick or release; contact_mode lists the sticking masses after the event (-, 1,
 2, 1+2), phase is the time within the forcing period, and impulse is m |v_before - v_after|.
-A sample at the time of an event has the velocity before it.
+A sample at the time of an event has the velocity before it, and one at the start of the run that
+after it.
 A Poincare section, with one point in each forcing period (P):
   vibro-impact run --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --omega 0.823 --from 200P \
     --until 9999P --every 1P --velocities --samples section.csv --portrait section.png
@@ -27,6 +28,8 @@ relative to the base. A ball on a table that moves by 1.2 cos(t):
 The periodic orbit near the settled motion, with its multipliers; by --period 2 one that need not
 be stable:
   vibro-impact orbit --omega 0.69 --period 2 --velocities --samples orbit.csv --portrait orbit.png
+Its branch in both directions, to the kind of each end:
+  vibro-impact orbit --omega 0.6 --vary omega=0.5:0.7:101 --table branch.csv
 
 A table, a bifurcation diagram, and hysteresis of an oscillator with one mass:
   vibro-impact sweep --vary omega=0.25:0.7:10 --vary stop1=-0.4:-0.2:3 --table atlas.csv

@@ -17,7 +17,7 @@ void carry_out(const Request &request, const Processes &processes) {
   if (const auto *sweep = std::get_if<SweepRequest>(&request)) return run_sweep(*sweep, processes);
   if (processes.rank() > 0) return;
   if (const auto *run = std::get_if<RunRequest>(&request)) return run_scene(*run);
-  if (const auto *orbit = std::get_if<OrbitRequest>(&request)) return find_orbit(*orbit);
+  if (const auto *orbit = std::get_if<OrbitRequest>(&request)) return run_orbit(*orbit);
   write_text(std::get<std::string>(request), "-");
 }
 
@@ -39,7 +39,7 @@ int main(int argc, char **argv) {
     status = 2;
     message = refused.what();
   } catch (const std::exception &failure) {
-    message = failure.what();
+    message = with_remedy(failure.what());
   }
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');

@@ -137,10 +137,18 @@ void add_orbit_options(CLI::App &orbit, OrbitRequest &request, Words &words) {
   flag(orbit, "--near-start", request.near_start,
        "Look near --displacement and --velocity at once, not where their motion settles");
   add_settling(orbit, request.settle);
+  orbit
+      .add_option(
+          "--vary", words.ranges,
+          "parameter=from:to:count: follow the orbit through its folds and unstable parts,\n"
+          "from the value of the scene in both directions, with steps of at most the\n"
+          "distance of two of so many values; to where it ends, with the kind of the end")
+      ->type_name("RANGE");
   option(orbit, "--every", words.every_in_orbit, "TIME", "Interval between samples of the orbit");
   add_files_of_run(orbit, request);
   option(orbit, request.table,
-         "The orbit in one row: its period, residual, state, multipliers and counts");
+         "The orbit in one row, or those of --vary: period, residual, state, counts per mass,\n"
+         "multipliers re1,...,im1,...");
 }
 
 void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {

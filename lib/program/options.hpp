@@ -38,6 +38,7 @@ struct OrbitRequest : RunRequest {
   int period = 0;  // forcing periods; 0: that of the motion that has settled
   bool near_start = false;
   SettleOptions settle;
+  std::optional<Axis> range;  // along which the orbit is followed, in both directions
   Output table{"--table"};
 };
 
@@ -76,7 +77,7 @@ Outcome record_run(const RunRequest &request);
 
 // Finds the orbit, prints it and writes its files. Throws as `run_scene` does, and
 // std::runtime_error if no orbit was found.
-void find_orbit(const OrbitRequest &request);
+void run_orbit(const OrbitRequest &request);
 
 // Computes the tables of a sweep. To be called by all processes; that of rank 0 writes the files.
 // Throws as `run_scene` does, and std::invalid_argument for rows of another sweep or program.

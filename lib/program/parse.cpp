@@ -14,15 +14,19 @@ constexpr double most_numbers = 5e7;  // in a table of samples, which then has a
 
 // The values of a parameter, given as parameter=from:to:count or parameter=from:to:count:log.
 Axis axis_of(std::string_view text) {
-  const auto sides = detail::parts_of(text, '='), range = detail::parts_of(sides.back(), ':');
-  const bool logarithmic = range.size() == 4 && range[3] == "log";
-  if (sides.size() != 2 || range.size() != (logarithmic ? 4 : 3))
-    detail::refuse_words(text, "must read parameter=from:to:count or parameter=from:to:count:log");
-  const Axis axis{std::string(sides[0]), detail::number_of(range[0]), detail::number_of(range[1]),
-                  static_cast<std::size_t>(detail::count_of(range[2], 1'000'000'000)), logarithmic};
-  if (axis.count > 1 && axis.from == axis.to)
-    detail::refuse_words(text, "has equal values; one is enough");
-  return axis;
+  return read_at("--vary", [&] {
+    const auto sides = detail::parts_of(text, '='), range = detail::parts_of(sides.back(), ':');
+    const bool logarithmic = range.size() == 4 && range[3] == "log";
+    if (sides.size() != 2 || range.size() != (logarithmic ? 4 : 3))
+      detail::refuse_words(text,
+                           "must read parameter=from:to:count or parameter=from:to:count:log");
+    const Axis axis{std::string(sides[0]), detail::number_of(range[0]), detail::number_of(range[1]),
+                    static_cast<std::size_t>(detail::count_of(range[2], 1'000'000'000)),
+                    logarithmic};
+    if (axis.count > 1 && axis.from == axis.to)
+      detail::refuse_words(text, "has equal values; one is enough");
+    return axis;
+  });
 }
 
 // A time, or with a P behind it a number of forcing periods.
@@ -86,8 +90,12 @@ Scene scene_of(const CLI::App &command, const std::string &file) {
   return runner::scene_of(lines);
 }
 
-// Sample times that rounding makes equal would never come to an end.
-void check_samples(const RunRequest &request, const std::string &every, const std::string &until) {
+// Adds to the options of a run the interval of its samples. Sample times that rounding makes equal
+// would never come to an end.
+void complete_samples(RunRequest &request, const std::string &every, const std::string &until) {
+  request.every = time_of("--every", every, request.scene.omega);
+  if (!(request.every > 0.0)) refuse("--every {}: must be positive", every);
+  if (!request.samples.wanted()) return;
   if (request.until + request.every == request.until)
     refuse("--every {}: too short for double precision to tell samples at --until {} apart", every,
            until);
@@ -106,27 +114,28 @@ void complete(RunRequest &request, const Words &words) {
   const double omega = request.scene.omega;
   request.until = time_of("--until", words.until, omega);
   request.from = time_of("--from", words.from, omega);
-  request.every = time_of("--every", words.every, omega);
   if (!std::isfinite(request.until)) refuse("--until {}: must be finite", words.until);
   if (!(request.from >= 0.0 && request.from <= request.until))
     refuse("--from {}: must lie between 0 and --until {}", words.from, words.until);
-  if (!(request.every > 0.0)) refuse("--every {}: must be positive", words.every);
-  if (request.samples.wanted()) check_samples(request, words.every, words.until);
+  complete_samples(request, words.every, words.until);
 }
 
-// Adds to the options of an orbit the interval of its samples. It has no more than 1,000 periods.
+// Adds to the options of an orbit, which has at most 1,000 periods, its range and its samples.
 void complete(OrbitRequest &request, const Words &words) {
   if (request.scene.omega == 0.0) refuse("--omega 0: an orbit needs a forcing period");
-  request.every = time_of("--every", words.every_in_orbit, request.scene.omega);
-  if (!(request.every > 0.0)) refuse("--every {}: must be positive", words.every_in_orbit);
   request.until = 1000.0 * Clock(request.scene.omega).period;
-  if (request.samples.wanted()) check_samples(request, words.every_in_orbit, "the end");
+  complete_samples(request, words.every_in_orbit, "the end");
+  if (words.ranges.empty()) return;
+  if (words.ranges.size() > 1) refuse("--vary: an orbit is followed along one range");
+  request.range = axis_of(words.ranges.front());
+  if (request.range->logarithmic)
+    refuse("--vary {}: an orbit is followed in equal steps, without log", words.ranges.front());
+  if (!request.table.wanted()) refuse("--vary {}: needs --table", words.ranges.front());
 }
 
 // Adds to the options of a sweep its grid.
 void complete(SweepRequest &request, const Words &words) {
-  for (const std::string &range : words.ranges)
-    request.grid.axes.push_back(read_at("--vary", [&] { return axis_of(range); }));
+  for (const std::string &range : words.ranges) request.grid.axes.push_back(axis_of(range));
   check(request.grid);
   request.follow = request.follow || request.back;
   request.records.impacts = request.tables[1].wanted();

@@ -18,12 +18,12 @@ static_assert(sizeof(std::size_t) == sizeof(std::uint64_t));
 // adds to it without the help of rank 0.
 class Counter {
  public:
-  explicit Counter(bool is_here) {
+  explicit Counter(bool on_this_rank) {
     std::uint64_t *number = nullptr;
-    MPI_Win_allocate(is_here ? sizeof(std::uint64_t) : 0, sizeof(std::uint64_t), MPI_INFO_NULL,
+    MPI_Win_allocate(on_this_rank ? sizeof(std::uint64_t) : 0, sizeof(std::uint64_t), MPI_INFO_NULL,
                      MPI_COMM_WORLD, &number, &window_);
     MPI_Win_lock_all(0, window_);
-    if (is_here) *number = 0;
+    if (on_this_rank) *number = 0;
     MPI_Win_sync(window_);
     MPI_Barrier(MPI_COMM_WORLD);
   }
@@ -127,9 +127,9 @@ void Processes::share_out(std::size_t tasks, const Work &work, const Take &keep)
     if (rank_ > 0) return sent.add(text);
     keep(text);
     MPI_Status status;
-    for (int there = 1; there != 0;) {
-      MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);
-      if (there != 0) take_message(status);
+    for (int waiting = 1; waiting != 0;) {
+      MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &waiting, &status);
+      if (waiting != 0) take_message(status);
     }
   };
   for (std::size_t end = 0; end < tasks;) {

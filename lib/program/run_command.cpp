@@ -36,13 +36,8 @@ struct SampleTable : SampleRecorder {
   explicit SampleTable(const RunRequest &request)
       : SampleRecorder(request.from, request.until, request.every),
         velocities(request.velocities),
-        table("time" + columns(request.scene, "x") +
-              (velocities ? columns(request.scene, "v") : "")) {
-  }
-  static std::string columns(const Scene &scene, const char *name) {
-    std::string header;
-    for (int mass = 1; mass <= scene.masses(); ++mass) header += fmt::format(",{}{}", name, mass);
-    return header;
+        table("time" + numbered_columns("x", request.scene.mass.size()) +
+              (velocities ? numbered_columns("v", request.scene.mass.size()) : "")) {
   }
   void sample(const Moment &moment) override {
     times.push_back(moment.time);
@@ -137,7 +132,6 @@ Outcome record_run(const RunRequest &request) {
                           request.options);
     outcome = simulation.advance(request.until, recorders);
   }
-  if (outcome.reason.starts_with("more than")) outcome.reason += "; --max-steps can allow more";
   outcome = require_complete(std::move(outcome));
   for (const auto &[output, text] :
        {std::pair{request.events, table_of(events, request.scene).text},

@@ -37,13 +37,14 @@ MotionState state_at(const Moment &moment, const Held &held) {
 
 // The integral of the external force on mass i between two instants.
 double forcing_impulse(const Scene &scene, std::size_t i, const Instant &a, const Instant &b) {
-  const auto of = [i](const std::vector<double> &list) { return list.empty() ? 0.0 : list[i]; };
-  const double w = scene.omega, length = elapsed(a, b, Clock(w)), cosine = of(scene.amplitude),
-               sine = of(scene.sine);
-  if (w == 0.0) return (of(scene.constant) + cosine) * length;
-  return of(scene.constant) * length + (cosine * (std::sin(w * b.phase) - std::sin(w * a.phase)) -
-                                        sine * (std::cos(w * b.phase) - std::cos(w * a.phase))) /
-                                           w;
+  const auto value = [i](const std::vector<double> &list) { return list.empty() ? 0.0 : list[i]; };
+  const double w = scene.omega, length = elapsed(a, b, Clock(w)), cosine = value(scene.amplitude),
+               sine = value(scene.sine);
+  if (w == 0.0) return (value(scene.constant) + cosine) * length;
+  return value(scene.constant) * length +
+         (cosine * (std::sin(w * b.phase) - std::sin(w * a.phase)) -
+          sine * (std::cos(w * b.phase) - std::cos(w * a.phase))) /
+             w;
 }
 
 // K Y, with the rows of the held masses replaced by Y itself, solved for a right side.
@@ -96,46 +97,46 @@ void Summary::event(const Event &event, const Moment &moment) {
 }
 
 void Summary::add(const Event &event, double impulse, double energy) {
-  Totals &of = totals_[static_cast<std::size_t>(event.stop - 1)];
-  of.impulse += impulse;
-  of.energy += energy;
+  Totals &totals = totals_[static_cast<std::size_t>(event.stop - 1)];
+  totals.impulse += impulse;
+  totals.energy += energy;
   if (begin_) impulses_[static_cast<std::size_t>(event.mass - 1)] -= sign(event.side) * impulse;
 }
 
 void Summary::add_impact(const Event &event) {
-  Totals &of = totals_[static_cast<std::size_t>(event.stop - 1)];
+  Totals &totals = totals_[static_cast<std::size_t>(event.stop - 1)];
   const double m = scene_.mass[static_cast<std::size_t>(event.mass - 1)],
                speed = std::abs(event.velocity_before), after = std::abs(event.velocity_after);
-  if (event.falling == 0) of.falling.clear();
-  if (of.falling.size() == most_extrapolated) of.falling.erase(of.falling.begin());
-  of.falling.push_back(speed);
+  if (event.falling == 0) totals.falling.clear();
+  if (totals.falling.size() == most_extrapolated) totals.falling.erase(totals.falling.begin());
+  totals.falling.push_back(speed);
   if (event.time < from_) return;
   add(event, m * (speed + after), m / 2.0 * (speed - after) * (speed + after));
-  ++of.impacts;
-  of.speeds += speed;
-  of.squares += speed * speed;
-  of.largest = std::max(of.largest, speed);
+  ++totals.impacts;
+  totals.speeds += speed;
+  totals.squares += speed * speed;
+  totals.largest = std::max(totals.largest, speed);
 }
 
 // Adds the impacts of a chatter between the resolved ones and its limit, too.
 void Summary::add_stick(const Event &event) {
   if (event.time < from_) return;
-  Totals &of = totals_[static_cast<std::size_t>(event.stop - 1)];
-  ++of.sticks;
+  Totals &totals = totals_[static_cast<std::size_t>(event.stop - 1)];
+  ++totals.sticks;
   const ImpactLaw law = law_of(scene_, stop_of(scene_, event));
   const double m = scene_.mass[static_cast<std::size_t>(event.mass - 1)], r = law.at_rest();
-  if (of.falling.empty() || r == 1.0) return;
+  if (totals.falling.empty() || r == 1.0) return;
   std::vector<double> impulses, energies;  // behind the latest impact, as each impact predicts them
   double impulse = 0.0, energy = 0.0;      // of the impacts behind an impact, up to the latest
-  for (std::size_t k = of.falling.size(); k-- > 0;) {
-    const double v = of.falling[k], after = law.after(v);
+  for (std::size_t k = totals.falling.size(); k-- > 0;) {
+    const double v = totals.falling[k], after = law.after(v);
     impulses.insert(impulses.begin(), m * v * r * (1.0 + r) / (1.0 - r) - impulse);
     energies.insert(energies.begin(), m / 2.0 * r * r * v * v - energy);
     impulse += m * (v + after);
     energy += m / 2.0 * (v - after) * (v + after);
   }
-  add(event, extrapolated(of.falling, impulses), extrapolated(of.falling, energies));
-  of.falling.clear();
+  add(event, extrapolated(totals.falling, impulses), extrapolated(totals.falling, energies));
+  totals.falling.clear();
 }
 
 void Summary::close_mode() {
@@ -168,11 +169,11 @@ Table Summary::table() const {
       "stop,mass,side,impacts,sticks,mean_speed,rms_speed,largest_speed,impulse,energy_lost,"
       "contact_time,pressing_impulse");
   for (std::size_t k = 0; k < totals_.size(); ++k) {
-    const Totals &of = totals_[k];
-    const double impacts = std::max(1.0, static_cast<double>(of.impacts));
-    table.row(k + 1, scene_.stops[k].mass, name(scene_.stops[k].side), of.impacts, of.sticks,
-              of.speeds / impacts, std::sqrt(of.squares / impacts), of.largest, of.impulse,
-              of.energy, of.contact, of.pressing);
+    const Totals &totals = totals_[k];
+    const double impacts = std::max(1.0, static_cast<double>(totals.impacts));
+    table.row(k + 1, scene_.stops[k].mass, name(scene_.stops[k].side), totals.impacts,
+              totals.sticks, totals.speeds / impacts, std::sqrt(totals.squares / impacts),
+              totals.largest, totals.impulse, totals.energy, totals.contact, totals.pressing);
   }
   return table;
 }

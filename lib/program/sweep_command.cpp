@@ -39,16 +39,16 @@ std::size_t point_of(const SweepRequest &request, std::size_t row) {
 
 // Sends the records of the rows of a chain.
 void compute_chain(const SweepRequest &request, std::size_t chain, const Processes::Take &send) {
-  PointRecord at;
+  PointRecord result;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
     Table records, impacts, sections;
     const std::size_t point = point_of(request, row);
-    at = point_record(request.grid.scene_at(point), request.records, at.record);
-    add_row(records, request.grid, request.records, point, at.record);
-    if (at.record) add_impacts(impacts, request.grid, point, *at.record);
-    if (at.record) add_section(sections, request.grid, point, *at.record);
-    send(journal_record(row, {records.text, impacts.text, sections.text, at.reason}));
+    result = point_record(request.grid.scene_at(point), request.records, result.record);
+    add_row(records, request.grid, request.records, point, result.record);
+    if (result.record) add_impacts(impacts, request.grid, point, *result.record);
+    if (result.record) add_section(sections, request.grid, point, *result.record);
+    send(journal_record(row, {records.text, impacts.text, sections.text, result.reason}));
   }
 }
 
@@ -138,37 +138,39 @@ struct Missing {
   std::string first = {};  // the reason and the values of the first of them
 };
 
-// Writes the tables of the journal. Returns the points without a record, by the kind of reason.
-std::map<std::string, Missing> write_tables(const SweepRequest &request, const Journal &journal) {
-  const Table headers[] = {sweep_table(request.grid, request.records), impact_table(request.grid),
-                           section_table(request.grid)};
+// The points without a record, by the kind of reason.
+std::map<std::string, Missing> missing_points(const SweepRequest &request, const Journal &journal) {
   std::map<std::string, Missing> missing;
-  for (std::size_t k = 0; k < request.tables.size(); ++k) {
-    if (!request.tables[k].wanted()) continue;
-    missing.clear();
-    std::size_t row = 0;
-    const auto give = [&](const Add &add) {
-      add(request.head + headers[k].text);
-      journal.read([&](const Texts &texts) {
-        add(texts[k]);
-        const std::size_t point = point_of(request, row++);
-        if (texts[3].empty()) return;
-        Missing &of = missing[kind_of_reason(texts[3])];
-        if (of.points++ > 0) return;
-        of.first = texts[3];
-        const std::vector<double> values = request.grid.values(point);
-        for (std::size_t axis = 0; axis < values.size(); ++axis)
-          of.first += fmt::format("{} {} = {}", axis == 0 ? "; first at" : ",",
-                                  request.grid.axes[axis].parameter, values[axis]);
-      });
-    };
-    write_pieces(give, request.tables[k].path);
-  }
+  std::size_t row = 0;
+  journal.read([&](const Texts &texts) {
+    const std::size_t point = point_of(request, row++);
+    if (texts[3].empty()) return;
+    Missing &kind = missing[kind_of_reason(texts[3])];
+    if (kind.points++ > 0) return;
+    kind.first = with_remedy(texts[3]) + "; first at";
+    const std::vector<double> values = request.grid.values(point);
+    for (std::size_t axis = 0; axis < values.size(); ++axis)
+      kind.first += fmt::format("{} {} = {}", axis == 0 ? "" : ",",
+                                request.grid.axes[axis].parameter, values[axis]);
+  });
   return missing;
 }
 
+void write_tables(const SweepRequest &request, const Journal &journal) {
+  const Table headers[] = {sweep_table(request.grid, request.records), impact_table(request.grid),
+                           section_table(request.grid)};
+  for (std::size_t k = 0; k < request.tables.size(); ++k) {
+    const auto give = [&](const Add &add) {
+      add(request.head + headers[k].text);
+      journal.read([&](const Texts &texts) { add(texts[k]); });
+    };
+    if (request.tables[k].wanted()) write_pieces(give, request.tables[k].path);
+  }
+}
+
 void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {
-  const auto missing = write_tables(request, journal);
+  write_tables(request, journal);
+  const auto missing = missing_points(request, journal);
   if (!journal.remove())
     fmt::print(stderr, "{} was changed by another program; the tables do not depend on it\n",
                journal_of(request).path);

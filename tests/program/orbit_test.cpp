@@ -1,6 +1,7 @@
 // Orbits of the program: the row of the table is that of the library, the samples of one period
 // close, and an unstable orbit is found from a start near it.
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,59 @@ TEST_F(Runner, OrbitsAreFoundNextToChaosOrRefusedWithTheReason) {
   ASSERT_EQ(run("orbit --omega 0.69 --period 2 --table t.csv").status, 0);
   EXPECT_EQ(cell(folder / "t.csv", "stable"), "0");
   EXPECT_LT(std::stod(cell(folder / "t.csv", "re1")), -1.0);
+}
+
+// One mass at omega = 1.3 settles without impacts. Downwards its branch ends where the free motion
+// grazes the stop: |1 - omega^2 + 0.1 i omega| = 1/3. Both multipliers of the free motion have the
+// modulus exp(-0.1 T / 2). The graze is located to 1e-12 of the range.
+TEST_F(Runner, ABranchHasARowForEachPointAndEndsAtTheGrazeInClosedForm) {
+  const Result result =
+      run("orbit --masses 1 --beta 0.1 --amplitude 0.1 --stop 1:upper:0.3 --omega 1.3 "
+          "--vary omega=1:1.5:21 --table t.csv");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(result.out.ends_with("end of range at omega = 1.5\n")) << result.out;
+  const fs::path table = folder / "t.csv";
+  const std::size_t last = lines(contents(table)).size() - 2;
+  ASSERT_GT(last, 14u);  // steps of at most 0.025
+  EXPECT_EQ(cell(table, "kind"), "graze");
+  EXPECT_NEAR(std::stod(cell(table, "omega")), 1.145870429873032, 1e-12);
+  for (std::size_t row = 0; row <= last; ++row) {
+    const double omega = std::stod(cell(table, "omega", row));
+    EXPECT_NEAR(std::hypot(std::stod(cell(table, "re1", row)), std::stod(cell(table, "im1", row))),
+                std::exp(-0.1 * std::numbers::pi / omega), 1e-13)
+        << omega;
+    EXPECT_EQ(cell(table, "stable", row), "1");
+    if (row == 0) continue;
+    EXPECT_GT(omega, std::stod(cell(table, "omega", row - 1)));
+    EXPECT_EQ(cell(table, "kind", row), row < last ? "orbit" : "end of range");
+  }
+}
+
+// Both ends of the branch of Figure 3 at 0.6, its fold, and the rows between them are those of the
+// library, that is, one branch in both directions.
+TEST_F(Runner, ABranchOfFigureThreeHasItsFoldAndTheKindsOfItsEnds) {
+  const Scene scene = paper::figure3(0.6);
+  const MotionState start = at_quiet_phase(scene, record_of(scene).state);
+  const auto up = follow_orbit(scene, start, {"omega", 0.5, 0.7, 101}),
+             down = follow_orbit(scene, start, {"omega", 0.7, 0.5, 101});
+  const Result result = run("orbit --omega 0.6 --vary omega=0.5:0.7:101 --table t.csv");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const fs::path table = folder / "t.csv";
+  ASSERT_EQ(lines(contents(table)).size(), up.size() + down.size());
+  std::vector<OrbitPoint> branch(down.rbegin(), down.rend());
+  branch.insert(branch.end(), up.begin() + 1, up.end());
+  int folds = 0;
+  for (std::size_t row = 0; row < branch.size(); ++row) {
+    EXPECT_EQ(cell(table, "kind", row), name(branch[row].kind));
+    EXPECT_NEAR(std::stod(cell(table, "omega", row)), branch[row].parameter, 1e-12);
+    EXPECT_EQ(cell(table, "impacts1", row), std::to_string(branch[row].counts.impacts[0]));
+    if (branch[row].kind != BranchPoint::fold) continue;
+    ++folds;
+    EXPECT_NE(result.out.find("\nfold at omega = 0.578747472"), std::string::npos) << result.out;
+  }
+  EXPECT_EQ(folds, 1);
+  EXPECT_EQ(branch.front().kind, BranchPoint::graze);
+  EXPECT_EQ(branch.back().kind, BranchPoint::graze);
 }
 
 }  // namespace

@@ -24,6 +24,8 @@ TEST_F(Runner, ARunOfTooManyStepsIsGivenUpAndLeavesNoFile) {
   expect_message(
       run("run --max-steps 100 --events e.csv --samples s.csv --beta 0 --stiffness 1,1e6"),
       "more than 100 steps, given up at t = ", 1);
+  for (const char *command : {"run --max-steps 100", "orbit --max-steps 100"})
+    expect_message(run(command), "; --max-steps can allow more\n", 1);
   EXPECT_TRUE(fs::is_empty(folder));
   EXPECT_NE(run("run --help").out.find("--max-steps N=3000000 "), std::string::npos);
   EXPECT_NE(run("sweep --help").out.find("--max-steps N=1000000 "), std::string::npos);

@@ -61,6 +61,10 @@ const std::vector<BadCase> bad_cases = {
     {run_files + "--until nan", "--until nan: must be finite"},
     {run_files + "--every -1", "--every -1: must be positive"},
     {"orbit --omega 0", "--omega 0: an orbit needs a forcing period"},
+    {"orbit --vary omega=0.1:0.3:9", "--vary omega=0.1:0.3:9: needs --table"},
+    {"orbit --table t.csv --vary omega=0.1:0.3:9:log", "in equal steps, without log"},
+    {"orbit --table t.csv --vary omega=0.1:0.3:9 --vary beta=0:1:9", "along one range"},
+    {"orbit --table t.csv --vary omega=0.3:0.4:9", "omega = 0.2: must lie in the range from 0.3"},
     {"orbit --samples s.csv --every 1e-300P", "--every 1e-300P: too short"},
     {run_files + "--every 1e-14", "--every 1e-14: too short"},
     // Refusals of the library: the scene, the run and the grid as a whole.

@@ -61,7 +61,7 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCellsAndItsReasonIsSaid) {
                 "-0.6\n",
                 4, 2},
                {"omega=0.3:0.4:2 --vary beta=0.1:0.2:2 --max-steps 1",
-                "; first at omega = 0.3, beta = 0.1\n"
+                "; --max-steps can allow more; first at omega = 0.3, beta = 0.1\n"
                 "vibro-impact: every point of the sweep was refused or given up\n",
                 4, 4}};
   for (const auto &[vary, reason, points, missing] : cases) {
@@ -134,7 +134,6 @@ TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
   fs::remove(scene);
 }
 
-// The limit of a file's size stands for a full disk. The journal keeps the rows that fitted.
 // The job that the help shows runs as a script of the shell, here with few points and with the
 // program and the number of processes of the test. Run once more, it has nothing to do.
 TEST_F(Runner, TheJobOfTheHelpRuns) {
@@ -162,6 +161,7 @@ TEST_F(Runner, TheJobOfTheHelpRuns) {
   EXPECT_TRUE(fs::exists(folder / "atlas" / "impacts.csv"));
 }
 
+// The limit of a file's size stands for a full disk. The journal keeps the rows that fitted.
 TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
   const std::string sweep =
       "sweep --vary omega=1.1:1.2:40 --back --masses 1 --amplitude 0.1 --stop 1:upper:0.3 ";

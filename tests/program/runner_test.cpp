@@ -121,12 +121,12 @@ TEST_F(Runner, TheExamplesOfTheHelpWork) {
     const Result result = run(line.substr(begin.size()));
     EXPECT_EQ(result.status, 0) << line << result.err;
   }
-  EXPECT_EQ(examples, 9);
+  EXPECT_EQ(examples, 10);
   EXPECT_EQ(files(), (std::vector<std::string>{
                          "atlas.csv", "ball.csv", "ball.png", "basins.csv", "basins.png",
-                         "branches.csv", "branches.png", "events.csv", "impacts.csv", "impacts.png",
-                         "orbit.csv", "orbit.png", "run.png", "samples.csv", "section.csv",
-                         "section.png", "states.csv", "states.png"}));
+                         "branch.csv", "branches.csv", "branches.png", "events.csv", "impacts.csv",
+                         "impacts.png", "orbit.csv", "orbit.png", "run.png", "samples.csv",
+                         "section.csv", "section.png", "states.csv", "states.png"}));
   EXPECT_EQ(run("sweep --help").out.find("{"), std::string::npos) << "no word of CLI11's own";
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
 }
