@@ -51,19 +51,22 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCellsAndItsReasonIsSaid) {
   const struct {
     std::string vary, reason;
     std::size_t points, missing;
-  } cases[] = {{"omega=1e-307:0.6:2",
-                "1 of 2 points: until = inf: must be finite; first at omega = 1e-307\n", 2, 1},
-               {"restitution=0:0.9:2 --max-steps 400 --longest 20 --omega 0.3",
-                "1 of 2 points: more than 400 steps, given up at t = ", 2, 1},
-               {"displacement1=-0.6:0:4",
-                "2 of 4 points: start: mass 1 at -0.6, beyond its lower stop at -0.3; first at "
-                "displacement1 = "
-                "-0.6\n",
-                4, 2},
-               {"omega=0.3:0.4:2 --vary beta=0.1:0.2:2 --max-steps 1",
-                "; --max-steps can allow more; first at omega = 0.3, beta = 0.1\n"
-                "vibro-impact: every point of the sweep was refused or given up\n",
-                4, 4}};
+  } cases[] = {
+      {"omega=1e-307:0.6:2",
+       "1 of 2 points: until = inf: must be finite; first at omega = 1e-307\n", 2, 1},
+      {"restitution=0:0.9:2 --max-steps 400 --longest 20 --omega 0.3",
+       "1 of 2 points: more than 400 steps, given up at t = ", 2, 1},
+      {"displacement1=-0.6:0:4",
+       "2 of 4 points: start: mass 1 at -0.6, beyond its lower stop at -0.3; first at "
+       "displacement1 = "
+       "-0.6\n",
+       4, 2},
+      {"displacement1=-0.6:0:2 --vary omega=1e-307:0.6:2",
+       "first at displacement1 = -0.6, omega = 1e-307\n1 of 4 points: until = inf: ", 4, 3},
+      {"omega=0.3:0.4:2 --vary beta=0.1:0.2:2 --max-steps 1",
+       "; --max-steps can allow more; first at omega = 0.3, beta = 0.1\n"
+       "vibro-impact: every point of the sweep was refused or given up\n",
+       4, 4}};
   for (const auto &[vary, reason, points, missing] : cases) {
     SCOPED_TRACE(vary);
     const Result result = run("sweep --table t.csv --vary " + vary);
