@@ -1,5 +1,5 @@
-// The engine of displacements in twice the precision, which is to take the place of the one in modal
-// coordinates, on what that one does not do. The whole suite runs against it in a build with
+// The engine of displacements in twice the precision, which is to take the place of the one in
+// modal coordinates, on what that one does not do. The whole suite runs against it in a build with
 // VIBRO_IMPACT_ENGINE=twofold.
 #include <gtest/gtest.h>
 
@@ -27,17 +27,16 @@ TEST(Twofold, AgreesOnFigure2EventForEvent) {
 // Mass 1 is released, and has hardly moved when its neighbour hits. The true stick is that of a run
 // with 120 digits; in double precision its time is off by 8e-10.
 TEST(Twofold, KeepsTheSmallGapOfAReleasedMassOverAnImpactOfItsNeighbour) {
-  const Scene scene{
-      .mass = {1.84845, 0.339393},
-      .stiffness = {0.792347, 1.05335},
-      .beta = 0.0052146,
-      .amplitude = {1.3724, 0.863417},
-      .sine = {0.0, 0.703506},
-      .omega = 0.39421213897808366,
-      .restitution = 0.7,
-      .stops = {{1, Side::upper, 0.0, 0.97}, {2, Side::lower, -0.058890095641350906}},
-      .displacement = {0.0, 0.233551},
-      .velocity = {0.0, -0.722647}};
+  const Scene scene{.mass = {1.84845, 0.339393},
+                    .stiffness = {0.792347, 1.05335},
+                    .beta = 0.0052146,
+                    .amplitude = {1.3724, 0.863417},
+                    .sine = {0.0, 0.703506},
+                    .omega = 0.39421213897808366,
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, 0.0, 0.97}, {2, Side::lower, -0.058890095641350906}},
+                    .displacement = {0.0, 0.233551},
+                    .velocity = {0.0, -0.722647}};
   const std::vector<Event> sticks = select(events_of(scene, 0.0, 4.0), EventKind::stick, 1);
   ASSERT_FALSE(sticks.empty());
   EXPECT_NEAR(sticks.back().time, 3.8696877820675935, 1e-14);
