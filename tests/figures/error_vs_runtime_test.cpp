@@ -129,7 +129,9 @@ struct Tree {
 void add_trees(std::vector<std::vector<Tree>> &of_order, int order, Tree root, std::size_t largest,
                std::size_t last) {
   if (root.order == order) return of_order.back().push_back(root);
-  for (std::size_t size = std::min<std::size_t>(largest, order - root.order); size >= 1; --size)
+  for (std::size_t size =
+           std::min<std::size_t>(largest, static_cast<std::size_t>(order - root.order));
+       size >= 1; --size)
     for (std::size_t k = 0; k < of_order[size].size() && (size < largest || k <= last); ++k) {
       Tree grown = root;
       grown.subtrees.push_back(of_order[size][k]);

@@ -70,7 +70,9 @@ void add_special_points(const Branch &branch, const Orbit &a, const Orbit &b,
                                                            {at_unit_circle, BranchPoint::torus}}};
   const Vector chord = b.u - a.u, normal = chord.normalized();
   std::vector<std::pair<double, std::pair<Orbit, BranchPoint>>> found;
-  for (const auto &[sign_of, kind] : kinds) {
+  for (const auto &sign_and_kind : kinds) {  // clang 14 captures no structured binding
+    const Sign sign_of = sign_and_kind.first;
+    const BranchPoint kind = sign_and_kind.second;
     if (!(sign_of(a) * sign_of(b) < 0.0)) continue;
     Orbit orbit;
     const auto value = [&](double part) {
