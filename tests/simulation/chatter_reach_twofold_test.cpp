@@ -1,4 +1,5 @@
-// When a chatter may be carried to its limit: the reach of other contacts, in the engine in displacements of twice the precision.
+// When a chatter may be carried to its limit: the reach of other contacts, in the engine in
+// displacements of twice the precision.
 #include <gtest/gtest.h>
 
 #include "reference/scenes/paper_scenes.hpp"
