@@ -11,8 +11,9 @@ function(script path text)  # a script of the shell
   file(CHMOD ${folder}/${path} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 endfunction()
 function(make_target target result)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E env "PATH=${folder}/nothing:$ENV{PATH}" ${make}
-                          -C ${folder} ${target}
+  # The make that runs the tests hands its own variables on, `preset` among them.
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=MAKEFLAGS
+                          "PATH=${folder}/nothing:$ENV{PATH}" ${make} -C ${folder} ${target}
                   RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   set(${result} ${status} PARENT_SCOPE)
   set(said "${said}" PARENT_SCOPE)
