@@ -44,14 +44,12 @@ std::vector<std::string> split(const std::string &text, char separator) {
   return parts;
 }
 
-// A number in a format, with the exponent as short as possible.
+// A number in a format.
 std::string formatted(double value, const std::string &format) {
   constexpr const char *words[] = {"no",  "one",   "two",   "three", "four", "five",
                                    "six", "seven", "eight", "nine",  "ten"};
   if (format == "w") return value <= 10.0 ? words[std::lround(value)] : fmt::format("{}", value);
-  std::string text = fmt::format(fmt::runtime("{:" + format + "}"), value);
-  const auto exponent = text.find("e-0");
-  return exponent == std::string::npos ? text : text.erase(exponent + 2, 1);
+  return numbers::formatted(value, format);
 }
 
 // --- Tables of the drivers -----------------------------------------------------------------------

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/numbers/checked_number.hpp"
+
 namespace vibro_impact::comparison {
 
 namespace {
@@ -38,15 +40,15 @@ std::string ratio(const std::vector<Measured> &runs, const std::string &problem,
 }
 
 std::string name_of(double error) {
-  return fmt::format("{:.0e}", error);
+  return numbers::formatted(error, ".0e");
 }
 
 }  // namespace
 
 std::vector<Measured> read_measured(const std::string &path) {
   std::vector<Measured> runs;
-  for (const auto &cells : truth::read_rows(path, 11)) {
-    if (!cells[10].empty()) continue;
+  for (const auto &cells : truth::read_rows(path, 10)) {
+    if (!cells[9].empty()) continue;
     const auto number = [&](std::size_t k) { return truth::number_in(path, cells[k]); };
     runs.push_back({cells[0], cells[1], number(2), number(3), number(5)});
   }

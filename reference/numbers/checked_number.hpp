@@ -57,6 +57,13 @@ inline Claim claim_in(const std::string &path, const std::string &cell) {
   throw std::runtime_error(path + ": '" + cell + "' is no kind of claim");
 }
 
+// A number in a format of {fmt}, with the exponent as short as possible: 1e-6.
+inline std::string formatted(double value, const std::string &format) {
+  std::string text = fmt::format(fmt::runtime("{:" + format + "}"), value);
+  const auto exponent = text.find("e-0");
+  return exponent == std::string::npos ? text : text.erase(exponent + 2, 1);
+}
+
 // The paper's words, and the values of which these words are true.
 struct Printed {
   std::string words = {};
@@ -91,7 +98,7 @@ struct CheckedNumber {
     return source == "wagg";
   }
   std::string formatted(double computed) const {
-    return fmt::format(fmt::runtime("{:" + format + "}"), computed);
+    return numbers::formatted(computed, format);
   }
 };
 

@@ -43,7 +43,7 @@ std::string text(const std::string &fragment) {
 }
 
 TEST(Documents, AFragmentShowsWhatItsNameSays) {
-  EXPECT_EQ(text("gap"), "8e-05") << "the format of its row";
+  EXPECT_EQ(text("gap"), "8e-5") << "the format of its row";
   EXPECT_EQ(text("gap:.3e"), "7.538e-5");
   EXPECT_EQ(text("start:.5f"), "715.56156");
   EXPECT_EQ(text("class:start") + ", " + text("class:gap"), "agrees, differs");
