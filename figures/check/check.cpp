@@ -5,9 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
+#include <iterator>
 
 #include "documents.hpp"
 #include "figures/driver.hpp"
@@ -15,7 +13,6 @@
 
 namespace {
 
-using namespace vibro_impact;
 using namespace vibro_impact::figures;
 
 constexpr const char *explanation =
@@ -29,70 +26,46 @@ constexpr const char *documents[] = {"README.md", "figures/README.md",
                                      "figures/error_vs_runtime/README.md",
                                      "figures/stability/README.md", "reference/README.md"};
 
-std::string content_of(const std::string &path) {
-  std::ostringstream text;
-  text << truth::opened(path).rdbuf();
-  return text.str();
-}
-
-// Compares the documents in a folder, after it has written them if `write` says so. Returns their
-// faults.
-std::vector<std::string> faults_of_documents(const std::string &folder, bool write,
-                                             const Sources &sources) {
-  const TextOf text = [&](const std::string &fragment) { return text_of(fragment, sources); };
-  std::vector<std::string> faults;
-  for (const std::string name : documents) {
-    const std::string path = folder + "/" + name;
-    Document document = renewed(name, content_of(path), text);
-    if (write) {
-      std::ofstream(path) << document.text;
-      document = renewed(name, document.text, text);
-    }
-    faults.insert(faults.end(), document.faults.begin(), document.faults.end());
-  }
-  return faults;
-}
-
-// Prints the last lines. Returns the exit status, which is 1 if anything missed.
-int conclude(const Findings &findings, const std::vector<std::string> &faults) {
-  std::vector<std::string> missed;
-  for (const Finding &finding : findings)
-    if (!finding.pass())
-      missed.push_back(finding.failure.empty() ? finding.number.id : finding.failure);
-  for (const std::string &fault : faults) fmt::print("\n{}", fault);
-  const std::string counts = count_of_verdicts(findings) + "; " + count_of_results(findings);
-  if (missed.empty() && faults.empty()) {
-    fmt::print("\nall passed. {}\n", counts);
-    return 0;
-  }
-  fmt::print("\nFAILED: {}\nmissed: {}\nfaults of documents: {}\n", counts, fmt::join(missed, ", "),
-             faults.size());
-  return 1;
+// The faults of a document. They are mended in the file if `write` says so.
+std::vector<std::string> faults_of(const std::string &path, bool write, const TextOf &text_of) {
+  std::ifstream file = vibro_impact::truth::opened(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const Document document = renewed(path, text, text_of);
+  if (!write) return document.faults;
+  std::ofstream(path) << document.text;
+  return renewed(path, document.text, text_of).faults;
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string reference, tables, compared, written;
-  const auto given_or = [](const std::string &given, const char *folder_of_project) {
-    return given.empty() ? std::string(folder_of_project) : given;
-  };
+  std::string reference = REFERENCE_DIR, compared = SOURCE_DIR, written;
   return command(
       argc, argv, "Computes every key number and every published result and compares them",
-      {{"--reference", "Folder of the tables of references, if not that of the project",
-        &reference},
-       {"--tables", "Folder of the tables that the drivers have written, if not build/figures",
-        &tables},
-       {"--documents", "Folder whose documents are compared, if not the project", &compared},
+      {{"--reference", "Folder of the tables of references", &reference},
+       {"--documents", "Folder of the project, whose documents are compared", &compared},
        {"--write", "Folder of the project, whose documents are written instead", &written}},
       [&] {
-        const Sources sources{
-            findings(given_or(reference, REFERENCE_DIR)),
-            comparison::read_measured(SOURCE_DIR "/figures/error_vs_runtime/measured.csv"),
-            given_or(tables, TABLES_DIR)};
+        const std::string measured = SOURCE_DIR "/figures/error_vs_runtime/measured.csv";
+        const Sources sources{findings(reference),
+                              vibro_impact::comparison::read_measured(measured), TABLES_DIR};
         fmt::print("{}{}", explanation, tables_of(sources.findings));
-        const bool write = !written.empty();
-        const std::string folder = write ? written : given_or(compared, SOURCE_DIR);
-        return conclude(sources.findings, faults_of_documents(folder, write, sources));
+        bool passed = true;
+        const auto fail = [&](const std::string &reason) {
+          fmt::print("\nmissed: {}", reason);
+          passed = false;
+        };
+        for (const Finding &finding : sources.findings)
+          if (!finding.pass()) fail(finding.failure.empty() ? finding.number.id : finding.failure);
+        const std::string folder = written.empty() ? compared : written;
+        for (const std::string document : documents)
+          for (const std::string &fault :
+               faults_of(folder + "/" + document, !written.empty(),
+                         [&](const std::string &name) { return text_of(name, sources); }))
+            fail(fault);
+        fmt::print("\n{} {}; {}\n",
+                   passed ? "all passed." : "FAILED:", count_of_verdicts(sources.findings),
+                   count_of_results(sources.findings));
+        return passed ? 0 : 1;
       });
 }

@@ -14,8 +14,7 @@ using TextOf = std::function<std::string(const std::string &fragment)>;
 
 // A document with the right fragments, and a line for each fault that it had: a fragment with
 // another text, without an end, of an unknown name or at the beginning of a line, which Markdown
-// then takes for HTML, and a number with five decimals outside of fragments and code. Line breaks
-// and the number of blanks do not matter.
+// then takes for HTML. Line breaks and the number of blanks do not matter.
 struct Document {
   std::string text;
   std::vector<std::string> faults;

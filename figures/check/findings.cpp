@@ -40,38 +40,25 @@ std::string table_of(const truth::Rows &rows) {
   return text;
 }
 
-namespace {
-
-Findings with_verdict(const Findings &findings, Verdict verdict) {
-  Findings some;
-  for (const Finding &finding : findings)
-    if (finding.number.of_the_paper() && finding.verdict() == verdict) some.push_back(finding);
-  return some;
-}
-
-}  // namespace
-
 std::string tables_of(const Findings &findings) {
   std::string text;
-  const auto add = [&](const char *heading, const Findings &some) {
+  const auto add = [&](const char *heading, const auto &belongs) {
     truth::Rows rows{{"number", "printed", "computed", "error", "allowed", "reference"}};
-    for (const Finding &finding : some) {
+    for (const Finding &finding : findings) {
+      if (!belongs(finding)) continue;
       const numbers::CheckedNumber &number = finding.number;
       const bool other = !number.of_the_paper();
       rows.push_back({other ? number.id : number.meaning,
                       other ? number.digits : number.printed.words,
                       number.formatted(finding.computed), fmt::format("{:.1e}", finding.error()),
                       fmt::format("{:.2g}", number.tolerance) + (finding.pass() ? "" : " FAILS"),
-                      number.kind});
+                      numbers::kind_words[static_cast<std::size_t>(number.kind)]});
     }
-    text += fmt::format("\n**{}: {}**\n\n{}", heading, some.size(), table_of(rows));
+    text += fmt::format("\n**{}: {}**\n\n{}", heading, rows.size() - 1, table_of(rows));
   };
   for (const Verdict verdict : numbers::all_verdicts)
-    add(name(verdict), with_verdict(findings, verdict));
-  Findings others;
-  for (const Finding &finding : findings)
-    if (!finding.number.of_the_paper()) others.push_back(finding);
-  add("published by others", others);
+    add(name(verdict), [verdict](const Finding &finding) { return finding.has(verdict); });
+  add("published by others", [](const Finding &finding) { return !finding.number.of_the_paper(); });
   return text;
 }
 
@@ -92,31 +79,29 @@ std::string table_of_few(const Findings &findings, const std::vector<std::string
 }
 
 std::string count_of_verdicts(const Findings &findings) {
-  const auto count = [&](Verdict verdict) { return with_verdict(findings, verdict).size(); };
-  std::size_t all = 0, algebra = 0, of_figure4 = 0;
-  for (const Verdict verdict : numbers::all_verdicts) all += count(verdict);
-  for (const Finding &finding : with_verdict(findings, Verdict::agrees)) {
-    if (finding.number.kind == "derived") ++algebra;
-    if (finding.number.meaning.starts_with("Figure 4")) ++of_figure4;
+  std::size_t all = 0, algebra = 0, of_figure4 = 0, with[std::size(numbers::verdict_words)] = {};
+  for (const Finding &finding : findings) {
+    if (!finding.number.of_the_paper()) continue;
+    ++all;
+    ++with[static_cast<std::size_t>(finding.verdict())];
+    if (!finding.has(Verdict::agrees)) continue;
+    algebra += finding.number.kind == numbers::Kind::derived;
+    of_figure4 += finding.number.meaning.starts_with("Figure 4");
   }
   return fmt::format(
       "{} key numbers. Of these, {} agree with the paper ({} by algebra, {} in Figure 4), {} are "
       "close to it, {} differ from it, {} depend on an inferred value, and {} are not in the paper",
-      all, count(Verdict::agrees), algebra, of_figure4, count(Verdict::close),
-      count(Verdict::differs), count(Verdict::depends_on_an_inferred_value),
-      count(Verdict::not_in_the_paper));
+      all, with[0], algebra, of_figure4, with[1], with[2], with[3], with[4]);
 }
 
 std::string count_of_results(const Findings &findings) {
-  const auto count = [&](const char *kind) {
-    return std::count_if(findings.begin(), findings.end(), [kind](const Finding &finding) {
-      return !finding.number.of_the_paper() && finding.number.kind == kind;
-    });
-  };
+  std::size_t of[std::size(numbers::kind_words)] = {};
+  for (const Finding &finding : findings)
+    of[static_cast<std::size_t>(finding.number.kind)] += !finding.number.of_the_paper();
   return fmt::format(
       "{} printed results of other authors, {} values of their formulas and {} numbers derived "
       "from formulas",
-      count("printed"), count("formula"), count("derived"));
+      of[3], of[2], of[1]);
 }
 
 }  // namespace vibro_impact::figures

@@ -25,6 +25,10 @@ struct Finding {
   numbers::Verdict verdict() const {
     return number.printed.verdict(computed);
   }
+  // Whether this is a key number of that class.
+  bool has(numbers::Verdict asked) const {
+    return number.of_the_paper() && verdict() == asked;
+  }
 };
 
 using Findings = std::vector<Finding>;

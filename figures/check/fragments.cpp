@@ -4,36 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
-#include <map>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
 #include "figures/runs.hpp"
 #include "reference/scenes/table1_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
-#include "reference/truth/extreme_cases.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
 namespace vibro_impact::figures {
-
-using numbers::Verdict;
-
-const std::vector<Claim> &claims() {
-  static const std::vector<Claim> all{
-      {"model", Verdict::agrees, "random_scenes_test"},
-      {"restitution", Verdict::agrees, "corrections_test"},
-      {"misprints", Verdict::agrees_otherwise, "corrections_test"},
-      {"complete_chatter", Verdict::agrees, "reference_test"},
-      {"non_generic_contact", Verdict::agrees, "corrections_test"},
-      {"end_of_sticking", Verdict::agrees, "corrections_test"},
-      {"border_orbits", Verdict::agrees, "sticking_changes_test"},
-      {"restricted_motion", Verdict::agrees_otherwise, "corrections_test"},
-      {"exit_boundary_of_mass_1", Verdict::agrees, "corrections_test"},
-      {"grazing_sliding", Verdict::cannot_be_judged, "corrections_test"},
-      {"table_1", Verdict::agrees, "event_pairs_test"}};
-  return all;
-}
 
 namespace {
 
@@ -44,12 +24,13 @@ std::vector<std::string> split(const std::string &text, char separator) {
   return parts;
 }
 
-// A number in a format.
+// A number in a format of {fmt}, or, if that is w, a small count as a word.
 std::string formatted(double value, const std::string &format) {
-  constexpr const char *words[] = {"no",  "one",   "two",   "three", "four", "five",
-                                   "six", "seven", "eight", "nine",  "ten"};
-  if (format == "w") return value <= 10.0 ? words[std::lround(value)] : fmt::format("{}", value);
-  return numbers::formatted(value, format);
+  static const std::vector<std::string> words{"no",   "one",    "two",    "three",   "four",
+                                              "five", "six",    "seven",  "eight",   "nine",
+                                              "ten",  "eleven", "twelve", "thirteen"};
+  if (format != "w") return numbers::formatted(value, format);
+  return words.at(static_cast<std::size_t>(value));
 }
 
 // --- Tables of the drivers -----------------------------------------------------------------------
@@ -135,42 +116,47 @@ std::string non_generic_contact() {
 
 // --- All fragments -------------------------------------------------------------------------------
 
-const std::map<std::string, std::function<std::string(const Sources &)>> texts{
-    {"verdicts", [](const Sources &from) { return count_of_verdicts(from.findings); }},
-    {"results", [](const Sources &from) { return count_of_results(from.findings); }},
-    {"key_table",
-     [](const Sources &from) {
-       return '\n' +
-              table_of_few(from.findings, {"multi_sliding_mass_1", "border_mass_1_2",
-                                           "border_mass_1_3", "figure3_sticks_of_mass_1_at_0_65",
-                                           "figure5a_impacts_while_stuck", "figure5b_dual_sticks"});
-     }},
-    {"speed", [](const Sources &from) { return comparison::sentences_of_speed(from.measured); }},
-    {"steppers",
-     [](const Sources &from) {
-       return '\n' + table_of(comparison::rows_of_steppers(from.measured));
-     }},
-    {"methods",
-     [](const Sources &from) {
-       return '\n' + table_of(comparison::rows_of_methods(from.measured));
-     }},
-    {"procedures", table_of_procedures},
-    {"sticking_above",
-     [](const Sources &from) { return ranges_of(rows_of(from, "procedures_sticking"), "mass 1"); }},
-    {"first_hit", [](const Sources &) { return formatted(first_hit_in_figure5b(), ".8f"); }},
-    {"non_generic", [](const Sources &) { return non_generic_contact(); }},
-    {"grazing_speed", [](const Sources &) { return formatted(truth::grazing_speed, "g"); }},
-    {"touches", [](const Sources &) {
-       return formatted(static_cast<double>(std::ranges::count(
-                            truth::extreme_cases(), truth::Truth::grazing, &truth::Case::truth)),
-                        "w");
-     }}};
+const std::vector<std::string> summary{"multi_sliding_mass_1",
+                                       "border_mass_1_2",
+                                       "border_mass_1_3",
+                                       "figure3_sticks_of_mass_1_at_0_65",
+                                       "figure5a_impacts_while_stuck",
+                                       "figure5b_dual_sticks"};
 
-// How many key numbers are of a class, or begin with a prefix.
-double count_of(const Findings &findings, const std::string &what) {
+// The text of a fragment whose name is one word.
+std::string text_named(const std::string &name, const Sources &from) {
+  if (name == "verdicts") return count_of_verdicts(from.findings);
+  if (name == "results") return count_of_results(from.findings);
+  if (name == "key_table") return '\n' + table_of_few(from.findings, summary);
+  if (name == "speed") return comparison::sentences_of_speed(from.measured);
+  if (name == "steppers") return '\n' + table_of(comparison::rows_of_steppers(from.measured));
+  if (name == "methods") return '\n' + table_of(comparison::rows_of_methods(from.measured));
+  if (name == "procedures") return table_of_procedures(from);
+  if (name == "sticking_above") return ranges_of(rows_of(from, "procedures_sticking"), "mass 1");
+  if (name == "first_hit") return formatted(first_hit_in_figure5b(), ".8f");
+  if (name == "non_generic") return non_generic_contact();
+  if (name == "grazing_speed") return formatted(truth::grazing_speed, "g");
+  const Finding &finding = number_of(from.findings, name);
+  return finding.number.formatted(finding.computed);
+}
+
+// The words of a class, with the name of a file in tests.
+std::string class_of_claim(std::string words, const std::string &test) {
+  std::ranges::replace(words, '_', ' ');
+  numbers::word_in("claim", words, numbers::verdict_words);
+  for (const auto &folder : std::filesystem::directory_iterator(SOURCE_DIR "/tests"))
+    if (std::filesystem::exists(folder.path() / (test + ".cpp")))
+      return fmt::format("{} (`{}`)", words, test);
+  throw std::runtime_error("no such test");
+}
+
+// How many key numbers are of one of some classes, or begin with one of some prefixes.
+double count_of(const Findings &findings, const std::string &asked) {
+  const std::vector<std::string> words = split(asked, '+');
   return static_cast<double>(std::ranges::count_if(findings, [&](const Finding &finding) {
-    return finding.number.of_the_paper() &&
-           (finding.number.id.starts_with(what) || name(finding.verdict()) == what);
+    return finding.number.of_the_paper() && std::ranges::any_of(words, [&](const auto &word) {
+             return finding.number.id.starts_with(word) || name(finding.verdict()) == word;
+           });
   }));
 }
 
@@ -179,19 +165,10 @@ double count_of(const Findings &findings, const std::string &what) {
 std::string text_of(const std::string &fragment, const Sources &sources) {
   const std::vector<std::string> parts = split(fragment, ':');
   const std::string &kind = parts.at(0);
-  if (parts.size() == 1) {
-    const auto text = texts.find(kind);
-    if (text != texts.end()) return text->second(sources);
-    const Finding &finding = number_of(sources.findings, kind);
-    return finding.number.formatted(finding.computed);
-  }
+  if (parts.size() == 1) return text_named(kind, sources);
   if (kind == "class") return name(number_of(sources.findings, parts[1]).verdict());
   if (kind == "fits") return fitting_frequencies(sources, parts[1]);
-  if (kind == "claim") {
-    for (const Claim &claim : claims())
-      if (claim.name == parts[1]) return fmt::format("{} (`{}`)", name(claim.verdict), claim.test);
-    throw std::runtime_error("no such claim");
-  }
+  if (kind == "claim") return class_of_claim(parts[1], parts.at(2));
   if (kind == "count") return formatted(count_of(sources.findings, parts[1]), parts.at(2));
   if (parts.size() == 2) return formatted(number_of(sources.findings, kind).computed, parts[1]);
   return formatted(cell(sources, kind, parts[1], parts[2]), parts.at(3));

@@ -98,48 +98,42 @@ NaturalModes free_modes(const Arguments &given) {
   return natural_modes(scene, Held(scene.mass.size(), 0));
 }
 
-// The motion (x1, x1') at the releases of the last of two masses at roots of its hold force.
-struct ReleasePoints : Recorder {
-  int mass;
-  std::vector<double> x = {}, v = {};
-
-  explicit ReleasePoints(int of_mass) : mass(of_mass) {
-  }
-  void event(const Event &event, const Moment &moment) override {
-    if (event.kind != EventKind::release || event.mass != mass || event.by_a_jump) return;
-    x.push_back(moment.displacement(1));
-    v.push_back(moment.velocity(1));
-  }
-};
-
-// Intercept and slope of the least-squares line through the release points of several frequencies,
-// so that these points spread along the exit boundary.
+// Intercept and slope of the least-squares line through the motion of the other mass at the
+// releases of one at roots of its hold force. Several frequencies spread these points along the
+// exit boundary.
 std::pair<double, double> exit_boundary(const Arguments &given) {
-  ReleasePoints points(given.mass("mass"));
-  for (double omega : {0.25, 0.26, 0.27, 0.28, 0.29, 0.3, 0.32, 0.34, 0.36, 0.4})
-    require_complete(simulate(with(numbers::run_of(given).scene, "omega", omega), 200.0, points));
-  return boost::math::statistics::simple_ordinary_least_squares(points.x, points.v);
+  const int mass = given.mass("mass");
+  std::vector<double> x, v;
+  for (double omega : {0.25, 0.26, 0.27, 0.28, 0.29, 0.3, 0.32, 0.34, 0.36, 0.4}) {
+    StickingPhaseRecorder phases(mass, 3 - mass, 0.0, 200.0, 200.0);
+    require_complete(simulate(with(numbers::run_of(given).scene, "omega", omega), 200.0, phases));
+    for (const auto &row : phases.rows) {
+      if (row.kind != "release" || row.force != 0.0) continue;
+      x.push_back(row.x);
+      v.push_back(row.v);
+    }
+  }
+  return boost::math::statistics::simple_ordinary_least_squares(x, v);
 }
 
 }  // namespace
 
 const numbers::Quantities<LibraryEngine> &library_quantities() {
   static const auto quantities = [] {
-    const std::string run = numbers::run_names;
     auto all = numbers::common_quantities<LibraryEngine>();
-    all["eigenvalue"] = {run + " mode", [](LibraryEngine &, const Arguments &given) {
-                           return free_modes(given).lambda.at(index(given.mass("mode")));
-                         }};
-    all["mode_shape"] = {run + " mode mass", [](LibraryEngine &, const Arguments &given) {
-                           return free_modes(given).shape(index(given.mass("mass")),
-                                                          index(given.mass("mode")));
-                         }};
-    all["exit_slope"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
-                           return exit_boundary(given).second;
-                         }};
-    all["exit_intercept"] = {run + " mass", [](LibraryEngine &, const Arguments &given) {
-                               return exit_boundary(given).first;
-                             }};
+    const auto add = [&](const char *quantity, const char *names, auto answer) {
+      all[quantity] = {numbers::run_names + std::string(names),
+                       [answer](LibraryEngine &, const Arguments &given) { return answer(given); }};
+    };
+    add("eigenvalue", " mode", [](const Arguments &given) {
+      return free_modes(given).lambda.at(index(given.mass("mode")));
+    });
+    add("mode_shape", " mode mass", [](const Arguments &given) {
+      return free_modes(given).shape(index(given.mass("mass")), index(given.mass("mode")));
+    });
+    add("exit_slope", " mass", [](const Arguments &given) { return exit_boundary(given).second; });
+    add("exit_intercept", " mass",
+        [](const Arguments &given) { return exit_boundary(given).first; });
     all.merge(others::quantities());
     return all;
   }();

@@ -118,57 +118,45 @@ constexpr double end_of_bar = 0.0015;  // the bar has left the wall by this time
 // --- The table -----------------------------------------------------------------------------------
 
 numbers::Quantities<figures::LibraryEngine> quantities() {
-  using Library = figures::LibraryEngine &;
   using P = const Arguments &;
   const std::string orbit = "c A omega r stop g n time speed",
                     ball = "mass k force r height velocity ceiling velocity_before";
-  return {
-      {"impact_speed",
-       {orbit, [](Library, P p) { return std::abs(one_impact_orbit(p).impact.velocity_before); }}},
-      {"impact_phase",
-       {orbit, [](Library, P p) { return one_impact_orbit(p).impact.instant.phase; }}},
-      {"velocity_after",
-       {orbit, [](Library, P p) { return one_impact_orbit(p).impact.velocity_after; }}},
-      {"doubling_multiplier",
-       {orbit,
-        [](Library, P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); }}},
-      {"fold_multiplier",  // the orbit is given: two orbits meet, so Newton's method fails
-       {orbit,
-        [](Library, P p) {
-          const auto [scene, start] = after_impact(p);
-          const auto map =
-              stroboscopic_map_and_derivative(scene, start, static_cast<int>(p.at("n")));
-          return multiplier_near(1.0, floquet_multipliers(map.derivative, start.held));
-        }}},
-      {"release_time",
-       {"omega stop",
-        [](Library, P p) {
-          const Scene scene = one_mass(0.0, 1.0, p.at("omega"), 0.5, p.at("stop"), p.at("stop"));
-          return event_of(scene, Clock(p.at("omega")).period, EventKind::release).time;
-        }}},
-      {"chatter_limit",
-       {ball, [](Library, P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; }}},
-      {"impact_time",
-       {ball + " impact",
-        [](Library, P p) {
-          return event_of(ball_of(p), 10.0, EventKind::impact, p.at("impact"), true).time;
-        }}},
-      {"bar_contact_time",  // from the first contact with the wall to the release
-       {"elements",
-        [](Library, P p) {
-          const int elements = static_cast<int>(p.at("elements"));
-          const Scene scene = bar(elements, elements);
-          return event_of(scene, end_of_bar, EventKind::release).time -
-                 event_of(scene, end_of_bar, EventKind::stick).time;
-        }}},
-      {"bar_end_of_contact",
-       {"elements per_length start",
-        [](Library, P p) {
-          const Scene scene =
-              bar(static_cast<int>(p.at("elements")), static_cast<int>(p.at("per_length")));
-          return p.at("start") + event_of(scene, end_of_bar, EventKind::release).time;
-        }}},
+  numbers::Quantities<figures::LibraryEngine> all;
+  const auto add = [&](const char *quantity, const std::string &names, auto answer) {
+    all[quantity] = {names, [answer](figures::LibraryEngine &, P p) { return answer(p); }};
   };
+  add("impact_speed", orbit,
+      [](P p) { return std::abs(one_impact_orbit(p).impact.velocity_before); });
+  add("impact_phase", orbit, [](P p) { return one_impact_orbit(p).impact.instant.phase; });
+  add("velocity_after", orbit, [](P p) { return one_impact_orbit(p).impact.velocity_after; });
+  add("doubling_multiplier", orbit,
+      [](P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); });
+  // The orbit is given: at a fold two orbits meet, so that Newton's method fails.
+  add("fold_multiplier", orbit, [](P p) {
+    const auto [scene, start] = after_impact(p);
+    const auto map = stroboscopic_map_and_derivative(scene, start, static_cast<int>(p.at("n")));
+    return multiplier_near(1.0, floquet_multipliers(map.derivative, start.held));
+  });
+  add("release_time", "omega stop", [](P p) {
+    const Scene scene = one_mass(0.0, 1.0, p.at("omega"), 0.5, p.at("stop"), p.at("stop"));
+    return event_of(scene, Clock(p.at("omega")).period, EventKind::release).time;
+  });
+  add("chatter_limit", ball, [](P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; });
+  add("impact_time", ball + " impact",
+      [](P p) { return event_of(ball_of(p), 10.0, EventKind::impact, p.at("impact"), true).time; });
+  // From the first contact with the wall to the release.
+  add("bar_contact_time", "elements", [](P p) {
+    const int elements = static_cast<int>(p.at("elements"));
+    const Scene scene = bar(elements, elements);
+    return event_of(scene, end_of_bar, EventKind::release).time -
+           event_of(scene, end_of_bar, EventKind::stick).time;
+  });
+  add("bar_end_of_contact", "elements per_length start", [](P p) {
+    const Scene scene =
+        bar(static_cast<int>(p.at("elements")), static_cast<int>(p.at("per_length")));
+    return p.at("start") + event_of(scene, end_of_bar, EventKind::release).time;
+  });
+  return all;
 }
 
 }  // namespace vibro_impact::others

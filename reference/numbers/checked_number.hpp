@@ -13,7 +13,9 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -21,6 +23,17 @@
 #include "arguments.hpp"
 
 namespace vibro_impact::numbers {
+
+// The place of a cell among words. Throws std::runtime_error naming the table for any other cell.
+template <std::size_t n>
+std::size_t word_in(const std::string &path, const std::string &cell,
+                    const char *const (&words)[n]) {
+  const auto found = std::find(words, words + n, cell);
+  if (found == words + n)
+    throw std::runtime_error(
+        fmt::format("{}: '{}' is none of: {}", path, cell, fmt::join(words, words + n, ", ")));
+  return static_cast<std::size_t>(found - words);
+}
 
 // The classes of figures/README.md. A claim that is no number may have the last two.
 enum class Verdict {
@@ -32,30 +45,25 @@ enum class Verdict {
   agrees_otherwise,
   cannot_be_judged
 };
-// Those that a key number may have.
+constexpr const char *verdict_words[] = {
+    "agrees",           "close",           "differs", "inferred", "not in the paper",
+    "agrees otherwise", "cannot be judged"};
+inline const char *name(Verdict verdict) {
+  return verdict_words[static_cast<int>(verdict)];
+}
+// The verdicts that a key number may have.
 constexpr Verdict all_verdicts[] = {Verdict::agrees, Verdict::close, Verdict::differs,
                                     Verdict::depends_on_an_inferred_value,
                                     Verdict::not_in_the_paper};
 
-inline const char *name(Verdict verdict) {
-  constexpr const char *names[] = {
-      "agrees",           "close",           "differs", "inferred", "not in the paper",
-      "agrees otherwise", "cannot be judged"};
-  return names[static_cast<int>(verdict)];
-}
-
 // How the paper has a number. The computed number rests on an inferred parameter where the paper's
 // statement is about a figure whose parameters are not all printed.
-enum class Claim { none, stated, read_off_figure_3, of_inferred_parameters };
+enum class Claim : std::size_t { none, stated, read_off_figure_3, of_inferred_parameters };
+constexpr const char *claim_words[] = {"", "stated", "read", "inferred"};
 
-// Throws std::runtime_error naming the table for any other text.
-inline Claim claim_in(const std::string &path, const std::string &cell) {
-  if (cell.empty()) return Claim::none;
-  if (cell == "stated") return Claim::stated;
-  if (cell == "read") return Claim::read_off_figure_3;
-  if (cell == "inferred") return Claim::of_inferred_parameters;
-  throw std::runtime_error(path + ": '" + cell + "' is no kind of claim");
-}
+// The origin of a reference (reference/README.md).
+enum class Kind : std::size_t { computed, derived, formula, printed };
+constexpr const char *kind_words[] = {"computed", "derived", "formula", "printed"};
 
 // A number in a format of {fmt}, with the exponent as short as possible: 1e-6.
 inline std::string formatted(double value, const std::string &format) {
@@ -81,9 +89,9 @@ struct Printed {
 // A row of reference/tables/checked_numbers.csv.
 struct CheckedNumber {
   std::string id;
-  std::string digits;    // of the reference, as the table has them
-  double value = 0.0;    // of the reference
-  std::string kind;      // of the reference (reference/README.md)
+  std::string digits;  // of the reference, as the table has them
+  double value = 0.0;  // of the reference
+  Kind kind = Kind::computed;
   std::string source;    // wagg for a key number of the paper, or another author
   std::string quantity;  // what is computed, and from which arguments
   std::string given;     // the arguments, as the table has them
@@ -111,20 +119,20 @@ inline std::vector<CheckedNumber> checked_numbers(const std::string &folder) {
     const auto bound = [&](const std::string &cell) {
       return cell.empty() ? std::numeric_limits<double>::infinity() : truth::number_in(path, cell);
     };
-    numbers.push_back(
-        {.id = cells[0],
-         .digits = cells[1],
-         .value = truth::number_in(path, cells[1]),
-         .kind = cells[2],
-         .source = cells[3],
-         .quantity = cells[4],
-         .given = cells[5],
-         .arguments = read_arguments(path, cells[5]),
-         .meaning = cells[6],
-         .printed = {cells[7], claim_in(path, cells[8]), bound(cells[9]), bound(cells[10])},
-         .format = cells[11],
-         .tolerance = truth::number_in(path, cells[12]),
-         .why = cells[13]});
+    numbers.push_back({.id = cells[0],
+                       .digits = cells[1],
+                       .value = truth::number_in(path, cells[1]),
+                       .kind = Kind{word_in(path, cells[2], kind_words)},
+                       .source = cells[3],
+                       .quantity = cells[4],
+                       .given = cells[5],
+                       .arguments = read_arguments(path, cells[5]),
+                       .meaning = cells[6],
+                       .printed = {cells[7], Claim{word_in(path, cells[8], claim_words)},
+                                   bound(cells[9]), bound(cells[10])},
+                       .format = cells[11],
+                       .tolerance = truth::number_in(path, cells[12]),
+                       .why = cells[13]});
   }
   return numbers;
 }

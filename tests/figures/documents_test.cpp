@@ -10,7 +10,6 @@
 
 #include "figures/check/fragments.hpp"
 #include "tests/support/refusals.hpp"
-#include "tests/support/tables.hpp"
 
 namespace {
 
@@ -47,13 +46,15 @@ TEST(Documents, AFragmentShowsWhatItsNameSays) {
   EXPECT_EQ(text("gap:.3e"), "7.538e-5");
   EXPECT_EQ(text("start:.5f"), "715.56156");
   EXPECT_EQ(text("class:start") + ", " + text("class:gap"), "agrees, differs");
-  EXPECT_EQ(text("claim:grazing_sliding"), "cannot be judged (`corrections_test`)");
-  EXPECT_EQ(text("count:g:w") + text("count:differs:w"), "oneone");
+  EXPECT_EQ(text("claim:cannot_be_judged:corrections_test"),
+            "cannot be judged (`corrections_test`)");
+  EXPECT_EQ(text("count:g:w") + text("count:g+agrees:w"), "onetwo");
   EXPECT_EQ(text("speeds:0.25:speed:.1f") + text("speeds:0.25,0.3:speed:.0e"), "1.52e-12");
   EXPECT_EQ(text("verdicts").substr(0, 53),
             "2 key numbers. Of these, 1 agree with the paper (0 by");
-  for (const char *unknown : {"nothing", "class:nothing", "claim:nothing", "speeds:0.3:speed:g",
-                              "speeds:0.25:time:g", "no_table:1:2:g", "start:x", "count:st"})
+  for (const char *unknown :
+       {"nothing", "class:nothing", "claim:agree:corrections_test", "claim:agrees:no_test",
+        "speeds:0.3:speed:g", "speeds:0.25:time:g", "no_table:1:2:g", "start:x", "count:st"})
     EXPECT_NE(vibro_impact::testing::refusal<std::exception>([&] { text(unknown); }), "accepted")
         << unknown;
 }
@@ -69,7 +70,7 @@ TEST(Documents, AnEditedFragmentIsFoundAndWrittenAgain) {
   EXPECT_EQ(wrong.faults, Lines{"a: start:.1f: must be '715.6', not '715.7'"});
   EXPECT_EQ(wrong.text, right);
   const std::string wrapped =
-      "It is <!--=claim:grazing_sliding-->cannot be\njudged  "
+      "It <!--=claim:cannot_be_judged:corrections_test-->cannot be\njudged  "
       "(`corrections_test`)<!--/-->.";
   EXPECT_EQ(edited(wrapped).faults, Lines{});
   EXPECT_EQ(edited(wrapped).text, wrapped);
@@ -81,44 +82,12 @@ TEST(Documents, AFragmentThatCannotBeReadIsFound) {
   EXPECT_EQ(edited("a\n- <!--=start:.0f-->716<!--/-->").faults.size(), 1u);
   EXPECT_EQ(edited("a\n| <!--=start:.0f-->716<!--/--> |").faults, Lines{});
   EXPECT_EQ(edited("a <!--=nothing-->7<!--/-->").faults.size(), 1u);
-  EXPECT_EQ(edited("0.2561 is 0.256100,\n```\n0.123456\n```").faults,
-            Lines{"a: 0.256100: is in no fragment"});
 }
 
 std::string content_of(const std::string &path) {
   std::ostringstream content;
   content << vibro_impact::truth::opened(SOURCE_DIR "/" + path).rdbuf();
   return content.str();
-}
-
-bool is_a_test(const std::string &name) {
-  for (const auto &file : std::filesystem::recursive_directory_iterator(SOURCE_DIR "/tests"))
-    if (file.path().string().ends_with("/" + name + ".cpp")) return true;
-  return false;
-}
-
-// The table of drivers in README.md names scripts, key numbers and tests that exist, and claims
-// name tests.
-TEST(Documents, KeyNumbersAndTestsThatAreNamedExist) {
-  for (const Claim &claim : claims()) EXPECT_TRUE(is_a_test(claim.test)) << claim.name;
-  const auto known = numbers::checked_numbers(REFERENCE_DIR);
-  const std::regex quoted("`([^`*(]*)(\\*?)[^`]*`");
-  int rows = 0;
-  for (const auto &row : vibro_impact::testing::rows_in_document("README.md")) {
-    if (row.size() != 4 || !std::filesystem::exists(SOURCE_DIR "/figures/" +
-                                                    row[0].substr(1, row[0].size() - 2) + ".gp"))
-      continue;
-    ++rows;
-    for (std::sregex_iterator word(row[2].begin(), row[2].end(), quoted), none; word != none;
-         ++word)
-      EXPECT_TRUE(std::ranges::any_of(known, [&](const auto &number) {
-        return word->length(2) ? number.id.starts_with(word->str(1)) : number.id == word->str(1);
-      })) << word->str();
-    for (std::sregex_iterator word(row[3].begin(), row[3].end(), quoted), none; word != none;
-         ++word)
-      EXPECT_TRUE(is_a_test(word->str(1))) << word->str();
-  }
-  EXPECT_EQ(rows, 6);
 }
 
 // The paper is cited alike everywhere, and the code check lists every picture that `make figures`

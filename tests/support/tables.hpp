@@ -1,11 +1,10 @@
-// Shared by the tests of the figures: the tables of the drivers and those in documents, and the
-// true events to compare them with.
+// Shared by the tests of the figures: the tables of the drivers, and the true events to compare
+// them with.
 #pragma once
 
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,20 +49,6 @@ inline double stop_position(const Scene &scene, int mass) {
 inline bool holds(const Held &held, int mass) {
   const auto i = static_cast<std::size_t>(mass - 1);
   return i < held.size() && held[i] != 0;
-}
-
-// The rows of the tables in a document, without the blanks around their cells.
-inline truth::Rows rows_in_document(const std::string &path) {
-  const std::regex cell(R"(\| *([^|]*?) *(?=\|))");
-  truth::Rows rows;
-  std::ifstream document = truth::opened(SOURCE_DIR "/" + path);
-  for (std::string line; std::getline(document, line);) {
-    if (!line.starts_with("| ")) continue;
-    rows.emplace_back();
-    for (std::sregex_iterator found(line.begin(), line.end(), cell), end; found != end; ++found)
-      rows.back().push_back((*found)[1]);
-  }
-  return rows;
 }
 
 }  // namespace vibro_impact::testing
