@@ -1,9 +1,8 @@
 #include "digits_engine.hpp"
 
-#include "event_table.hpp"
-#include "frequencies.hpp"
-
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 
 namespace vibro_impact_reference {
 
@@ -13,7 +12,166 @@ std::size_t index(int mass) {
   return static_cast<std::size_t>(mass - 1);
 }
 
+// --- Turning points ---------------------------------------------------------------------------
+
+bool moves(std::size_t mass, const Flow &flow) {
+  return std::find(flow.free.begin(), flow.free.end(), mass) != flow.free.end();
+}
+
+/// Calls found(tau) where `rate_at`, sampled along the flow, changes its sign in [begin, end].
+template <class RateAt, class Found>
+void each_turn(const Flow &flow, const Real &begin, const Real &end, const RateAt &rate_at,
+               const Found &found) {
+  const Real step = sampling_step(flow, Real(0));
+  bool rising = rate_at(begin) > 0;
+  for (Real a = begin; a < end; a += step) {
+    const Real b = std::min<Real>(a + step, end);
+    if (rising == (rate_at(b) > 0)) continue;
+    found(
+        bisect([&](const Real &tau) { return (rate_at(tau) > 0) == rising; }, a, b, Real("1e-36")));
+    rising = !rising;
+  }
+}
+
+// --- Frequencies --------------------------------------------------------------------------------
+
+/// Forcing periods: for the motion from rest to settle, for the motion to settle that begins near
+/// the settled one, and counted over. The slowest motion to settle is that at border_mass_2_3.
+constexpr int settling_from_rest = 300, settling_from_near = 10, counted = 4;
+
+/// Both motions at the jump are reached within 60 periods from rest, to the same frequency in
+/// double precision as after 800.
+constexpr int settling_of_a_jump = 100;
+
+/// A chatter followed down to a speed v tells whether it is complete where the frequency is farther
+/// from the change than some 500 v (measured at border_mass_2_4).
+const Resolution resolution = resolution_down_to(Real("1e-22"));
+
+/// A bracket is bisected until it is narrower than this. A double has 17 digits.
+const Real bracket_width = Real("1e-18");
+
+/// A motion at phase zero of the forcing.
+struct MotionAt {
+  Real frequency;
+  State state;
+};
+
+/// The run of some forcing periods from `motion`, which it brings to their end, where the phase is
+/// zero again and the time is counted anew.
+Run carry_on(Scene scene, MotionAt &motion, int periods) {
+  Run run;
+  scene[&Field::omega] = motion.frequency;
+  scene.end_time = periods * 2 * acos(Real(-1)) / motion.frequency;
+  advance(scene, motion.state, run, resolution);
+  motion.state.time = 0;
+  return run;
+}
+
+/// The motion from rest after some forcing periods.
+MotionAt from_rest(Scene scene, const Real &frequency, int periods) {
+  Run run;
+  scene[&Field::omega] = frequency;
+  MotionAt motion{frequency, initial_state(scene, resolution, run)};
+  carry_on(scene, motion, periods);
+  return motion;
+}
+
+/// The motion at another frequency on the line through two settled motions, up to the square of the
+/// distance.
+MotionAt extrapolated(const MotionAt &one, const MotionAt &other, const Real &frequency) {
+  const Real part = (frequency - one.frequency) / (other.frequency - one.frequency);
+  MotionAt motion{frequency, one.state};
+  for (std::size_t i = 0; i < motion.state.x.size(); ++i) {
+    motion.state.x[i] += part * (other.state.x[i] - one.state.x[i]);
+    motion.state.v[i] += part * (other.state.v[i] - one.state.v[i]);
+  }
+  return motion;
+}
+
+/// Throws std::logic_error if the counts at the two frequencies agree.
+void require_change(const Real &near, const Real &far, std::ptrdiff_t count_near,
+                    std::ptrdiff_t count_far) {
+  if (count_near == count_far)
+    throw std::logic_error("the counts at " + near.str(10) + " and " + far.str(10) + " agree");
+}
+
 }  // namespace
+
+Extremes extremes(const Run &run, std::size_t mass, const Real &from, const Real &to) {
+  std::optional<Extremes> found;
+  for (const Piece &piece : run.pieces) {
+    const Flow &flow = piece.flow;
+    const Real begin = std::max<Real>(Real(0), from - flow.start_time);
+    const Real end = std::min<Real>(piece.duration, to - flow.start_time);
+    if (begin >= end) continue;
+    const auto include = [&](const Real &tau) {
+      const Real x = motion_at(flow, tau).x[mass], time = flow.start_time + tau;
+      if (!found) found = {x, x, time};
+      found->lowest = std::min(found->lowest, x);
+      if (x <= found->highest) return;
+      found->highest = x;
+      found->highest_at = time;
+    };
+    include(begin);
+    if (moves(mass, flow))
+      each_turn(
+          flow, begin, end, [&](const Real &tau) { return motion_at(flow, tau).v[mass]; }, include);
+    include(end);
+  }
+  if (!found) throw std::runtime_error("the run has no motion in that interval");
+  return *found;
+}
+
+Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const Real &from) {
+  std::optional<Real> least;
+  for (const Piece &piece : run.pieces) {
+    const Flow &flow = piece.flow;
+    if (moves(scene.stops[stop].mass, flow) || flow.start_time < from) continue;
+    const auto pressing = [&](const Real &tau) {
+      return pressing_signal(scene, scene.stops[stop], motion_at(flow, tau));
+    };
+    each_turn(
+        flow, Real(0), piece.duration, [&](const Real &tau) { return pressing(tau).rate; },
+        [&](const Real &tau) {
+          const Signal at_turn = pressing(tau);
+          if (at_turn.curvature > 0 && (!least || abs(at_turn.value) < abs(*least)))
+            least = at_turn.value;
+        });
+  }
+  if (!least) throw std::runtime_error("no least force in a sticking phase");
+  return *least;
+}
+
+Real changing_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
+  const auto settled_count = [&](MotionAt &motion) {
+    carry_on(scene, motion, settling_from_near);
+    return count(carry_on(scene, motion, counted));
+  };
+  MotionAt before = from_rest(scene, 2 * near - far, settling_from_rest),
+           last = from_rest(scene, near, settling_from_rest),
+           beyond = from_rest(scene, far, settling_from_rest);
+  const std::ptrdiff_t count_near = settled_count(last);
+  require_change(near, far, count_near, settled_count(beyond));
+  const auto as_near = [&](const Real &frequency) {
+    MotionAt trial = extrapolated(before, last, frequency);
+    if (settled_count(trial) != count_near) return false;
+    before = last;
+    last = trial;
+    return true;
+  };
+  return bisect(as_near, near, far, bracket_width / far);
+}
+
+Real jumping_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
+  const auto count_at = [&](const Real &frequency) {
+    MotionAt motion = from_rest(scene, frequency, settling_of_a_jump);
+    return count(carry_on(scene, motion, counted));
+  };
+  const std::ptrdiff_t count_near = count_at(near);
+  require_change(near, far, count_near, count_at(far));
+  return bisect([&](const Real &frequency) { return count_at(frequency) == count_near; }, near, far,
+                bracket_width / far);
+}
 
 const Run &DigitsEngine::run(const NamedScene &asked) {
   for (const auto &[known, run] : runs_)

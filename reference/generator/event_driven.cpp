@@ -1,15 +1,22 @@
 #include "event_driven.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
-
-#include "at_rest.hpp"
 
 namespace vibro_impact_reference {
 
 Resolution resolution_down_to(const Real &floor) {
   return {floor, {std::min<Real>(Real("1e-36"), pow(floor, Real("1.6"))), true}};
+}
+
+std::string contact_mode(const std::vector<bool> &stuck) {
+  std::vector<std::size_t> masses;
+  for (std::size_t p = 0; p < stuck.size(); ++p)
+    if (stuck[p]) masses.push_back(p + 1);
+  return masses.empty() ? "-" : fmt::format("{}", fmt::join(masses, "+"));
 }
 
 namespace {

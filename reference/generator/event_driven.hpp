@@ -10,10 +10,11 @@
 // generator.
 #pragma once
 
-#include "signals.hpp"
+#include "stops.hpp"
 #include "vibro_impact/event.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace vibro_impact_reference {
@@ -45,6 +46,9 @@ struct Event {
   // they are.
   Real left_out = 0;
 };
+
+/// The masses that stick, as `1+2`; `-` if none does.
+std::string contact_mode(const std::vector<bool> &stuck);
 
 /// A piece of smooth motion.
 struct Piece {

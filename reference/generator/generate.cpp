@@ -1,10 +1,9 @@
 // Writes the reference tables: the events of the paper's scenes and its key numbers. See
 // reference/README.md.
-#include "event_table.hpp"
-#include "key_number_table.hpp"
 #include "one_impact.hpp"
 #include "reference/truth/degenerate_cases.hpp"
 #include "reference/truth/extreme_cases.hpp"
+#include "tables.hpp"
 
 #include <exception>
 #include <fstream>

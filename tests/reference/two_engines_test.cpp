@@ -6,8 +6,7 @@
 #include <sstream>
 
 #include "figures/check/library_engine.hpp"
-#include "reference/generator/event_table.hpp"
-#include "reference/generator/key_number_table.hpp"
+#include "reference/generator/tables.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // The signals whose zeros are events: the gap of a free mass before each stop, and the hold force
-// of a mass that rests on a stop.
+// of a mass that rests on a stop. Where the hold force is zero, who is held is found by trial.
 #pragma once
 
 #include "closed_form.hpp"
@@ -32,7 +32,7 @@ struct State {
   Vector x, v;
   std::vector<std::optional<std::size_t>> stuck_on;  // per mass: the stop (index) it rests on
   std::vector<Start> stop_start;                     // per stop
-  // The masses that at_rest.hpp has decided, which keep this state for the time `decided_for`.
+  // The masses that decide_at_rest has decided, which keep this state for the time `decided_for`.
   std::vector<std::size_t> decided = {};  // stops
   Real decided_for = 0;
 };
@@ -50,5 +50,20 @@ Real pressing_now(const Scene &scene, const State &state, std::size_t stop);
 /// Signals of all stops at the very start of a piece, with the exact zeros put in.
 std::vector<std::optional<Signal>> starting_signals(const Scene &scene, const State &state,
                                                     const Motion &motion);
+
+// --- Masses at rest on their stops where the hold force is zero ------------------------------
+//
+// The force on such a mass says nothing at that instant. What it becomes depends on which of its
+// neighbours move, and that on the forces on them. So every assignment of held and free to the
+// masses in question is tried: its closed form is followed for a short time, and it stands if every
+// held mass is pressed into its stop and every free one is off it all that time. Such a motion
+// obeys every rule of the model for that time, and the model has one motion only; exactly one
+// assignment may stand.
+
+/// Decides who of the masses at the stops `in_question`, all at rest there, is held, and writes it
+/// into the state: stuck_on, stop_start, and how long that stands. Throws std::runtime_error if no
+/// assignment stands for any of the times tried, or more than one.
+void decide_at_rest(const Scene &scene, State &state, const std::vector<std::size_t> &in_question,
+                    Eigensystems &known);
 
 }  // namespace vibro_impact_reference

@@ -1,7 +1,9 @@
-// The events of a run as a table.
+// The tables of events and of key numbers. In the table of checked numbers the generator fills in
+// the references of the key numbers and leaves all else as it is.
 #pragma once
 
-#include "event_driven.hpp"
+#include "digits_engine.hpp"
+#include "reference/numbers/checked_number.hpp"
 
 #include <cstddef>
 #include <string>
@@ -13,9 +15,6 @@ namespace vibro_impact_reference {
 /// any scale, slower than this part of the mass's fastest impact.
 inline const Real kept_speed = Real("1e-6");
 
-/// The masses that stick, as `1+2`; `-` if none does.
-std::string contact_mode(const std::vector<bool> &stuck);
-
 /// The rows of the kept events, each after `lead`.
 std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
                        const std::string &lead);
@@ -24,5 +23,15 @@ const char *const columns = "time,mass,event,velocity_before,velocity_after,cont
 
 /// The whole table of a scene of the paper.
 std::string events_table(const std::vector<Event> &events, std::size_t masses);
+
+/// The digits of a key number, by a formula (kind `derived`) or by a run (kind `computed`). Throws
+/// std::runtime_error naming the row.
+std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number);
+
+/// The digits of the key number with this id. Throws std::runtime_error if there is none.
+std::string digits_of(const std::string &id);
+
+/// The whole table.
+std::string filled_table();
 
 }  // namespace vibro_impact_reference
