@@ -45,7 +45,7 @@ constexpr int settling_of_a_jump = 100;
 
 /// A chatter followed down to a speed v tells whether it is complete where the frequency is farther
 /// from the change than some 500 v (measured at border_mass_2_4).
-const Resolution resolution = resolution_down_to(Real("1e-22"));
+const Resolution resolution_of_frequencies = resolution_down_to(Real("1e-22"));
 
 /// A bracket is bisected until it is narrower than this. A double has 17 digits.
 const Real bracket_width = Real("1e-18");
@@ -62,7 +62,7 @@ Run carry_on(Scene scene, MotionAt &motion, int periods) {
   Run run;
   scene[&Field::omega] = motion.frequency;
   scene.end_time = periods * 2 * acos(Real(-1)) / motion.frequency;
-  advance(scene, motion.state, run, resolution);
+  advance(scene, motion.state, run, resolution_of_frequencies);
   motion.state.time = 0;
   return run;
 }
@@ -71,7 +71,7 @@ Run carry_on(Scene scene, MotionAt &motion, int periods) {
 MotionAt from_rest(Scene scene, const Real &frequency, int periods) {
   Run run;
   scene[&Field::omega] = frequency;
-  MotionAt motion{frequency, initial_state(scene, resolution, run)};
+  MotionAt motion{frequency, initial_state(scene, resolution_of_frequencies, run)};
   carry_on(scene, motion, periods);
   return motion;
 }

@@ -51,7 +51,7 @@ TEST(TwoEngines, GiveTheSameAnswers) {
     EXPECT_NEAR(ours, static_cast<double>(exact), tolerance) << quantity << ' ' << given;
     left.erase(quantity);
   }
-  // A bisection in 50 digits takes minutes.
+  // A bisection in 50 digits takes minutes for two masses.
   EXPECT_EQ(left, (std::set<std::string>{"changing_frequency", "grazing_frequency"}));
 }
 
@@ -95,6 +95,19 @@ TEST(Generator, KnowsTheTimeOfTheFlightsThatItLeavesOut) {
   const Real sooner = end_of_chatter("1e-18"), later = end_of_chatter("1e-20");
   EXPECT_GT(later, 0);
   EXPECT_LE(abs(sooner - later), Real("1e-27"));
+}
+
+// The steady motion of one mass just reaches a stop s where (1 - omega^2)^2 + (beta omega)^2 =
+// 1 / s^2. The bracket of a frequency is 1e-18 wide.
+TEST(Generator, FindsAGrazingFrequencyToAllStoredDigits) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {1.0},
+                    .beta = 1.0,
+                    .amplitude = {1.0},
+                    .stops = {{1, Side::upper, 0.8}}};
+  const Real stop(0.8), square = (1 + sqrt(1 - 4 * (1 - 1 / (stop * stop)))) / 2;
+  const Real found = DigitsEngine{}.grazing_frequency(scene, 1, 1.2, 1.15);
+  EXPECT_LE(abs(found - sqrt(square)), Real("1e-18"));
 }
 
 // Formulas, and all that is read off the run of Figure 5(c), the shortest one. Two versions of
