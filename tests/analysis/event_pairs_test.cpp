@@ -92,11 +92,15 @@ TEST(EventPairs, ASlowContactGrazesOnlyIfTheMassIsPulledOff) {
   }
 }
 
-// Phases that follow each other do not pair. Phases that are under way as the record begins do,
-// also where both masses are released at the first instant of the record.
+// Phases that follow each other do not pair, nor do those that meet at an instant. Phases that are
+// under way as the record begins do, also where both masses are released at the first instant of
+// the record.
 TEST(EventPairs, DualStickingIsTheCommonPartOfTwoPhases) {
   EXPECT_TRUE(event_pairs({event_at(stick, 1, 1.0, {1, 0}), event_at(release, 1, 2.0, {0, 0}),
                            event_at(stick, 2, 2.5, {0, 1}), event_at(release, 2, 3.0, {0, 0})})
+                  .empty());
+  EXPECT_TRUE(event_pairs({event_at(stick, 1, 1.0, {1, 0}), event_at(stick, 2, 2.0, {1, 1}),
+                           event_at(release, 1, 2.0, {0, 1}), event_at(release, 2, 3.0, {0, 0})})
                   .empty());
   const std::vector<PairedEvents> expected{{-INFINITY, 1.0, EventPair::dual_sticking, 1, 2}};
   EXPECT_EQ(event_pairs({event_at(release, 1, 1.0, {0, 0}), event_at(release, 2, 1.0, {0, 0})}),
