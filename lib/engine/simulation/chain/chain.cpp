@@ -25,14 +25,11 @@ Chain::Chain(const Scene &scene)
   a = padded_list(scene.amplitude);
   b = padded_list(scene.sine);
   p = padded_list(scene.constant);
-  inverse_mass.resize(padded);
   lowest.assign(padded, -infinity);
   highest.assign(padded, infinity);
-  for (std::size_t i = 0; i < masses; ++i) {
-    inverse_mass[i] = Real(1.0) / mass[i];
+  for (std::size_t i = 0; i < masses; ++i)
     force_bound =
         std::max(force_bound, (std::abs(a[i]) + std::abs(b[i]) + std::abs(p[i])) / mass[i]);
-  }
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     stops.push_back({i, sign(stop.side), stop.position, law_of(scene, stop)});

@@ -22,7 +22,6 @@ struct Chain {
   std::size_t masses = 0, padded = 0;
   std::vector<double> mass, a, b, p, ground;
   std::vector<double> link;  // entry i ties mass i to mass i - 1, entry 0 to the ground
-  std::vector<Real> inverse_mass;
   std::vector<ChainStop> stops;
   std::vector<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
   double beta = 0.0;

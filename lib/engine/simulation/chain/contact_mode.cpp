@@ -41,11 +41,18 @@ double largest_eigenvalue(const Chain &chain, const Held &held) {
   return high;
 }
 
+// Adds the pair of a mass to a list of pairs that ends with this one or an earlier one.
+void add(std::size_t mass, std::vector<std::size_t> &pairs) {
+  const std::size_t first = mass / 2 * 2;
+  if (pairs.empty() || pairs.back() != first) pairs.push_back(first);
+}
+
 }  // namespace
 
 ContactMode build_contact_mode(const Chain &chain, const Held &held) {
   ContactMode mode;
   mode.held = held;
+  mode.mass.assign(chain.padded, infinity);
   mode.inverse_mass.assign(chain.padded, 0.0);
   mode.within.assign(chain.padded, 0.0);
   mode.outside.assign(chain.padded, 0.0);
@@ -53,12 +60,11 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
     (i % 2 == 0 ? mode.outside : mode.within)[i] = chain.link[i];
     (i % 2 == 0 ? mode.within : mode.outside)[i] = chain.above(i);
     mode.grounded = mode.grounded || chain.ground[i] != 0.0;
+    if (chain.lowest[i] > -infinity || chain.highest[i] < infinity) add(i, mode.stopped_pairs);
     if (held[i] != 0) continue;
-    mode.inverse_mass[i] = chain.inverse_mass[i];
-    const bool forced = chain.a[i] != 0.0 || chain.b[i] != 0.0;
-    const std::size_t first = i / 2 * 2;
-    if (forced && (mode.forced_pairs.empty() || mode.forced_pairs.back() != first))
-      mode.forced_pairs.push_back(first);
+    mode.mass[i] = chain.mass[i];
+    mode.inverse_mass[i] = 1.0 / chain.mass[i];
+    if (chain.a[i] != 0.0 || chain.b[i] != 0.0) add(i, mode.forced_pairs);
   }
   const double lambda = largest_eigenvalue(chain, held);
   mode.fastest = std::max(root_modulus(chain.beta * lambda, lambda), chain.omega);

@@ -8,10 +8,9 @@
 namespace vibro_impact::detail {
 
 void clear(const Chain &chain, Motion &motion) {
-  for (std::vector<Real> *list : {&motion.x, &motion.v, &motion.acceleration})
-    list->assign(chain.padded, 0.0);
+  for (std::vector<Real> *list : {&motion.x, &motion.v}) list->assign(chain.padded, 0.0);
   for (std::vector<double> *list :
-       {&motion.x_terms, &motion.v_terms, &motion.x_change, &motion.v_change})
+       {&motion.acceleration, &motion.x_terms, &motion.v_terms, &motion.x_change, &motion.v_change})
     list->assign(chain.padded, 0.0);
   motion.acceleration_known = false;
   motion.step_time = 0.0;
@@ -69,7 +68,7 @@ void find_acceleration(const Chain &chain, Motion &motion) {
     force -= (z - other) * pair(&mode.within[i]);
     force -= (z - beyond) * pair(&mode.outside[i]);
     if (mode.grounded) force -= z * pair(&chain.ground[i]);
-    store(force * load(&mode.inverse_mass[i]), &motion.acceleration[i]);
+    put(force.hi / pair(&mode.mass[i]), &motion.acceleration[i]);
     before = z;
     z = after;
   }
@@ -92,7 +91,7 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
   const std::size_t i = contact.mass;
   const double sigma = contact.sigma;
   if (!contact.held)
-    return {sigma * (contact.position - motion.x[i]), -(sigma * motion.v[i]),
+    return {scaled(contact.position - motion.x[i], sigma), scaled(motion.v[i], -sigma),
             std::abs(contact.position) + motion.x_terms[i], motion.v_terms[i],
             change_rounding * (motion.x_change[i] +
                                step_time_rounding * motion.step_time * std::abs(motion.v[i].hi))};
@@ -119,8 +118,8 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
   };
   add_link(chain.link[i], i - 1, i > 0);
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1, true);
-  value.value = sigma * force;
-  value.rate = sigma * rate;
+  value.value = scaled(force, sigma);
+  value.rate = scaled(rate, sigma);
   value.rate_terms += std::abs(rate.hi);
   value.rounding *= change_rounding;
   return value;

@@ -21,7 +21,8 @@ struct Motion {
   int turned = 0;  // steps since `turn` was computed from the phase
   const ContactMode *mode = nullptr;
   std::vector<Real> x, v;
-  std::vector<Real> acceleration;  // if it is known
+  std::vector<double>
+      acceleration;  // a rounded sum of terms of twice the precision, if it is known
   bool acceleration_known = false;
   // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
   // passes x = 0 onto a stop at 0 has no terms at that instant.

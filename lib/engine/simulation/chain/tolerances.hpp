@@ -51,6 +51,9 @@ constexpr double expected_flight_margin = 1.2;
 constexpr double shortest_step = 0x1p-60;
 // Margin of a bound of the change of a gap over a step, for its rounding.
 constexpr double travel_margin = 1.001;
+// Orders up to which a coefficient is divided by the mass and the order. A product with a rounded
+// reciprocal errs alike in every step, and the energy at r = 1 then drifts.
+constexpr int last_divided_order = 8;
 // Largest displacement or velocity, 1e-3 of the largest double. A motion beyond it is given up,
 // because products in a step may overflow where no number of the motion does.
 constexpr double largest_motion = 0x1p1014;

@@ -49,6 +49,11 @@ inline Pair leading_bits(Pair a) {
   return std::bit_cast<Pair>((std::bit_cast<Bits>(a) + Bits{half, half}) & Bits{mask, mask});
 }
 
+// The largest power of two up to a positive normal number.
+inline double leading_power(double a) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) & 0x7ff0000000000000u);
+}
+
 template <class T>
 struct Twofold {
   T hi{}, lo{};
@@ -164,6 +169,11 @@ inline void store(const RealPair &two, Real *to) {
   to[0] = {two.hi[0], two.lo[0]};
   to[1] = {two.hi[1], two.lo[1]};
 }
+// A product with a power of two or its opposite, which is exact.
+inline Real scaled(const Real &a, double power) {
+  return {a.hi * power, a.lo * power};
+}
+
 inline RealPair both(const Real &a) {
   return {Pair{a.hi, a.hi}, Pair{a.lo, a.lo}};
 }

@@ -88,13 +88,13 @@ bool Chatter::find_limit(double tolerance, const Clock &clock, ChatterLimit &lim
   for (std::size_t i = 0; i < latest.x.size(); i += 2) {
     const RealPair x = load(&latest.x[i]), v = load(&latest.v[i]);
     const Pair travel = v.hi * latest.left,
-               gain = load(&latest.acceleration[i]).hi * latest.left + pair(&latest.jumps[i]);
+               gain = pair(&latest.acceleration[i]) * latest.left + pair(&latest.jumps[i]);
     Pair x_change{}, v_change{}, v_oldest{};
     for (std::size_t k = 1; k < size_; ++k) {
       const ChatterNode &earlier = node(k);
       const RealPair ex = load(&earlier.x[i]), ev = load(&earlier.v[i]);
       const Pair early_gain =
-          load(&earlier.acceleration[i]).hi * earlier.left + pair(&earlier.jumps[i]);
+          pair(&earlier.acceleration[i]) * earlier.left + pair(&earlier.jumps[i]);
       const Pair x_distance = (ex.hi - x.hi) + (ex.lo - x.lo) + (ev.hi * earlier.left - travel),
                  v_distance = (ev.hi - v.hi) + (ev.lo - v.lo) + (early_gain - gain);
       x_change += all[k] * x_distance;

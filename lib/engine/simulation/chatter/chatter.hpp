@@ -15,8 +15,9 @@ namespace vibro_impact::detail {
 struct ChatterNode {
   double left = 0.0;       // the time to the limit, to leading order
   TwofoldInstant instant;  // of the impact
-  std::vector<Real> x, v, acceleration;
-  std::vector<double> jumps;  // of the velocities at all impacts to come, to leading order
+  std::vector<Real> x, v;
+  std::vector<double> acceleration,
+      jumps;  // of the velocities at all impacts to come, to leading order
   double largest_jump = 0.0;
 };
 

@@ -27,7 +27,7 @@ MotionBounds bounds_of(const Chain &chain, const Motion &motion, const std::vect
   for (std::size_t i = 0; i < chain.masses; ++i) {
     if (motion.mode->held[i] != 0) continue;
     speed = std::max(speed, bounds.speed(i));
-    second = std::max(second, std::abs(motion.acceleration[i].hi));
+    second = std::max(second, std::abs(motion.acceleration[i]));
     force = std::max(force, (std::abs(chain.a[i]) + std::abs(chain.b[i])) / chain.mass[i]);
   }
   const double rate = motion.mode->fastest;
@@ -73,7 +73,7 @@ bool all_are_pressed(const Chain &chain, const Chatter &chatter, const Motion &m
                    chain.stiffness_at(i) * std::abs(motion.x[i].hi);
     if (i > 0) terms += chain.link[i] * std::abs(motion.x[i - 1].hi);
     if (i + 1 < chain.masses) terms += chain.above(i) * std::abs(motion.x[i + 1].hi);
-    return stop.sigma * motion.acceleration[i].hi * chain.mass[i] > least_press * terms;
+    return stop.sigma * motion.acceleration[i] * chain.mass[i] > least_press * terms;
   });
 }
 

@@ -76,7 +76,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
       continue;
     }
     Polynomial &p = polynomials[k];
-    read(chain, table, contact, p);
+    read(chain, motion, table, contact, p);
     insert_start(start, step.unit, p);
     if (contact.held && start.zeros == 0 && start.value > travel_of(p)) {
       ++counters.out_of_reach;

@@ -2,25 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+
+#include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
 
 namespace {
 
-// n, and 1 / (n (n - 1)) in twice the precision, for two masses.
+// n, n (n - 1) and its reciprocal, for two masses.
 struct OrderFactors {
-  Pair order, inverse, inverse_low;
+  Pair order, product, inverse;
 };
 
 const auto factors_of = [] {
-  std::array<OrderFactors, max_order + 3> factors{};
+  std::array<OrderFactors, max_order + 4> factors{};
   for (std::size_t n = 2; n < factors.size(); ++n) {
     const auto order = static_cast<double>(n);
-    const Real inverse = Real(1.0) / (order * (order - 1.0));
-    factors[n].order = Pair{order, order};
-    factors[n].inverse = Pair{inverse.hi, inverse.hi};
-    factors[n].inverse_low = Pair{inverse.lo, inverse.lo};
+    const Pair both{order, order}, product = both * (both - 1.0);
+    factors[n] = {both, product, 1.0 / product};
   }
   return factors;
 }();
@@ -29,56 +28,56 @@ const OrderFactors &factors(int n) {
   return factors_of[static_cast<std::size_t>(n)];
 }
 
-// A product with a reciprocal of twice the precision. A rounded reciprocal would err always in the
-// same direction, and the energy of an elastic chain would drift.
-Pair over(Pair sum, Pair inverse, Pair inverse_low) {
-  return sum * inverse + sum * inverse_low;
+// A force of order n - 2 over the mass and n (n - 1).
+Pair coefficient(Pair force, Pair mass, Pair inverse_mass, int n) {
+  if (n > last_divided_order) return force * (inverse_mass * factors(n).inverse);
+  return force / mass / factors(n).product;
 }
 
-// The force of order n - 2 over the mass and n (n - 1).
-Pair coefficient(Pair force, const RealPair &inverse_mass, int n) {
-  return over(over(force, inverse_mass.hi, inverse_mass.lo), factors(n).inverse,
-              factors(n).inverse_low);
-}
-
-// a cos(Omega t) + b sin(Omega t) about the start has the coefficients w_n even, w_n odd.
+// a cos(Omega t) + b sin(Omega t) and its rate over Omega, at the start of the step.
 template <class T>
 struct Parts {
   T even, odd;
 };
 template <class T>
-Parts<T> parts_of(const TaylorTable &table, const T &a, const T &b) {
-  return {a * table.cosine + b * table.sine, b * table.cosine - a * table.sine};
+Parts<T> parts_of(const Turn &turn, const T &a, const T &b) {
+  return {a * turn.cosine.hi + b * turn.sine.hi, b * turn.cosine.hi - a * turn.sine.hi};
 }
 
+// The forcing of two masses, times (Omega h)^(n - 2) / n!, is part of their coefficients of order
+// n, with alternating signs and with even and odd parts in turn.
 void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table) {
-  const double angle = chain.omega * table.step.unit, square = -(angle * angle);
-  table.cosine = motion.turn.cosine.hi;
-  table.sine = motion.turn.sine.hi;
-  Terms &wave = table.wave;
-  wave[0] = 1.0;
-  wave[1] = angle;
-  for (std::size_t n = 2; n <= static_cast<std::size_t>(table.step.order) + 1; ++n)
-    wave[n] = square * factors_of[n].inverse[0] * wave[n - 2];
+  const double unit = table.step.unit, square = unit * unit, angle = chain.omega * unit;
+  Pair wave{0.5, angle / 6.0};
+  for (int n = 2; n <= table.step.order + 1; n += 2) {
+    put(wave, &table.wave[static_cast<std::size_t>(n)]);
+    wave *= -(angle * angle) * Pair{factors(n + 2).inverse[0], factors(n + 3).inverse[0]};
+  }
+  for (const std::size_t i : motion.mode->forced_pairs) {
+    const Pair scale = square * pair(&motion.mode->inverse_mass[i]);
+    const auto [even, odd] = parts_of<Pair>(motion.turn, pair(&chain.a[i]), pair(&chain.b[i]));
+    put(scale * even, &table.even[i]);
+    put(scale * odd, &table.odd[i]);
+  }
 }
 
 // Two masses fit into one register.
 void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
-  const double unit = table.step.unit, damping = chain.beta / unit;
-  const double square = unit * unit;
-  const RealPair inverse = load(mode.inverse_mass.data());
-  const auto [even, odd] =
-      parts_of<Pair>(table, square * pair(chain.a.data()), square * pair(chain.b.data()));
-  const Pair within = square * pair(mode.within.data()),
-             own = square * (pair(mode.outside.data()) + pair(chain.ground.data()));
+  const double unit = table.step.unit, square = unit * unit;
+  const Pair mass = pair(mode.mass.data()), inverse = pair(mode.inverse_mass.data()),
+             within = square * pair(mode.within.data()),
+             own = square * (pair(mode.outside.data()) + pair(chain.ground.data())),
+             damping = chain.beta / unit * Pair{1.0, 1.0};
+  const bool forced = !mode.forced_pairs.empty();
+  const Pair even = forced ? pair(table.even.data()) : Pair{},
+             odd = forced ? pair(table.odd.data()) : Pair{};
   double *entry = table.of_order(2);
   Pair before = pair(table.of_order(1)), latest = pair(entry), travel = modulus(latest);
   const auto next = [&](int n, const Pair &force) {
-    const Pair z = before + damping * (factors(n - 1).order * latest);
-    const Pair sum = (force * table.wave[static_cast<std::size_t>(n - 2)] - own * z) -
-                     within * (z - exchanged(z));
+    const Pair z = before + damping * factors(n - 1).order * latest;
     before = latest;
-    latest = coefficient(sum, inverse, n);
+    latest = force * table.wave[static_cast<std::size_t>(n)] -
+             coefficient(own * z + within * (z - exchanged(z)), mass, inverse, n);
     travel += modulus(latest);
     put(latest, entry += 2);
   };
@@ -94,28 +93,35 @@ template <bool grounded>
 void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit;
   const Pair damping = chain.beta / unit * factors(n - 1).order;
-  const double *before = table.of_order(n - 2), *latest = table.of_order(n - 1);
+  const std::size_t stride = table.stride;
+  const double *before = table.of_order(n - 2), *latest = table.of_order(n - 1),
+               *within = mode.within.data(), *outside = mode.outside.data(),
+               *ground = chain.ground.data(), *mass = mode.mass.data(),
+               *inverse = mode.inverse_mass.data();
   double *to = table.of_order(n);
   const auto z_of = [&](std::size_t i) { return pair(before + i) + damping * pair(latest + i); };
   Pair left{}, own = z_of(0);
-  for (std::size_t i = 0; i < table.stride; i += 2) {
-    const Pair right = i + 2 < table.stride ? z_of(i + 2) : Pair{};
-    Pair sum = pair(&mode.within[i]) * (own - exchanged(own)) +
-               pair(&mode.outside[i]) * (own - __builtin_shufflevector(left, right, 1, 2));
-    if constexpr (grounded) sum += pair(&chain.ground[i]) * own;
-    sum = coefficient(-square * sum, load(&mode.inverse_mass[i]), n);
-    put(pair(&table.travel[i]) + modulus(sum), &table.travel[i]);
-    put(sum, to + i);
+  for (std::size_t i = 0; i < stride; i += 2) {
+    const Pair right = i + 2 < stride ? z_of(i + 2) : Pair{};
+    Pair sum = pair(within + i) * (own - exchanged(own)) +
+               pair(outside + i) * (own - __builtin_shufflevector(left, right, 1, 2));
+    if constexpr (grounded) sum += pair(ground + i) * own;
+    put(coefficient(-square * sum, pair(mass + i), pair(inverse + i), n), to + i);
     left = own;
     own = right;
   }
-  const double wave = table.wave[static_cast<std::size_t>(n - 2)];
-  for (const std::size_t i : mode.forced_pairs) {
-    const auto [even, odd] = parts_of<Pair>(table, pair(&chain.a[i]), pair(&chain.b[i]));
-    const Pair force = wave * (n % 2 == 0 ? even : odd);
-    const Pair change = coefficient(square * force, load(&mode.inverse_mass[i]), n);
-    put(pair(to + i) + change, to + i);
-    put(pair(&table.travel[i]) + modulus(change), &table.travel[i]);
+  const double wave = table.wave[static_cast<std::size_t>(n)];
+  const std::vector<double> &part = n % 2 == 0 ? table.even : table.odd;
+  for (const std::size_t i : mode.forced_pairs) put(pair(to + i) + wave * pair(&part[i]), to + i);
+}
+
+void add_travel(const ContactMode &mode, TaylorTable &table) {
+  for (const std::size_t i : mode.stopped_pairs) {
+    const double *entry = table.of_order(2) + i;
+    Pair sum{};
+    for (int n = 2; n <= table.step.order + 1; ++n, entry += table.stride)
+      sum += modulus(pair(entry));
+    put(sum, &table.travel[i]);
   }
 }
 
@@ -124,30 +130,32 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTabl
 OrderTable::OrderTable(double tolerance) {
   double factorial = 6.0;
   for (std::size_t k = 0; k < longest_.size(); ++k) {
-    const int p = 4 * static_cast<int>(k) + 3;
-    for (int n = k == 0 ? 4 : p - 2; n <= p + 1; ++n) factorial *= n;
-    longest_[k] = std::pow(0.5 * tolerance * factorial, 1.0 / (p - 1));
+    const auto p = 2.0 * static_cast<double>(k) + 3.0;
+    factorial *= (p + 1.0) * (k == 0 ? 1.0 : p);
+    longest_[k] = std::pow(0.5 * tolerance * factorial, 1.0 / (p - 1.0));
   }
 }
 
 int OrderTable::order_of(double radians) const {
-  std::size_t k = 0;
-  while (k + 1 < longest_.size() && radians > longest_[k]) ++k;
-  return 4 * static_cast<int>(k) + 3;
+  std::size_t k = longest_.size() - 1;  // most steps are long
+  while (k > 0 && radians <= longest_[k - 1]) --k;
+  return 2 * static_cast<int>(k) + 3;
 }
 
 void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTable &table) {
   const ContactMode &mode = *motion.mode;
   table.step = step;
-  table.stride = chain.padded;
-  table.coefficients.resize((max_order + 2) * table.stride);
-  table.travel.resize(table.stride);
+  if (table.stride != chain.padded) {
+    table.stride = chain.padded;
+    table.coefficients.resize((max_order + 2) * table.stride);
+    for (std::vector<double> *list : {&table.travel, &table.even, &table.odd})
+      list->resize(table.stride);
+  }
   const double unit = step.unit, half_square = 0.5 * unit * unit;
   double *first = table.of_order(1), *second = table.of_order(2);
-  for (std::size_t i = 0; i < table.stride; ++i) {
-    first[i] = unit * motion.v[i].hi;
-    second[i] = half_square * motion.acceleration[i].hi;
-    table.travel[i] = std::abs(second[i]);
+  for (std::size_t i = 0; i < table.stride; i += 2) {
+    put(unit * Pair{motion.v[i].hi, motion.v[i + 1].hi}, first + i);
+    put(half_square * pair(&motion.acceleration[i]), second + i);
   }
   expand_forcing(chain, motion, table);
   if (table.stride == 2) return expand_pair(chain, mode, table);
@@ -157,9 +165,11 @@ void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTa
     else
       expand_order<false>(chain, mode, n, table);
   }
+  add_travel(mode, table);
 }
 
-void read(const Chain &chain, const TaylorTable &table, const Contact &contact, Polynomial &p) {
+void read(const Chain &chain, const Motion &start, const TaylorTable &table, const Contact &contact,
+          Polynomial &p) {
   const std::size_t stride = table.stride, i = contact.mass;
   p.order = table.step.order;
   const auto orders = static_cast<std::size_t>(p.order);
@@ -170,8 +180,8 @@ void read(const Chain &chain, const TaylorTable &table, const Contact &contact, 
     for (std::size_t n = 2; n <= orders; ++n, entry += stride) c[n] = -contact.sigma * *entry;
     return;
   }
-  const auto [even, odd] =
-      parts_of<double>(table, contact.sigma * chain.a[i], contact.sigma * chain.b[i]);
+  const double angle = chain.omega * table.step.unit, scale = -contact.sigma * angle * angle;
+  const auto [even, odd] = parts_of<double>(start.turn, scale * chain.a[i], scale * chain.b[i]);
   const double damping = chain.beta / table.step.unit;
   for (std::size_t n = 2; n <= orders; ++n) c[n] = (n % 2 == 0 ? even : odd) * table.wave[n];
   const auto add_link = [&](double stiffness, std::size_t other) {

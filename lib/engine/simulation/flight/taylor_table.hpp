@@ -20,7 +20,7 @@ struct Step {
   int order = 0;
 };
 
-// The order of a step of this many radians: the smallest p = 4 k + 3 with the remainder
+// The order of a step of this many radians: the smallest p = 2 k + 3 with the remainder
 // 2 x^(p-1) / (p+1)! <= tolerance. The remainder is its first term, relative to the second-order
 // term: small gaps stay accurate.
 class OrderTable {
@@ -29,16 +29,17 @@ class OrderTable {
   int order_of(double radians) const;
 
  private:
-  std::array<double, max_order / 4> longest_;  // in radians, of order 4 k + 3
+  std::array<double, max_order / 2> longest_;  // in radians, of order 2 k + 3
 };
 
 struct TaylorTable {
   Step step;
   std::size_t stride = 0;
   std::vector<double> coefficients = {};  // order by order, one for each mass, from order 1 on
-  std::vector<double> travel = {};        // of each mass, the moduli from order 2 on, added up
-  double cosine = 1.0, sine = 0.0;        // of the forcing at the start of the step,
-  Terms wave{};                           // with +-(Omega h)^n / n!
+  std::vector<double> travel = {};        // of masses with stops: the sum of moduli from order 2 on
+  // The forcing of order n is part of the coefficient by wave[n] times `even` or `odd`.
+  Terms wave{};
+  std::vector<double> even = {}, odd = {};
 
   double *of_order(int n) {
     return coefficients.data() + static_cast<std::size_t>(n) * stride;
@@ -52,7 +53,8 @@ struct TaylorTable {
 void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTable &table);
 
 // The coefficients from the second order on of the gap or pressing force of a contact.
-void read(const Chain &chain, const TaylorTable &table, const Contact &contact, Polynomial &p);
+void read(const Chain &chain, const Motion &start, const TaylorTable &table, const Contact &contact,
+          Polynomial &p);
 
 // Moves motion and clock to the time tau of the step. The first-order change is exact, so that only
 // what is of second order has the rounding of a double.

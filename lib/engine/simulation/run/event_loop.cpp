@@ -77,13 +77,13 @@ Step plan_step(Run &run) {
     const double phase = run.motion.now.rounded().phase;
     step.length = 2.0 * (std::nextafter(phase, infinity) - phase);
   }
-  step.unit = std::exp2(std::ilogb(step.length) + 1);
+  step.unit = 2.0 * leading_power(step.length);
   step.u_max = step.length / step.unit;
   step.order = run.problem.orders.order_of(run.motion.mode->fastest * step.length);
   int zeros = 0;  // a gap with many zeros needs an order beyond them
   for (const Start &start : run.scratch.starts)
     if (!start.idle) zeros = std::max(zeros, start.zeros);
-  if (zeros > 1) step.order = std::max(step.order, std::min(max_order, (zeros + 3) / 4 * 4 + 3));
+  if (zeros > 1) step.order = std::max(step.order, std::min(max_order, zeros / 2 * 2 + 5));
   ++run.counters.expansions;
   run.counters.coefficients += step.order + 1;
   run.counters.products +=

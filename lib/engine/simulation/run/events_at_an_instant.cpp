@@ -109,7 +109,7 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start = false) {
   Motion &motion = run.motion;
   const Chain &chain = run.chain();
   if (scratch.resting.empty()) return;
-  set_turn(chain, motion);
+  if (motion.turned > 0) set_turn(chain, motion);
   for (const RestingMass &mass : scratch.resting)
     place(mass.mass, chain.stops[mass.stop].position, 0.0, motion);
   run.counters.rest_orders += scratch.rest.decide(chain, motion, scratch.resting);

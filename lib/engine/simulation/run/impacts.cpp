@@ -22,7 +22,7 @@ void count_impact(Run &run, StopState &stop, double speed) {
 
 // To leading order, a mass with the acceleration a towards its stop returns after 2 v / a.
 double flight_after(const Motion &motion, const Contact &contact, double speed) {
-  const double press = contact.sigma * motion.acceleration[contact.mass].hi;
+  const double press = contact.sigma * motion.acceleration[contact.mass];
   return press > 0.0 ? 2.0 * speed / press : infinity;
 }
 
@@ -59,7 +59,7 @@ void apply_hits(Run &run, Recorders recorders) {
     const double closing = rounded(hit.closing);
     count_impact(run, stop, closing);
     const Real after = law.after(closing) + Real(law.slope(closing) * hit.closing.lo);
-    place(contact.mass, contact.position, -contact.sigma * after, motion);
+    place(contact.mass, contact.position, scaled(after, -contact.sigma), motion);
     motion.v_terms[contact.mass] = closing;
     if (after.hi > 0.0)
       stop.at = Leaving{after.hi};
