@@ -28,7 +28,7 @@ TEST(ChatterReach, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
     find_acceleration(chain, motion);
     detail::Chatter chatter;
     // All jumps to come, of which the first is that of this impact times r.
-    chatter.add({0}, 1e-9, r, motion, {-jumps_left, 0.0});
+    chatter.add({0}, 1e-9, r, Clock(scene.omega), motion, {-jumps_left, 0.0});
     const std::vector<detail::StopState> stops(2);
     EXPECT_EQ(others_stay_out_of_reach(chain, chatter, motion, stops, 1e-9), stays) << share;
   }

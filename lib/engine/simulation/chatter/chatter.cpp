@@ -37,11 +37,12 @@ void Chatter::set_weights(double ratio) {
   }
 }
 
-bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, const Motion &motion,
-                  const std::vector<double> &jumps) {
+bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, const Clock &clock,
+                  const Motion &motion, const std::vector<double> &jumps) {
   if (!(stops == stops_ && x < x_)) {
     end();
     stops_ = stops;
+    first_ = motion.now;
     if (r != restitution_) {
       restitution_ = r;
       stride_ =
@@ -55,58 +56,56 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, con
   if (impacts_++ % stride_ != 0) return false;
   newest_ = (newest_ + 1) % most_chatter_nodes;
   size_ = std::min(size_ + 1, most_chatter_nodes);
-  ChatterNode &latest = ring_[newest_];
-  latest.left = left;
-  latest.instant = motion.now;
-  latest.x = motion.x;
-  latest.v = motion.v;
-  latest.acceleration = motion.acceleration;
-  latest.jumps = jumps;
-  latest.largest_jump = 0.0;
-  for (const double jump : jumps)
-    latest.largest_jump = std::max(latest.largest_jump, std::abs(jump));
+  latest_ = motion.now;
+  left_ = left;
+  jumps_ = jumps;
+  ChatterNode &node = ring_[newest_];
+  node.time = elapsed(first_, latest_, clock) + left;
+  node.x.resize(motion.x.size());
+  node.v.resize(motion.x.size());
+  node.largest_jump = 0.0;
+  for (std::size_t i = 0; i < motion.x.size(); i += 2) {
+    const RealPair v = load(&motion.v[i]);
+    const Pair jump = pair(&jumps[i]), gain = left * pair(&motion.acceleration[i]) + jump;
+    store(load(&motion.x[i]) + v * Pair{left, left}, &node.x[i]);
+    store(v + gain, &node.v[i]);
+    node.largest_jump = std::max({node.largest_jump, std::abs(jump[0]), std::abs(jump[1])});
+  }
   return true;
 }
 
-bool Chatter::find_limit(double tolerance, const Clock &clock, ChatterLimit &limit) const {
+bool Chatter::find_limit(double tolerance, ChatterLimit &limit) const {
   if (size_ < fewest_chatter_nodes) return false;
   const Weights &all = weights_[size_], &fewer = weights_[size_ - 1];
   const ChatterNode &latest = node(0);
   // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.
   double change = 0.0, oldest = 0.0;
   for (std::size_t k = 1; k < size_; ++k) {
-    const ChatterNode &earlier = node(k);
-    const double distance = rounded(elapsed(latest.instant, earlier.instant, clock) +
-                                    (Real(earlier.left) - latest.left));
+    const Real &time = node(k).time;
+    const double distance = (time.hi - latest.time.hi) + (time.lo - latest.time.lo);
     change += all[k] * distance;
     oldest += (all[k] - fewer[k]) * distance;
   }
   if (!(std::abs(oldest) <= tolerance * duration_)) return false;
-  if (!(std::abs(change) < prediction_share * latest.left)) return false;
+  if (!(std::abs(change) < prediction_share * left_)) return false;
   limit.x.resize(latest.x.size());
   limit.v.resize(latest.x.size());
   for (std::size_t i = 0; i < latest.x.size(); i += 2) {
     const RealPair x = load(&latest.x[i]), v = load(&latest.v[i]);
-    const Pair travel = v.hi * latest.left,
-               gain = pair(&latest.acceleration[i]) * latest.left + pair(&latest.jumps[i]);
     Pair x_change{}, v_change{}, v_oldest{};
     for (std::size_t k = 1; k < size_; ++k) {
-      const ChatterNode &earlier = node(k);
-      const RealPair ex = load(&earlier.x[i]), ev = load(&earlier.v[i]);
-      const Pair early_gain =
-          pair(&earlier.acceleration[i]) * earlier.left + pair(&earlier.jumps[i]);
-      const Pair x_distance = (ex.hi - x.hi) + (ex.lo - x.lo) + (ev.hi * earlier.left - travel),
-                 v_distance = (ev.hi - v.hi) + (ev.lo - v.lo) + (early_gain - gain);
-      x_change += all[k] * x_distance;
+      const RealPair ex = load(&node(k).x[i]), ev = load(&node(k).v[i]);
+      const Pair v_distance = (ev.hi - v.hi) + (ev.lo - v.lo);
+      x_change += all[k] * ((ex.hi - x.hi) + (ex.lo - x.lo));
       v_change += all[k] * v_distance;
       v_oldest += (all[k] - fewer[k]) * v_distance;
     }
     const double error = std::max(std::abs(v_oldest[0]), std::abs(v_oldest[1]));
     if (!(error <= tolerance * node(size_ - 1).largest_jump)) return false;
-    store(x + (v * Pair{latest.left, latest.left} + x_change), &limit.x[i]);
-    store(v + (gain + v_change), &limit.v[i]);
+    store(x + x_change, &limit.x[i]);
+    store(v + v_change, &limit.v[i]);
   }
-  limit.time_left = latest.left + change;
+  limit.time_left = left_ + change;
   return true;
 }
 

@@ -11,14 +11,11 @@
 
 namespace vibro_impact::detail {
 
-// An impact as a node of the extrapolation: the motion just after it.
+// An impact as a node of the extrapolation: what it predicts of the limit, to leading order.
 struct ChatterNode {
-  double left = 0.0;       // the time to the limit, to leading order
-  TwofoldInstant instant;  // of the impact
+  Real time = 0.0;  // of the limit, since the first node
   std::vector<Real> x, v;
-  std::vector<double> acceleration,
-      jumps;  // of the velocities at all impacts to come, to leading order
-  double largest_jump = 0.0;
+  double largest_jump = 0.0;  // of a velocity, at all impacts to come
 };
 
 // The extrapolated motion at the limit.
@@ -32,19 +29,18 @@ class Chatter {
   // The impacts at these stops at one instant: x is the time of the flight after them, to leading
   // order, `jumps` are the changes of v at all impacts to come, and r is the limit of the
   // restitution. A new chatter begins unless this one continues. Returns whether they are a node.
-  bool add(const std::vector<std::size_t> &stops, double x, double r, const Motion &motion,
-           const std::vector<double> &jumps);
+  bool add(const std::vector<std::size_t> &stops, double x, double r, const Clock &clock,
+           const Motion &motion, const std::vector<double> &jumps);
   void end();
 
   // True if the motion is just after the latest impact, and this is a node: a limit may be taken.
   bool stands_at_node(const Motion &motion) const {
-    const TwofoldInstant &latest = ring_[newest_].instant;
-    return size_ > 0 && (impacts_ - 1) % stride_ == 0 && latest.cycle == motion.now.cycle &&
-           latest.phase == motion.now.phase;
+    return size_ > 0 && (impacts_ - 1) % stride_ == 0 && latest_.cycle == motion.now.cycle &&
+           latest_.phase == motion.now.phase;
   }
   // Extrapolates the motion at the limit. Returns false until that has settled: the time within
   // this tolerance of the duration of the chatter, and the velocities within it of their jumps.
-  bool find_limit(double tolerance, const Clock &clock, ChatterLimit &limit) const;
+  bool find_limit(double tolerance, ChatterLimit &limit) const;
 
   const std::vector<std::size_t> &stops() const {
     return stops_;
@@ -52,7 +48,7 @@ class Chatter {
   bool hits(std::size_t stop) const;
   // The changes of the velocities at all impacts after the latest node.
   const std::vector<double> &latest_jumps() const {
-    return ring_[newest_].jumps;
+    return jumps_;
   }
   // The time in which its impacts happen, to leading order.
   double duration() const {
@@ -68,6 +64,9 @@ class Chatter {
   std::vector<std::size_t> stops_;
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
+  TwofoldInstant first_, latest_;  // the instants of the first and the latest node,
+  double left_ = 0.0;              // the time from the latest to the limit, to leading order,
+  std::vector<double> jumps_;      // and the jumps of the velocities at all impacts after it
   double x_ = 0.0, duration_ = 0.0, restitution_ = -1.0;
   std::array<Weights, most_chatter_nodes + 1> weights_{};  // for each number of nodes
 
