@@ -68,16 +68,6 @@ const Finding &number_of(const Findings &findings, const std::string &id) {
   throw std::runtime_error("checked number '" + id + "': the table has no such row");
 }
 
-std::string table_of_few(const Findings &findings, const std::vector<std::string> &ids) {
-  truth::Rows rows{{"number", "the paper", "here", "class"}};
-  for (const std::string &id : ids) {
-    const Finding &finding = number_of(findings, id);
-    rows.push_back({finding.number.meaning, finding.number.printed.words,
-                    finding.number.formatted(finding.computed), name(finding.verdict())});
-  }
-  return table_of(rows);
-}
-
 std::string count_of_verdicts(const Findings &findings) {
   std::size_t all = 0, algebra = 0, of_figure4 = 0, with[std::size(numbers::verdict_words)] = {};
   for (const Finding &finding : findings) {

@@ -45,9 +45,6 @@ std::string tables_of(const Findings &findings);
 // The number with that id. Throws std::runtime_error if there is none.
 const Finding &number_of(const Findings &findings, const std::string &id);
 
-// A table of the numbers with these ids.
-std::string table_of_few(const Findings &findings, const std::vector<std::string> &ids);
-
 // How many key numbers have each verdict, and how many results of others are of each kind
 // (reference/README.md), as the documents and the last line of `check` have it.
 std::string count_of_verdicts(const Findings &findings);

@@ -116,18 +116,10 @@ std::string non_generic_contact() {
 
 // --- All fragments -------------------------------------------------------------------------------
 
-const std::vector<std::string> summary{"multi_sliding_mass_1",
-                                       "border_mass_1_2",
-                                       "border_mass_1_3",
-                                       "figure3_sticks_of_mass_1_at_0_65",
-                                       "figure5a_impacts_while_stuck",
-                                       "figure5b_dual_sticks"};
-
 // The text of a fragment whose name is one word.
 std::string text_named(const std::string &name, const Sources &from) {
   if (name == "verdicts") return count_of_verdicts(from.findings);
   if (name == "results") return count_of_results(from.findings);
-  if (name == "key_table") return '\n' + table_of_few(from.findings, summary);
   if (name == "speed") return comparison::sentences_of_speed(from.measured);
   if (name == "steppers") return '\n' + table_of(comparison::rows_of_steppers(from.measured));
   if (name == "methods") return '\n' + table_of(comparison::rows_of_methods(from.measured));

@@ -82,16 +82,14 @@ truth::Rows rows_of_methods(const std::vector<Measured> &runs) {
       {steppers[0], "DOP853"},        {steppers[1], "dopri5"},
       {steppers[2], "fehlberg78"},    {steppers[3], "ERKStep"},
       {"plain event-driven", "plain"}};
-  truth::Rows rows{{"Figure", "error", "library, us"}};
+  truth::Rows rows{{"error", "library, us"}};
   for (const auto &[method, column] : columns) rows.front().push_back(column);
-  for (const auto &[problem, figure] : {std::pair{"figure2", "2"}, std::pair{"figure4", "4(a)"}})
-    for (const double error : errors) {
-      const auto ours = fastest(runs, problem, {library}, error);
-      rows.push_back(
-          {figure, name_of(error), ours ? fmt::format("{:.1f}", ours->microseconds) : "-"});
-      for (const auto &[method, column] : columns)
-        rows.back().push_back(ratio(runs, problem, {method}, error));
-    }
+  for (const double error : errors) {
+    const auto ours = fastest(runs, "figure2", {library}, error);
+    rows.push_back({name_of(error), ours ? fmt::format("{:.1f}", ours->microseconds) : "-"});
+    for (const auto &[method, column] : columns)
+      rows.back().push_back(ratio(runs, "figure2", {method}, error));
+  }
   return rows;
 }
 

@@ -31,8 +31,8 @@ std::optional<Measured> fastest(const std::vector<Measured> &runs, const std::st
 // general-purpose stepper, relative to the library. The errors are those at which people work.
 truth::Rows rows_of_steppers(const std::vector<Measured> &runs);
 
-// The table of the page of the methods: the time of every method in ten periods of Figures 2 and
-// 4(a), relative to the library, whose time is in microseconds.
+// The table of the page of the methods: the time of every method in ten periods of Figure 2,
+// relative to the library, whose time is in microseconds.
 truth::Rows rows_of_methods(const std::vector<Measured> &runs);
 
 // What README.md says of ten periods of Figure 2. Throws std::runtime_error if no run has
