@@ -47,7 +47,7 @@ figures: configured-figures
 	@tail -n 1 $(folder)/check.log
 
 beyond pictures: configured-figures
-	$(make_target) figures_programs beyond_programs
+	$(make_target) figures_programs beyond_programs vibro-impact
 	@cmake --build --preset $(preset) --target $@
 
 $(drawn): configured-figures

@@ -55,8 +55,8 @@ refuse(reference/numbers "vibro_impact/(analysis|simulate|record|table|vibro_imp
 # project, and reads tables. It shares no true events.
 refuse(reference/generator "(vibro_impact/([a-df-rt-z]|event_|scene\\.)|reference/truth/event)")
 # A folder of figures may include the files that all drivers share.
-refuse(figures "(figures/)?(check|stability|beyond)/")
-foreach(folder / /stability /beyond)
+refuse(figures "(figures/)?(check|stability)/")
+foreach(folder / /stability)
   refuse(figures${folder} "(figures/)?error_vs_runtime/")
 endforeach()
 
