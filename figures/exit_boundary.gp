@@ -21,10 +21,10 @@ stats first using (column('phase') == settled && strcol('kind') eq 'release' ? c
 instant(n) = stuck_min + (n - 1) * (left_min - stuck_min) / 4
 # The orbit's sample nearest to that time.
 near(n, value) = column('phase') == settled && abs(column('t') - instant(n)) <= 0.0025 ? value : NaN
-# Of the samples near that time, one; the first and the last one are events.
+# One of the samples near that time; the first and the last one are events.
 at_dot(n, value) = n == 1 ? of_kind('stick', near(n, value)) : n == 5 ? of_kind('release', near(n, value)) : \
   of_kind('orbit', near(n, value))
-# Where the time stands beside its dot.
+# The place of the time beside its dot.
 array right[5] = [0.005, 0.006, -0.006, 0.006, 0.005]
 array up[5] = [0.008, -0.01, -0.02, 0, 0.004]
 time_text(n) = sprintf('{/*0.8 %s%.2f}', n == 1 ? '{/:Italic t} = ' : '', instant(n))

@@ -48,7 +48,7 @@ draw_chain = "unset border; unset tics; unset xlabel; unset ylabel; set size rat
   "plot for [i = 1:masses] [part = 0:1] '+' using (dots_before(i) ? NaN : along(i, $1)):(zigzag($1)) with lines lc rgb '#202020' dt solid; ". \
   "unset object; unset arrow; unset label"
 
-# What Figure 1 says of each mass: its displacement, its forcing, its spring and damper, and its gap.
+# The symbols of each mass in Figure 1: its displacement, its forcing, its spring and damper, and its gap.
 force(i) = masses_left_out ? sprintf('{/:Italic A}_{%s} cos Ω{/:Italic t}', subscript(i)) : \
   sprintf('{/:Italic A}_%d cos Ω{/:Italic t},  {/:Italic A}_%d = %g', i, i, amplitude[i])
 arrow(i, y, width) = sprintf("set arrow from %g, %g to %g, %g lw %g; ", i * distance, y, i * distance + 0.4, y, width)

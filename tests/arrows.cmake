@@ -48,7 +48,7 @@ refuse(figures "(\\.\\./|lib/|tests/|simulation/|analysis/|program/[a-oq-z])")
 refuse(reference "(\\.\\./|lib/|figures/|tests/|program/|simulation/|analysis/|vibro_impact/analysis/)")
 refuse(reference/scenes "(figures|reference/(truth|numbers|generator))/")
 refuse(reference/truth "reference/(numbers|generator)/")
-# What two engines are asked has nothing of either: scenes, tables, and the kinds of events.
+# The questions to the two engines include nothing of either: scenes, tables, and the kinds of events.
 refuse(reference/numbers "reference/(generator|truth/e)")
 refuse(reference/numbers "vibro_impact/(analysis|simulate|record|table|vibro_impact)")
 # The generator takes scenes, the names of their fields, cases and the kinds of events from the

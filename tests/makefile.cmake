@@ -1,4 +1,4 @@
-# What the targets of the Makefile ask for, in a copy of it with a cmake and packages that do nothing:
+# The targets of the Makefile and their requests, in a copy of it with a cmake and packages that do nothing:
 # `make figures` fails when a key number is wrong, and `make reference` writes every computed table.
 # cmake -D source=... -D build=... -D folder=... -P makefile.cmake
 cmake_minimum_required(VERSION 3.21)

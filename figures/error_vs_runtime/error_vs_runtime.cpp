@@ -91,8 +91,8 @@ Table table_of(const std::vector<Trial> &trials) {
   return table;
 }
 
-// Of every trial. The fastest one is the run time, because whatever else runs on the processor only
-// adds to a time, by up to a factor of two.
+// Repeats of every trial. The fastest one is the run time, because whatever else runs on the
+// processor only adds to a time, by up to a factor of two.
 constexpr int repeats = 10;
 
 std::vector<Trial> measured(const std::vector<Problem> &cases, const std::vector<Method> &methods) {

@@ -12,7 +12,7 @@ array method[9] = ['this library', 'this library (every impact)', 'by hand', 'pl
 array short[9] = ['this library', 'every impact', 'by hand', 'plain', 'DOP853', 'dopri5', 'fehlberg78', 'ERKStep', 'stiff spring']
 array colour[9] = ['#12355b', '#12355b', '#56b4e9', '#606060', '#a04090', '#d55e00', '#b08000', '#009e73', '#000000']
 array mark[9] = [7, 6, 4, 5, 11, 9, 15, 13, 2]
-# Where the name of a method stands, in characters from its last run; 'plain' would lie on other lines.
+# The place of the name of a method, in characters from its last run; 'plain' would lie on other lines.
 array across[9] = [-9.6, 0, -7.6, 0, -5.4, 0, 0, 0, 0]
 array up[9] = [-0.4, 0, 0.2, 0, -0.8, 0, 0, 0, 0]
 array dash[9] = [1, 1, 2, 3, 2, 1, 2, 1, 3]
@@ -28,7 +28,7 @@ array failures[9]  # the number of the row of each method, from 1; 0: no run fai
 count_failures(p, m) = sprintf('count = 0; stats [*:*] [*:*] table using (row(%d, %d, 0) ? (count = count + 1) : 0) nooutput; ', p, m). \
   sprintf('failures[%d] = count > 0 ? (rows_of_failures = rows_of_failures + 1) : 0', m)
 bad(p, m) = row(p, m, 0) ? edge * 10 ** (1.5 * failures[m] - 0.4) : NaN
-# Where the line of a method ends: the row of its last good run.
+# The end of the line of a method: the row of its last good run.
 array last_time[9]; array last_error[9]
 read_end(p, m) = sprintf('last_time[%d] = 0; stats [*:*] [*:*] table using (row(%d, %d, 1) ? ', m, p, m). \
   sprintf("(last_time[%d] = column('slowest_us'), last_error[%d] = good(%d, %d)) : 0) nooutput", m, m, p, m)

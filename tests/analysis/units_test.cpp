@@ -79,7 +79,7 @@ class Measured {
   Values values_ = {};
 };
 
-// What is measured of a scene whose numbers are in these units.
+// The measured numbers of a scene whose numbers are in these units.
 using Measure = std::function<void(const Scene &, const Units &, Measured &)>;
 
 // The motions of Figure 3: sticking, chatter, impacts of several periods, and chaos (0.69).

@@ -151,8 +151,8 @@ std::vector<std::vector<Tree>> trees_to(int highest) {
   return of_order;
 }
 
-// What the exact solution has at the end of a step of length one (Butcher): 1 / the product of the
-// orders of all subtrees.
+// The weight of the exact solution at the end of a step of length one (Butcher): 1 / the product of
+// the orders of all subtrees.
 double exact_weight(const Tree &tree) {
   double weight = 1.0 / tree.order;
   for (const Tree &subtree : tree.subtrees) weight *= exact_weight(subtree);

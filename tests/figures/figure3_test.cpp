@@ -22,7 +22,7 @@ using paper::AxisBox;
 struct Velocities {
   std::vector<double> omega, velocity;
 
-  // Those faster than what the figure shows.
+  // The impacts faster than the figure shows.
   std::vector<double> at(double frequency) const {
     std::vector<double> found;
     for (std::size_t i = 0; i < omega.size(); ++i)

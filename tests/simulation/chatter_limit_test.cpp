@@ -75,7 +75,7 @@ TEST(ChatterLimit, NeedsFewImpacts) {
   }
 }
 
-// Of the incomplete chatters of this run, 39 have at least four falling impacts, and 38 at least
+// In this run, 39 incomplete chatters have at least four falling impacts, and 38 at least
 // five.
 TEST(ChatterLimit, AnIncompleteChatterHasFiveFallingImpacts) {
   EXPECT_EQ(simulate(paper::figure3(0.33), 750.0).counters.chatter_incomplete, 38);

@@ -39,8 +39,8 @@ struct Program {
   double fastest = 0.0;  // a bound of the frequencies
   Weights weights = Weights(chain.restitution);
   std::array<Chatter, 2> chatters = {};
-  // Of the equation of motion: u' = diagonal w + off w of the other mass + rest + drive cos,
-  // w = g + beta u.
+  // The coefficients of the equation of motion, u' = diagonal w + off w of the other mass + rest +
+  // drive cos, w = g + beta u.
   Pair diagonal = {}, off = {}, rest = {}, drive = {};
   std::size_t order = 0;
   std::array<Pair, highest_order> gap = {}, guards = {};  // Taylor coefficients

@@ -23,7 +23,7 @@
 
 namespace vibro_impact {
 
-// What a point of a branch is. The last seven end it.
+// The kind of a point of a branch. The last seven end it.
 enum class BranchPoint {
   orbit,          // an orbit between the others
   fold,           // a multiplier is 1 and the parameter turns round
