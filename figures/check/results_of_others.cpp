@@ -36,9 +36,10 @@ Scene ball_on_table(const Arguments &p) {
 }  // namespace
 
 std::pair<Scene, MotionState> after_impact(const Arguments &p) {
-  const Scene scene = p.contains("g") ? ball_on_table(p)
-                                      : one_mass(p.at("c"), p.at("A"), p.at("omega"), p.at("r"),
-                                                 p.at("stop"), p.at("stop"));
+  Scene scene = p.contains("g") ? ball_on_table(p)
+                                : one_mass(p.at("c"), p.at("A"), p.at("omega"), p.at("r"),
+                                           p.at("stop"), p.at("stop"));
+  if (p.contains("wall")) scene.stops.push_back({1, Side::lower, p.at("wall")});
   MotionState after = start_of(scene);
   after.instant = {0, std::fmod(p.at("time"), Clock(scene.omega).period)};
   after.velocity = {-sign(scene.stops[0].side) * scene.restitution * p.at("speed")};
@@ -52,9 +53,9 @@ OneImpactOrbit one_impact_orbit(const Arguments &p) {
   if (!orbit.converged) throw std::runtime_error("no orbit of one impact: " + orbit.why_not);
   EventRecorder recorder;
   stroboscopic_map(scene, orbit.state, periods, {}, recorder);
-  if (recorder.events.size() != 1)
+  if (recorder.events.size() != scene.stops.size())
     throw std::runtime_error("the orbit has " + std::to_string(recorder.events.size()) +
-                             " events, not one impact");
+                             " events, not one impact at each stop");
   return {scene, orbit, recorder.events.front()};
 }
 
@@ -119,7 +120,7 @@ constexpr double end_of_bar = 0.0015;  // the bar has left the wall by this time
 
 numbers::Quantities<figures::LibraryEngine> quantities() {
   using P = const Arguments &;
-  const std::string orbit = "c A omega r stop g n time speed",
+  const std::string orbit = "c A omega r stop wall g n time speed",
                     ball = "mass k force r height velocity ceiling velocity_before";
   numbers::Quantities<figures::LibraryEngine> all;
   const auto add = [&](const char *quantity, const std::string &names, auto answer) {

@@ -18,10 +18,10 @@ using numbers::Arguments;
 double multiplier_near(double target, const std::vector<std::complex<double>> &multipliers);
 
 // The motion from an impact at `time` with `speed`, far from that impact: of a ball on a table
-// where a weight g is given, of a mass on a spring elsewhere.
+// where a weight g is given, of a mass on a spring elsewhere, between two stops where `wall` is.
 std::pair<Scene, MotionState> after_impact(const Arguments &p);
 
-// A periodic orbit of one impact in n forcing periods.
+// A periodic orbit of one impact at each stop in n forcing periods. `impact` is the first.
 struct OneImpactOrbit {
   Scene scene;
   PeriodicOrbit orbit;

@@ -131,6 +131,38 @@ TEST(FollowOrbit, EndsAtTheMultiSlidingAndAtTheEndOfItsRange) {
   EXPECT_EQ(down.back().parameter, 0.15);
 }
 
+// The chatter of a mass becomes incomplete: its sticking phase shrinks to nothing. The table of
+// checked numbers has these frequencies, found by counting phases and confirmed to 50 digits. The
+// branch ends within the shortest step of them.
+TEST(FollowOrbit, EndsAtTheBorderOrbits) {
+  const auto end_of = [](double from, double middle, double to) {
+    return settled_branch(paper::figure3(middle), {"omega", from, to, 30}).back();
+  };
+  for (const auto &[end, expected] : {std::pair{end_of(0.32, 0.35, 0.37), 0.367004913968366919},
+                                      {end_of(0.37, 0.35, 0.32), 0.330982352875060877},
+                                      {end_of(0.44, 0.45, 0.5), 0.46421518719298115}}) {
+    EXPECT_EQ(end.kind, BranchPoint::border_orbit);
+    EXPECT_NEAR(end.parameter, expected, 1e-8 * 0.06);
+  }
+}
+
+// Two complex multipliers leave the unit circle between a stable orbit and an unstable one. The
+// modulus at the point is found again from the scene there, to the accuracy of Newton's method.
+TEST(FollowOrbit, PassesTheBirthOfATorus) {
+  Scene scene = paper::figure3(0.8);
+  scene.beta = 0.02;
+  scene.stops = {{2, Side::upper, 0.2}};
+  const auto branch = settled_branch(scene, {"omega", 0.81, 0.78, 30});
+  const auto torus = std::ranges::find(branch, BranchPoint::torus, &OrbitPoint::kind);
+  ASSERT_TRUE(torus > branch.begin() && torus + 1 < branch.end());
+  EXPECT_NE((torus - 1)->orbit.stable(), (torus + 1)->orbit.stable());
+  scene.omega = torus->parameter;
+  const PeriodicOrbit orbit = find_periodic_orbit(scene, torus->orbit.state);
+  ASSERT_TRUE(orbit.converged);
+  EXPECT_NE(orbit.multipliers[0].imag(), 0.0);
+  EXPECT_NEAR(std::abs(orbit.multipliers[0]), 1.0, 1e-10);
+}
+
 // At 0.6 the orbit of Figure 3 is stable. Downwards it turns round at a fold.
 TEST(FollowOrbit, GoesThroughUnstablePartsOfFigure3) {
   const Scene scene = paper::figure3(0.6);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "reference/scenes/table1_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -62,7 +63,7 @@ class Measured {
     for (const int count : record.counts.sticks) add(count);
     add(record.lyapunov->exponent, -units_.time);
     add(record.lyapunov->error, -units_.time);
-    add(static_cast<double>(record.pairs.size()));
+    for (const EventPair pair : record.pairs) add(static_cast<int>(pair));
     if (record.attractor) add(*record.attractor, units_.length);
     for (const std::vector<Event> &impacts : record.impacts)
       for (const Event &impact : impacts) add(impact.velocity_before, units_.length - units_.time);
@@ -97,7 +98,9 @@ void expect_equal_in(const std::vector<Units> &all, const Measure &measure) {
   }
 }
 
-const std::vector<Units> lengths{{0}, {-500}, {-20}, {-10}, {450}};
+// Masses are multiplied by even powers of two alone: the modes contain their square roots.
+const std::vector<Units> all_units{{0},     {-500},    {-20},      {-10},       {450},
+                                   {0, 40}, {0, 0, 1}, {0, 0, -9}, {0, 0, 150}, {-10, 6, -11}};
 
 void measure_record(const Scene &scene, const Units &, Measured &measured) {
   RecordOptions options{.lyapunov = true, .pairs = true};
@@ -156,6 +159,18 @@ void measure_places(const Scene &scene, const Units &units, Measured &measured) 
   }
 }
 
+void measure_pairs(const Scene &scene, const Units &units, Measured &measured, double from,
+                   double to) {
+  PressedEventRecorder recorder(scene, std::ldexp(from, units.time));
+  require_complete(simulate(scene, std::ldexp(to, units.time), recorder));
+  for (const PairedEvents &pair : event_pairs(recorder.events)) {
+    measured.add(static_cast<int>(pair.kind));
+    measured.add(pair.mass);
+    measured.add(pair.from, units.time);
+    measured.add(pair.to, units.time);
+  }
+}
+
 void measure_branch(const Scene &scene, const Units &units, Measured &measured) {
   const MotionState guess = at_quiet_phase(scene, record_of(scene).state);
   const double stop = scene.stops[0].position;
@@ -168,28 +183,42 @@ void measure_branch(const Scene &scene, const Units &units, Measured &measured) 
   }
 }
 
-TEST(UnitsOfLength, ChangeNoBitOfABranch) {
-  expect_equal_in(lengths, measure_branch);
+TEST(Units, ChangeNoBitOfABranch) {
+  expect_equal_in(all_units, measure_branch);
 }
 
-TEST(UnitsOfLength, ChangeNoBitOfARecord) {
-  expect_equal_in(lengths, measure_record);
+// The pairs of the six scenes of Table I.
+TEST(Units, ChangeNoBitOfAPair) {
+  for (const paper::PairScene &shown : paper::table1_scenes()) {
+    Values expected;
+    for (const Units &units : all_units) {
+      Measured measured(units);
+      measure_pairs(in_units(units, shown.scene), units, measured, shown.from, shown.to);
+      if (expected.empty()) expected = measured.values();
+      EXPECT_FALSE(expected.empty()) << shown.pair;
+      EXPECT_EQ(measured.values(), expected) << shown.pair << ", time 2^" << units.time;
+    }
+  }
 }
 
-TEST(UnitsOfLength, ChangeNoBitOfWhereAMotionSettles) {
-  expect_equal_in(lengths, measure_settling);
+TEST(Units, ChangeNoBitOfARecord) {
+  expect_equal_in(all_units, measure_record);
 }
 
-TEST(UnitsOfLength, ChangeNoBitOfAPeriodicOrbit) {
-  expect_equal_in(lengths, measure_orbit);
+TEST(Units, ChangeNoBitOfWhereAMotionSettles) {
+  expect_equal_in(all_units, measure_settling);
 }
 
-TEST(UnitsOfLength, ChangeNoBitOfAMeanGrowth) {
-  expect_equal_in(lengths, measure_growth);
+TEST(Units, ChangeNoBitOfAPeriodicOrbit) {
+  expect_equal_in(all_units, measure_orbit);
 }
 
-TEST(UnitsOfLength, ChangeNoBitOfPlacesThatAreLocated) {
-  expect_equal_in(lengths, measure_places);
+TEST(Units, ChangeNoBitOfAMeanGrowth) {
+  expect_equal_in(all_units, measure_growth);
+}
+
+TEST(Units, ChangeNoBitOfPlacesThatAreLocated) {
+  expect_equal_in(all_units, measure_places);
 }
 
 }  // namespace

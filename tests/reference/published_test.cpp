@@ -52,7 +52,7 @@ TEST(CheckedNumbers, AnErrorOfAMillionthInTheRestitutionIsSeen) {
     for (CheckedNumber result : numbers::checked_numbers(REFERENCE_DIR)) {
       numbers::Arguments &p = result.arguments;
       if (result.quantity != quantity || !p.contains("r") || p.at("impact", 0.0) == 1.0) continue;
-      p.values["r"] = fmt::format("{}", p.at("r") + 1e-6);
+      p.values["r"] = fmt::format("{}", p.at("r") - 1e-6);
       EXPECT_GT(std::abs(figures::computed(result) - result.value), result.tolerance) << result.id;
     }
   }

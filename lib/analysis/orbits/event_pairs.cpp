@@ -77,10 +77,10 @@ std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
   return contacts;
 }
 
-bool sticks_at(int mass, double time, const std::vector<StopContact> &contacts) {
+bool sticks_at(int mass, double time, const std::vector<StopContact> &contacts, double tolerance) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const StopContact &contact) {
     return contact.kind == ContactKind::sticking && contact.mass == mass &&
-           contact.from - time <= simultaneous && time - contact.to <= simultaneous;
+           contact.from - time <= tolerance && time - contact.to <= tolerance;
   });
 }
 
@@ -106,20 +106,22 @@ EventPair kind_of(ContactKind first, ContactKind second) {
 }
 
 // The pair of two contacts of different masses. Returns nullopt if they do not coincide, and for
-// two contacts at an instant one of which belongs to a sticking phase.
+// two contacts at an instant one of which belongs to a sticking phase. Times that differ by no more
+// than the tolerance agree.
 std::optional<PairedEvents> pair_of(StopContact a, StopContact b,
-                                    const std::vector<StopContact> &contacts) {
+                                    const std::vector<StopContact> &contacts, double tolerance) {
   if (std::pair(b.kind, b.mass) < std::pair(a.kind, a.mass)) std::swap(a, b);
   const bool a_sticks = a.kind == ContactKind::sticking, b_sticks = b.kind == ContactKind::sticking;
   const double begin = std::max(a.from, b.from), end = std::min(a.to, b.to);
   PairedEvents pair{begin, end, kind_of(a.kind, b.kind), a.mass, b.mass};
-  if (a_sticks && b_sticks) return end - begin > simultaneous ? std::optional(pair) : std::nullopt;
-  if (begin - end > simultaneous) return std::nullopt;
+  if (a_sticks && b_sticks) return end - begin > tolerance ? std::optional(pair) : std::nullopt;
+  if (begin - end > tolerance) return std::nullopt;
   if (a_sticks || b_sticks) {
     pair.from = pair.to = a_sticks ? b.from : a.from;
     return pair;
   }
-  if (sticks_at(a.mass, b.from, contacts) || sticks_at(b.mass, a.from, contacts))
+  if (sticks_at(a.mass, b.from, contacts, tolerance) ||
+      sticks_at(b.mass, a.from, contacts, tolerance))
     return std::nullopt;
   std::swap(pair.from, pair.to);  // the earlier of the two instants is the end of their overlap
   return pair;
@@ -144,12 +146,13 @@ void PressedEventRecorder::check(const Scene &of_run) const {
 
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.time < from) return;
+  const std::vector<double> frequencies = local_frequencies(scene);
   PressedEvent pressed{event};
+  pressed.time_scale = 1.0 / std::ranges::min(frequencies);
   if (event.kind == EventKind::impact) {
     const MotionState state = state_at(moment, event.held);
     const auto i = static_cast<std::size_t>(event.mass - 1);
-    const double frequency = local_frequencies(scene)[i],
-                 stiffness = scene.mass[i] * frequency * frequency;
+    const double frequency = frequencies[i], stiffness = scene.mass[i] * frequency * frequency;
     pressed.press = pressing_force_of(scene, stop_of(scene, event), state);
     pressed.force_scale = 0.0;
     for (const auto *force : {&scene.amplitude, &scene.sine, &scene.constant})
@@ -163,11 +166,12 @@ void PressedEventRecorder::event(const Event &event, const Moment &moment) {
 
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {
   const std::vector<StopContact> contacts = contacts_of(events);
+  const double tolerance = events.empty() ? 0.0 : simultaneous * events.front().time_scale;
   std::vector<PairedEvents> pairs;
   for (auto a = contacts.begin(); a != contacts.end(); ++a)
     for (auto b = a + 1; b != contacts.end(); ++b)
       if (a->mass != b->mass)
-        if (const auto pair = pair_of(*a, *b, contacts)) pairs.push_back(*pair);
+        if (const auto pair = pair_of(*a, *b, contacts, tolerance)) pairs.push_back(*pair);
   std::sort(pairs.begin(), pairs.end());
   // A contact within the tolerance of two phases of one mass pairs with that mass once.
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -92,6 +92,17 @@ inline std::vector<double> local_frequencies(const Scene &scene) {
   return frequencies;
 }
 
+// Units in which displacements and velocities are compared: 1 for each free displacement, and for
+// each free velocity the least local frequency, rounded down to a power of two so that a division
+// by it is exact. A matrix in these units, its norms and its pivots are free of the unit of time.
+inline Eigen::VectorXd coordinate_units(const Scene &scene, const Held &held) {
+  const auto free = static_cast<Eigen::Index>(free_masses(held).size());
+  const double least = std::ranges::min(local_frequencies(scene));
+  Eigen::VectorXd units = Eigen::VectorXd::Ones(2 * free);
+  units.tail(free).setConstant(std::ldexp(1.0, std::ilogb(least)));
+  return units;
+}
+
 // The distance of two states as a length: the amplitude of the vibration of which their difference
 // is one phase, that of the mass with the largest. It is free of the units of length and time.
 inline double amplitude(const std::vector<double> &frequencies, const MotionState &a,

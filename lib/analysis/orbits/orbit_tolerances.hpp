@@ -30,7 +30,7 @@ constexpr double most_nodes = 1e8;       // in a forcing period
 
 // An impact that begins 1e-15 deep in its stop is 1e-7 early. Slow impacts at an equilibrium do not
 // graze.
-constexpr double simultaneous = 1e-6;  // time between events of a pair
+constexpr double simultaneous = 1e-6;  // time between events of a pair, relative to its scale
 constexpr double slow_contact = 1e-6;  // speed of a contact that may be grazing
 constexpr double pulled_off = 1e-9;    // force on it
 

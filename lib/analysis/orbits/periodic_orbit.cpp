@@ -41,9 +41,14 @@ Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
   const Eigen::MatrixXd derivative = view(iterate.image.derivative)(free, free);
   if (!residual.allFinite() || !derivative.allFinite())
     iterate.why_not_usable = "the map or its derivative is not finite";
-  else if (unknowns > 0)
-    iterate.step =
-        (Eigen::MatrixXd::Identity(unknowns, unknowns) - derivative).partialPivLu().solve(residual);
+  else if (unknowns > 0) {
+    const Eigen::VectorXd units = coordinate_units(simulation.scene(), at.held);
+    const Eigen::MatrixXd in_units = units.asDiagonal().inverse() * derivative * units.asDiagonal();
+    const Eigen::VectorXd step = (Eigen::MatrixXd::Identity(unknowns, unknowns) - in_units)
+                                     .partialPivLu()
+                                     .solve(residual.cwiseQuotient(units));
+    iterate.step = step.cwiseProduct(units);
+  }
   return iterate;
 }
 
@@ -151,8 +156,18 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
           derivative.columns, ", the chain has ", size, " coordinates");
   const std::vector<std::size_t> free = free_coordinates(held);
   if (free.empty()) return {};
-  const Eigen::MatrixXd map = view(derivative)(free, free);
+  Eigen::MatrixXd map = view(derivative)(free, free);
   require(map.allFinite(), "derivative: all values must be finite");
+  // Velocities are measured in the unit of time in which the blocks beside the diagonal are equally
+  // large, so that the rounding of the multipliers does not depend on the unit of the scene.
+  const Eigen::Index half = map.rows() / 2;
+  auto by_velocity = map.topRightCorner(half, half), of_velocity = map.bottomLeftCorner(half, half);
+  const double unit =
+      std::sqrt(of_velocity.cwiseAbs().maxCoeff() / by_velocity.cwiseAbs().maxCoeff());
+  if (std::isfinite(unit) && unit > 0.0) {
+    by_velocity *= unit;
+    of_velocity /= unit;
+  }
   const Eigen::VectorXcd found = Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues();
   std::vector<std::complex<double>> multipliers(found.begin(), found.end());
   std::sort(multipliers.begin(), multipliers.end(),

@@ -109,6 +109,7 @@ class TangentRecorder : public Recorder {
         clock_(scene.omega),
         start_(start.instant),
         now_(start.instant),
+        start_held_(start.held),
         held_(start.held) {
     const std::vector<std::size_t> free = free_coordinates(start.held);
     tangents_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * start.held.size()),
@@ -150,6 +151,7 @@ class TangentRecorder : public Recorder {
   Scene scene_;
   Clock clock_;
   Instant start_, now_;
+  Held start_held_;
   Held held_;  // before the events of the group
   Eigen::MatrixXd tangents_;
   std::map<Held, TangentFlow> flows_ = {};
@@ -245,15 +247,20 @@ class TangentRecorder : public Recorder {
       differentiable_ = differentiable_ && elapsed(start_, now_, clock_) == 0.0;
       return;
     }
+    // In the units of the coordinates the largest entry of a difference measures all of it.
+    const Eigen::VectorXd rows = coordinate_units(scene_, Held(after.size(), 0)),
+                          columns = coordinate_units(scene_, start_held_);
     std::vector<double> time_left;
     std::vector<Eigen::MatrixXd> values;
     for (const Node &node : nodes_) {
       time_left.push_back(elapsed(node.instant, now_, clock_));
-      values.push_back(node.tangents);
-      carry(after, time_left.back(), values.back());
+      Eigen::MatrixXd tangents = node.tangents;
+      carry(after, time_left.back(), tangents);
+      values.push_back(rows.asDiagonal().inverse() * tangents * columns.asDiagonal());
     }
     const double last_error = std::pow(time_left.back() * rate_bound(scene_), 2);
-    tangents_ = extrapolate_chatter(values, time_left, last_error);
+    tangents_ = rows.asDiagonal() * extrapolate_chatter(values, time_left, last_error) *
+                columns.asDiagonal().inverse();
   }
 };
 

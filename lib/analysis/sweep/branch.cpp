@@ -31,16 +31,11 @@ Vector Branch::vector_of(const MotionState &state, double q) const {
 
 void Branch::set_section(const MotionState &state, double q) {
   const Scene scene = with(scene_, range_.parameter, q);
-  const std::size_t n = state.held.size();
-  const std::vector<double> frequencies = local_frequencies(scene);
-  const double size = amplitude(frequencies, state);
+  const double size = amplitude(local_frequencies(scene), state);
   length_ = size > 0.0 ? size : 1.0;
   held_ = state.held;
   part_ = state.instant.phase / Clock(scene.omega).period;
-  const std::vector<std::size_t> rows = free_coordinates(held_);
-  unit_.resize(static_cast<Eigen::Index>(rows.size()));
-  Eigen::Index k = 0;
-  for (const std::size_t row : rows) unit_(k++) = length_ * (row < n ? 1.0 : frequencies[row - n]);
+  unit_ = length_ * coordinate_units(scene, held_);
 }
 
 std::optional<Orbit> Branch::correct(const Vector &guess, const Vector &normal) const {
@@ -54,7 +49,8 @@ std::optional<Orbit> Branch::correct(const Vector &guess, const Vector &normal) 
     orbit.state = state_of(scene, orbit.u);
     const StroboscopicImage image = stroboscopic_map_and_derivative(scene, orbit.state, periods_);
     if (image.state.held != held_) return std::nullopt;
-    orbit.derivative = view(image.derivative)(free, free);
+    orbit.derivative =
+        unit_.asDiagonal().inverse() * view(image.derivative)(free, free) * unit_.asDiagonal();
     const Vector images = vector_of(image.state, parameter(orbit.u));
     const double before = orbit.residual;
     orbit.residual = (images - orbit.u).norm();
@@ -69,8 +65,7 @@ std::optional<Orbit> Branch::correct(const Vector &guess, const Vector &normal) 
     const MotionState end = stroboscopic_map(other, state_of(other, moved), periods_);
     if (end.held != held_) return std::nullopt;
     Eigen::MatrixXd matrix(n + 1, n + 1);
-    matrix.topLeftCorner(n, n) =
-        unit_.asDiagonal().inverse() * orbit.derivative * unit_.asDiagonal();
+    matrix.topLeftCorner(n, n) = orbit.derivative;
     matrix.topLeftCorner(n, n).diagonal().array() -= 1.0;
     matrix.topRightCorner(n, 1) = (vector_of(end, parameter(moved)) - images).head(n) / step;
     matrix.bottomRows(1) = normal.transpose();

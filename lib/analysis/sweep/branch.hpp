@@ -15,7 +15,7 @@ namespace vibro_impact {
 struct Orbit {
   Eigen::VectorXd u;  // (z, q), each in its unit
   MotionState state = {};
-  Eigen::MatrixXd derivative = {};  // of the map, by the free coordinates
+  Eigen::MatrixXd derivative = {};  // of the map, by the free coordinates in their units
   std::vector<std::complex<double>> multipliers = {};
   double residual = infinity;
   std::vector<Event> events = {};  // of one period, without the impacts that lead to sticks

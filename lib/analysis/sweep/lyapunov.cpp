@@ -36,6 +36,8 @@ Growth mean_growth(Simulation &simulation, const MotionState &start, const Growt
   require(options.error >= 0.0, "error = ", options.error, ": must be non-negative");
   time_after(scene, start, options.longest);  // refuses a length that cannot be run
   MotionState state = start;
+  // The perturbation is carried in units of its coordinates, in which its length is taken.
+  const Eigen::VectorXd units = coordinate_units(scene, Held(scene.mass.size(), 0));
   Eigen::VectorXd perturbation = Eigen::VectorXd::Zero(2 * scene.masses());
   for (const std::size_t row : free_coordinates(start.held))
     perturbation[static_cast<Eigen::Index>(row)] = 1.0;
@@ -47,7 +49,7 @@ Growth mean_growth(Simulation &simulation, const MotionState &start, const Growt
   while (done < options.longest && !(growth.error <= options.error)) {
     const int periods = std::min(rescaled_after, options.longest - done);
     const StroboscopicImage image = stroboscopic_map_and_derivative(simulation, state, periods);
-    perturbation = view(image.derivative) * perturbation;
+    perturbation = (view(image.derivative) * perturbation.cwiseProduct(units)).cwiseQuotient(units);
     const double length = perturbation.stableNorm();  // neither overflows nor underflows
     state = image.state;
     done += periods;

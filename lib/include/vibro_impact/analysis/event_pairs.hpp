@@ -39,12 +39,14 @@ constexpr std::array<EventPair, 6> all_event_pairs{
 const char *abbreviation(EventPair kind);
 
 // An event and the force that presses its mass into the stop (pressing_force.hpp) right after it.
-// The scales are those of tolerances: the sum of the moduli of the forces on the mass, and the
-// speed that such a force gives it while its own vibration turns by a radian.
+// The scales are those of tolerances: the sum of the moduli of the forces on the mass, the speed
+// that such a force gives it while its own vibration turns by a radian, and the time in which the
+// slowest mass between resting neighbours turns by a radian. All events of a run have one time
+// scale.
 struct PressedEvent {
   Event event;
   double press = 0.0;
-  double force_scale = 1.0, speed_scale = 1.0;
+  double force_scale = 1.0, speed_scale = 1.0, time_scale = 1.0;
 };
 
 // Every event from time `from` on, with the pressing force of each contact. A run refuses the
@@ -73,9 +75,9 @@ struct PairedEvents {
 };
 
 // The pairs among `events`, for every two masses of the chain, in order of time. The events must be
-// in order of time, as a run reports them. Events at most 1e-6 apart (non-dimensional) are
-// simultaneous. A contact is grazing if its speed is at most 1e-6 and the mass is pulled off its
-// stop by more than 1e-9, relative to the scales of the event.
+// in order of time, as a run reports them. Events at most 1e-6 apart are simultaneous.
+// A contact is grazing if its speed is at most 1e-6 and the mass is pulled off its stop by more
+// than 1e-9. All three are relative to the scales of the event.
 std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events);
 
 }  // namespace vibro_impact
