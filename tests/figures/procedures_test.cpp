@@ -208,24 +208,4 @@ TEST(Procedures, ThePrintedEquation24ContradictsFigure4a) {
   EXPECT_EQ(sticks(omega, {.printed_equation24 = true}), 20);
 }
 
-// Sticks of a mass in periods 191 to 200 of the scene of Figure 3, from rest.
-std::size_t sticks_in_ten_periods(double omega, int mass) {
-  const double period = Clock(omega).period;
-  const auto events = events_of(paper::figure3(omega), 190.0 * period, 200.0 * period);
-  return select(events, EventKind::stick, mass).size();
-}
-
-// Section 3.2, "the region of sticking motions all exist at forcing frequencies < 0.5": from rest
-// mass 1 sticks again between 0.632 and about 0.69, every period or every other one, with gaps;
-// mass 2 does not.
-TEST(Procedures, FromRestMass1SticksAgainAboveTheFrequencyOneHalf) {
-  for (const double omega : {0.48, 0.51, 0.6, 0.62, 0.63, 0.68, 0.695})
-    EXPECT_EQ(sticks_in_ten_periods(omega, 1), 0u) << omega;
-  for (const double omega : {0.633, 0.65, 0.685})  // every other period
-    EXPECT_EQ(sticks_in_ten_periods(omega, 1), 5u) << omega;
-  EXPECT_EQ(sticks_in_ten_periods(0.665, 1), 10u);
-  for (const double omega : {0.51, 0.6, 0.65, 0.665, 0.695})
-    EXPECT_EQ(sticks_in_ten_periods(omega, 2), 0u) << omega;
-}
-
 }  // namespace

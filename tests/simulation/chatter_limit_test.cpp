@@ -62,12 +62,6 @@ TEST(ChatterLimit, NeedsFewImpacts) {
                         {pressed(0.99), 1, 4, 630.0}};
   for (const auto &[scene, from, to, impacts] : cases)
     EXPECT_LE(impacts_per_period(scene, from, to), impacts) << impacts;
-  // Strongly damped modes are carried as two decays, whose slopes are not free. 33, 50 and 43
-  // chatters.
-  for (const auto &[seed, impacts] : {std::pair{30u, 820}, {202u, 850}, {257u, 775}}) {
-    const Scene scene = random_scene(seed);
-    EXPECT_LE(simulate(scene, run_length(scene, 1e9)).counters.impacts, impacts) << seed;
-  }
   // Two masses that hit at the same instants until rounding parts them.
   for (const auto &[r, impacts] : {std::pair{0.3, 54}, {0.7, 78}}) {
     const Scene scene = in_step(r);
