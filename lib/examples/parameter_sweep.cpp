@@ -35,5 +35,6 @@ int main() {
     some_stick = some_stick || (row[1] > 0.0 && row[2] > 0.0);
     some_do_not = some_do_not || (row[1] == 0.0 && row[2] == 0.0);
   }
-  return !(some_stick && some_do_not);  // Section 3.2: sticking below about 0.5, none above
+  // By Section 3.2 no mass sticks above 0.5. Here mass 1 does at 0.65.
+  return !(some_stick && some_do_not);
 }

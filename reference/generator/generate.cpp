@@ -37,8 +37,8 @@ std::string cases_table(const std::vector<vibro_impact::truth::Case> &cases) {
 
 // --- Error against run time -------------------------------------------------------------------
 
-/// A stretch of the motion of a scene of the paper: where it starts and ends.
-struct Stretch {
+/// An excerpt of the motion of a scene of the paper: where it starts and ends.
+struct Excerpt {
   std::string name, scene;
   double from, until;
 };
@@ -46,7 +46,7 @@ struct Stretch {
 /// Two whole motions of ten forcing periods from rest, and three pieces of Figure 2 after three of
 /// its periods: a flight with the impact that ends it, a chatter sequence of mass 2 with the stick
 /// that ends it, and the sticking phase after it with its release.
-std::vector<Stretch> stretches() {
+std::vector<Excerpt> excerpts() {
   const auto ten_periods = [](const char *scene) {
     const double two_pi = 6.283185307179586477;
     return 10.0 * two_pi / static_cast<double>(scene_named(scene)[&Field::omega]);
@@ -58,37 +58,37 @@ std::vector<Stretch> stretches() {
           {"sticking", "figure2", 125.5, 133.0}};
 }
 
-struct StretchRun {
+struct ExcerptRun {
   State start, end;
   std::vector<Event> events;
 };
 
 /// The state at the start is rounded to double before the 50-digit run goes on from it, so that a
 /// run in double starts from exactly the same numbers.
-StretchRun run_of(const Stretch &stretch) {
-  Scene scene = scene_named(stretch.scene);
+ExcerptRun run_of(const Excerpt &excerpt) {
+  Scene scene = scene_named(excerpt.scene);
   Run run;
   State state = initial_state(scene, {}, run);
-  scene.end_time = Real(stretch.from);
+  scene.end_time = Real(excerpt.from);
   advance(scene, state, run);
   run.events.clear();
   for (Real &x : state.x) x = Real(static_cast<double>(x));
   for (Real &v : state.v) v = Real(static_cast<double>(v));
   state.time = scene.end_time;
   const State start = state;
-  scene.end_time = Real(stretch.until);
+  scene.end_time = Real(excerpt.until);
   advance(scene, state, run);
   return {start, state, run.events};
 }
 
-/// Start (exactly doubles) and end (30 digits) of every stretch; held masses as 0 or 1.
+/// Start (exactly doubles) and end (30 digits) of every excerpt; held masses as 0 or 1.
 std::string work_precision_states() {
   std::ostringstream table;
   table << "problem,scene,from,until,x1,x2,v1,v2,held1,held2,end_x1,end_x2,end_v1,end_v2\n";
-  for (const Stretch &stretch : stretches()) {
-    const auto [start, end, events] = run_of(stretch);
-    table << stretch.name << ',' << stretch.scene << ',' << Real(stretch.from).str(17) << ','
-          << Real(stretch.until).str(17);
+  for (const Excerpt &excerpt : excerpts()) {
+    const auto [start, end, events] = run_of(excerpt);
+    table << excerpt.name << ',' << excerpt.scene << ',' << Real(excerpt.from).str(17) << ','
+          << Real(excerpt.until).str(17);
     for (const Real &x : start.x) table << ',' << x.str(17);
     for (const Real &v : start.v) table << ',' << v.str(17);
     for (const auto &stop : start.stuck_on) table << ',' << stop.has_value();
@@ -99,12 +99,12 @@ std::string work_precision_states() {
   return table.str();
 }
 
-/// The events of the stretches that do not begin the tables of their scenes.
+/// The events of the excerpts that do not begin the tables of their scenes.
 std::string work_precision_events() {
   std::string table = std::string("problem,") + columns;
-  for (const Stretch &stretch : stretches())
-    if (stretch.from > 0.0)
-      table += event_rows(run_of(stretch).events, Vector(2, kept_speed), stretch.name + ",");
+  for (const Excerpt &excerpt : excerpts())
+    if (excerpt.from > 0.0)
+      table += event_rows(run_of(excerpt).events, Vector(2, kept_speed), excerpt.name + ",");
   return table;
 }
 

@@ -1,7 +1,7 @@
 // Scenes beyond the paper that several programs share, some of them with a free parameter.
 //
-// Included by the drivers, the tests and the 50-digit generator (which takes nothing but the
-// numbers of scenes from the project), so that a scene is written down once.
+// The drivers, the tests and the 50-digit generator include them, so that a scene is written down
+// once.
 #pragma once
 
 #include <vector>

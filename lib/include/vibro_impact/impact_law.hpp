@@ -21,10 +21,6 @@ struct ImpactLaw {
   constexpr double slope(double) const {
     return restitution;
   }
-  // The derivative of `after` by r.
-  constexpr double after_by_restitution(double speed) const {
-    return speed;
-  }
   // The limit of after(v) / v as v -> 0, which is the speed ratio of the late impacts of a chatter.
   constexpr double at_rest() const {
     return restitution;
