@@ -39,8 +39,9 @@ class Chatter {
            latest_.phase == motion.now.phase;
   }
   // Extrapolates the motion at the limit. Returns false until that has settled: the time within
-  // this tolerance of the duration of the chatter, and the velocities within it of their jumps.
-  bool find_limit(double tolerance, ChatterLimit &limit) const;
+  // this tolerance of 1 / rate and of the duration of the chatter, and the velocities within it of
+  // their jumps.
+  bool find_limit(double tolerance, double rate, ChatterLimit &limit) const;
 
   const std::vector<std::size_t> &stops() const {
     return stops_;

@@ -26,7 +26,9 @@ bool find_limit(Run &run) {
     fastest = std::max(fastest, std::abs(run.motion.v[chain.stops[k].mass].hi));
   // The closing speed of the next impact may be a little above the latest rebound speed.
   if (!(next_speed_factor * fastest < options.limit_below_speed)) return false;
-  if (!chatter.find_limit(options.chatter_tolerance / error_share, scratch.limit)) return false;
+  if (!chatter.find_limit(options.chatter_tolerance / error_share, run.motion.mode->fastest,
+                          scratch.limit))
+    return false;
   find_acceleration(chain, run.motion);
   if (!others_stay_out_of_reach(chain, chatter, run.motion, run.stops, scratch.limit.time_left))
     return false;
