@@ -83,7 +83,7 @@ const std::vector<BadCase> bad_cases = {
     {"sweep " + omega, "needs --table, --impacts or --section"},
     {"sweep --table t.csv --vary omega=1:1:3", "'omega=1:1:3' has equal values; one is enough"},
     {run_files + "--every 1P --omega 0", "--every: '1P' without a forcing frequency"},
-    {"run --beta 0 --stiffness 1,1e30 --until 100 --events e.csv", "of an undamped chain"},
+    {"run --beta 0 --stiffness 1,1e30 --until 100 --events e.csv", "of a chain that swings on"},
     {"run --samples s.csv --from 5 --until 5 --plot p.png", "needs at least two samples"},
     {"run --samples s.csv --portrait p.png", "--portrait p.png: needs --velocities"},
     {sweep_files + omega + "--plot p.png", "is drawn from the table of --impacts"},

@@ -106,6 +106,8 @@ TEST(Refusals, OfStarts) {
 TEST(Refusals, OfTimesAndOptions) {
   const Scene scene = paper::figure2();
   const Scene undamped{.mass = {1.0}, .stiffness = {0.5}};  // the bound of its rate is 1
+  const Scene hardly_damped{.mass = {1.0}, .stiffness = {0.5}, .beta = 1e-30};
+  const char *const swings_on = "rate = 1 of a chain that swings on";
   const Instant last_period{most, 0.0};
   const MotionState at_fifty = simulate(scene, 50.0).state;
   const auto until = [&scene](double end) {
@@ -120,7 +122,8 @@ TEST(Refusals, OfTimesAndOptions) {
       {until(1e300), "time 1e+300: more forcing periods than double precision can count"},
       {[&] { require_complete(Simulation(scene, at_fifty).advance(49.0)); },
        "until = 49: lies before the start"},
-      {[&] { require_complete(simulate(undamped, 1.001e12)); }, "rate = 1 of an undamped chain"},
+      {[&] { require_complete(simulate(undamped, 1.001e12)); }, swings_on},
+      {[&] { require_complete(simulate(hardly_damped, 1.001e12)); }, swings_on},
       {with({.limit_below_speed = nan}), "limit_below_speed = nan: must be non-negative"},
       {with({.chatter_tolerance = nan}), "chatter_tolerance = nan: must lie between"},
       {with({.flight_tolerance = 1.0}), "flight_tolerance = 1: must lie between 0 and 1"},

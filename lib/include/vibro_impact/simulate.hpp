@@ -99,8 +99,8 @@ class Simulation {
   // not depend on the times at which calls end. The counters of the outcome are those of this call.
   // Throws std::invalid_argument, with one line, for a time that is not finite or lies before the
   // state of the simulation, for a sample before it, and if a recorder refuses the scene. Throws it
-  // also if the largest rate of an undamped chain, times the time to run, exceeds 1e12: the phase
-  // of its fastest mode then has a rounding of 1e-4. Passes on what a recorder throws.
+  // also if some mode may still swing at the end, and its rate times the time to run exceeds 1e12:
+  // its phase then has a rounding of 1e-4. Passes on what a recorder throws.
   [[nodiscard]] Outcome advance(double until, std::span<Recorder *const> recorders);
   template <std::derived_from<Recorder>... Recorders>
   [[nodiscard]] Outcome advance(double until, Recorders &...recorders) {

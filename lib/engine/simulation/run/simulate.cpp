@@ -14,7 +14,14 @@ namespace detail {
 
 namespace {
 
-constexpr double most_radians = 1e12;  // of an undamped mode, whose phase rounds to 1e-4 there
+constexpr double most_radians = 1e12;  // of a mode that swings on, whose phase rounds to 1e-4 there
+constexpr double dead_after = 37.0;    // e^-37 of an amplitude is below the rounding of a double
+
+// The most radians after which some mode of rates up to `rate` may still swing: with the damping
+// beta, the amplitude of a mode of the rate w falls by exp(-beta w^2 t / 2).
+double longest_swing(double rate, double beta, double time) {
+  return std::min(rate, std::sqrt(2.0 * dead_after / (beta * time))) * time;
+}
 
 void check_options(const RunOptions &options) {
   for (const auto &[name, tolerance] :
@@ -121,8 +128,8 @@ Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) 
   require(until >= begin_time || !(end < begin), "until = ", until, ": lies before the start at ",
           begin_time);
   const double rate = std::sqrt(detail::largest_eigenvalue_bound(run.scene()));
-  require(run.scene().beta > 0.0 || rate * (until - begin_time) <= detail::most_radians,
-          "rate = ", rate, " of an undamped chain: times the time ", until - begin_time,
+  require(detail::longest_swing(rate, run.scene().beta, until - begin_time) <= detail::most_radians,
+          "rate = ", rate, " of a chain that swings on: times the time ", until - begin_time,
           " it must not exceed ", detail::most_radians);
   for (const Recorder *recorder : recorders) {
     recorder->check(run.scene());
