@@ -73,10 +73,16 @@ constexpr int most_newton_steps = 8;
 constexpr double newton_accuracy = 1e-9;
 // Rounding of a polynomial, relative to the sum of the moduli of its terms.
 constexpr double polynomial_rounding = 0x1p-53;
+// Depth, relative to the same sum, to which a hold force may fall below zero without a release:
+// eight roundings of its terms. The mass would leave its stop by some 1e-30.
+constexpr double touch_rounding = 0x1p-50;
 // Least first coefficient of a decided force: a positive number, far below every motion.
 constexpr double least_coefficient = 1e-290;
 // Time between simultaneous events, times the fastest rate: the rounding of one or two periods.
 constexpr double same_instant = 0x1p-46;
+// Time of a root, relative to its step, within which the gap that is left there is rounding. At a
+// slow impact it is more than one unit in the last place.
+constexpr double root_rounding = 1e-13;
 // Two roots u1 < u2 of a step may be one instant only if u2 - u1 is also at most this times u1,
 // however small u1 is.
 constexpr double same_instant_of_flight = 0x1p-16;
@@ -93,7 +99,7 @@ constexpr long long short_steps_divisor = 8;
 // A damping ratio squared, minus one, from which the decays of a coordinate are bounded one by one.
 constexpr double two_decays = 0.01;
 // Relative distance from resonance below which the steady response is too large for a bound.
-constexpr double near_resonance = 0.01;
+constexpr double near_resonance = 1e-4;
 // Time of a root, relative to the flight, below which a value of the wrong sign is rounding.
 constexpr double time_rounding = 1e-13;
 // Newton's steps in twice the precision on the time of an event, and the longest of them relative

@@ -38,6 +38,15 @@ double travel_of(const Polynomial &p) {
   return travel_margin * sum;
 }
 
+// True if the polynomial falls below zero by no more than rounding near its root u.
+bool only_touches(const Polynomial &p, double u) {
+  double terms = 0.0;
+  for (int n = p.order; n >= 0; --n)
+    terms = terms * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
+  const Jet jet = jet_at(p, 0, u);
+  return jet.second > 0.0 && jet.slope * jet.slope <= 4.0 * jet.second * touch_rounding * terms;
+}
+
 }  // namespace
 
 Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion) {
@@ -93,7 +102,8 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   }
   if (!event) return {step.length, false};
   for (std::size_t k = 0; k < mode.contacts.size(); ++k)
-    if (roots[k] == u) near[k] = Near::zero;
+    if (roots[k] == u)
+      near[k] = mode.contacts[k].held && only_touches(polynomials[k], u) ? Near::touch : Near::zero;
   return {u * step.unit, true};
 }
 

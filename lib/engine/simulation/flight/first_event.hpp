@@ -18,8 +18,9 @@ struct Start {
 };
 
 // Where a contact is at the end of a flight. The first to come there are zero by definition;
-// others may be so within rounding.
-enum class Near : char { no, perhaps, zero };
+// others may be so within rounding. A hold force touches zero if it stays positive but for
+// rounding: its value and rate are then zero.
+enum class Near : char { no, perhaps, zero, touch };
 
 // A flight that ends at the time tau, with or without an event. tau is NaN if the motion leaves the
 // range of double precision.

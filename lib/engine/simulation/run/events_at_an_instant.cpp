@@ -13,7 +13,7 @@ namespace vibro_impact::detail {
 namespace {
 
 // Puts a mass into question. Of a mass at both its stops the force chooses one.
-void add_resting(Run &run, const Contact &contact, bool force_is_zero) {
+void add_resting(Run &run, const Contact &contact, int zero_orders) {
   std::vector<RestingMass> &resting = run.scratch.resting;
   for (RestingMass &mass : resting) {
     if (mass.mass != contact.mass) continue;
@@ -24,7 +24,7 @@ void add_resting(Run &run, const Contact &contact, bool force_is_zero) {
                      .mass = contact.mass,
                      .sigma = contact.sigma,
                      .was_held = contact.held,
-                     .force_is_zero = force_is_zero});
+                     .zero_orders = zero_orders});
 }
 
 // True when a neighbour has an impact, whose jump the damper between them passes on.
@@ -45,14 +45,14 @@ void question_held(Run &run, std::size_t k, bool at_start) {
   const Value value = evaluate(run.chain(), contact, run.motion);
   const Near near = run.scratch.near[k];
   const bool small = rounded(value.value) <= force_in_question * value.terms;
-  if (!small && !at_start && near != Near::zero && !is<Postponed>(at)) return;
+  const bool is_root = near == Near::zero || near == Near::touch;
+  if (!small && !at_start && !is_root && !is<Postponed>(at)) return;
   // The force is zero by definition at its root, and as decided at this instant before.
   const auto *decided = std::get_if<Decided>(&at);
-  const bool by_definition = near == Near::zero || (decided && decided->zeros > 0);
-  const bool zero = by_definition && !is_pushed(run, contact.mass)
-                        ? true
-                        : (by_definition || near != Near::no) && value.is_zero();
-  add_resting(run, contact, zero);
+  const bool by_definition = is_root || (decided && decided->zeros > 0);
+  int zero_orders = (by_definition || near != Near::no) && value.is_zero() ? 1 : 0;
+  if (by_definition && !is_pushed(run, contact.mass)) zero_orders = near == Near::touch ? 2 : 1;
+  add_resting(run, contact, zero_orders);
 }
 
 // The motion of the chain and of the forcing, within one unit of time, has a rounding. A mass whose
@@ -69,7 +69,7 @@ void question_dead_bounces(Run &run) {
     if (contact.held || !(is<Evaluated>(at) || is<Leaving>(at))) continue;
     const Value value = evaluate(chain, contact, motion);
     if (rounded(value.value) <= reach && std::abs(value.rate.hi) <= reach * rate)
-      add_resting(run, contact, false);
+      add_resting(run, contact, 0);
   }
 }
 
@@ -81,7 +81,7 @@ void gather_resting(Run &run, bool at_start) {
     if (contacts[k].held)
       question_held(run, k, at_start);
     else if (is<Resting>(at) || is<Forceless>(at) || is<Postponed>(at))
-      add_resting(run, contacts[k], false);
+      add_resting(run, contacts[k], 0);
   }
   if (!run.scratch.resting.empty()) question_dead_bounces(run);
 }
@@ -136,7 +136,7 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start = false) {
     if (mass.held == mass.was_held) continue;
     ++(mass.held ? run.counters.sticks : run.counters.releases);
     report_event(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, {},
-                 !mass.held && !mass.force_is_zero, recorders);
+                 !mass.held && mass.zero_orders == 0, recorders);
   }
 }
 

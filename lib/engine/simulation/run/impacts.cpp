@@ -26,9 +26,39 @@ double flight_after(const Motion &motion, const Contact &contact, double speed) 
   return press > 0.0 ? 2.0 * speed / press : infinity;
 }
 
+// The motion stands at the time of a root that a double has rounded, with a gap of a rounding left.
+// To put the mass hit onto its stop would move it in the field of its springs: the gap has a
+// preferred sign, and the energy of an elastic chain would drift. Hence the time until the gap is
+// zero passes for all masses. First order is enough: its square lies below twice the precision.
+void let_rounding_pass(Run &run) {
+  const Chain &chain = run.chain();
+  Motion &motion = run.motion;
+  const std::vector<Near> &near = run.scratch.near;
+  for (std::size_t k = 0; k < motion.mode->contacts.size(); ++k) {
+    const Contact &contact = motion.mode->contacts[k];
+    if (contact.held || near[k] != Near::zero) continue;
+    const Value gap = evaluate(chain, contact, motion);
+    const double time = -gap.value.hi / gap.rate.hi;
+    if (!(gap.rate.hi < 0.0 && std::abs(time) <= root_rounding * motion.step_time)) continue;
+    find_acceleration(chain, motion);
+    for (std::size_t i = 0; i < chain.padded; ++i) {
+      motion.x[i] += motion.v[i] * time;
+      motion.v[i] += motion.acceleration[i] * time;
+    }
+    pass(time, run.problem.clock, motion.now);
+    auto &[cosine, sine] = motion.turn;
+    const double angle = chain.omega * time, before = cosine.hi;
+    cosine += -(angle * sine.hi);
+    sine += angle * before;
+    motion.acceleration_known = false;
+    return;
+  }
+}
+
 }  // namespace
 
 void gather_hits(Run &run) {
+  let_rounding_pass(run);
   Scratch &scratch = run.scratch;
   scratch.hits.clear();
   const std::vector<Contact> &contacts = run.motion.mode->contacts;

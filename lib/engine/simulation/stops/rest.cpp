@@ -82,7 +82,7 @@ int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
       if (kind_[i] == Kind::undecided) {
         RestingMass &mass = *resting_[i];
         mass.zeros = order;
-        const bool zero = order == 0 && mass.force_is_zero;
+        const bool zero = order < mass.zero_orders;
         if (zero || !(abs(force.value) > zero_threshold * force.terms)) continue;
         --left;
         double push = mass.sigma * force.value.hi;

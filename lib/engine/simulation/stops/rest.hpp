@@ -18,7 +18,7 @@ struct RestingMass {
   // chooses one of them.
   std::optional<std::size_t> opposite = {};
   bool was_held = false;
-  bool force_is_zero = false;  // the force is exactly zero: the instant is a root of the force
+  int zero_orders = 0;  // derivatives of the force, from order 0 on, that are exactly zero
   // The decision.
   bool held = false;
   bool forceless = false;  // no force of any order: the mass is free and stays at rest
