@@ -47,13 +47,16 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, con
       restitution_ = r;
       stride_ =
           static_cast<std::size_t>(std::ceil(std::max(1.0, std::log(node_ratio) / std::log(r))));
-      set_weights(std::pow(r, static_cast<double>(stride_)));
+      ratio_ = std::pow(r, static_cast<double>(stride_));
+      set_weights(ratio_);
     }
   }
   x_ = x;
   const double left = x / (1.0 - r);
   duration_ = std::max(duration_, left);
   if (impacts_++ % stride_ != 0) return false;
+  // The nodes before have not come to the constant ratio: their predictions are no series in it.
+  if (size_ > 0 && std::abs(left / left_ - ratio_) > ratio_change * ratio_) size_ = 0;
   newest_ = (newest_ + 1) % most_chatter_nodes;
   size_ = std::min(size_ + 1, most_chatter_nodes);
   latest_ = motion.now;
@@ -76,39 +79,31 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, con
 
 bool Chatter::find_limit(double tolerance, double rate, ChatterLimit &limit) const {
   if (size_ < fewest_chatter_nodes) return false;
-  const Weights &all = weights_[size_], &fewer = weights_[size_ - 1], &fewest = weights_[size_ - 2];
+  const Weights &all = weights_[size_], &fewer = weights_[size_ - 1];
   const ChatterNode &latest = node(0);
-  // Differences from the latest node lose no digits. `oldest` is what the oldest node adds, and
-  // `second` what the oldest but one adds without it. Two limits may agree by chance: an error is
-  // not far below that with one node less.
-  double change = 0.0, oldest = 0.0, second = 0.0;
-  const auto error_of = [](double with_oldest, double without) {
-    return std::max(std::abs(with_oldest), least_error_decay * std::abs(without));
-  };
+  // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.
+  double change = 0.0, oldest = 0.0;
   for (std::size_t k = 1; k < size_; ++k) {
     const Real &time = node(k).time;
     const double distance = (time.hi - latest.time.hi) + (time.lo - latest.time.lo);
     change += all[k] * distance;
     oldest += (all[k] - fewer[k]) * distance;
-    second += (fewer[k] - fewest[k]) * distance;
   }
-  if (!(error_of(oldest, second) <= tolerance * std::min(duration_, 1.0 / rate))) return false;
+  if (!(std::abs(oldest) <= tolerance * std::min(duration_, 1.0 / rate))) return false;
   if (!(std::abs(change) < prediction_share * left_)) return false;
   limit.x.resize(latest.x.size());
   limit.v.resize(latest.x.size());
   for (std::size_t i = 0; i < latest.x.size(); i += 2) {
     const RealPair x = load(&latest.x[i]), v = load(&latest.v[i]);
-    Pair x_change{}, v_change{}, v_oldest{}, v_second{};
+    Pair x_change{}, v_change{}, v_oldest{};
     for (std::size_t k = 1; k < size_; ++k) {
       const RealPair ex = load(&node(k).x[i]), ev = load(&node(k).v[i]);
       const Pair v_distance = (ev.hi - v.hi) + (ev.lo - v.lo);
       x_change += all[k] * ((ex.hi - x.hi) + (ex.lo - x.lo));
       v_change += all[k] * v_distance;
       v_oldest += (all[k] - fewer[k]) * v_distance;
-      v_second += (fewer[k] - fewest[k]) * v_distance;
     }
-    const double error =
-        std::max(error_of(v_oldest[0], v_second[0]), error_of(v_oldest[1], v_second[1]));
+    const double error = std::max(std::abs(v_oldest[0]), std::abs(v_oldest[1]));
     if (!(error <= tolerance * node(size_ - 1).largest_jump)) return false;
     store(x + x_change, &limit.x[i]);
     store(v + v_change, &limit.v[i]);

@@ -68,7 +68,7 @@ class Chatter {
   TwofoldInstant first_, latest_;  // the instants of the first and the latest node,
   double left_ = 0.0;              // the time from the latest to the limit, to leading order,
   std::vector<double> jumps_;      // and the jumps of the velocities at all impacts after it
-  double x_ = 0.0, duration_ = 0.0, restitution_ = -1.0;
+  double x_ = 0.0, duration_ = 0.0, restitution_ = -1.0, ratio_ = 0.0;
   std::array<Weights, most_chatter_nodes + 1> weights_{};  // for each number of nodes
 
   const ChatterNode &node(std::size_t before_latest) const;
