@@ -39,15 +39,15 @@ std::vector<std::string> faults_of(const std::string &path, bool write, const Te
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string reference = REFERENCE_DIR, compared = SOURCE_DIR, written;
+  std::string reference, compared, written;  // empty for those of the project
   return command(
       argc, argv, "Computes every key number and every published result and compares them",
-      {{"--reference", "Folder of the tables of references", &reference},
-       {"--documents", "Folder of the project, whose documents are compared", &compared},
-       {"--write", "Folder of the project, whose documents are written instead", &written}},
+      {{"--reference", "Folder of the tables of references, if not the project's", &reference},
+       {"--documents", "Folder whose documents are compared, if not the project", &compared},
+       {"--write", "Folder whose documents are written instead", &written}},
       [&] {
         const std::string measured = SOURCE_DIR "/figures/error_vs_runtime/measured.csv";
-        const Sources sources{findings(reference),
+        const Sources sources{findings(reference.empty() ? REFERENCE_DIR : reference),
                               vibro_impact::comparison::read_measured(measured), TABLES_DIR};
         fmt::print("{}{}", explanation, tables_of(sources.findings));
         bool passed = true;
@@ -57,6 +57,7 @@ int main(int argc, char **argv) {
         };
         for (const Finding &finding : sources.findings)
           if (!finding.pass()) fail(finding.failure.empty() ? finding.number.id : finding.failure);
+        if (compared.empty()) compared = SOURCE_DIR;
         const std::string folder = written.empty() ? compared : written;
         for (const std::string document : documents)
           for (const std::string &fault :
