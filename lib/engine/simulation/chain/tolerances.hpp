@@ -121,8 +121,8 @@ constexpr std::size_t most_chatter_nodes = 12;
 constexpr std::size_t fewest_chatter_nodes = 4;
 // Largest ratio of x at one node to x at the node before. Closer nodes amplify rounding.
 constexpr double node_ratio = 0.75;
-// Largest change of this ratio from one node to the next, relative to it. Where it changes more, the
-// extrapolation begins anew. Without this, limits at r = 0.3 were off by eight tolerances.
+// Largest change of this ratio from one node to the next, relative to it. Where it changes more,
+// the extrapolation begins anew. Without this, limits at r = 0.3 were off by eight tolerances.
 constexpr double ratio_change = 1.0 / 16.0;
 // Error of a limit, relative to the difference that its oldest node makes.
 constexpr double error_share = 6.0;
