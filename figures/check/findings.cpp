@@ -48,11 +48,11 @@ std::string tables_of(const Findings &findings) {
       if (!belongs(finding)) continue;
       const numbers::CheckedNumber &number = finding.number;
       const bool other = !number.of_the_paper();
-      rows.push_back({other ? number.id : number.meaning,
-                      other ? number.digits : number.printed.words,
-                      number.formatted(finding.computed), fmt::format("{:.1e}", finding.error()),
-                      fmt::format("{:.2g}", number.tolerance) + (finding.pass() ? "" : " FAILS"),
-                      numbers::kind_words[static_cast<std::size_t>(number.kind)]});
+      rows.push_back(
+          {other ? number.id : number.meaning, other ? number.digits : number.printed.words,
+           number.formatted(finding.computed), numbers::formatted(finding.error(), ".1e"),
+           numbers::formatted(number.tolerance, ".2g") + (finding.pass() ? "" : " FAILS"),
+           numbers::kind_words[static_cast<std::size_t>(number.kind)]});
     }
     text += fmt::format("\n**{}: {}**\n\n{}", heading, rows.size() - 1, table_of(rows));
   };
@@ -69,19 +69,17 @@ const Finding &number_of(const Findings &findings, const std::string &id) {
 }
 
 std::string count_of_verdicts(const Findings &findings) {
-  std::size_t all = 0, algebra = 0, of_figure4 = 0, with[std::size(numbers::verdict_words)] = {};
+  std::size_t all = 0, algebra = 0, with[std::size(numbers::verdict_words)] = {};
   for (const Finding &finding : findings) {
     if (!finding.number.of_the_paper()) continue;
     ++all;
     ++with[static_cast<std::size_t>(finding.verdict())];
-    if (!finding.has(Verdict::agrees)) continue;
-    algebra += finding.number.kind == numbers::Kind::derived;
-    of_figure4 += finding.number.meaning.starts_with("Figure 4");
+    algebra += finding.has(Verdict::agrees) && finding.number.kind == numbers::Kind::derived;
   }
   return fmt::format(
-      "{} key numbers. Of these, {} agree with the paper ({} by algebra, {} in Figure 4), {} are "
+      "{} key numbers. Of these, {} agree with the paper ({} by algebra), {} are "
       "close to it, {} differ from it, {} depend on an inferred value, and {} are not in the paper",
-      all, with[0], algebra, of_figure4, with[1], with[2], with[3], with[4]);
+      all, with[0], algebra, with[1], with[2], with[3], with[4]);
 }
 
 std::string count_of_results(const Findings &findings) {

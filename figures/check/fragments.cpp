@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
-#include "figures/runs.hpp"
-#include "reference/scenes/table1_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
-#include "vibro_impact/analysis/analysis.hpp"
 
 namespace vibro_impact::figures {
 
@@ -24,43 +22,28 @@ std::vector<std::string> split(const std::string &text, char separator) {
   return parts;
 }
 
-// A number in a format of {fmt}, or, if that is w, a small count as a word.
-std::string formatted(double value, const std::string &format) {
-  static const std::vector<std::string> words{"no",   "one",    "two",    "three",   "four",
-                                              "five", "six",    "seven",  "eight",   "nine",
-                                              "ten",  "eleven", "twelve", "thirteen"};
-  if (format != "w") return numbers::formatted(value, format);
-  return words.at(static_cast<std::size_t>(value));
-}
-
 // --- Tables of the drivers -----------------------------------------------------------------------
 
 std::string path_of(const Sources &sources, const std::string &table) {
   return sources.tables + "/" + table + ".csv";
 }
 
-truth::Rows rows_of(const Sources &sources, const std::string &table) {
-  return truth::read_rows(path_of(sources, table), 1);
-}
-
-double cell(const Sources &sources, const std::string &table, const std::string &begins_with,
-            const std::string &column) {
-  const truth::Row header = truth::header_of(path_of(sources, table)),
-                   first = split(begins_with, ',');
+double cell(const std::string &path, const std::string &begins_with, const std::string &column) {
+  const truth::Row header = truth::header_of(path), first = split(begins_with, ',');
   const auto place = static_cast<std::size_t>(std::ranges::find(header, column) - header.begin());
-  for (const truth::Row &row : rows_of(sources, table))
-    if (row.size() > std::max(place, first.size()) - 1 &&
-        std::equal(first.begin(), first.end(), row.begin(), [](const auto &asked, const auto &is) {
-          return asked == is ||
-                 (truth::as_number(asked) && truth::as_number(asked) == truth::as_number(is));
-        }))
+  const auto same = [](const std::string &asked, const std::string &is) {
+    return truth::as_number(is) == std::stod(asked);
+  };
+  for (const truth::Row &row : truth::read_rows(path, header.size()))
+    if (std::mismatch(first.begin(), first.end(), row.begin(), row.end(), same).first ==
+        first.end())
       return std::stod(row.at(place));
   throw std::runtime_error("no such cell");
 }
 
 std::string fitting_frequencies(const Sources &sources, const std::string &figure) {
   std::vector<std::string> frequencies;
-  for (const truth::Row &row : rows_of(sources, "inferred_frequencies_fits"))
+  for (const truth::Row &row : truth::read_rows(path_of(sources, "inferred_frequencies_fits"), 5))
     if (row[0] == figure)
       frequencies.push_back(
           fmt::format(fmt::runtime(row[4] == "1" ? "**{:g}**" : "{:g}"), std::stod(row[1])));
@@ -68,12 +51,12 @@ std::string fitting_frequencies(const Sources &sources, const std::string &figur
 }
 
 // The ranges of frequencies in the rows that begin with a cell; their ends are the last two cells.
-std::string ranges_of(const truth::Rows &rows, const std::string &first) {
+std::string ranges_of(const std::string &path, const std::string &first) {
   std::vector<std::string> ranges;
-  for (const truth::Row &row : rows) {
+  for (const truth::Row &row : truth::read_rows(path, 3)) {
     if (row[0] != first) continue;
-    const std::string from = formatted(std::stod(row[row.size() - 2]), ".3f"),
-                      to = formatted(std::stod(row.back()), ".3f");
+    const std::string from = numbers::formatted(std::stod(row[row.size() - 2]), ".3f"),
+                      to = numbers::formatted(std::stod(row.back()), ".3f");
     ranges.push_back(from == to ? from : from + " to " + to);
   }
   return fmt::format("{}", fmt::join(ranges, ", "));
@@ -82,36 +65,11 @@ std::string ranges_of(const truth::Rows &rows, const std::string &first) {
 std::string table_of_procedures(const Sources &sources) {
   truth::Rows rows{{"procedure", "no complete chatter of mass 1"},
                    {"the paper, as printed", "0.3 to 0.35, 0.37 to 0.4"}};
-  const truth::Rows windows = rows_of(sources, "procedures_windows");
   for (const char *procedure :
        {"the exact motion from rest", "period 1 alone", "periods 1 to 2", "frequencies 0.01 apart",
         "cut off: flight < 0.1", "cut off: speed < 0.001", "Eq. 24 as printed"})
-    rows.push_back({procedure, ranges_of(windows, procedure)});
+    rows.push_back({procedure, ranges_of(path_of(sources, "procedures_windows"), procedure)});
   return '\n' + table_of(rows);
-}
-
-// --- Computed here -------------------------------------------------------------------------------
-
-// The frequency from which mass 2 hits its stop in Figure 5(b), counted over ten periods after 190
-// periods from rest. The settled motion without hits goes on beyond it.
-double first_hit_in_figure5b() {
-  return bisect(
-             [](double omega) {
-               Scene scene = with(paper::figure5b(), "omega", omega);
-               const double period = Clock(omega).period;
-               ImpactVelocityRecorder impacts{2, 190 * period};
-               require_complete(simulate(scene, 200 * period, impacts));
-               return int{!impacts.velocities.empty()};
-             },
-             0.2995, 0.2996, 1e-10)
-      .above;
-}
-
-std::string non_generic_contact() {
-  const auto [time, omega] = paper::non_generic_contact;
-  const Scene scene = paper::two_masses({1, Side::upper, 5.0}, {2, Side::upper, 10.0}, 0.7, omega);
-  return fmt::format("Ω = {:.4f} and s1 = {:.4f}", omega,
-                     require_complete(simulate(scene, time)).state.displacement[0]);
 }
 
 // --- All fragments -------------------------------------------------------------------------------
@@ -124,10 +82,8 @@ std::string text_named(const std::string &name, const Sources &from) {
   if (name == "steppers") return '\n' + table_of(comparison::rows_of_steppers(from.measured));
   if (name == "methods") return '\n' + table_of(comparison::rows_of_methods(from.measured));
   if (name == "procedures") return table_of_procedures(from);
-  if (name == "sticking_above") return ranges_of(rows_of(from, "procedures_sticking"), "mass 1");
-  if (name == "first_hit") return formatted(first_hit_in_figure5b(), ".8f");
-  if (name == "non_generic") return non_generic_contact();
-  if (name == "grazing_speed") return formatted(truth::grazing_speed, "g");
+  if (name == "sticking_above") return ranges_of(path_of(from, "procedures_sticking"), "mass 1");
+  if (name == "grazing_speed") return numbers::formatted(truth::grazing_speed, "g");
   const Finding &finding = number_of(from.findings, name);
   return finding.number.formatted(finding.computed);
 }
@@ -143,13 +99,27 @@ std::string class_of_claim(std::string words, const std::string &test) {
 }
 
 // How many key numbers are of one of some classes, or begin with one of some prefixes.
-double count_of(const Findings &findings, const std::string &asked) {
+auto count_of(const Findings &findings, const std::string &asked) {
   const std::vector<std::string> words = split(asked, '+');
-  return static_cast<double>(std::ranges::count_if(findings, [&](const Finding &finding) {
+  return std::ranges::count_if(findings, [&](const Finding &finding) {
     return finding.number.of_the_paper() && std::ranges::any_of(words, [&](const auto &word) {
              return finding.number.id.starts_with(word) || name(finding.verdict()) == word;
            });
-  }));
+  });
+}
+
+// --- Documents -----------------------------------------------------------------------------------
+
+// The text with one blank for every sequence of blanks and line breaks.
+std::string on_one_line(const std::string &text) {
+  static const std::regex space(R"(\s+)");
+  return std::regex_replace(text, space, " ");
+}
+
+// Whether nothing but a bullet stands before this place in its line.
+bool begins_a_line(const std::string &text, std::size_t place) {
+  const auto last = text.find_last_not_of(" -", place - 1);
+  return place == 0 || last == std::string::npos || text[last] == '\n';
 }
 
 }  // namespace
@@ -161,9 +131,44 @@ std::string text_of(const std::string &fragment, const Sources &sources) {
   if (kind == "class") return name(number_of(sources.findings, parts[1]).verdict());
   if (kind == "fits") return fitting_frequencies(sources, parts[1]);
   if (kind == "claim") return class_of_claim(parts[1], parts.at(2));
-  if (kind == "count") return formatted(count_of(sources.findings, parts[1]), parts.at(2));
-  if (parts.size() == 2) return formatted(number_of(sources.findings, kind).computed, parts[1]);
-  return formatted(cell(sources, kind, parts[1], parts[2]), parts.at(3));
+  if (kind == "count") return fmt::format("{}", count_of(sources.findings, parts[1]));
+  const double number = parts.size() == 2 ? number_of(sources.findings, kind).computed
+                                          : cell(path_of(sources, kind), parts[1], parts[2]);
+  return numbers::formatted(number, parts.back());
+}
+
+Document renewed(const std::string &name, const std::string &text, const Sources &sources) {
+  const std::string opening = "<!--=", opened = "-->", closing = "<!--/-->";
+  Document document;
+  std::size_t done = 0;
+  for (auto begin = text.find(opening); begin != std::string::npos;
+       begin = text.find(opening, done)) {
+    const auto named = begin + opening.size(), from = text.find(opened, named) + opened.size(),
+               to = text.find(closing, from);
+    const std::string fragment = text.substr(named, from - opened.size() - named);
+    const auto fault = [&](const std::string &what) {
+      document.faults.push_back(fmt::format("{}: {}: {}", name, fragment, what));
+    };
+    if (to == std::string::npos || text.find(opening, named) < to) {
+      fault("has no end");
+      break;
+    }
+    const std::string shown = text.substr(from, to - from);
+    if (!shown.starts_with('\n') && (begins_a_line(text, begin) || begins_a_line(text, to)))
+      fault("begins a line");
+    std::string right = shown;
+    try {
+      right = text_of(fragment, sources);
+    } catch (const std::exception &error) {
+      fault(error.what());
+    }
+    const bool same = on_one_line(shown) == on_one_line(right);
+    if (!same) fault(fmt::format("must be '{}', not '{}'", right, shown));
+    document.text += text.substr(done, from - done) + (same ? shown : right);
+    done = to;
+  }
+  document.text += text.substr(done);
+  return document;
 }
 
 }  // namespace vibro_impact::figures

@@ -1,17 +1,20 @@
-// The texts of the fragments of documents (documents.hpp) by their names:
+// Fragments of documents: texts that `check` writes and compares. Comments of Markdown stand around
+// a fragment. The first one has its name, which says what the fragment shows:
+//   from <!--=border_mass_1_2:.5f-->0.29654<!--/-->
+// The names are
 //   border_mass_1_2:.5f            a key number in this format; without one, in that of its row
 //   class:border_mass_1_2          its class
 //   claim:agrees_otherwise:table1_test
 //                                  the class of a claim without a key number, and a test that shows
 //                                  it
-//   count:border_mass_+jump_:w     how many key numbers begin with one of these, or are of such a
+//   count:border_mass_+jump_       how many key numbers begin with one of these, or are of such a
 //                                  class
 //   procedures_starts:0.62:settled_motions:.0f
 //                                  the cell of a table in the folder of tables: of the first row
 //                                  that begins with these cells, as 0.02,0.7,0, in this column
 //   fits:5(a)                      the frequencies that fit a figure; the one that is drawn is bold
 //   verdicts                       any name in `text_named` in fragments.cpp
-// A format is one of {fmt}, or w for a word.
+// A format is one of {fmt}.
 #pragma once
 
 #include <string>
@@ -31,5 +34,15 @@ struct Sources {
 
 // Throws std::runtime_error for a name that means nothing, and naming a table that cannot be read.
 std::string text_of(const std::string &fragment, const Sources &sources);
+
+// A document with the right fragments, and a line for each fault that it had: a fragment with
+// another text, without an end, of an unknown name or at the beginning of a line, which Markdown
+// then takes for HTML. Line breaks and the number of blanks do not matter.
+struct Document {
+  std::string text;
+  std::vector<std::string> faults;
+};
+
+Document renewed(const std::string &name, const std::string &text, const Sources &sources);
 
 }  // namespace vibro_impact::figures
