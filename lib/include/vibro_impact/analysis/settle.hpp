@@ -18,6 +18,10 @@
 // are within 10,000 tolerances it is not decided yet: a motion that turns around its orbit comes
 // near to itself after some number of periods long before it has settled.
 //
+// An orbit that passes a grazing by less than some thirty tolerances may have one impact after many
+// periods, between which its sections lie within the tolerance of each other. Such a motion may be
+// taken for the one of period one without impacts.
+//
 // A motion that has not settled may be irregular, or have a period above the largest one asked for,
 // or be on its way. It is on its way to an orbit of period p if its distances p periods apart fell
 // to half over the last doubling of its length.
