@@ -45,12 +45,9 @@ void let_rounding_pass(Run &run) {
       motion.x[i] += motion.v[i] * time;
       motion.v[i] += motion.acceleration[i] * time;
     }
-    pass(time, run.problem.clock, motion.now);
-    auto &[cosine, sine] = motion.turn;
-    const double angle = chain.omega * time, before = cosine.hi;
-    cosine += -(angle * sine.hi);
-    sine += angle * before;
-    motion.acceleration_known = false;
+    const double step_time = motion.step_time;  // this is no step
+    pass_time(chain, run.problem.clock, time, motion);
+    motion.step_time = step_time;
     return;
   }
 }
