@@ -36,7 +36,7 @@ A table, a bifurcation diagram, and hysteresis of an oscillator with one mass:
   vibro-impact sweep --vary omega=0.25:0.7:91 --impacts impacts.csv --plot impacts.png
   vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=1.05:1.45:81 \
     --back --impacts branches.csv --plot branches.png
-Basins of attraction, by the start of the motion, with mirror orbits told apart, and the
+Basins of attraction, by the start of the motion, with mirror orbits distinguished, and the
 displacement at one phase:
   vibro-impact sweep --masses 1 --amplitude 2 --omega 2 --restitution 0.5 --stop 1:lower:-0.5 \
     --stop 1:upper:0.5 --vary displacement1=-0.6:0.6:25 --vary velocity1=-2:2:21 --attractor \

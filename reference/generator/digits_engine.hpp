@@ -58,7 +58,7 @@ class DigitsEngine {
   /// The settled motion and the one followed from `near` are found in the same way.
   Real changing_frequency(const vibro_impact::Scene &scene, int mass, double near, double far,
                           numbers::Motion motion);
-  /// Where the greatest displacement of the mass, its stop taken away, reaches that stop.
+  /// The frequency at which the greatest displacement of the mass, its stop taken away, reaches it.
   Real grazing_frequency(vibro_impact::Scene scene, int mass, double near, double far);
 
  private:

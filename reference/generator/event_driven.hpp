@@ -56,7 +56,7 @@ struct Piece {
   Real duration;
 };
 
-/// What a simulation leaves, in the order of time, and the contact modes it has met.
+/// The events and pieces of a simulation, in the order of time, and the contact modes it has met.
 struct Run {
   std::vector<Event> events = {};
   std::vector<Piece> pieces = {};

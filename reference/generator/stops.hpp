@@ -16,7 +16,7 @@ namespace vibro_impact_reference {
 /// own motion does not enter.
 Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motion);
 
-/// What is known exactly at the start of a piece of motion, and would be noise if evaluated.
+/// The numbers known exactly at the start of a piece of motion. Evaluated, they would be noise.
 enum class Start {
   apart,     // the mass is away from its stop
   touching,  // it has just hit: the gap is zero

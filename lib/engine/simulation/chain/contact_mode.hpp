@@ -9,8 +9,8 @@
 
 namespace vibro_impact::detail {
 
-// What stays positive until something happens at a stop: the gap g = sigma (s - x) of a free mass,
-// or sigma F of a held one, the force that presses it into the stop (Eqs. 12-13).
+// A contact stays positive until something happens at a stop. It is the gap g = sigma (s - x) of a
+// free mass, or sigma F of a held one, the force that presses it into the stop (Eqs. 12-13).
 struct Contact {
   std::size_t stop = 0, mass = 0;
   double sigma = 1.0;

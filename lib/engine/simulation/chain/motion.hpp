@@ -21,13 +21,13 @@ struct Motion {
   int turned = 0;  // steps since `turn` was computed from the phase
   const ContactMode *mode = nullptr;
   std::vector<Real> x, v;
-  std::vector<double>
-      acceleration;  // a rounded sum of terms of twice the precision, if it is known
+  // The rounded sum of terms of twice the precision, if it is known.
+  std::vector<double> acceleration;
   bool acceleration_known = false;
   // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
   // passes x = 0 onto a stop at 0 has no terms at that instant.
   std::vector<double> x_terms, v_terms;
-  // What the latest step has added to x and v in double precision, and its time, which is a double.
+  // The latest step has added this to x and v in double precision, in this time, a double.
   // Both are 0 after a flight in closed form.
   std::vector<double> x_change, v_change;
   double step_time = 0.0;

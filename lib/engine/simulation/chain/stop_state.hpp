@@ -1,4 +1,4 @@
-// What is exactly known of a stop at an instant. A flight forgets it, but for `Forceless`.
+// The exact knowledge of a stop at an instant. A flight forgets it, but for `Forceless`.
 #pragma once
 
 #include <optional>

@@ -142,7 +142,7 @@ constexpr double next_speed_factor = 1.125;
 // Number of falling impacts from which the counter of incomplete chatters takes them for a chatter.
 constexpr int chatter_impacts = 5;
 
-// What a run keeps.
+// The memory of a run.
 
 // Contact modes, and the modal forms of those that long flights have asked for.
 constexpr std::size_t most_contact_modes = 64;

@@ -19,7 +19,7 @@ void Chatter::end() {
   x_ = duration_ = 0.0;
 }
 
-// What successive nodes predict differs from the limit by the powers 2, 3, ... of the ratio of
+// The predictions of successive nodes differ from the limit by the powers 2, 3, ... of the ratio of
 // their x. Each column of the scheme removes one of them.
 void Chatter::set_weights(double ratio) {
   std::array<Weights, most_chatter_nodes> column{};  // entry k ends with node k, the oldest first

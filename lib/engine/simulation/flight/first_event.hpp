@@ -9,7 +9,7 @@
 
 namespace vibro_impact::detail {
 
-// What is known of a contact at the start of a flight.
+// The knowledge of a contact at the start of a flight.
 struct Start {
   double value = 0.0, rate = 0.0;
   int zeros = 0;       // the number of derivatives, from the value on, that are exactly zero
@@ -17,7 +17,7 @@ struct Start {
   bool idle = false;   // the contact stays at zero
 };
 
-// Where a contact is at the end of a flight. The first to come there are zero by definition;
+// The place of a contact at the end of a flight. The first to come there are zero by definition;
 // others may be so within rounding. A hold force touches zero if it stays positive but for
 // rounding: its value and rate are then zero.
 enum class Near : char { no, perhaps, zero, touch };

@@ -37,7 +37,7 @@ class LongFlight {
     return starts_;
   }
 
-  // What the search has found, counting its steps: an event, the end of the call before any event,
+  // The result of a search, which counts its steps: an event, the end of the call before any event,
   // or neither after `most_search_steps`, and then the flight may begin anew where it is.
   enum class Found { event, end_of_call, nothing };
   struct Result {

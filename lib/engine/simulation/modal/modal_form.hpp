@@ -13,8 +13,8 @@
 
 namespace vibro_impact::detail {
 
-// What moves at a contact, as a sum over the coordinates: row . (y + damping y') + a cos + b sin.
-// It is the displacement of a free mass or the force on a held one, but for a constant.
+// The moving part of a contact, as a sum over the coordinates: row . (y + damping y') + a cos + b
+// sin. It is the displacement of a free mass or the force on a held one, but for a constant.
 struct Watch {
   std::vector<double> row;
   double damping = 0.0, a = 0.0, b = 0.0;

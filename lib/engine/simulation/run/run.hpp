@@ -30,7 +30,7 @@ struct Problem {
   Problem(const Problem &other, const RunOptions &other_options);
 };
 
-// What the latest step and its events tell of the next step.
+// Hints of the latest step and its events for the next step.
 struct StepHint {
   double flight_time = infinity;  // expected until the next impact of a mass that was just hit
   long long quiet_steps = 0;      // steps since the latest event

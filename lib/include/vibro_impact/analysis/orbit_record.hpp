@@ -49,7 +49,7 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start,
                       const RecordOptions &options = {});
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});
 
-// A number by which attractors of one scene are told apart, also an orbit from its mirror image:
+// A number by which attractors of one scene are distinguished, also an orbit from its mirror image:
 // the mean over the section of sum_i c_i (x_i + v_i / w_i / 2^(1/2)), a length, where c_i lies
 // between 1 and 2 and is another for each mass. It is rounded to 2^-24 of its largest term, which
 // is far above the distance at which a motion counts as settled.
