@@ -1,4 +1,4 @@
-// Checked numbers with the values of the library, and their tables in Markdown.
+// Checked numbers with the values of the library, and their table in Markdown.
 #pragma once
 
 #include <cmath>
@@ -22,12 +22,10 @@ struct Finding {
   bool pass() const {
     return error() <= number.tolerance;  // false for NaN
   }
-  numbers::Verdict verdict() const {
-    return number.printed.verdict(computed);
-  }
-  // Whether this is a key number of that class.
-  bool has(numbers::Verdict asked) const {
-    return number.of_the_paper() && verdict() == asked;
+  // The class of a key number (figures/README.md), and the origin of another author's number.
+  std::string class_name() const {
+    return number.of_the_paper() ? name(number.printed.verdict(computed))
+                                 : numbers::kind_words[static_cast<std::size_t>(number.kind)];
   }
 };
 
@@ -39,15 +37,10 @@ Findings findings(const std::string &folder);
 // A table of Markdown, every column as wide as its widest cell.
 std::string table_of(const truth::Rows &rows);
 
-// A table of the key numbers for every verdict, and one of the results of other authors.
-std::string tables_of(const Findings &findings);
+// The table of all numbers.
+std::string table_of(const Findings &findings);
 
 // The number with that id. Throws std::runtime_error if there is none.
 const Finding &number_of(const Findings &findings, const std::string &id);
-
-// How many key numbers have each verdict, and how many results of others are of each kind
-// (reference/README.md), as the documents and the last line of `check` have it.
-std::string count_of_verdicts(const Findings &findings);
-std::string count_of_results(const Findings &findings);
 
 }  // namespace vibro_impact::figures

@@ -7,13 +7,12 @@
 //   claim:agrees_otherwise:table1_test
 //                                  the class of a claim without a key number, and a test that shows
 //                                  it
-//   count:border_mass_+jump_       how many key numbers begin with one of these, or are of such a
-//                                  class
-//   procedures_starts:0.62:settled_motions:.0f
-//                                  the cell of a table in the folder of tables: of the first row
-//                                  that begins with these cells, as 0.02,0.7,0, in this column
-//   fits:5(a)                      the frequencies that fit a figure; the one that is drawn is bold
-//   verdicts                       any name in `text_named` in fragments.cpp
+//   count:border_mass_+formula     how many numbers begin with one of these, or are of such a class
+//   procedures_windows:period 1 alone:from+to:.3f
+//                                  the cells in these columns of a table in the folder of tables,
+//                                  of all rows that begin with these cells, as 0.02,0.7,0
+//   steppers, methods              the tables of error against run time
+//   grazing_speed                  the speed below which impacts are not compared
 // A format is one of {fmt}.
 #pragma once
 

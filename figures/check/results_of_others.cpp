@@ -112,8 +112,6 @@ Scene bar(int elements, int per_length) {
   return scene;
 }
 
-constexpr double end_of_bar = 0.0015;  // the bar has left the wall by this time
-
 }  // namespace
 
 // --- The table -----------------------------------------------------------------------------------
@@ -145,17 +143,10 @@ numbers::Quantities<figures::LibraryEngine> quantities() {
   add("chatter_limit", ball, [](P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; });
   add("impact_time", ball + " impact",
       [](P p) { return event_of(ball_of(p), 10.0, EventKind::impact, p.at("impact"), true).time; });
-  // From the first contact with the wall to the release.
-  add("bar_contact_time", "elements", [](P p) {
-    const int elements = static_cast<int>(p.at("elements"));
-    const Scene scene = bar(elements, elements);
-    return event_of(scene, end_of_bar, EventKind::release).time -
-           event_of(scene, end_of_bar, EventKind::stick).time;
-  });
   add("bar_end_of_contact", "elements per_length start", [](P p) {
     const Scene scene =
         bar(static_cast<int>(p.at("elements")), static_cast<int>(p.at("per_length")));
-    return p.at("start") + event_of(scene, end_of_bar, EventKind::release).time;
+    return p.at("start") + event_of(scene, 0.0015, EventKind::release).time;
   });
   return all;
 }

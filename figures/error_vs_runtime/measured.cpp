@@ -93,18 +93,4 @@ truth::Rows rows_of_methods(const std::vector<Measured> &runs) {
   return rows;
 }
 
-std::string sentences_of_speed(const std::vector<Measured> &runs) {
-  std::vector<std::string> parts;
-  for (const double error : {1e-6, 1e-9, 3e-11, 7e-13}) {
-    const auto best = fastest(runs, "figure2", steppers, error);
-    if (!best) throw std::runtime_error("no stepper has an error of " + name_of(error));
-    parts.push_back(fmt::format("{} times for {} ({})", ratio(runs, "figure2", steppers, error),
-                                name_of(error), best->method));
-  }
-  return fmt::format(
-      "the time of the fastest general-purpose stepper, relative to the library, depends on the "
-      "error: {}. Without the limit of a chatter, the library takes {} times as long for 1e-10.",
-      fmt::join(parts, ", "), ratio(runs, "figure2", {"this library (every impact)"}, 1e-10));
-}
-
 }  // namespace vibro_impact::comparison

@@ -35,8 +35,4 @@ truth::Rows rows_of_steppers(const std::vector<Measured> &runs);
 // relative to the library, whose time is in microseconds.
 truth::Rows rows_of_methods(const std::vector<Measured> &runs);
 
-// The sentences of README.md on ten periods of Figure 2. Throws std::runtime_error if no run has
-// one of the errors that they name.
-std::string sentences_of_speed(const std::vector<Measured> &runs);
-
 }  // namespace vibro_impact::comparison

@@ -116,7 +116,7 @@ const numbers::Quantities<DigitsEngine> formulas{
 
 std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number) {
   const auto &quantities =
-      number.kind == numbers::Kind::derived ? formulas : quantities_in_digits();
+      number.kind == numbers::Kind::formula ? formulas : quantities_in_digits();
   // The frequencies are known to the width of a bracket, all else to 30 digits.
   const int known_digits = number.quantity.ends_with("_frequency") ? 18 : 30;
   return numbers::answer(engine, quantities, number).str(known_digits);

@@ -24,7 +24,7 @@ const char *const columns = "time,mass,event,velocity_before,velocity_after,cont
 /// The whole table of a scene of the paper.
 std::string events_table(const std::vector<Event> &events, std::size_t masses);
 
-/// The digits of a key number, by a formula (kind `derived`) or by a run (kind `computed`). Throws
+/// The digits of a key number, by a formula (kind `formula`) or by a run (kind `computed`). Throws
 /// std::runtime_error naming the row.
 std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number);
 

@@ -51,10 +51,6 @@ constexpr const char *verdict_words[] = {
 inline const char *name(Verdict verdict) {
   return verdict_words[static_cast<int>(verdict)];
 }
-// The verdicts that a key number may have.
-constexpr Verdict all_verdicts[] = {Verdict::agrees, Verdict::close, Verdict::differs,
-                                    Verdict::depends_on_an_inferred_value,
-                                    Verdict::not_in_the_paper};
 
 // How the paper has a number. The computed number rests on an inferred parameter where the paper's
 // statement is about a figure whose parameters are not all printed.
@@ -62,8 +58,8 @@ enum class Claim : std::size_t { none, stated, read_off_figure_3, of_inferred_pa
 constexpr const char *claim_words[] = {"", "stated", "read", "inferred"};
 
 // The origin of a reference (reference/README.md).
-enum class Kind : std::size_t { computed, derived, formula, printed };
-constexpr const char *kind_words[] = {"computed", "derived", "formula", "printed"};
+enum class Kind : std::size_t { computed, formula, printed };
+constexpr const char *kind_words[] = {"computed", "formula", "printed"};
 
 // A number in a format of {fmt}, with the exponent as short as possible: 1e-6.
 inline std::string formatted(double value, const std::string &format) {

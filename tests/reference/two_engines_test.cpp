@@ -118,7 +118,7 @@ TEST(Generator, ComputesTheStoredKeyNumbersAgain) {
   int computed = 0;
   for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
     if (!number.of_the_paper() ||
-        (number.kind != numbers::Kind::derived && !number.given.starts_with("scene=figure5c kind")))
+        (number.kind != numbers::Kind::formula && !number.given.starts_with("scene=figure5c kind")))
       continue;
     const Real stored(number.digits), again(reference::digits_of(engine, number));
     EXPECT_LE(abs(again - stored), Real("1e-28") * abs(stored))
