@@ -4,7 +4,7 @@
 // Mass 2 (x2 = s2): x1' = -(k/c) x1 + (k/c) s2, fixed. Mass 1 (x1 = s1): x2' = -(k/c) (x2 - 2 s1)
 // - (A1/c) cos(Omega t), moving with the forcing.
 #include "driver.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 //
 // figure1_motion.csv: a row for each frame, with both displacements, and what each mass does.
 #include "driver.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Figure 2: chatter and sticking of both masses once per forcing period, and mass 2's chatter close
 // up.
 #include "driver.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 int main(int argc, char **argv) {
   using namespace vibro_impact;

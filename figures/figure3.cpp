@@ -3,7 +3,7 @@
 #include "frequency_diagram.hpp"
 
 #include "driver.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 namespace {
 

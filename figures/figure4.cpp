@@ -5,7 +5,7 @@
 // The paper calls it F2 (Eq. 20). It is the force towards +x: the stop of mass 1 is a lower one, so
 // a negative force holds the mass to it.
 #include "driver.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Figure 5: two nonsmooth events at a time (Table I of the paper).
 #include "driver.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 int main(int argc, char **argv) {
   using namespace vibro_impact;

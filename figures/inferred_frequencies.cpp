@@ -1,12 +1,12 @@
 // The frequencies that the paper's text does not give. Every value of four decimals is tried for
 // Figures 2, 5(a) and 5(b). One table says where each condition holds, the other which values fit.
-#include "inferred_frequencies.hpp"
+#include "measures/inferred_frequencies.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "driver.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 namespace {
 

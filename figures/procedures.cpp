@@ -1,7 +1,7 @@
 // Could the author's procedure explain the statements of the paper that differ from ours? The edges
 // of the two windows of Figure 3 by procedure, the settled motions from random starts, dual
 // sticking against the position of the second stop, and Figure 5(c) with nearly equal stops.
-#include "procedures.hpp"
+#include "measures/procedures.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "driver.hpp"
 #include "frequency_diagram.hpp"
-#include "runs.hpp"
+#include "measures/runs.hpp"
 
 namespace {
 

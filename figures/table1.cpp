@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "driver.hpp"
+#include "measures/runs.hpp"
 #include "reference/scenes/table1_scenes.hpp"
-#include "runs.hpp"
 #include "vibro_impact/analysis/event_pairs.hpp"
 
 namespace {

@@ -3,8 +3,7 @@
 #   reference/scenes <- reference/truth <- reference/numbers <- reference/generator
 #                                                               public headers of the simulation
 #   reference/truth  <- figures, tests
-#   figures/error_vs_runtime <- figures/check: the measured times; no other folder of figures
-#                               includes another one
+#   figures/measures <- figures, tests; no other folder of figures includes another one
 #   lib/simulation   <- lib/analysis, through for_analysis.hpp alone
 #   lib/analysis     <- lib/program   <- figures (its progress line)
 #   lib/engine/simulation obeys the rules of lib/simulation.
@@ -59,9 +58,10 @@ refuse(reference/numbers "vibro_impact/(analysis|simulate|record|table|vibro_imp
 refuse(reference/generator "(vibro_impact/([a-df-rt-z]|event_|scene\\.)|reference/truth/event)")
 # A folder of figures may include the files that all drivers share.
 refuse(figures "(figures/)?(check|stability)/")
-foreach(folder / /stability)
+foreach(folder / /check /measures /stability)
   refuse(figures${folder} "(figures/)?error_vs_runtime/")
 endforeach()
+refuse(figures/measures "figures/")
 
 # Tests of two users, or of two builds, share no file.
 file(GLOB_RECURSE files ${source}/tests/*.?pp)

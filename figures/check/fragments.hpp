@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/error_vs_runtime/measured.hpp"
+#include "figures/measures/measured.hpp"
 #include "findings.hpp"
 
 namespace vibro_impact::figures {

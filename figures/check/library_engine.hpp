@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "figures/runs.hpp"
+#include "figures/measures/runs.hpp"
 #include "reference/numbers/quantities.hpp"
 
 namespace vibro_impact::figures {

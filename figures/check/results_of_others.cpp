@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "figures/runs.hpp"
+#include "figures/measures/runs.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 
 namespace vibro_impact::others {

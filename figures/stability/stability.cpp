@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "extreme_verdict.hpp"
 #include "figures/driver.hpp"
+#include "figures/measures/extreme_verdict.hpp"
 
 namespace {
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "figures/error_vs_runtime/measured.hpp"
 #include "figures/error_vs_runtime/methods/dop853.hpp"
 #include "figures/error_vs_runtime/methods/method.hpp"
+#include "figures/measures/measured.hpp"
 #include "tests/support/refusals.hpp"
 
 namespace {

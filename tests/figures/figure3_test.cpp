@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "figures/frequency_diagram.hpp"
-#include "figures/inferred_frequencies.hpp"
+#include "figures/measures/inferred_frequencies.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "tests/support/tables.hpp"
 

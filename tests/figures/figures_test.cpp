@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/inferred_frequencies.hpp"
+#include "figures/measures/inferred_frequencies.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/scenes/table1_scenes.hpp"
 #include "tests/support/tables.hpp"

@@ -1,6 +1,6 @@
 // The frequencies inferred from the paper's axis boxes and text: the rule, what it leaves and what
 // it refuses. (That it holds where the frequencies are printed: figures_test.)
-#include "figures/inferred_frequencies.hpp"
+#include "figures/measures/inferred_frequencies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "figures/error_vs_runtime/methods/method.hpp"
-#include "figures/procedures.hpp"
-#include "figures/runs.hpp"
+#include "figures/measures/procedures.hpp"
+#include "figures/measures/runs.hpp"
 #include "reference/truth/table_reader.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/tables.hpp"

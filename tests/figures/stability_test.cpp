@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "figures/stability/extreme_verdict.hpp"
+#include "figures/measures/extreme_verdict.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "reference/truth/event_comparison.hpp"
 #include "tests/support/rates.hpp"
 #include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -57,7 +58,7 @@ std::vector<std::string> groups() {
 
 class Group : public ::testing::TestWithParam<std::string> {};
 
-// The verdict is that of figures/stability/extreme_verdict.hpp, which says what it allows.
+// The verdict is that of figures/measures/extreme_verdict.hpp, which says what it allows.
 TEST_P(Group, AgreesWithTheTruthWithinRounding) {
   for (const Case &extreme : extreme_cases()) {
     if (extreme.group != GetParam()) continue;
@@ -149,7 +150,7 @@ TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
   const Scene scene = one_mass(0.0, 0.0, 1.0, 0.0, 0.5, -1.0);
   Samples motion(scene, 3.0);
   require_complete(simulate(scene, 3.0, motion));
-  const Relative sensitivity = stability::detail::sensitivity_of(scene, 3.0, 1.0, motion);
+  const Relative sensitivity = sensitivity_of(scene, 3.0, 1.0, motion);
   EXPECT_NEAR(sensitivity.time, 0.5 / std::sqrt(0.75), 1e-5);
   EXPECT_NEAR(sensitivity.velocity, 1.0 / std::sqrt(0.75), 1e-5);
 }

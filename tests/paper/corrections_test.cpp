@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "figures/runs.hpp"
+#include "figures/measures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/scenes/table1_scenes.hpp"
 #include "tests/support/events.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "figures/runs.hpp"
+#include "figures/measures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "reference/numbers/quantities.hpp"
 #include "tests/support/events.hpp"

@@ -1,30 +1,16 @@
-// The ways in which the author's program may have followed the motion or chosen its start, and what
-// they make of the statements of the paper that differ from ours.
-//
-// The library computes the motion. A procedure only changes when a mass is held, or the equation of
-// motion while mass 2 sticks. All quantities are non-dimensional.
-#pragma once
+#include "procedures.hpp"
 
 #include <array>
 #include <cmath>
 #include <optional>
-#include <vector>
 
-#include "reference/scenes/paper_scenes.hpp"
-#include "vibro_impact/analysis/analysis.hpp"
-#include "vibro_impact/vibro_impact.hpp"
+#include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact::figures {
 
-// With the defaults the motion is the exact one.
-struct Procedure {
-  // A pressed mass sticks after a flight shorter than this, or after an impact slower than this.
-  double shortest_flight = 0.0, slowest_impact = 0.0;
-  // While mass 2 sticks, mass 1 moves about -s2/2, as Eq. 24 is printed, instead of about +s2/2.
-  bool printed_equation24 = false;
-};
+namespace {
 
-// Records events, and ends a run where the procedure has to act. `follow` uses it.
+// Records events, and ends a run where the procedure has to act.
 struct ProcedureRecorder : Recorder {
   Procedure procedure;
   std::array<double, 2> last_impact;  // of each mass, its time
@@ -51,16 +37,9 @@ struct ProcedureRecorder : Recorder {
   }
 };
 
-// Events, and the state at the end.
-struct FollowedMotion {
-  std::vector<Event> events;
-  MotionState state;
-};
+}  // namespace
 
-// The motion of two masses with a stop each, from a start to a time, by the procedure. Throws
-// std::invalid_argument as `simulate` does, and std::runtime_error when a run is given up.
-inline FollowedMotion follow(Scene scene, MotionState state, double until,
-                             const Procedure &procedure) {
+FollowedMotion follow(Scene scene, MotionState state, double until, const Procedure &procedure) {
   // Impacts faster than this are resolved, so that a cut-off acts before the limit of a chatter is
   // computed. The forces at the stops are of the order of 0.1, and the flight behind an impact at
   // this speed lasts some 2e-4, less than any cut-off that is tried.

@@ -1,4 +1,4 @@
-#include "figures/error_vs_runtime/measured.hpp"
+#include "measured.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,105 @@
+// Figures read these off runs: events, counts, extremes, displacements across a window, and
+// sticking phases.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reference/numbers/panels.hpp"
+#include "reference/scenes/paper_scenes.hpp"
+#include "vibro_impact/analysis/table.hpp"
+#include "vibro_impact/vibro_impact.hpp"
+
+namespace vibro_impact::figures {
+
+struct Range {
+  double lowest = infinity;
+  double highest = -infinity;
+
+  void include(double value) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+};
+
+// The first and the last of each run of neighbours among 0, every, 2 every, ... below `count` for
+// which `holds` is true.
+template <class Predicate>
+std::vector<std::pair<std::size_t, std::size_t>> runs_where(const Predicate &holds,
+                                                            std::size_t count,
+                                                            std::size_t every = 1) {
+  std::vector<std::pair<std::size_t, std::size_t>> runs;
+  for (std::size_t i = 0; i < count; i += every) {
+    if (!holds(i)) continue;
+    if (runs.empty() || runs.back().second + every != i) runs.emplace_back(i, i);
+    runs.back().second = i;
+  }
+  return runs;
+}
+
+// The displacement of one of two masses at a sample.
+double displacement(const SampleRecorder &samples, std::size_t sample, int mass);
+
+Range range_of(const SampleRecorder &samples, int mass);
+
+// Events of a scene from its own start, from time `from` to `until`.
+std::vector<Event> events_of(const Scene &scene, double from, double until,
+                             const RunOptions &options = {});
+
+// Number of times at which a mass comes to rest while the other one sticks.
+double dual_sticks(const Scene &scene, double from, double until);
+
+// The sticking phases of a mass in four forcing periods of the motion that a scene settles to.
+// Motions of period 1, 2 and 4 give the same count in every window.
+int settled_sticking_phases(const Scene &scene, int mass);
+
+// The same of the motion followed to this scene from a motion that settles at another frequency.
+int followed_sticking_phases(Scene scene, int mass, const MotionState &settled);
+
+// A run shown as displacement against time resolves all chatter that can be seen.
+inline const RunOptions all_visible_chatter{.limit_below_speed = paper::slowest_impact_shown};
+
+// The samples of both masses as a table t, x1, x2.
+Table displacement_table(const SampleRecorder &samples);
+
+// The displacements of a scene across the window of a panel.
+Table displacements(const Scene &scene, const paper::AxisBox &box, double every);
+
+// The impacts across the window of a panel: when, of which mass, and how fast.
+Table impacts(const Scene &scene, const paper::AxisBox &box);
+
+// The parameters of the scenes that a figure shows, one row per panel.
+Table parameters(const std::vector<Scene> &scenes);
+
+// The sticking phases of one mass, counted from 1, and the gaps between them: at uniform times, at
+// the stick and at the release the hold force on it (F_p of Eqs. 12-13) and the motion of another
+// mass.
+struct StickingPhaseRecorder : Recorder {
+  struct Row {
+    int phase;              // in a gap, that before it; 0 before the first
+    std::string_view kind;  // stick, release, orbit between them, or gap
+    double time;            // within the forcing period
+    double force;           // zero at a release at a root of the force; NaN at any other, in a gap
+    double x = 0.0, v = 0.0;  // of the other mass
+  };
+  int mass, other;  // other = 0: none
+  double from, to, every;
+  std::vector<Row> rows = {};
+  int phase = 0;
+  std::size_t asked = 0;
+
+  StickingPhaseRecorder(int of_mass, int other_mass, double from_time, double to_time,
+                        double every_time)
+      : mass(of_mass), other(other_mass), from(from_time), to(to_time), every(every_time) {
+  }
+  double next_time() const override {
+    return sample_time(from, to, every, asked);
+  }
+  void sample(const Moment &moment) override;
+  void event(const Event &event, const Moment &moment) override;
+  void add(std::string_view kind, double force, const Moment &moment);
+};
+
+}  // namespace vibro_impact::figures
