@@ -1,5 +1,5 @@
 // Motions followed until they have settled, compared with motions run to the full length and
-// counted by another rule, and their records.
+// counted by another rule.
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -141,27 +141,6 @@ TEST(Settle, SaysThePeriodOrNone) {
   EXPECT_EQ(period_of(0.28, 1), 0);
 }
 
-// Free motion turns 1.9e-9 of its amplitude beyond the stop. So every orbit has impacts, and 100
-// periods of the run have one every eight periods, to the rounding of its time. The sections of the
-// period before an impact lie within 1e-9 of each other.
-TEST(Settle, NextToAGrazingAllPeriodsAreCompared) {
-  const Scene scene{.mass = {1.0},
-                    .stiffness = {1.0},
-                    .beta = 2.5,
-                    .amplitude = {1.0},
-                    .omega = 2.2013570520538277,
-                    .restitution = 0.8,
-                    .stops = {{1, Side::upper, 0.148940786883}}};
-  const Clock clock(scene.omega);
-  EventRecorder recorder(1000.0 * clock.period);
-  require_complete(simulate(scene, 1100.0 * clock.period, recorder));
-  for (std::size_t k = 1; k < recorder.events.size(); ++k)
-    ASSERT_NEAR(recorder.events[k].time - recorder.events[k - 1].time, 8.0 * clock.period, 1e-8);
-  const SettledMotion motion = settle(scene, start_of(scene), {.longest = 1000});
-  EXPECT_EQ(motion.period, 8);
-  EXPECT_EQ(motion.counts.impacts, std::vector{1});
-}
-
 // At Omega = 1.9 the free motion turns ten times in 19 forcing periods. Periods are looked for up
 // to the largest one. A motion whose damping has not died out yet is on its way to its period, a
 // chaotic one to none.
@@ -241,60 +220,6 @@ TEST(Settle, AnyPhaseMayBeTheSection) {
   EXPECT_EQ(motion.state.instant.phase, begin.instant.phase);
   EXPECT_EQ(motion.state.held, begin.held);
   EXPECT_EQ(period_of_states(scene, motion.state), 1);
-}
-
-// The record of a motion has counts of its events, and only what is asked for.
-TEST(Record, HasOnlyWhatIsAskedFor) {
-  const Scene settling = paper::figure3(0.55);
-  const OrbitRecord bare = record_of(settling);
-  EXPECT_GT(bare.period, 0);
-  EXPECT_FALSE(bare.lyapunov.has_value());
-  EXPECT_TRUE(bare.impacts.empty());
-  EXPECT_TRUE(bare.pairs.empty());
-  RecordOptions asked;
-  asked.impacts = true;
-  const OrbitRecord speeds = record_of(settling, asked);
-  EXPECT_EQ(speeds.counts.impacts, bare.counts.impacts);
-  EXPECT_EQ(speeds.impacts[0].size(), static_cast<std::size_t>(bare.counts.impacts[0]));
-  EXPECT_LT(speeds.impacts[0].front().velocity_before, 0.0) << "mass 1 hits a lower stop";
-  EXPECT_GT(speeds.impacts[1].front().velocity_before, 0.0) << "mass 2 hits an upper stop";
-}
-
-// Pressed onto their stops for ever: no event says so.
-TEST(Record, MassesThatAreHeldFromTheBeginningStickAtOnce) {
-  Scene scene = paper::two_masses({1, Side::lower, 0.1}, {2, Side::lower, 0.15}, 0.7, 0.3);
-  scene.amplitude = {0.01, 0.0};
-  scene.displacement = {0.1, 0.15};
-  const EventCounts counts = record_of(scene).counts;
-  EXPECT_TRUE(counts.dual_sticking);
-  EXPECT_EQ(counts.sticks, (std::vector{0, 0}));
-}
-
-// The pairs themselves are those of event_pairs_test; Figure 5(b) has none.
-TEST(Record, ThePairsOfTableIThatOccur) {
-  const RecordOptions options{.settle = {}, .pairs = true};
-  EXPECT_EQ(record_of(paper::figure5a(), options).pairs, std::vector{EventPair::sticking_impact});
-  EXPECT_TRUE(record_of(paper::figure5b(), options).pairs.empty());
-}
-
-// A state of a neighbouring scene is a start: a mass that is held moves with its stop, a mass
-// beyond a stop moves to it, and the phase stays within the period.
-TEST(StartNear, BringsAStateIntoTheScene) {
-  Scene scene = paper::figure2();
-  MotionState state = start_of(scene);
-  state.displacement = {-0.3, 0.05};
-  state.velocity = {0.0, 0.2};
-  state.held = {-1, 0};
-  state.instant.phase = 0.9 * Clock(scene.omega).period;
-  scene.omega *= 1.5;
-  scene.stops[0].position = -0.25;
-  scene.stops[1].position = 0.04;
-  const MotionState start = start_near(scene, state);
-  EXPECT_EQ(start.displacement, (std::vector<double>{-0.25, 0.04}));
-  EXPECT_EQ(start.velocity, state.velocity);
-  EXPECT_EQ(start.held, state.held);
-  EXPECT_LT(start.instant.phase, Clock(scene.omega).period);
-  EXPECT_NO_THROW(require_complete(Simulation(scene, start).advance(time_after(scene, start, 1))));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The events of whole forcing periods, counted.
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/orbits/motion_state.hpp"
 #include "settled_runs.hpp"
@@ -26,9 +27,9 @@ void require_fits(const Scene &scene, const Event &event) {
 
 // Leaves out the impacts of complete chatters: those before a stick at the same stop, each slower
 // than the one before. The events repeat, so that a chatter under way at their end goes on at their
-// beginning. A chatter begins one impact earlier where two impacts become equally fast: for the
-// comparison of orbits, all impacts at the stop between a stick and the event before it are left
-// out.
+// beginning, where Event::falling may begin anew. A chatter begins one impact earlier where two
+// impacts become equally fast: for the comparison of orbits, all impacts at the stop between a
+// stick and the event before it are left out.
 std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events,
                                     bool all_before_sticks) {
   std::vector<Event> twice = events;
@@ -37,12 +38,15 @@ std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event>
   for (std::size_t k = 0; k < twice.size(); ++k) {
     const Event &stick = twice[k];
     if (stick.kind != EventKind::stick || !rebounds(scene, stick)) continue;
+    double slower = 0.0;  // speed of the impact after the one looked at
     for (std::size_t j = k; j-- > 0;) {
       const Event &before = twice[j];
       if (before.mass != stick.mass) continue;
       if (changes_contact_mode(before.kind) || before.stop != stick.stop) break;
+      const double speed = std::abs(before.velocity_before);
+      if (speed <= slower && !all_before_sticks) break;
       left_out[j] = true;
-      if (before.falling == 0 && !all_before_sticks) break;
+      slower = speed;
     }
   }
   std::vector<Event> kept;

@@ -9,6 +9,7 @@
 
 #include "analysis/orbits/orbit_tolerances.hpp"
 #include "branch.hpp"
+#include "settled_runs.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/pressing_force.hpp"
 
@@ -24,12 +25,9 @@ double determinant(const Eigen::MatrixXd &matrix) {
 
 // True if the events of two orbits are the same, from any of them on.
 bool same_events(const std::vector<Event> &a, std::vector<Event> b) {
-  const auto same = [](const Event &x, const Event &y) {
-    return x.kind == y.kind && x.stop == y.stop;
-  };
   if (a.size() != b.size()) return false;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    if (std::ranges::equal(a, b, same)) return true;
+    if (std::ranges::equal(a, b, same_kind)) return true;
     std::rotate(b.begin(), b.begin() + 1, b.end());
   }
   return a.empty();

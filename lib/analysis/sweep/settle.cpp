@@ -1,40 +1,19 @@
 #include "vibro_impact/analysis/settle.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
+#include "contraction.hpp"
 #include "settled_runs.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
 namespace {
-
-// The largest numbers of a sequence in its latest blocks. The numbers from 2^k to 2^(k+1) are one
-// block: a long sequence forgets its beginning.
-struct LargestByBlock {
-  double latest = 0.0, before = 0.0, earlier = 0.0;
-
-  void add(double value, int number) {
-    if (std::has_single_bit(static_cast<unsigned>(number))) {
-      earlier = std::exchange(before, latest);
-      latest = 0.0;
-    }
-    latest = std::max(latest, value);
-  }
-};
-
-// How the distances d_n of sections p periods apart fall, for one p. Infinite: not known yet.
-struct Contraction {
-  std::vector<double> distances;  // the latest p, by section modulo p
-  std::vector<double> ratios;     // likewise of d_n / d_(n-p)
-  int settled = 0;                // latest sections in a row with the estimate below the tolerance
-  LargestByBlock largest_distance = {};
-};
 
 // The state at a section, and the events of the period before it.
 struct Section {
@@ -52,8 +31,7 @@ class Sections : public Recorder {
         first_(start.instant),
         frequency_(local_frequencies(scene)) {
     held_ = start.held;
-    for (std::size_t p = 1; p <= index(options.largest_period); ++p)
-      contractions_.push_back({std::vector<double>(p, infinity), std::vector<double>(p, infinity)});
+    for (std::size_t p = 1; p <= index(options.largest_period); ++p) contractions_.emplace_back(p);
     sections_.resize(2 * contractions_.size() + 1);
     enter(start);
   }
@@ -73,7 +51,8 @@ class Sections : public Recorder {
     at.instant = section_at(taken_);
     enter(std::move(at));
     amplitude_.add(amplitude(frequency_, latest(0).state), taken_);
-    for (int p = 1; p <= options_.largest_period && p < taken_; ++p) compare(p);
+    for (int p = 1; p <= options_.largest_period && p < taken_; ++p)
+      contractions_[index(p - 1)].add(distance(0, p), taken_, scale());
     find_period();
   }
 
@@ -94,6 +73,10 @@ class Sections : public Recorder {
       for (int k = period_; k-- > 0;) motion.section.push_back(latest(k).state);
       return;
     }
+    if (undecided_ > 0 && taken_ <= looked_ + undecided_) {
+      motion.approached = undecided_;
+      return;
+    }
     const auto approached = std::ranges::find_if(contractions_, [](const Contraction &c) {
       const auto &[latest, before, earlier] = c.largest_distance;
       return before < approaching * earlier;
@@ -109,6 +92,8 @@ class Sections : public Recorder {
   Instant first_;
   int taken_ = 0;  // sections entered, that of the start included
   int period_ = 0;
+  int undecided_ = 0;  // a period that was not accepted next to a graze,
+  int looked_ = 0;     // ... and the sections entered then
   Held held_;
   std::vector<double> frequency_;       // of each mass
   LargestByBlock amplitude_ = {};       // at the sections
@@ -157,26 +142,6 @@ class Sections : public Recorder {
     return amplitude(frequency_, latest(back).state, latest(further_back).state);
   }
 
-  // Compares the latest section with that p periods before. Distances below `floor` count as zero.
-  void compare(int p) {
-    Contraction &contraction = contractions_[index(p - 1)];
-    const double now = distance(0, p), floor = repeats * scale(),
-                 before = std::exchange(contraction.distances[index(taken_ % p)], now);
-    double &ratio = contraction.ratios[index(taken_ % p)];
-    if (before > floor && before < infinity)
-      ratio = now / before;
-    else if (now > floor || before == infinity)
-      ratio = infinity;
-    else if (ratio == infinity)  // both distances are below the floor
-      ratio = 0.0;
-    // A single small ratio may be chance: the estimate is no less than a distance above the floor.
-    const double least = now > floor ? 1.0 : 0.0;
-    const bool below =
-        ratio < 1.0 && now * std::max(ratio / (1.0 - ratio), least) <= settle_tolerance * scale();
-    contraction.settled = below ? contraction.settled + 1 : 0;
-    contraction.largest_distance.add(now, taken_);
-  }
-
   // The events of the p periods that ended `back` periods ago.
   std::vector<Event> events_of(int p, int back) const {
     std::vector<Event> events;
@@ -187,37 +152,75 @@ class Sections : public Recorder {
     return events;
   }
 
-  // Whether the last periods, `length` in number, consist of q periods again and again with the
-  // same events. After the same sticks and releases the contact modes are the same, too.
-  bool same_events(int q, int length) const {
-    const auto same = [](const Event &a, const Event &b) {
-      return a.kind == b.kind && a.stop == b.stop;
-    };
+  // Whether the last p periods consist of q periods again and again with the same events.
+  bool same_events(int q, int p) const {
     const std::vector<Event> last = without_chatters(scene_, events_of(q, 0));
-    for (int back = q; back < length; back += q)
-      if (!std::ranges::equal(last, without_chatters(scene_, events_of(q, back)), same))
+    for (int back = q; back < p; back += q)
+      if (!std::ranges::equal(last, without_chatters(scene_, events_of(q, back)), same_kind))
         return false;
     return true;
   }
 
   void find_period() {
+    if (undecided_ > 0 && taken_ < looked_ + undecided_) return;
     const double tolerance = settle_tolerance * scale();
     for (int p = 1; p <= options_.largest_period && 2 * p < taken_; ++p) {
-      if (contractions_[index(p - 1)].settled < p || !same_events(p, 2 * p)) continue;
+      const Contraction &contraction = contractions_[index(p - 1)];
+      if (contraction.settled < p) continue;
+      const double to_come = contraction.still_to_come(scale());
       // A motion of period q, a divisor of p, has settled after p periods, too.
       for (int q = 1; q < p; ++q) {
         if (p % q != 0 || !same_events(q, p)) continue;
         double apart = 0.0;
         for (int k = 0; k < p; ++k) apart = std::max(apart, distance(k, k + q));
-        if (apart <= same_section * tolerance) {
-          period_ = q;
-          return;
-        }
+        if (apart <= same_section * tolerance)
+          return accept_away_from_a_graze(q, std::max(apart, to_come));
         // The sections of one orbit are so near each other at a period doubling alone.
         if (apart <= not_decided * tolerance) return;
       }
-      period_ = p;
-      return;
+      return accept_away_from_a_graze(p, to_come);
+    }
+  }
+
+  // The events of some periods without complete chatters and without events at a section, which may
+  // lie in the period before.
+  std::vector<Event> inside(const std::vector<Event> &events) const {
+    std::vector<Event> kept = without_chatters(scene_, events);
+    std::erase_if(kept, [this](const Event &event) {
+      const double part =
+          elapsed(Instant{event.instant.cycle, first_.phase}, event.instant, clock_) /
+          clock_.period;
+      return std::abs(part - std::round(part)) < at_section;
+    });
+    return kept;
+  }
+
+  // Accepts a period, unless what is still to come may bring another event, as next to a graze: the
+  // last periods must have the same events with every stop nearer by some times this length.
+  void accept_away_from_a_graze(int period, double length) {
+    if (length == 0.0 || same_events_with_nearer_stops(period, graze_margin * length)) {
+      period_ = period;
+    } else {
+      undecided_ = period;
+      looked_ = taken_;
+    }
+  }
+
+  bool same_events_with_nearer_stops(int period, double shift) const {
+    Scene scene = scene_;
+    MotionState start = latest(period).state;
+    for (Stop &stop : scene.stops) {
+      stop.position -= sign(stop.side) * shift;
+      double &x = start.displacement[index(stop.mass - 1)];
+      if (holds(stop, start.held) || is_beyond(stop, x)) x = stop.position;
+    }
+    scene.displacement = start.displacement;  // the scene's own start may lie beyond a stop
+    try {
+      EventRecorder nearer(-infinity);
+      stroboscopic_map(scene, start, period, options_.run, nearer);
+      return std::ranges::equal(inside(events_of(period, 0)), inside(nearer.events), same_kind);
+    } catch (const std::invalid_argument &) {  // both stops of a mass have met
+      return false;
     }
   }
 };

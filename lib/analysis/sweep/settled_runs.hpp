@@ -10,6 +10,11 @@ namespace vibro_impact {
 std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events,
                                     bool all_before_sticks = false);
 
+// True of two events of one kind at one stop.
+inline bool same_kind(const Event &a, const Event &b) {
+  return a.kind == b.kind && a.stop == b.stop;
+}
+
 EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held);
 

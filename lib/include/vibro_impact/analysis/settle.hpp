@@ -10,21 +10,21 @@
 // small once in every turn of the state, however far the orbit.
 //
 // A motion counts as settled, of period p, when the estimate lies below 1e-10 of its own amplitude
-// at p sections in a row and the events of the last p periods are those of the p before them (and
-// so the contact modes at the sections). The amplitude is the largest at the sections of the second
-// half of the motion. Impacts of a complete chatter are not compared: a run reports only as many of
-// them as it needed to find the limit. Where all states q periods apart, q a divisor of p, are
-// within ten tolerances and all p periods repeat the events of q, the period is q. Where the states
-// are within 10,000 tolerances it is not decided yet: a motion that turns around its orbit comes
-// near to itself after some number of periods long before it has settled.
+// at p sections in a row. The amplitude is the largest at the sections of the second half of the
+// motion. Where all states q periods apart, q a divisor of p, are within ten tolerances and all p
+// periods repeat the events of q, the period is q. Where the states are within 10,000 tolerances it
+// is not decided yet: a motion that turns around its orbit comes near to itself after some number
+// of periods long before it has settled. Impacts of a complete chatter are not compared: a run
+// reports only as many of them as it needed to find the limit.
 //
-// An orbit that passes a grazing by less than some thirty tolerances may have one impact after many
-// periods, between which its sections lie within the tolerance of each other. Such a motion may be
-// taken for the one of period one without impacts.
+// Next to a grazing, what is still to come may bring an impact. A period is accepted if its periods
+// have the same events with every stop nearer by ten times the largest distance or estimate, which
+// counts as no less than 1e-13 of the amplitude where it is not zero. Otherwise the motion is
+// followed further until that distance is small enough, or is left undecided.
 //
 // A motion that has not settled may be irregular, or have a period above the largest one asked for,
-// or be on its way. It is on its way to an orbit of period p if its distances p periods apart fell
-// to half over the last doubling of its length.
+// or be on its way. It is on its way to an orbit of period p if period p was left undecided at
+// last, or if its distances p periods apart fell to half over the last doubling of its length.
 #pragma once
 
 #include <vector>
