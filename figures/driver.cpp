@@ -27,8 +27,8 @@ void open_folder(const std::filesystem::path &folder) {
 
 }  // namespace
 
-int command(int argc, char **argv, const std::string &purpose, const std::vector<Option> &options,
-            const std::function<int()> &run) {
+int run_program(int argc, char **argv, const std::string &purpose,
+                const std::vector<Option> &options, const std::function<int()> &run) {
   const std::string name = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "figure";
   std::string error;
   CLI::App app(purpose, name);
@@ -48,12 +48,12 @@ int command(int argc, char **argv, const std::string &purpose, const std::vector
   return 2;
 }
 
-int drive(int argc, char **argv, const std::string &purpose,
-          const std::function<void(const std::filesystem::path &)> &draw,
-          std::vector<Option> options) {
+int main_of_driver(int argc, char **argv, const std::string &purpose,
+                   const std::function<void(const std::filesystem::path &)> &draw,
+                   std::vector<Option> options) {
   std::string output = "build/figures";
   options.push_back({"--output", "Folder for the tables (created if missing)", &output});
-  return command(argc, argv, purpose, options, [&] {
+  return run_program(argc, argv, purpose, options, [&] {
     open_folder(output);
     draw(output);
     return 0;

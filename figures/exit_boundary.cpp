@@ -39,6 +39,6 @@ void draw(const std::filesystem::path &output) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  return figures::drive(argc, argv, "Exit boundaries of the sticking regions of the Figure 2 scene",
-                        draw);
+  return figures::main_of_driver(
+      argc, argv, "Exit boundaries of the sticking regions of the Figure 2 scene", draw);
 }

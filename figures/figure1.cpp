@@ -68,5 +68,6 @@ void draw(const std::filesystem::path &output) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  return figures::drive(argc, argv, "Figure 1: the chain, and its motion in Figure 2", draw);
+  return figures::main_of_driver(argc, argv, "Figure 1: the chain, and its motion in Figure 2",
+                                 draw);
 }

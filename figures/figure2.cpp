@@ -5,7 +5,7 @@
 
 int main(int argc, char **argv) {
   using namespace vibro_impact;
-  return figures::drive(
+  return figures::main_of_driver(
       argc, argv, "Figure 2: displacement of both masses", [](const std::filesystem::path &output) {
         using namespace paper;
         write(figures::parameters({figure2()}), output / "figure2_scenes.csv");

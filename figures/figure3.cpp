@@ -103,6 +103,6 @@ void draw(const std::filesystem::path &output) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  return vibro_impact::figures::drive(
+  return vibro_impact::figures::main_of_driver(
       argc, argv, "Figure 3: impact velocities against forcing frequency", draw);
 }

@@ -46,18 +46,18 @@ void draw(const std::filesystem::path &output) {
   const auto phases = [](double omega) {
     return figures::settled_sticking_phases(paper::figure3(omega), 1);
   };
-  const Scene at = paper::figure3(bisect(phases, before.omega, after.omega).below);
-  write(figures::parameters({before, after, at}), output / "figure4_scenes.csv");
+  const Scene touching = paper::figure3(bisect(phases, before.omega, after.omega).below);
+  write(figures::parameters({before, after, touching}), output / "figure4_scenes.csv");
   const figures::StickingPhaseRecorder two_phases = phases_of_mass_1(after);
   write(hold_force(phases_of_mass_1(before)), output / "figure4a.csv");
   write(hold_force(two_phases), output / "figure4b.csv");
-  write(hold_force(phases_of_mass_1(at)), output / "figure4_at.csv");
+  write(hold_force(phases_of_mass_1(touching)), output / "figure4_at.csv");
   write(force_between(two_phases, after), output / "figure4b_free.csv");
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  return figures::drive(argc, argv,
-                        "Figure 4: hold force on mass 1 about a multi-sliding bifurcation", draw);
+  return figures::main_of_driver(
+      argc, argv, "Figure 4: hold force on mass 1 about a multi-sliding bifurcation", draw);
 }

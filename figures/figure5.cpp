@@ -4,7 +4,7 @@
 
 int main(int argc, char **argv) {
   using namespace vibro_impact;
-  return figures::drive(
+  return figures::main_of_driver(
       argc, argv, "Figure 5: sticking-impact, grazing-sticking, close to dual sticking",
       [](const std::filesystem::path &output) {
         using namespace paper;

@@ -48,5 +48,5 @@ void draw(const std::filesystem::path &output) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  return drive(argc, argv, "The frequencies that the paper's text does not give", draw);
+  return main_of_driver(argc, argv, "The frequencies that the paper's text does not give", draw);
 }

@@ -171,6 +171,6 @@ void draw(const std::filesystem::path &output) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  return figures::drive(argc, argv, "What the author's procedure may have made of the motion",
-                        draw);
+  return figures::main_of_driver(argc, argv,
+                                 "What the author's procedure may have made of the motion", draw);
 }

@@ -43,6 +43,6 @@ void draw(const std::filesystem::path &output) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  return vibro_impact::figures::drive(argc, argv, "Table I: a motion for each pair of events",
-                                      draw);
+  return vibro_impact::figures::main_of_driver(argc, argv,
+                                               "Table I: a motion for each pair of events", draw);
 }

@@ -21,7 +21,7 @@ constexpr const char *documents[] = {"README.md", "figures/README.md",
 
 int main(int argc, char **argv) {
   std::string reference, folder;  // empty for those of the project
-  return command(
+  return run_program(
       argc, argv, "Computes every key number and every published result and compares them",
       {{"--reference", "Folder of the tables of references, if not the project's", &reference},
        {"--write", "Folder of the project, whose documents are written first", &folder}},

@@ -4,7 +4,7 @@
 #include <boost/math/statistics/linear_regression.hpp>
 #include <stdexcept>
 
-#include "results_of_others.hpp"
+#include "published_results.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -27,8 +27,8 @@ double change_of(const Count &count, double one, double other) {
 
 }  // namespace
 
-std::vector<numbers::Occurrence<double>> LibraryEngine::events(const paper::NamedScene &run) {
-  std::vector<numbers::Occurrence<double>> events;
+std::vector<numbers::TimedEvent<double>> LibraryEngine::events(const paper::NamedScene &run) {
+  std::vector<numbers::TimedEvent<double>> events;
   for (const Event &event : events_of(run.scene, 0.0, run.until))
     events.push_back({event.time, event.kind, event.mass, contact_mode_name(event.held)});
   return events;
@@ -63,9 +63,9 @@ double LibraryEngine::least_pressing(const paper::NamedScene &run, std::size_t s
 }
 
 double LibraryEngine::changing_frequency(const Scene &scene, int mass, double near, double far,
-                                         numbers::Motion motion) {
+                                         numbers::Change motion) {
   const MotionState start =
-      motion == numbers::Motion::followed
+      motion == numbers::Change::followed
           ? state_after_periods(with(scene, "omega", near), paper::figure4_settling_periods)
           : start_of(scene);
   return change_of(
@@ -134,7 +134,7 @@ const numbers::Quantities<LibraryEngine> &library_quantities() {
     add("exit_slope", " mass", [](const Arguments &given) { return exit_boundary(given).second; });
     add("exit_intercept", " mass",
         [](const Arguments &given) { return exit_boundary(given).first; });
-    all.merge(others::quantities());
+    all.merge(published::quantities());
     return all;
   }();
   return quantities;

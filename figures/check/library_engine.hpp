@@ -12,7 +12,7 @@ namespace vibro_impact::figures {
 struct LibraryEngine {
   using Number = double;
 
-  std::vector<numbers::Occurrence<double>> events(const paper::NamedScene &run);
+  std::vector<numbers::TimedEvent<double>> events(const paper::NamedScene &run);
   double period(const Scene &scene);
   // The range of samples 1e-4 apart.
   Range range(const paper::NamedScene &run, int mass, const numbers::Interval<double> &window);
@@ -21,7 +21,7 @@ struct LibraryEngine {
   // On the periodic orbit to which the motion settles.
   double least_pressing(const paper::NamedScene &run, std::size_t stop);
   double changing_frequency(const Scene &scene, int mass, double near, double far,
-                            numbers::Motion motion);
+                            numbers::Change motion);
   // The stop is put back into the settled motion without it, because the motion from rest may hit
   // the stop below this frequency.
   double grazing_frequency(const Scene &scene, int mass, double near, double far);

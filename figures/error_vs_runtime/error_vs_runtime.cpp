@@ -1,5 +1,5 @@
 // Error against run time of this library and of the methods that one would otherwise pick, each
-// method swept over its own tolerance or step. README.md and error_vs_runtime/ say how each is
+// method swept over its own tolerance or step. README.md says how each is
 // used.
 #include "figures/error_vs_runtime/methods/method.hpp"
 
@@ -130,7 +130,7 @@ int main(int argc, char **argv) {
       fmt::print(stderr, "{} is not installed and left out (make peers)\n", line);
     write(table_of(measured(cases, all.methods)), output / "error_vs_runtime.csv");
   };
-  return figures::drive(
+  return figures::main_of_driver(
       argc, argv, "Error against run time of this library and other methods", compare,
       {{"--chains", "Whether chains of 10 and 200 masses are measured, too: yes or no", &chains}});
 }

@@ -20,7 +20,7 @@ struct Samples : Recorder {
   double penetration = 0.0, size = 0.0, speed = 0.0;
   bool finite = true;
 
-  Samples(const Scene &of, double end) : scene(&of), until(end) {
+  Samples(const Scene &run, double end) : scene(&run), until(end) {
   }
   double next_time() const override {
     return sample_time(0.0, until, until / 1000, taken);

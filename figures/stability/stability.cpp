@@ -38,6 +38,6 @@ void judge_all(const std::filesystem::path &output) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  return figures::drive(argc, argv, "Stability: extreme scenes against 50-digit and exact motions",
-                        judge_all);
+  return figures::main_of_driver(
+      argc, argv, "Stability: extreme scenes against 50-digit and exact motions", judge_all);
 }

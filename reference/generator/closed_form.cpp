@@ -129,7 +129,7 @@ Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector 
     const Real detuning = mode.lambda - omega * omega;
     const Real drag = 2 * mode.decay * omega;
     const Real denominator = detuning * detuning + drag * drag;
-    mode.rest = constant / mode.lambda;
+    mode.static_value = constant / mode.lambda;
     if (denominator == 0) {
       // (tau sin(Omega t))'' + Omega^2 tau sin(Omega t) = 2 Omega cos(Omega t).
       if (mode.sine_forcing != 0) throw std::runtime_error("a sine at resonance is not solved");
@@ -138,7 +138,7 @@ Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector 
       mode.forced_cos = (mode.forcing * detuning - mode.sine_forcing * drag) / denominator;
       mode.forced_sin = (mode.forcing * drag + mode.sine_forcing * detuning) / denominator;
     }
-    mode.u = q - mode.rest - mode.forced_cos * cosine - mode.forced_sin * sine;
+    mode.u = q - mode.static_value - mode.forced_cos * cosine - mode.forced_sin * sine;
     mode.w = dq - omega * (mode.forced_sin * cosine - mode.forced_cos * sine) -
              mode.secular * sine + mode.decay * mode.u;
     flow.modes.push_back(mode);
@@ -199,14 +199,14 @@ Motion motion_at(const Flow &flow, const Real &tau) {
     }
     const Real ringing = envelope * (mode.u * c + mode.w * s);
     const Real ringing_rate = envelope * (mode.u * bend * s + mode.w * c) - mode.decay * ringing;
-    const Real q = ringing + mode.rest + mode.forced_cos * motion.cosine +
+    const Real q = ringing + mode.static_value + mode.forced_cos * motion.cosine +
                    mode.forced_sin * motion.sine + mode.secular * tau * motion.sine;
     const Real dq = ringing_rate +
                     omega * (mode.forced_sin * motion.cosine - mode.forced_cos * motion.sine) +
                     mode.secular * (motion.sine + omega * tau * motion.cosine);
     // Higher derivatives from the equation of motion itself.
     const Real ddq = mode.forcing * motion.cosine + mode.sine_forcing * motion.sine -
-                     2 * mode.decay * dq - mode.lambda * (q - mode.rest);
+                     2 * mode.decay * dq - mode.lambda * (q - mode.static_value);
     const Real dddq = omega * (mode.sine_forcing * motion.cosine - mode.forcing * motion.sine) -
                       2 * mode.decay * ddq - mode.lambda * dq;
     for (std::size_t i = 0; i < flow.free.size(); ++i) {

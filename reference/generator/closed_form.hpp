@@ -31,7 +31,7 @@ struct Mode {
   Real nu;      // sqrt(|lambda - a^2|)
   Damping damping;
   Real forcing, sine_forcing;   // f, g
-  Real rest;                    // d / lambda
+  Real static_value;            // d / lambda
   Real forced_cos, forced_sin;  // particular solution
   Real secular;                 // undamped at resonance: secular tau sin(Omega t) instead
   Real u, w;

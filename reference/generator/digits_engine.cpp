@@ -181,8 +181,8 @@ const Run &DigitsEngine::run(const NamedScene &asked) {
   return runs_.back().second;
 }
 
-std::vector<numbers::Occurrence<Real>> DigitsEngine::events(const NamedScene &asked) {
-  std::vector<numbers::Occurrence<Real>> events;
+std::vector<numbers::TimedEvent<Real>> DigitsEngine::events(const NamedScene &asked) {
+  std::vector<numbers::TimedEvent<Real>> events;
   for (const Event &event : run(asked).events)
     events.push_back({event.time + event.left_out, event.kind, static_cast<int>(event.mass) + 1,
                       contact_mode(event.stuck)});
@@ -210,8 +210,8 @@ Real DigitsEngine::least_pressing(const NamedScene &asked, std::size_t stop) {
 }
 
 Real DigitsEngine::changing_frequency(const vibro_impact::Scene &scene, int mass, double near,
-                                      double far, numbers::Motion motion) {
-  const auto frequency_of = motion == numbers::Motion::from_rest
+                                      double far, numbers::Change motion) {
+  const auto frequency_of = motion == numbers::Change::from_rest
                                 ? jumping_frequency
                                 : vibro_impact_reference::changing_frequency;
   const Count sticks = [mass](const Run &run) {

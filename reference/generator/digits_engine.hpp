@@ -48,7 +48,7 @@ class DigitsEngine {
  public:
   using Number = Real;
 
-  std::vector<numbers::Occurrence<Real>> events(const NamedScene &asked);
+  std::vector<numbers::TimedEvent<Real>> events(const NamedScene &asked);
   Real period(const vibro_impact::Scene &scene);
   Extremes range(const NamedScene &asked, int mass, const numbers::Interval<double> &window);
   numbers::TurningPoint<Real> turning_point(const NamedScene &asked, int mass,
@@ -57,7 +57,7 @@ class DigitsEngine {
   Real least_pressing(const NamedScene &asked, std::size_t stop);
   /// The settled motion and the one followed from `near` are found in the same way.
   Real changing_frequency(const vibro_impact::Scene &scene, int mass, double near, double far,
-                          numbers::Motion motion);
+                          numbers::Change motion);
   /// The frequency at which the greatest displacement of the mass, its stop taken away, reaches it.
   Real grazing_frequency(vibro_impact::Scene scene, int mass, double near, double far);
 

@@ -37,12 +37,12 @@ OneImpactOrbit one_impact_orbit(const OneImpactCase &given) {
              r = scene.stops[given.stop].restitution;
   const Real period = two_pi * given.periods / omega, m = scene[&Field::mass][hit];
   Eigensystems known;
-  const Flow rest = flow_from(scene, 0, Vector(n), Vector(n), std::vector<bool>(n), known);
-  const Matrix &shapes = rest.eigen->vectors;
+  const Flow flow = flow_from(scene, 0, Vector(n), Vector(n), std::vector<bool>(n), known);
+  const Matrix &shapes = flow.eigen->vectors;
   Vector c(n), s(n), kick(n), kick_rate(n);  // c, s: damped cosine and sine / nu over the period
   Real g, b, x_cos, x_sin;                   // X = x_cos - i x_sin
   for (std::size_t j = 0; j < n; ++j) {
-    const Mode &mode = rest.modes[j];
+    const Mode &mode = flow.modes[j];
     const Real envelope = exp(-mode.decay * period), w = shapes[hit][j];
     c[j] = envelope * cos(mode.nu * period);
     s[j] = envelope * sin(mode.nu * period) / mode.nu;
@@ -68,7 +68,7 @@ OneImpactOrbit one_impact_orbit(const OneImpactCase &given) {
   OneImpactOrbit orbit{d, angle / omega, velocity, 0, Vector(n), Vector(n)};
   Real acceleration, by_delay;  // of the mass before the impact; its share in the trace
   for (std::size_t j = 0; j < n; ++j) {
-    const Mode &mode = rest.modes[j];
+    const Mode &mode = flow.modes[j];
     const Real w = shapes[hit][j], jump = (1 + r) * m * w * w;
     const Real q = p * kick[j] + mode.forced_cos * cos(angle) + mode.forced_sin * sin(angle);
     const Real dq =

@@ -39,14 +39,14 @@ Real fall_between(const SignalAt &signal_at, const Before &before, Real a, Real 
   if (!search.newton)
     return bisect([&](const Real &tau) { return before(signal_at(tau)); }, a, b, search.width);
   const Real rounding = Real("1e-49");  // of a signal of order one
-  Real at = b, last = b - a;
+  Real latest = b, last = b - a;
   for (Signal signal = signal_at(b); b - a > search.width * b;) {
-    Real next = signal.rate < 0 ? Real(at - signal.value / signal.rate) : b;
-    if (next <= a || next >= b || abs(next - at) > last / 2) next = (a + b) / 2;
-    last = abs(next - at);
+    Real next = signal.rate < 0 ? Real(latest - signal.value / signal.rate) : b;
+    if (next <= a || next >= b || abs(next - latest) > last / 2) next = (a + b) / 2;
+    last = abs(next - latest);
     if (last <= search.width * b) return next;
     signal = signal_at(next);
-    at = next;
+    latest = next;
     (before(signal) ? a : b) = next;
     if (abs(signal.value) <= rounding && signal.rate < 0) return next;
   }

@@ -131,9 +131,9 @@ std::string filled_table() {
   DigitsEngine engine;
   for (const numbers::CheckedNumber &number : known) {
     std::getline(file, line);
-    const auto comma = line.find(','), rest = line.find(',', comma + 1);
+    const auto comma = line.find(','), second = line.find(',', comma + 1);
     const std::string digits = number.of_the_paper() ? digits_of(engine, number) : number.digits;
-    table += number.id + ',' + digits + line.substr(rest) + '\n';
+    table += number.id + ',' + digits + line.substr(second) + '\n';
   }
   return table;
 }

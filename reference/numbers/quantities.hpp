@@ -1,6 +1,6 @@
 // The quantities of the paper's key numbers that are read off runs. Each is defined once and asked
 // of two engines: the library, in double precision, and the generator, in 50 digits. For key
-// numbers with a formula (kind `derived`), the generator has the formula.
+// numbers with a formula (kind `formula`), the generator has the formula.
 //
 // The engines share these questions, the scenes and the kinds of events. They share no algorithm
 // and no number type. An engine has these members, where a run starts from the initial state of its
@@ -37,7 +37,7 @@
 namespace vibro_impact::numbers {
 
 template <class Number>
-struct Occurrence {
+struct TimedEvent {
   Number time;
   EventKind kind;
   int mass;
@@ -59,14 +59,14 @@ struct TurningPoint {
 //   settled    the motion from rest changes where the settled motion ends
 //   from_rest  the motion from rest jumps to another one, and both are stable on both sides
 //   followed   the motion that settles at `near` ends; from rest another one is reached before
-enum class Motion { settled, from_rest, followed };
+enum class Change { settled, from_rest, followed };
 
 // Throws std::runtime_error for any other word.
-inline Motion motion_in(const Arguments &arguments) {
+inline Change change_in(const Arguments &arguments) {
   const std::string word = arguments.contains("motion") ? arguments.text("motion") : "settled";
-  if (word == "settled") return Motion::settled;
-  if (word == "from_rest") return Motion::from_rest;
-  if (word == "followed") return Motion::followed;
+  if (word == "settled") return Change::settled;
+  if (word == "from_rest") return Change::from_rest;
+  if (word == "followed") return Change::followed;
   throw std::runtime_error("motion '" + word + "': must be settled, from_rest or followed");
 }
 
@@ -90,11 +90,11 @@ inline std::size_t stop_of(const Scene &scene, int mass) {
 // --- Events --------------------------------------------------------------------------------------
 
 template <class Number>
-using Occurrences = std::vector<Occurrence<Number>>;
+using TimedEvents = std::vector<TimedEvent<Number>>;
 
 // The first event of a kind and a mass in an interval. Throws std::runtime_error if there is none.
 template <class Number>
-Number first_time(const Occurrences<Number> &events, EventKind kind, int mass,
+Number first_time(const TimedEvents<Number> &events, EventKind kind, int mass,
                   const Interval<Number> &interval) {
   for (const auto &event : events)
     if (event.kind == kind && event.mass == mass && event.time >= interval.from &&
@@ -123,7 +123,7 @@ inline Interval<double> window_of(const paper::NamedScene &run, const Arguments 
 // `before` the first release of the mass `release_of`.
 template <class Engine>
 Interval<typename Engine::Number> interval_of(Engine &engine, const paper::NamedScene &run,
-                                              const Occurrences<typename Engine::Number> &events,
+                                              const TimedEvents<typename Engine::Number> &events,
                                               const Arguments &given) {
   using Number = typename Engine::Number;
   const Interval<double> window = window_of(run, given);
@@ -144,7 +144,7 @@ Interval<typename Engine::Number> interval_of(Engine &engine, const paper::Named
 // The events of a run that a question is about: of a kind, of one mass if one is given, with one
 // contact mode after them if one is given, in an interval.
 template <class Engine>
-Occurrences<typename Engine::Number> asked_events(Engine &engine, const Arguments &given) {
+TimedEvents<typename Engine::Number> asked_events(Engine &engine, const Arguments &given) {
   const paper::NamedScene run = run_of(given);
   auto events = engine.events(run);
   const Interval<typename Engine::Number> asked = interval_of(engine, run, events, given);
@@ -243,7 +243,7 @@ Quantities<Engine> common_quantities() {
        {near_far_names + " motion",
         [](Engine &engine, Given given) {
           return engine.changing_frequency(run_of(given).scene, given.mass("mass"),
-                                           given.at("near"), given.at("far"), motion_in(given));
+                                           given.at("near"), given.at("far"), change_in(given));
         }}},
       {"grazing_frequency", {near_far_names, [](Engine &engine, Given given) {
                                return engine.grazing_frequency(run_of(given).scene,

@@ -148,11 +148,12 @@ inline Differences compare_grazing(const std::vector<Event> &events,
     return grazing_speed * (1.0 + (1.0 + scene.restitution) * static_cast<double>(touch));
   };
   Differences result;
-  std::size_t at = 0;
+  std::size_t touch = 0;
   for (const Event &event : events) {
-    while (at < touches.size() && touches[at].time + allowed(at) < event.time) ++at;
-    const double error = at < touches.size() ? std::abs(event.time - touches[at].time) : event.time;
-    if (event.kind != EventKind::impact || !(error <= allowed(at)) ||
+    while (touch < touches.size() && touches[touch].time + allowed(touch) < event.time) ++touch;
+    const double error =
+        touch < touches.size() ? std::abs(event.time - touches[touch].time) : event.time;
+    if (event.kind != EventKind::impact || !(error <= allowed(touch)) ||
         !(std::abs(event.velocity_before) <= grazing_speed)) {
       result.first = fmt::format("spurious {} at {:.17g} with velocity {:.3g}", name(event.kind),
                                  event.time, event.velocity_before);
@@ -161,7 +162,7 @@ inline Differences compare_grazing(const std::vector<Event> &events,
     result.time = std::max(result.time, error);
     result.velocity = std::max(result.velocity, std::abs(event.velocity_before));
     ++result.matched;
-    ++at;
+    ++touch;
   }
   return result;
 }

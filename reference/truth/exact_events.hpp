@@ -12,15 +12,15 @@ using Extended = long double;
 
 // A sum whose rounding does not grow with the number of terms (Neumaier).
 struct Sum {
-  Extended total = 0.0L, rest = 0.0L;
+  Extended total = 0.0L, remainder = 0.0L;
 
   void add(Extended term) {
     const Extended next = total + term;
-    rest += std::abs(total) >= std::abs(term) ? (total - next) + term : (term - next) + total;
+    remainder += std::abs(total) >= std::abs(term) ? (total - next) + term : (term - next) + total;
     total = next;
   }
   Extended value() const {
-    return total + rest;
+    return total + remainder;
   }
 };
 

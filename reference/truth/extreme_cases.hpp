@@ -14,22 +14,22 @@ namespace vibro_impact::truth {
 namespace detail {
 
 // The formula of exact_events.hpp that a row names, with the numbers of its scene.
-inline std::vector<Event> exact_events(const std::string &formula, const Case &of) {
-  const Scene &scene = of.scene;
+inline std::vector<Event> exact_events(const std::string &formula, const Case &row) {
+  const Scene &scene = row.scene;
   const double stop = scene.stops.front().position, r = scene.restitution;
   if (formula == "nothing") return {};
   if (formula == "stick") return {event_at(0.0, 1, EventKind::stick)};
   if (formula == "bounces")
-    return bounces(scene.displacement[0], stop, r, of.until, scene.masses());
-  if (formula == "rattling") return rattling(stop, scene.velocity[0], r, of.until);
+    return bounces(scene.displacement[0], stop, r, row.until, scene.masses());
+  if (formula == "rattling") return rattling(stop, scene.velocity[0], r, row.until);
   if (formula == "touches")  // half a period after the start, or a whole one if that is a touch
-    return touches((scene.displacement[0] < 0.0 ? 1 : 2) * std::numbers::pi_v<Extended>, of.until);
+    return touches((scene.displacement[0] < 0.0 ? 1 : 2) * std::numbers::pi_v<Extended>, row.until);
   if (formula == "periodic impacts") {
     const double period = 2.0 * std::numbers::pi / scene.omega;
     return periodic_impacts(scene.amplitude[0], scene.omega, r, stop,
-                            std::llround(of.from / period), std::llround(of.until / period));
+                            std::llround(row.from / period), std::llround(row.until / period));
   }
-  throw std::runtime_error(of.name + ": '" + formula + "' is no formula of exact_events.hpp");
+  throw std::runtime_error(row.name + ": '" + formula + "' is no formula of exact_events.hpp");
 }
 
 }  // namespace detail

@@ -63,21 +63,21 @@ TEST(Figure3, HasTheImpactVelocitiesAndTheSticking) {
     SCOPED_TRACE(name);
     const AxisBox box = paper::panel(name);
     auto columns = columns_of(folder + "/" + name + ".csv");
-    const Velocities of{columns["omega"], columns["v" + std::to_string(mass)]};
-    ASSERT_GT(of.omega.size(), 10000u);
-    ASSERT_EQ(of.velocity.size(), of.omega.size());
-    EXPECT_EQ(of.omega.front(), box.from);
-    EXPECT_EQ(of.omega.back(), box.to);
+    const Velocities table{columns["omega"], columns["v" + std::to_string(mass)]};
+    ASSERT_GT(table.omega.size(), 10000u);
+    ASSERT_EQ(table.velocity.size(), table.omega.size());
+    EXPECT_EQ(table.omega.front(), box.from);
+    EXPECT_EQ(table.omega.back(), box.to);
     figures::Range reached;
-    for (const double value : of.velocity) {
+    for (const double value : table.velocity) {
       ASSERT_EQ(value < 0.0, mass == 1) << "printed: v1 < 0, v2 > 0";
       reached.include(value);
     }
     EXPECT_TRUE(figures::fills_ordinate(reached, box));
     // Printed: the speeds of a chatter that ends in sticking fall to zero. In 0.37 to 0.4 those of
     // mass 1 do not: its chatter is incomplete; neither do those of mass 2 there.
-    EXPECT_LT(of.slowest_between(0.35 - 1e-9, 0.35 + 1e-9), 3e-4);
-    EXPECT_GT(of.slowest_between(0.385 - 1e-9, 0.385 + 1e-9), 5e-4);
+    EXPECT_LT(table.slowest_between(0.35 - 1e-9, 0.35 + 1e-9), 3e-4);
+    EXPECT_GT(table.slowest_between(0.385 - 1e-9, 0.385 + 1e-9), 5e-4);
     // At the frequency of Figure 4(a), the velocities of the 50 digits in their last periods.
     const std::vector<Event> events = true_events("figure4a");
     const double last = events.back().time - 2 * Clock(paper::figure4a().omega).period;
@@ -86,7 +86,7 @@ TEST(Figure3, HasTheImpactVelocitiesAndTheSticking) {
       if (event.time > last && std::abs(event.velocity_before) > paper::slowest_impact_shown)
         truth.push_back(event.velocity_before);
     truth = figures::distinct(truth);
-    const auto of_figure4a = of.at(paper::figure4a().omega);
+    const auto of_figure4a = table.at(paper::figure4a().omega);
     ASSERT_EQ(of_figure4a.size(), truth.size());
     for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(of_figure4a[i], truth[i], 1e-8);
     // The edges of sticking below 0.5 are the border orbits.
@@ -110,9 +110,9 @@ TEST(Figure3, HasTheImpactVelocitiesAndTheSticking) {
     // The chatter of mass 1 is complete from 0.331 on, where the paper prints 0.35: its speeds fall
     // to the slowest shown. Impacts follow each other at speeds in the ratio r = 0.7.
     const double edge = paper::slowest_impact_shown;
-    EXPECT_GT(of.slowest_between(0.31, 0.32), 30 * edge);
+    EXPECT_GT(table.slowest_between(0.31, 0.32), 30 * edge);
     for (double omega = 0.332; omega < 0.367; omega += 0.005)
-      EXPECT_LT(of.slowest_between(omega, omega + 0.001), edge / 0.69) << omega;
+      EXPECT_LT(table.slowest_between(omega, omega + 0.001), edge / 0.69) << omega;
   }
 }
 

@@ -67,15 +67,15 @@ std::vector<Listed> listed() {
 }
 
 TEST(InferredFrequencies, AxesAndTextLeaveThoseOfTheList) {
-  for (const Listed &of : listed())
-    for (const double omega : of.frequencies)
-      EXPECT_EQ(fitting(omega - 4e-4, omega + 4e-4, of.figure.attempt), std::vector{omega})
-          << of.figure.name;
+  for (const Listed &list : listed())
+    for (const double omega : list.frequencies)
+      EXPECT_EQ(fitting(omega - 4e-4, omega + 4e-4, list.figure.attempt), std::vector{omega})
+          << list.figure.name;
 }
 
 TEST(InferredFrequencies, TheRuleOfChoiceLeavesTheOneThatIsDrawn) {
-  for (const Listed &of : listed())
-    EXPECT_EQ(choice_among(of.frequencies), of.figure.drawn.omega) << of.figure.name;
+  for (const Listed &list : listed())
+    EXPECT_EQ(choice_among(list.frequencies), list.figure.drawn.omega) << list.figure.name;
   EXPECT_EQ(choice_among({0.2, 0.2561}), 0.2561) << "printed comes before few decimals";
   EXPECT_EQ(choice_among({0.2531, 0.25}), 0.25);
   EXPECT_THROW(choice_among({0.2531, 0.2088}), std::runtime_error) << "no choice is left";

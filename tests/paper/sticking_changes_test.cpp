@@ -20,7 +20,7 @@ std::vector<double> frequencies(int mass) {
   std::vector<double> known{0.25, 0.5};
   for (const auto &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.quantity == "changing_frequency" && number.arguments.mass("mass") == mass &&
-        numbers::motion_in(number.arguments) != numbers::Motion::followed)
+        numbers::change_in(number.arguments) != numbers::Change::followed)
       known.push_back(number.value);
   std::sort(known.begin(), known.end());
   return known;
@@ -39,13 +39,13 @@ TEST(StickingChanges, AreAllOfThoseBetween025And05) {
       const auto phases = [mass](double omega) {
         return figures::settled_sticking_phases(paper::figure3(omega), mass);
       };
-      const int here = phases(from);
-      EXPECT_NE(here, before) << "mass " << mass << " at " << known[i - 1];
+      const int count = phases(from);
+      EXPECT_NE(count, before) << "mass " << mass << " at " << known[i - 1];
       for (int k = 1; k <= 10; ++k) {
         const double omega = from + 0.1 * k * (to - from);
-        EXPECT_EQ(phases(omega), here) << "mass " << mass << " at " << omega;
+        EXPECT_EQ(phases(omega), count) << "mass " << mass << " at " << omega;
       }
-      before = here;
+      before = count;
     }
   }
   EXPECT_EQ(changes, 13u);

@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "figures/check/results_of_others.hpp"
+#include "figures/check/published_results.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "tests/support/events.hpp"
 
@@ -50,7 +50,7 @@ TEST(OneImpact, MultipliersAndFortyPeriodsAreThoseOfTheClosedForm) {
     const auto trace = std::reduce(multipliers.begin(), multipliers.end());
     EXPECT_NEAR(trace.real(), row[3], 1e-12);
     if (given.branch == 0) {
-      EXPECT_NEAR(others::multiplier_near(1.0, multipliers), 1.0,
+      EXPECT_NEAR(published::multiplier_near(1.0, multipliers), 1.0,
                   given.scene.forced() ? 1e-12 : 1e-6);
     }
     const double period = Clock(given.scene.omega).period;
@@ -89,7 +89,7 @@ TEST(OneImpact, TwoOrbitsCoexistWithRestUpToTheirFold) {
 TEST(OneImpact, FoldsOfVividAreThoseOfTheClosedForm) {
   for (const auto &printed : numbers::checked_numbers(REFERENCE_DIR)) {
     if (printed.source != "vivid" || printed.quantity != "fold_multiplier") continue;
-    const Scene scene = others::after_impact(printed.arguments).first;
+    const Scene scene = published::after_impact(printed.arguments).first;
     const auto fold = vibro_impact_reference::one_impact_orbit({printed.id, scene, 2, 0});
     const double amplitude = scene.amplitude[0];
     EXPECT_NEAR(amplitude / static_cast<double>(fold.stop), amplitude, 1e-10) << printed.id;

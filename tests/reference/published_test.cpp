@@ -1,5 +1,5 @@
 // Results of other authors beyond the one number of each row that `make check` compares.
-#include "figures/check/results_of_others.hpp"
+#include "figures/check/published_results.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ TEST(Vivid, TimeOfTheImpactIsThePrintedOne) {
   for (const CheckedNumber &point : numbers::checked_numbers(REFERENCE_DIR)) {
     if (point.source != "vivid" || point.quantity != "doubling_multiplier") continue;
     ++points;
-    const others::OneImpactOrbit found = others::one_impact_orbit(point.arguments);
+    const published::OneImpactOrbit found = published::one_impact_orbit(point.arguments);
     const double period = Clock(found.scene.omega).period;
     EXPECT_NEAR(std::remainder(found.impact.time - point.arguments.at("time"), period), 0.0, 1e-9)
         << point.id;

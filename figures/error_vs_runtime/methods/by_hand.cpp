@@ -39,9 +39,9 @@ struct Program {
   double fastest = 0.0;  // a bound of the frequencies
   Weights weights = Weights(chain.restitution);
   std::array<Chatter, 2> chatters = {};
-  // The coefficients of the equation of motion, u' = diagonal w + off w of the other mass + rest +
-  // drive cos, w = g + beta u.
-  Pair diagonal = {}, off = {}, rest = {}, drive = {};
+  // The coefficients of the equation of motion, u' = diagonal w + off w of the other mass +
+  // constant + drive cos, w = g + beta u.
+  Pair diagonal = {}, off = {}, constant = {}, drive = {};
   std::size_t order = 0;
   std::array<Pair, highest_order> gap = {}, guards = {};  // Taylor coefficients
 
@@ -56,7 +56,7 @@ struct Program {
       const GapEquation &e = chain.equation[i];
       diagonal[i] = e.gap[i];
       off[i] = e.gap[1 - i];
-      rest[i] = e.rest;
+      constant[i] = e.constant;
       drive[i] = e.drive;
       largest = std::max(largest, std::abs(e.gap[0]) + std::abs(e.gap[1]));
     }
@@ -71,18 +71,18 @@ struct Program {
     const Pair free{now.held[0] ? 0.0 : 1.0, now.held[1] ? 0.0 : 1.0}, held = 1.0 - free;
     gap[0] = Pair{now.y[0], now.y[2]};
     gap[1] = Pair{now.y[1], now.y[3]};
-    Pair constant = rest;
+    Pair outside = constant;
     double force = now.cosine, next_force = -chain.omega * now.sine;
     for (std::size_t n = 0; n <= order; ++n) {
       const double inverse = orders.inverse[n];
       const double damping = beta * inverse * static_cast<double>(n + 1);
       const Pair known =
-          inverse * (diagonal * gap[n] + off * swapped(gap[n]) + constant + drive * force);
+          inverse * (diagonal * gap[n] + off * swapped(gap[n]) + outside + drive * force);
       const Pair next =
           known + ((damping * diagonal) * gap[n + 1] + (damping * off) * swapped(gap[n + 1]));
       gap[n + 2] = free * next;
       guards[n] = gap[n] - held * next / inverse;
-      constant = Pair{};
+      outside = Pair{};
       force = std::exchange(next_force, -chain.omega * chain.omega * inverse * force);
     }
   }

@@ -31,7 +31,7 @@ struct ClosedForm {
     std::array<double, 2> shape;
     Complex exponent;
   };
-  std::array<double, 2> rest = {};  // of the masses
+  std::array<double, 2> equilibrium = {};  // of the masses
   std::array<Complex, 2> steady = {};
   std::vector<Mode> modes = {};
 };
@@ -43,9 +43,9 @@ ClosedForm closed_form(const Scene &scene, const std::array<bool, 2> &held) {
   std::array<double, 2> pull{};  // of a held neighbour on a free mass
   for (std::size_t i = 0; i < 2; ++i) {
     if (!held[i]) continue;
-    form.rest[i] = scene.stops[i].position;
+    form.equilibrium[i] = scene.stops[i].position;
     sides[i] = static_cast<signed char>(scene.stops[i].side);
-    pull[1 - i] = scene.stiffness[1] * form.rest[i];
+    pull[1 - i] = scene.stiffness[1] * form.equilibrium[i];
   }
   const NaturalModes natural = natural_modes(scene, sides);
   for (std::size_t j = 0; j < natural.lambda.size(); ++j) {
@@ -61,7 +61,7 @@ ClosedForm closed_form(const Scene &scene, const std::array<bool, 2> &held) {
     const Complex response =
         force / Complex(lambda - scene.omega * scene.omega, 2 * decay * scene.omega);
     for (std::size_t i = 0; i < 2; ++i) {
-      form.rest[i] += shape[i] * constant / lambda;
+      form.equilibrium[i] += shape[i] * constant / lambda;
       form.steady[i] += shape[i] * response;
     }
     form.modes.push_back({shape, {-decay, std::sqrt(lambda - decay * decay)}});
@@ -93,7 +93,7 @@ struct Samples {
       double q = 0.0, rate = 0.0;  // of the free motion in this mode
       for (std::size_t i = 0; i < 2; ++i) {
         const Complex steady = form->steady[i] * turn;
-        const double x = state.displacement[i] - form->rest[i] - steady.real();
+        const double x = state.displacement[i] - form->equilibrium[i] - steady.real();
         const double v = state.velocity[i] + chain.omega * steady.imag();
         q += shape[i] * scene.mass[i] * x;
         rate += shape[i] * scene.mass[i] * v;
@@ -126,7 +126,7 @@ struct Samples {
     for (std::size_t i = 0; i < 2; ++i) {
       if (now.held[i]) continue;
       const Complex steady = form->steady[i] * turn;
-      y[2 * i] = chain.side[i] * (chain.stop[i] - x[i] - form->rest[i] - steady.real());
+      y[2 * i] = chain.side[i] * (chain.stop[i] - x[i] - form->equilibrium[i] - steady.real());
       y[2 * i + 1] = -chain.side[i] * (v[i] - chain.omega * steady.imag());
     }
     return y;

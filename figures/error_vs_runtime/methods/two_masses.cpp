@@ -35,11 +35,11 @@ TwoMasses two_masses(const Scene &scene) {
   for (std::size_t i = 0; i < 2; ++i) {
     GapEquation &e = chain.equation[i];
     const double per_mass = chain.side[i] / scene.mass[i];
-    e.rest = 0.0;
+    e.constant = 0.0;
     for (std::size_t j = 0; j < 2; ++j) {
       e.gap[j] = -per_mass * stiffness[i][j] * chain.side[j];
       e.speed[j] = scene.beta * e.gap[j];
-      e.rest += per_mass * stiffness[i][j] * chain.stop[j];
+      e.constant += per_mass * stiffness[i][j] * chain.stop[j];
     }
     e.drive = scene.amplitude.empty() ? 0.0 : -per_mass * scene.amplitude[i];
   }
@@ -86,10 +86,10 @@ void apply_event(const TwoMasses &chain, GapState &state, std::size_t i, double 
   speed = std::abs(chain.restitution * speed);
   const double pressing = -chain.acceleration(i, state.y, cosine);
   if (speed < slowest && pressing > 0.0) {
-    const double rest = 2.0 * speed / (pressing * (1.0 - chain.restitution));
+    const double time_left = 2.0 * speed / (pressing * (1.0 - chain.restitution));
     speed = 0.0;
     state.held[i] = true;
-    result.events.push_back(event_at(state.time + rest, mass, EventKind::stick));
+    result.events.push_back(event_at(state.time + time_left, mass, EventKind::stick));
   }
   const std::size_t j = 1 - i;
   if (state.held[j] && chain.acceleration(j, state.y, cosine) > 0.0) {

@@ -14,12 +14,12 @@ namespace vibro_impact::comparison {
 
 using Vec = std::array<double, 4>;  // g1, u1, g2, u2
 
-// u_i' = gap[0] g_1 + speed[0] u_1 + gap[1] g_2 + speed[1] u_2 + rest + drive cos(Omega t) (Eqs. 1
-// and 2 in gap coordinates). The same expression for a held mass is minus the force that presses it
-// into its stop, per mass (Eqs. 12 and 13).
+// u_i' = gap[0] g_1 + speed[0] u_1 + gap[1] g_2 + speed[1] u_2 + constant + drive cos(Omega t)
+// (Eqs. 1 and 2 in gap coordinates). The same expression for a held mass is minus the force that
+// presses it into its stop, per mass (Eqs. 12 and 13).
 struct GapEquation {
   std::array<double, 2> gap, speed;
-  double rest, drive;
+  double constant, drive;
 };
 
 struct TwoMasses {
@@ -30,7 +30,7 @@ struct TwoMasses {
   template <class State>  // Vec, or the numbers of a vector of CVODE
   double acceleration(std::size_t i, const State &y, double cosine) const {
     const GapEquation &e = equation[i];
-    return e.gap[0] * y[0] + e.speed[0] * y[1] + e.gap[1] * y[2] + e.speed[1] * y[3] + e.rest +
+    return e.gap[0] * y[0] + e.speed[0] * y[1] + e.gap[1] * y[2] + e.speed[1] * y[3] + e.constant +
            e.drive * cosine;
   }
 };

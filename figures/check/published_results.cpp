@@ -1,4 +1,4 @@
-#include "results_of_others.hpp"
+#include "published_results.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "figures/measures/runs.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 
-namespace vibro_impact::others {
+namespace vibro_impact::published {
 
 using extremes::one_mass;
 
@@ -151,4 +151,4 @@ numbers::Quantities<figures::LibraryEngine> quantities() {
   return all;
 }
 
-}  // namespace vibro_impact::others
+}  // namespace vibro_impact::published

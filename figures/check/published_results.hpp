@@ -10,7 +10,7 @@
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
-namespace vibro_impact::others {
+namespace vibro_impact::published {
 
 using numbers::Arguments;
 
@@ -34,4 +34,4 @@ OneImpactOrbit one_impact_orbit(const Arguments &p);
 
 numbers::Quantities<figures::LibraryEngine> quantities();
 
-}  // namespace vibro_impact::others
+}  // namespace vibro_impact::published
