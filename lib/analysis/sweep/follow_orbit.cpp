@@ -72,23 +72,31 @@ void add_special_points(const Branch &branch, const Orbit &a, const Orbit &b,
     const Sign sign_of = sign_and_kind.first;
     const BranchPoint kind = sign_and_kind.second;
     if (!(sign_of(a) * sign_of(b) < 0.0)) continue;
-    Orbit orbit;
+    Orbit nearest;
+    double least = infinity, part_of_nearest = 0.0;
     const auto value = [&](double part) {
-      const std::optional<Orbit> between = branch.orbit_at(a.u + part * chord, normal);
-      if (!between) throw std::runtime_error("no orbit on the chord");
-      orbit = *between;
-      return sign_of(orbit);
+      const std::optional<Orbit> orbit = branch.orbit_at(a.u + part * chord, normal);
+      if (!orbit) throw std::runtime_error("no orbit on the chord");
+      const double sign = sign_of(*orbit);
+      if (std::abs(sign) < least) {
+        least = std::abs(sign);
+        part_of_nearest = part;
+        nearest = *orbit;
+      }
+      return sign;
     };
     try {
-      const double part = zero(value, 0.0, 1.0), left = std::abs(value(part));
-      if (left > 1e-6 * (std::abs(sign_of(a)) + std::abs(sign_of(b)))) continue;  // a jump
-      // At a fold the parameter is greater than on both sides, or smaller.
-      const double q = branch.parameter(orbit.u);
-      const bool turns = (q - branch.parameter(a.u)) * (q - branch.parameter(b.u)) > 0.0;
-      found.push_back(
-          {part, {orbit, turns && kind == BranchPoint::branching ? BranchPoint::fold : kind}});
-    } catch (const std::runtime_error &) {  // the point is left out
+      zero(value, 0.0, 1.0);
+    } catch (
+        const std::runtime_error &) {  // the matrix of Newton's method is singular at a branching
     }
+    if (least > 1e-6 * (std::abs(sign_of(a)) + std::abs(sign_of(b)))) continue;  // a jump
+    // At a fold the parameter is greater than on both sides, or smaller.
+    const double q = branch.parameter(nearest.u);
+    const bool turns = (q - branch.parameter(a.u)) * (q - branch.parameter(b.u)) > 0.0;
+    found.push_back(
+        {part_of_nearest,
+         {nearest, turns && kind == BranchPoint::branching ? BranchPoint::fold : kind}});
   }
   std::ranges::sort(found, {}, [](const auto &point) { return point.first; });
   for (const auto &[part, point] : found)
