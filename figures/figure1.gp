@@ -9,14 +9,14 @@ masses = STATS_records
 array shift[9]; array action[9]
 do for [i = 1:9] { shift[i] = 0; action[i] = '' }
 
-# The masses stand on a floor. A spring and a damper join each to the one before, the first to a wall.
+# The masses stand on a floor, which goes beyond the place of the last mass by `right`. A spring and a
+# damper join each to the one before, the first to a wall. Where `masses_left_out` is 1, dots stand for
+# some masses before the last one.
 distance = 2.4
 half = 0.4  # of the width of a mass; the wall stands at this place, so that the links are equal
 face(i, side) = i == 0 ? half : i * distance + shift[i] + side * half
 along(i, part) = face(i - 1, 1) + part * (face(i, -1) - face(i - 1, 1))
 face_of_stop(i) = i * distance + stop[i] + side[i] * half
-right = 1  # how far the floor goes beyond the place of the last mass
-masses_left_out = 0  # before the last mass: none, or some, for which dots stand
 subscript(i) = masses_left_out && i == masses ? 'N' : sprintf('%d', i)
 dots_before(i) = masses_left_out && i == masses
 
@@ -79,6 +79,7 @@ if (kind ne 'gif') {
 }
 if (kind eq 'gif' || kind eq 'svg') {
   motion = data.'/figure1_motion.csv'
+  right = 1; masses_left_out = 0
   stats [*:*] [*:*] motion using 't' nooutput
   begin = STATS_min; end = STATS_max; frames = STATS_records
   eval scenes('figure1')

@@ -1,6 +1,6 @@
 # Runs what the README shows: the commands of its `sh` block and its C++ program, with the program and
 # the libraries of this build, and the programs at the head of public headers. Every file that the
-# README links to must exist.
+# README links to, and every test that a document names, must exist.
 # cmake -D source=... -D build=... -D compiler=... -D flags=... -D folder=... -P readme.cmake
 cmake_minimum_required(VERSION 3.21)
 file(READ ${source}/README.md text)
@@ -16,6 +16,19 @@ foreach(link IN LISTS links)
   if(NOT EXISTS ${source}/${file})
     message(SEND_ERROR "README.md names ${file}, which is not there")
   endif()
+endforeach()
+
+# Every test that a document names has a file.
+foreach(document README.md CONTRIBUTING.md tests/README.md figures/README.md reference/README.md)
+  file(READ ${source}/${document} names)
+  string(REGEX MATCHALL "`[a-z0-9_]+_test`" names "${names}")
+  foreach(name IN LISTS names)
+    string(REPLACE "`" "" name ${name})
+    file(GLOB found ${source}/tests/*/${name}.cpp)
+    if(NOT found)
+      message(SEND_ERROR "${document} names ${name}, which is no test")
+    endif()
+  endforeach()
 endforeach()
 
 function(text_of_block language variable)  # the text of the first block in that language
