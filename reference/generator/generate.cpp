@@ -1,7 +1,6 @@
 // Writes the reference tables: the events of the paper's scenes and its key numbers. See
 // reference/README.md.
 #include "one_impact.hpp"
-#include "reference/truth/degenerate_cases.hpp"
 #include "reference/truth/extreme_cases.hpp"
 #include "tables.hpp"
 
@@ -17,10 +16,10 @@ namespace {
 
 using namespace vibro_impact_reference;
 
-/// The events of those of these cases whose truth is the generator's, one table.
-std::string cases_table(const std::vector<vibro_impact::truth::Case> &cases) {
+/// The events of those extreme cases whose truth is the generator's, one table.
+std::string extremes_table() {
   std::string table = std::string("case,") + columns;
-  for (const auto &extreme : cases) {
+  for (const auto &extreme : vibro_impact::truth::extreme_cases()) {
     if (extreme.truth != vibro_impact::truth::Truth::digits) continue;
     const Scene scene = in_digits(extreme.scene, extreme.until);
     const std::vector<Event> events =
@@ -110,16 +109,15 @@ std::string work_precision_events() {
 
 constexpr const char *tables =
     "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, checked_numbers, extremes, "
-    "degenerate, one_impact, work_precision_states, work_precision_events, number:<id of a key "
+    "one_impact, work_precision_states, work_precision_events, number:<id of a key "
     "number>";
 
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
   if (name == "checked_numbers") return filled_table();
   if (name.starts_with("number:")) return digits_of(name.substr(7));
-  if (name == "extremes") return cases_table(vibro_impact::truth::extreme_cases());
+  if (name == "extremes") return extremes_table();
   if (name == "one_impact") return one_impact_table();
-  if (name == "degenerate") return cases_table(vibro_impact::truth::degenerate_cases());
   if (name == "work_precision_states") return work_precision_states();
   if (name == "work_precision_events") return work_precision_events();
   for (const auto &[scene_name, scene, until] : vibro_impact::paper::named_scenes())
