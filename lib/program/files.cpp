@@ -1,6 +1,5 @@
 #include "files.hpp"
 
-#include <fmt/ranges.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "vibro_impact/scene_text.hpp"
@@ -90,40 +90,37 @@ std::string path_of(std::FILE *file) {
 
 namespace {
 
-constexpr std::size_t before_number = sizeof "row 01234567 " - 1;
+constexpr std::size_t before_text = sizeof "row 01234567 " - 1;
+constexpr char end_of_text = '\x1f', end_of_line = '\x1e';  // the unit and record separators
 
-struct Record {
-  std::size_t row = 0;
+// The line with this text behind its checksum.
+std::string checked(const std::string &text) {
+  return fmt::format("row {:08x} {}", checksum_of(text), text);
+}
+
+struct Row {
+  std::size_t number = 0;
   Texts texts = {};
-  bool whole = true, fits = false;  // the file does not end within it; it has the right checksum
 };
 
-Record read_record(std::istream &file) {
-  Record record;
-  std::string line;
-  std::size_t sizes[4] = {};
-  record.whole = std::getline(file, line) && !file.eof();
-  constexpr std::size_t most = 1'000'000'000;  // bytes of a row
-  if (std::sscanf(line.c_str(), "row %*8x %zu %zu %zu %zu %zu", &record.row, &sizes[0], &sizes[1],
-                  &sizes[2], &sizes[3]) < 5 ||
-      std::ranges::any_of(sizes, [](std::size_t size) { return size > most; }))
-    return record;
-  for (std::size_t k = 0; k < record.texts.size(); ++k) {
-    record.texts[k].resize(sizes[k]);
-    file.read(record.texts[k].data(), static_cast<std::streamsize>(sizes[k]));
-  }
-  record.whole = record.whole && file;
-  record.fits = journal_record(record.row, record.texts).starts_with(line + '\n');
-  return record;
+// The row of a line without its end, or nothing if it does not fit its checksum.
+std::optional<Row> row_of(std::string line) {
+  const std::string text = line.substr(std::min(line.size(), before_text));
+  if (line != checked(text)) return {};
+  std::ranges::replace(line, end_of_line, '\n');
+  const auto parts = detail::parts_of(std::string_view(line).substr(before_text), end_of_text);
+  Row row{std::stoull(std::string(parts[0]))};
+  for (std::size_t k = 0; k < row.texts.size(); ++k) row.texts[k] = parts.at(k + 1);
+  return row;
 }
 
 }  // namespace
 
-std::string journal_record(std::size_t row, const Texts &texts) {
-  const std::string checked =
-      fmt::format("{} {} {} {} {}\n{}", row, texts[0].size(), texts[1].size(), texts[2].size(),
-                  texts[3].size(), fmt::join(texts, ""));
-  return fmt::format("row {:08x} {}", checksum_of(checked), checked);
+std::string journal_line(std::size_t row, const Texts &texts) {
+  std::string text = fmt::format("{}", row);
+  for (const std::string &of_table : texts) text += end_of_text + of_table;
+  std::ranges::replace(text, '\n', end_of_line);
+  return checked(text) + '\n';
 }
 
 Journal::Journal(const std::string &path, const std::string &head, std::size_t rows, bool resume)
@@ -141,12 +138,12 @@ Journal::Journal(const std::string &path, const std::string &head, std::size_t r
   if (!head.starts_with(text))
     refuse("{}: not the rows of this sweep: its options and its program must be the same", path);
   const bool is_begun = text == head;  // else a new file, or the sweep was killed at once
-  for (end_ = is_begun ? head.size() : 0; is_begun && file.peek() != EOF;
-       end_ = static_cast<std::uint64_t>(file.tellg())) {
-    const Record record = read_record(file);
-    if (!record.whole) break;
-    if (!record.fits || record.row >= rows) refuse("{}", damage_at(end_));
-    places_[record.row] = end_;
+  end_ = is_begun ? head.size() : 0;
+  for (std::string line; is_begun && std::getline(file, line) && !file.eof();
+       end_ += line.size() + 1) {
+    const std::optional<Row> row = row_of(line);
+    if (!row || row->number >= rows) refuse("{}", damage_at(end_));
+    places_[row->number] = end_;
   }
   fs::resize_file(path, end_);
   if (!is_begun) append(head);
@@ -169,20 +166,21 @@ void Journal::append(const std::string &text) {
   end_ += text.size();
 }
 
-void Journal::add(const std::string &record) {
+void Journal::add(const std::string &line) {
   const std::uint64_t place = end_;
-  append(record);
-  places_[std::stoull(record.substr(before_number))] = place;
+  append(line);
+  places_[std::stoull(line.substr(before_text))] = place;
 }
 
 void Journal::read(const std::function<void(const Texts &texts)> &use) const {
   std::ifstream file(path_of(file_.get()), std::ios::binary);
-  for (std::size_t row = 0; row < places_.size(); ++row) {
-    file.seekg(static_cast<std::streamoff>(places_[row]));
-    const Record record = read_record(file);
-    if (!record.whole || !record.fits || record.row != row)
-      throw std::runtime_error(damage_at(places_[row]));
-    use(record.texts);
+  std::string line;
+  for (std::size_t number = 0; number < places_.size(); ++number) {
+    file.seekg(static_cast<std::streamoff>(places_[number]));
+    std::getline(file, line);
+    const std::optional<Row> row = row_of(line);
+    if (!row || row->number != number) throw std::runtime_error(damage_at(places_[number]));
+    use(row->texts);
   }
 }
 

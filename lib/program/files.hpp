@@ -69,29 +69,28 @@ void write_text(std::string text, const std::string &path);
 // reason why it has no record, if it has none.
 using Texts = std::array<std::string, 4>;
 
-// The record of a journal: a line `row <checksum> <number of the row> <bytes> <bytes> <bytes>
-// <bytes>`, and behind it the texts of this row of the sweep. The checksum is that of everything
-// behind it.
-std::string journal_record(std::size_t row, const Texts &texts);
+// The line of a journal with these texts: `row`, the checksum of what follows, the number of the
+// row, and the texts, in which a record separator of ASCII stands for the end of a line.
+std::string journal_line(std::size_t row, const Texts &texts);
 
-// The journal of an unfinished sweep: a file of which the memory has the places of the records
-// only. It begins with the head, which names the sweep. The records stand in any order; if a row
-// has several, the last counts. A sweep that was killed may leave a record that the end of the file
-// cuts. Such a record is removed, and its row is computed again. A lock on the file, which ends
-// with the process, keeps a second sweep away.
+// The journal of an unfinished sweep: a file of which the memory has the places of the lines only.
+// It begins with the head, which names the sweep. The lines stand in any order; if a row has
+// several, the last counts. A sweep that was killed may leave a last line without its end. Such a
+// line is removed, and its row is computed again. A lock on the file, which ends with the process,
+// keeps a second sweep away.
 class Journal {
  public:
   // Begins the file of a sweep with so many rows at `path`, or reads and extends an existing one.
   // Throws std::invalid_argument for a file that cannot be opened, that another process has locked,
-  // that exists although `resume` is false, or that has another head, and for a record that does
-  // not fit its checksum.
+  // that exists although `resume` is false, or that has another head, and for a line that does not
+  // fit its checksum.
   Journal(const std::string &path, const std::string &head, std::size_t rows, bool resume);
 
   bool has(std::size_t row) const {
     return places_[row] != 0;
   }
-  // Adds a journal_record. Throws std::runtime_error when the file cannot be written.
-  void add(const std::string &record);
+  // Adds a journal_line. Throws std::runtime_error when the file cannot be written.
+  void add(const std::string &line);
   // Calls `use` with the texts of all rows, in the order of the rows. Throws std::runtime_error for
   // a row that another program has changed since it was added.
   void read(const std::function<void(const Texts &texts)> &use) const;
@@ -102,8 +101,8 @@ class Journal {
  private:
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
-  std::vector<std::uint64_t> places_;  // of the records in the file; 0: none
-  std::uint64_t end_ = 0;              // of the last record
+  std::vector<std::uint64_t> places_;  // of the lines in the file; 0: none
+  std::uint64_t end_ = 0;              // of the last line
 
   bool is_at_path() const;
   void append(const std::string &text);

@@ -53,16 +53,17 @@ std::vector<OrbitPoint> branch_of(const OrbitRequest &request, const OrbitPoint 
   return branch;
 }
 
-// A row for each orbit. Multipliers of held masses have empty cells.
-Table table_of(const OrbitRequest &request, const std::vector<OrbitPoint> &branch) {
-  const std::size_t n = request.scene.mass.size();
-  Table table((request.range ? request.range->parameter + "," : "") +
+// A row for each orbit of a branch, with the parameter along it, if there is one. Multipliers of
+// held masses have empty cells.
+Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> &range) {
+  const std::size_t n = branch.front().orbit.state.held.size();
+  Table table((range ? range->parameter + "," : "") +
               "kind,period,residual,stable,phase,contact_mode" + numbered_columns("x", n) +
               numbered_columns("v", n) + numbered_columns("impacts", n) +
               numbered_columns("sticks", n) + numbered_columns("re", 2 * n) +
               numbered_columns("im", 2 * n));
   for (const auto &[parameter, orbit, counts, kind] : branch) {
-    if (request.range) table.cell(parameter);
+    if (range) table.cell(parameter);
     table.cell(name(kind));
     table.cell(counts.periods);
     table.cell(orbit.residuals.empty() ? NAN : orbit.residuals.back());
@@ -83,21 +84,12 @@ Table table_of(const OrbitRequest &request, const std::vector<OrbitPoint> &branc
   return table;
 }
 
-void print(const OrbitPoint &found, double forcing_period) {
-  const PeriodicOrbit &orbit = found.orbit;
-  const MotionState &state = orbit.state;
-  fmt::print("period: {}\nresidual: {:.2g}, of {} evaluations of the map\n", found.counts.periods,
-             orbit.residuals.back(), orbit.residuals.size());
-  fmt::print("section: phase {:.15g} of {:.15g}, contact mode {}\n", state.instant.phase,
-             forcing_period, contact_mode_name(state.held));
-  for (std::size_t i = 0; i < state.displacement.size(); ++i)
-    fmt::print("mass {}: x = {:.15g}, v = {:.15g}; sticks: {}, impacts beside chatters: {}\n",
-               i + 1, state.displacement[i], state.velocity[i], found.counts.sticks[i],
-               found.counts.impacts[i]);
-  for (const std::complex<double> &multiplier : orbit.multipliers)
-    fmt::print("multiplier: {:.12f} {:+.12f}i, modulus {:.12f}\n", multiplier.real(),
-               multiplier.imag(), std::abs(multiplier));
-  fmt::print("{}\n", orbit.stable() ? "stable" : "unstable");
+// Prints the row of one orbit, a line `column = cell` each.
+void print(const Table &table) {
+  const auto lines = detail::parts_of(table.text, '\n'), names = detail::parts_of(lines[0], ','),
+             cells = detail::parts_of(lines[1], ',');
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (!cells[k].empty()) fmt::print("{} = {}\n", names[k], cells[k]);
 }
 
 }  // namespace
@@ -106,13 +98,13 @@ void run_orbit(const OrbitRequest &request) {
   check_outputs_of(request, request.table);
   const OrbitPoint found = found_orbit(request);
   const std::vector<OrbitPoint> branch = branch_of(request, found);
-  print(found, Clock(request.scene.omega).period);
+  print(table_of({found}, {}));
   for (const OrbitPoint &point : branch)
     if (point.kind != BranchPoint::orbit)
       fmt::print("{} at {} = {:.15g}\n", name(point.kind), request.range->parameter,
                  point.parameter);
   if (request.table.wanted())
-    write_text(request.head + table_of(request, branch).text, request.table.path);
+    write_text(request.head + table_of(branch, request.range).text, request.table.path);
   RunRequest run = request;
   run.start = found.orbit.state;
   run.start->instant.cycle = 0;

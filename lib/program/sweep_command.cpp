@@ -48,7 +48,7 @@ void compute_chain(const SweepRequest &request, std::size_t chain, const Process
     add_row(records, request.grid, request.records, point, result.record);
     if (result.record) add_impacts(impacts, request.grid, point, *result.record);
     if (result.record) add_section(sections, request.grid, point, *result.record);
-    send(journal_record(row, {records.text, impacts.text, sections.text, result.reason}));
+    send(journal_line(row, {records.text, impacts.text, sections.text, result.reason}));
   }
 }
 
@@ -216,8 +216,8 @@ void run_sweep(const SweepRequest &request, const Processes &processes) {
     const auto compute = [&](std::size_t k, const Processes::Take &send) {
       compute_chain(request, chains[k], send);
     };
-    const auto keep = [&](const std::string &record) {
-      journal->add(record);
+    const auto keep = [&](const std::string &line) {
+      journal->add(line);
       progress.advance();
     };
     processes.share_out(chains.size(), compute, keep);

@@ -29,10 +29,10 @@ void write(const fs::path &path, const std::string &text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 std::size_t middle(const std::string &text) {
-  return text.find("15,3\n");
+  return text.find("15,3");
 }
 
-// Ways to touch the file, given its path and its text. A record that is cut is computed again;
+// Ways to touch the file, given its path and its text. A line that is cut is computed again;
 // another one that does not fit its checksum is refused.
 struct Touch {
   const char *name;
@@ -46,14 +46,18 @@ const std::vector<Touch> touches = {
     {"cut in the head", [](auto &path, auto) { fs::resize_file(path, 5); }},
     {"cut in a row", [](auto &path, auto text) { fs::resize_file(path, middle(text)); }},
     {"cut by one character", [](auto &path, auto text) { fs::resize_file(path, text.size() - 1); }},
-    {"cut in the line before a row",
-     [](auto &path, auto text) { fs::resize_file(path, text.rfind("row ") + 9); }},
+    {"cut behind a checksum",
+     [](auto &path, auto text) { fs::resize_file(path, text.rfind('\n', text.size() - 2) + 14); }},
     {"a digit edited",
      [](auto &path, auto text) { write(path, text.replace(middle(text), 1, "9")); }, unfit},
-    {"a digit of a number of bytes edited",
-     [](auto &path, auto text) { write(path, text.replace(text.find(" 0\n", 99) + 1, 1, "7")); },
+    {"a digit of the number of a row edited",
+     [](auto &path, auto text) { write(path, text.replace(text.find(" 4") + 1, 1, "7")); }, unfit},
+    {"an end of a line edited",
+     [](auto &path, auto text) {
+       write(path, text.replace(text.find('\n', middle(text)), 1, "7"));
+     },
      unfit},
-    {"a row deleted", [](auto &path, auto text) { write(path, text.erase(middle(text), 5)); },
+    {"a row deleted", [](auto &path, auto text) { write(path, text.erase(middle(text), 4)); },
      unfit},
     {"deleted", [](auto &path, auto) { fs::remove(path); }, "", false},
     {"renamed", [](auto &path, auto) { fs::rename(path, path.string() + ".old"); }, "", false},
@@ -78,14 +82,14 @@ struct JournalFile : Runner {
     fs::create_directory(folder);
     Journal journal = open(false);
     for (std::size_t row = 0; row < row_count; row += 2)
-      journal.add(journal_record(row, texts_of(row)));
-    for (std::size_t row = 11; row < 21; row += 2) journal.add(journal_record(row, texts_of(row)));
+      journal.add(journal_line(row, texts_of(row)));
+    for (std::size_t row = 11; row < 21; row += 2) journal.add(journal_line(row, texts_of(row)));
     return journal;
   }
   // Adds the missing rows, and expects all in their order.
   static void complete(Journal &journal) {
     for (std::size_t row = row_count; row-- > 0;)
-      if (!journal.has(row)) journal.add(journal_record(row, texts_of(row)));
+      if (!journal.has(row)) journal.add(journal_line(row, texts_of(row)));
     Texts found;
     journal.read([&](const Texts &texts) {
       for (std::size_t k = 0; k < found.size(); ++k) found[k] += texts[k];

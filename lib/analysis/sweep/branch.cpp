@@ -84,7 +84,7 @@ std::optional<Orbit> Branch::orbit_at(const Vector &guess, const Vector &normal)
     const Scene scene = scene_at(orbit->u);
     EventRecorder recorder(-infinity);
     stroboscopic_map(scene, orbit->state, periods_, {}, recorder);
-    orbit->counts = counts_in(scene, recorder.events, periods_, held_);
+    orbit->counts = counts_of(scene, recorder.events, periods_, held_);
     orbit->events = without_chatters(scene, recorder.events, true);
     return orbit;
   } catch (const std::invalid_argument &) {

@@ -58,11 +58,6 @@ std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event>
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held) {
   check(scene);
-  return counts_in(scene, events, periods, held);
-}
-
-EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
-                      const Held &held) {
   require(periods >= 1, "periods = ", periods, ": must be positive");
   require_held(scene, held);
   for (const Event &event : events) require_fits(scene, event);

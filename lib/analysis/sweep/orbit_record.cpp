@@ -16,43 +16,22 @@ namespace vibro_impact {
 
 namespace {
 
-// The states at the beginnings of some forcing periods from `start`.
-struct SectionRecorder : Recorder {
-  const Scene &scene;
-  const MotionState &start;
-  int periods;
-  std::vector<std::vector<double>> section;
-
-  SectionRecorder(const Scene &of, const MotionState &from, int count)
-      : scene(of), start(from), periods(count), section{coordinates(from)} {
-  }
-
-  double next_time() const override {
-    const auto taken = static_cast<int>(section.size());
-    return taken < periods ? time_after(scene, start, taken) : infinity;
-  }
-  void sample(const Moment &moment) override {
-    section.push_back(coordinates(state_at(moment, {})));
-  }
-};
-
 // Follows the motion from where it settled for `periods` forcing periods, and records them.
 void record_on(const Scene &scene, const SettledMotion &motion, int periods,
                const RecordOptions &options, OrbitRecord &record) {
-  const double until = time_after(scene, motion.state, periods);
   RunOptions run = options.settle.run;
-  EventRecorder events(-infinity);
-  SectionRecorder section(scene, motion.state, periods);
-  std::vector<Recorder *> recorders{&events};
-  if (options.section) recorders.push_back(&section);
   if (options.impacts)
     run.limit_below_speed = std::min(run.limit_below_speed,
                                      options.slowest.value_or(slow_impact * motion.fastest_impact));
   Simulation simulation = motion.simulation;
   simulation.set_options(run);
-  require_complete(simulation.advance(until, recorders));
-  record.counts = counts_in(scene, events.events, periods, motion.state.held);
-  if (options.section) record.section = std::move(section.section);
+  EventRecorder events(-infinity);
+  MotionState state = motion.state;
+  for (int k = 1; k <= periods; ++k) {
+    if (options.section) record.section.push_back(coordinates(state));
+    state = require_complete(simulation.advance(time_after(scene, motion.state, k), events)).state;
+  }
+  record.counts = counts_of(scene, events.events, periods, motion.state.held);
   if (!options.impacts) return;
   record.impacts.resize(scene.mass.size());
   for (const Event &event : events.events)

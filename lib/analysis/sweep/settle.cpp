@@ -69,7 +69,7 @@ class Sections : public Recorder {
     for (const Event &event : events)
       motion.fastest_impact = std::max(motion.fastest_impact, std::abs(event.velocity_before));
     if (period_ > 0) {
-      motion.counts = counts_in(scene_, events, period_, motion.state.held);
+      motion.counts = counts_of(scene_, events, period_, motion.state.held);
       for (int k = period_; k-- > 0;) motion.section.push_back(latest(k).state);
       return;
     }

@@ -15,9 +15,6 @@ inline bool same_kind(const Event &a, const Event &b) {
   return a.kind == b.kind && a.stop == b.stop;
 }
 
-EventCounts counts_in(const Scene &scene, const std::vector<Event> &events, int periods,
-                      const Held &held);
-
 // The simulation has not run yet.
 SettledMotion settle(Simulation simulation, const MotionState &start, const SettleOptions &options);
 
