@@ -6,6 +6,7 @@
 
 #include "figures/measures/extreme_verdict.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
+#include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
 #include "tests/support/rates.hpp"
 #include "tests/support/refusals.hpp"
@@ -153,6 +154,31 @@ TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
   const Relative sensitivity = sensitivity_of(scene, 3.0, 1.0, motion);
   EXPECT_NEAR(sensitivity.time, 0.5 / std::sqrt(0.75), 1e-5);
   EXPECT_NEAR(sensitivity.velocity, 1.0 / std::sqrt(0.75), 1e-5);
+}
+
+// A field that a scene gains must be in a case: its truth is one that the library did not make.
+TEST(Forces, AndAllOtherFieldsOfASceneAreInACase) {
+  const auto some_case = [](const auto &holds) {
+    return std::ranges::any_of(extreme_cases(), holds, &Case::scene);
+  };
+  for (const auto &field : list_fields)
+    EXPECT_TRUE(some_case([&](const Scene &scene) { return !(scene.*field.value).empty(); }))
+        << field.name;
+  for (const auto &field : scalar_fields)
+    EXPECT_TRUE(some_case([&](const Scene &scene) {
+      return scene.*field.value != Scene{}.*field.value;
+    })) << field.name;
+}
+
+// Forces that a scene leaves out cost nothing: the work is the same to the last operation, and so
+// is the motion.
+TEST(Forces, OfZeroChangeNothing) {
+  Scene zero = paper::figure2();
+  zero.sine = zero.constant = zero.ground = {0.0, 0.0};
+  const Outcome without = simulate(paper::figure2(), 200.0), with = simulate(zero, 200.0);
+  EXPECT_EQ(without.counters.products, with.counters.products);
+  EXPECT_EQ(without.counters.expansions, with.counters.expansions);
+  EXPECT_NEAR(without.state.displacement[0], with.state.displacement[0], 1e-13);
 }
 
 // r = 1 and a stop that presses: the flights shorten without limit towards none, each as fast as
