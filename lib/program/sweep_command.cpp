@@ -42,13 +42,12 @@ void compute_chain(const SweepRequest &request, std::size_t chain, const Process
   PointRecord result;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
-    Table records, impacts, sections;
     const std::size_t point = point_of(request, row);
     result = point_record(request.grid.scene_at(point), request.records, result.record);
-    add_row(records, request.grid, request.records, point, result.record);
-    if (result.record) add_impacts(impacts, request.grid, point, *result.record);
-    if (result.record) add_section(sections, request.grid, point, *result.record);
-    send(journal_line(row, {records.text, impacts.text, sections.text, result.reason}));
+    SweepTables rows;
+    add_rows(rows, request.grid, request.records, point, result.record);
+    send(journal_line(row,
+                      {rows.records.text, rows.impacts.text, rows.section.text, result.reason}));
   }
 }
 
@@ -157,11 +156,11 @@ std::map<std::string, Missing> missing_points(const SweepRequest &request, const
 }
 
 void write_tables(const SweepRequest &request, const Journal &journal) {
-  const Table headers[] = {sweep_table(request.grid, request.records), impact_table(request.grid),
-                           section_table(request.grid)};
+  const auto [records, impacts, section] = sweep_tables(request.grid, request.records);
+  const std::string headers[] = {records.text, impacts.text, section.text};
   for (std::size_t k = 0; k < request.tables.size(); ++k) {
     const auto give = [&](const Add &add) {
-      add(request.head + headers[k].text);
+      add(request.head + headers[k]);
       journal.read([&](const Texts &texts) { add(texts[k]); });
     };
     if (request.tables[k].wanted()) write_pieces(give, request.tables[k].path);

@@ -83,9 +83,10 @@ TEST(Sweep, RecordsAreRowsOfATable) {
   record.period = 2;
   record.counts = {4, {1, 2}, {3, 4}, true};
   record.pairs = {EventPair::dual_sticking, EventPair::sticking_impact};
-  Table table = sweep_table(grid, options);
-  add_row(table, grid, options, 0, record);
-  add_row(table, grid, options, 1, std::nullopt);
+  SweepTables tables = sweep_tables(grid, options);
+  add_rows(tables, grid, options, 0, record);
+  add_rows(tables, grid, options, 1, std::nullopt);
+  const Table &table = tables.records;
   const truth::Row names = truth::cells_of(table.text.substr(0, table.text.find('\n')));
   std::istringstream text(table.text);
   const truth::Rows rows = truth::read_rows(text, "table", names.size());
@@ -232,8 +233,8 @@ TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
        "restitution = 1.5"},
       {[&] { record_columns(-1, {}); }, "masses = -1"},
       {[&] {
-         Table table("");
-         add_row(table, grid, {}, 0, OrbitRecord{});
+         SweepTables tables;
+         add_rows(tables, grid, {}, 0, OrbitRecord{});
        },
        "record: counts of 0 masses"},
       {[&] { start_near(good, {}); }, "displacement: 0 values"},

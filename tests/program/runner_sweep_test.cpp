@@ -27,9 +27,9 @@ TEST_F(Runner, ASweepGivesTheTableOfTheLibrary) {
   RecordOptions options;
   options.settle.longest = 100;
   options.lyapunov = options.pairs = true;
-  Table expected = sweep_table(grid, options);
+  SweepTables tables = sweep_tables(grid, options);
   for (std::size_t point = 0; point < grid.points(); ++point)
-    add_row(expected, grid, options, point, record_of(grid.scene_at(point), options));
+    add_rows(tables, grid, options, point, record_of(grid.scene_at(point), options));
 
   const std::string arguments =
       "sweep --vary omega=0.25:0.7:19 --vary restitution=0.3:0.9:4 --longest 100 --lyapunov "
@@ -38,7 +38,8 @@ TEST_F(Runner, ASweepGivesTheTableOfTheLibrary) {
     if (processes > 1 && !with_mpi) GTEST_SKIP() << "built without MPI";
     const Result result = run(arguments, "true", processes > 1 ? mpirun(processes) : "");
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(lines(contents(folder / "t.csv")), lines(expected.text)) << processes << " processes";
+    EXPECT_EQ(lines(contents(folder / "t.csv")), lines(tables.records.text))
+        << processes << " processes";
     EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
   }
 }

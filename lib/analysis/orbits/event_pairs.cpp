@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "motion_state.hpp"
@@ -84,25 +83,12 @@ bool sticks_at(int mass, double time, const std::vector<StopContact> &contacts, 
   });
 }
 
-// The two kinds are in the order of the enumeration.
 EventPair kind_of(ContactKind first, ContactKind second) {
-  switch (first) {
-    case ContactKind::grazing:
-      switch (second) {
-        case ContactKind::grazing:
-          return EventPair::dual_grazing;
-        case ContactKind::sticking:
-          return EventPair::grazing_sticking;
-        case ContactKind::impact:
-          return EventPair::grazing_impact;
-      }
-      break;
-    case ContactKind::sticking:
-      return second == first ? EventPair::dual_sticking : EventPair::sticking_impact;
-    case ContactKind::impact:
-      return EventPair::double_impact;
-  }
-  throw std::logic_error("contact: its kind is unknown");
+  using enum EventPair;
+  constexpr EventPair pairs[3][3] = {{dual_grazing, grazing_sticking, grazing_impact},
+                                     {grazing_sticking, dual_sticking, sticking_impact},
+                                     {grazing_impact, sticking_impact, double_impact}};
+  return pairs[static_cast<std::size_t>(first)][static_cast<std::size_t>(second)];
 }
 
 // The pair of two contacts of different masses. Returns nullopt if they do not coincide, and for
@@ -146,7 +132,7 @@ void PressedEventRecorder::check(const Scene &of_run) const {
 
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.time < from) return;
-  const std::vector<double> frequencies = local_frequencies(scene);
+  if (frequencies.empty()) frequencies = local_frequencies(scene);
   PressedEvent pressed{event};
   pressed.time_scale = 1.0 / std::ranges::min(frequencies);
   if (event.kind == EventKind::impact) {

@@ -78,18 +78,6 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
 
 namespace {
 
-void require_masses(const EventCounts &counts, const Scene &scene) {
-  require(counts.impacts.size() == scene.mass.size() && counts.sticks.size() == scene.mass.size(),
-          "record: counts of ", counts.impacts.size(), " masses, the chain has ", scene.masses());
-}
-
-// The names of the parameters, each with a comma.
-std::string parameters_of(const Grid &grid) {
-  std::string header;
-  for (const Axis &axis : grid.axes) header += axis.parameter + ",";
-  return header;
-}
-
 // The cells of the parameters of a point.
 void begin_row(Table &table, const Grid &grid, std::size_t point) {
   for (const double value : grid.values(point)) table.cell(value);
@@ -97,56 +85,49 @@ void begin_row(Table &table, const Grid &grid, std::size_t point) {
 
 }  // namespace
 
-Table sweep_table(const Grid &grid, const RecordOptions &options) {
-  std::string header = parameters_of(grid);
+SweepTables sweep_tables(const Grid &grid, const RecordOptions &options) {
+  std::string axes, records, states;
+  for (const Axis &axis : grid.axes) axes += axis.parameter + ",";
   for (const Column &column : record_columns(grid.scene.masses(), options))
-    header += column.name + ",";
-  header.pop_back();
-  return Table(header);
-}
-
-void add_row(Table &table, const Grid &grid, const RecordOptions &options, std::size_t point,
-             const std::optional<OrbitRecord> &record) {
-  if (record) require_masses(record->counts, grid.scene);
-  begin_row(table, grid, point);
-  for (const Column &column : record_columns(grid.scene.masses(), options))
-    if (record)
-      column.add_cell(table, *record);
-    else
-      table.cell(std::string_view());
-  table.end_row();
-}
-
-Table impact_table(const Grid &grid) {
-  return Table(parameters_of(grid) + "mass,velocity,stop,side,phase,impulse");
-}
-
-void add_impacts(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record) {
-  const std::vector<double> mass = grid.scene_at(point).mass;
-  for (const std::vector<Event> &of_mass : record.impacts)
-    for (const Event &impact : of_mass) {
-      begin_row(table, grid, point);
-      table.row(impact.mass, impact.velocity_before, impact.stop, name(impact.side),
-                impact.instant.phase,
-                mass[static_cast<std::size_t>(impact.mass - 1)] *
-                    std::abs(impact.velocity_before - impact.velocity_after));
-    }
-}
-
-Table section_table(const Grid &grid) {
-  std::string header = parameters_of(grid);
+    records += column.name + ",";
   for (const char *column : {"x", "v"})
     for (int mass = 1; mass <= grid.scene.masses(); ++mass)
-      header += column + std::to_string(mass) + ",";
-  header.pop_back();
-  return Table(header);
+      states += column + std::to_string(mass) + ",";
+  records.pop_back();
+  states.pop_back();
+  return {Table(axes + records), Table(axes + "mass,velocity,stop,side,phase,impulse"),
+          Table(axes + states)};
 }
 
-void add_section(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record) {
-  for (const std::vector<double> &state : record.section) {
-    begin_row(table, grid, point);
-    for (const double coordinate : state) table.cell(coordinate);
-    table.end_row();
+void add_rows(SweepTables &tables, const Grid &grid, const RecordOptions &options,
+              std::size_t point, const std::optional<OrbitRecord> &record) {
+  const std::vector<double> &mass = grid.scene.mass;
+  if (record)
+    require(
+        record->counts.impacts.size() == mass.size() && record->counts.sticks.size() == mass.size(),
+        "record: counts of ", record->counts.impacts.size(), " masses, the chain has ",
+        mass.size());
+  begin_row(tables.records, grid, point);
+  for (const Column &column : record_columns(grid.scene.masses(), options))
+    if (record)
+      column.add_cell(tables.records, *record);
+    else
+      tables.records.cell(std::string_view());
+  tables.records.end_row();
+  if (!record) return;
+  const Scene scene = grid.scene_at(point);
+  for (const std::vector<Event> &of_mass : record->impacts)
+    for (const Event &impact : of_mass) {
+      begin_row(tables.impacts, grid, point);
+      tables.impacts.row(impact.mass, impact.velocity_before, impact.stop, name(impact.side),
+                         impact.instant.phase,
+                         scene.mass[static_cast<std::size_t>(impact.mass - 1)] *
+                             std::abs(impact.velocity_before - impact.velocity_after));
+    }
+  for (const std::vector<double> &state : record->section) {
+    begin_row(tables.section, grid, point);
+    for (const double coordinate : state) tables.section.cell(coordinate);
+    tables.section.end_row();
   }
 }
 

@@ -55,6 +55,7 @@ struct PressedEventRecorder : Recorder {
   Scene scene;
   double from;
   std::vector<PressedEvent> events = {};
+  std::vector<double> frequencies = {};  // of each mass between resting neighbours, once known
 
   explicit PressedEventRecorder(const Scene &of, double from_time = 0.0)
       : scene(of), from(from_time) {

@@ -96,23 +96,22 @@ struct Column {
 // masses < 1.
 std::vector<Column> record_columns(int masses, const RecordOptions &options);
 
-// The table of a sweep without its rows: one column for each axis, then the columns of the records.
-Table sweep_table(const Grid &grid, const RecordOptions &options);
+// The tables of a sweep, each with one column for each axis and then its own:
+//   records   the columns of record_columns, one row for each point;
+//   impacts   mass, velocity before, stop, side, phase within the forcing period, impulse: the
+//             impacts of the records, mass by mass in the order of time;
+//   section   x1, x2, ..., v1, v2, ...: the states of the records at the phase of the start.
+struct SweepTables {
+  Table records = {}, impacts = {}, section = {};
+};
 
-// Adds the row of a point. The cells of a point without a record are empty behind the values of its
-// parameters. Throws std::invalid_argument for a record of another number of masses.
-void add_row(Table &table, const Grid &grid, const RecordOptions &options, std::size_t point,
-             const std::optional<OrbitRecord> &record);
+// The tables without rows.
+SweepTables sweep_tables(const Grid &grid, const RecordOptions &options);
 
-// The table of the impacts that records have, one a row: one column for each axis, mass, velocity
-// before the impact, stop, side, phase within the forcing period, impulse. `add_impacts` adds those
-// of a point, mass by mass in the order of time.
-Table impact_table(const Grid &grid);
-void add_impacts(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record);
-
-// The table of the states that records have at the phase of the start, one a row: one column for
-// each axis, x1, x2, ..., v1, v2, ...
-Table section_table(const Grid &grid);
-void add_section(Table &table, const Grid &grid, std::size_t point, const OrbitRecord &record);
+// Adds the rows of a point. A point without a record has a row of `records` alone, whose cells are
+// empty behind its parameters. Throws std::invalid_argument for a record of another number of
+// masses.
+void add_rows(SweepTables &tables, const Grid &grid, const RecordOptions &options,
+              std::size_t point, const std::optional<OrbitRecord> &record);
 
 }  // namespace vibro_impact
