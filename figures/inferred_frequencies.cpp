@@ -28,7 +28,7 @@ void add_strips(Table &table, const InferredFigure &figure, const std::vector<Tr
 }
 
 void draw(const std::filesystem::path &output) {
-  Table strips("figure,condition,number,from,to"), fits("figure,omega,decimals,printed,drawn");
+  Table strips("figure,condition,number,from,to"), fits("figure,omega,drawn");
   for (const InferredFigure &figure : inferred_figures()) {
     const std::vector<Trial> trials = scan(lowest, highest, figure.attempt);
     add_strips(strips, figure, trials);
@@ -36,8 +36,7 @@ void draw(const std::filesystem::path &output) {
     for (const Trial &trial : trials)
       if (trial.fits()) fitting.push_back(trial.omega);
     for (const double omega : fitting)
-      fits.row(figure.name, omega, decimals(omega), int{is_printed(omega)},
-               int{omega == figure.drawn.omega});
+      fits.row(figure.name, omega, int{omega == figure.drawn.omega});
     fmt::print("Figure {}: {} fit; the rule chooses {}; {} is drawn\n", figure.name,
                fmt::join(fitting, ", "), choice_among(fitting), figure.drawn.omega);
   }

@@ -20,8 +20,6 @@ opened(name, width, height) = sprintf("set terminal %s; set output '%s/%s.%s'", 
                                       terminal(width, height), data, name, kind)
 canvas(name, rows) = opened(name, 1400, 100 + 560 * rows)
 page(name, rows, columns) = canvas(name, rows).sprintf("; set multiplot layout %d,%d", rows, columns)
-# `with @image` draws a grid of colours. SVG has an area for each, which the tests can read.
-image = kind eq 'svg' ? 'image pixels' : 'image'
 
 set linetype 1 linecolor rgb '#12355b' linewidth 1.4 dashtype solid    # mass 1
 set linetype 2 linecolor rgb '#c8442c' linewidth 1.4 dashtype (9, 5)   # mass 2

@@ -1,6 +1,5 @@
 // Error against run time of this library and of the methods that one would otherwise pick, each
-// method swept over its own tolerance or step. README.md says how each is
-// used.
+// method swept over its own tolerance or step. README.md says how each is used.
 #include "figures/error_vs_runtime/methods/method.hpp"
 
 #include <fmt/format.h>

@@ -149,7 +149,7 @@ struct Reader {
                       transform.substr(scale)),
           transform.substr(0, scale) + attribute(tag, "x") + "," + attribute(tag, "y"));
     } else if (name == "image") {
-      throw std::runtime_error("an image has no digest: draw it 'with @image'");
+      throw std::runtime_error("an image has no digest: draw it as boxes");
     }
   }
 };

@@ -88,7 +88,7 @@ TEST(EventTables, OnlyImpactsOfACompleteChatterMayBeMissing) {
   using truth::event_at;
   using enum EventKind;
   const Scene scene = paper::figure2();
-  const std::vector<Event> chatter{event_at(1.0, 2, impact, 1.0), event_at(2.0, 2, impact, 1e-3),
+  const std::vector<Event> chatter{event_at(1.0, 2, impact, 1.0), event_at(2.0, 2, impact, 1e-5),
                                    event_at(2.1, 2, impact, 1e-7), event_at(2.2, 2, stick)};
   const std::vector<Event> fast{chatter[0], chatter[3]}, cut{chatter[0], chatter[1], chatter[3]},
       interrupted{chatter[0], chatter[1]}, begun{chatter[0]};
