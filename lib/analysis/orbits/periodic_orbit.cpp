@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion_state.hpp"
 #include "orbit_runs.hpp"
@@ -102,7 +103,8 @@ StroboscopicImage stroboscopic_map_and_derivative(Simulation &simulation, const 
   simulation.start_from(start);
   const Scene &scene = simulation.scene();
   TangentRecorder recorder(scene, start);
-  const Outcome end = simulation.advance(time_after(scene, start, periods), recorder);
+  EventRecorder events(-infinity);
+  const Outcome end = simulation.advance(time_after(scene, start, periods), recorder, events);
   const Eigen::MatrixXd tangents = recorder.finish(require_complete(end).state.instant);
   Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(tangents.rows(), tangents.rows());
   Eigen::Index column = 0;
@@ -110,7 +112,7 @@ StroboscopicImage stroboscopic_map_and_derivative(Simulation &simulation, const 
     derivative.col(static_cast<Eigen::Index>(coordinate)) = tangents.col(column++);
   MotionState state = end.state;
   state.instant = start.instant;
-  return {state, matrix_of(derivative), recorder.differentiable()};
+  return {state, matrix_of(derivative), recorder.differentiable(), std::move(events.events)};
 }
 
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
@@ -195,6 +197,7 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
       best = iterate.residual;
       orbit.state = at;
       orbit.multipliers = floquet_multipliers(iterate.image.derivative, at.held);
+      orbit.events = iterate.image.events;
     }
     const double allowed = newton_tolerance * iterate.size;
     orbit.converged = iterate.residual <= allowed;

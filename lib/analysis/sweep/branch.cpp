@@ -57,6 +57,9 @@ std::optional<Orbit> Branch::correct(const Vector &guess, const Vector &normal) 
     if (orbit.residual <= newton_tolerance ||
         (orbit.residual <= rounding_of_orbit && orbit.residual > 0.5 * before)) {
       orbit.multipliers = floquet_multipliers(image.derivative, held_);
+      orbit.counts = counts_of(scene, image.events, periods_, held_);
+      orbit.events = without_chatters(scene, image.events, true);
+      orbit.all_events = image.events;
       return orbit;
     }
     Vector moved = orbit.u;
@@ -79,14 +82,7 @@ std::optional<Orbit> Branch::correct(const Vector &guess, const Vector &normal) 
 
 std::optional<Orbit> Branch::orbit_at(const Vector &guess, const Vector &normal) const {
   try {
-    std::optional<Orbit> orbit = correct(guess, normal);
-    if (!orbit) return orbit;
-    const Scene scene = scene_at(orbit->u);
-    EventRecorder recorder(-infinity);
-    stroboscopic_map(scene, orbit->state, periods_, {}, recorder);
-    orbit->counts = counts_of(scene, recorder.events, periods_, held_);
-    orbit->events = without_chatters(scene, recorder.events, true);
-    return orbit;
+    return correct(guess, normal);
   } catch (const std::invalid_argument &) {
     return std::nullopt;
   } catch (const std::runtime_error &) {

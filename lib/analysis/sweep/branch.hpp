@@ -18,7 +18,8 @@ struct Orbit {
   Eigen::MatrixXd derivative = {};  // of the map, by the free coordinates in their units
   std::vector<std::complex<double>> multipliers = {};
   double residual = infinity;
-  std::vector<Event> events = {};  // of one period, without the impacts that lead to sticks
+  std::vector<Event> all_events = {};  // of one period
+  std::vector<Event> events = {};      // likewise, without the impacts that lead to sticks
   EventCounts counts = {};
 };
 

@@ -39,6 +39,7 @@ OrbitPoint point_of(const Branch &branch, const Orbit &orbit, BranchPoint kind) 
   point.orbit.multipliers = orbit.multipliers;
   point.orbit.converged = true;
   point.orbit.residuals = {orbit.residual};
+  point.orbit.events = orbit.all_events;
   return point;
 }
 
@@ -209,13 +210,10 @@ const char *name(BranchPoint kind) {
 
 OrbitPoint find_orbit(const Scene &scene, const MotionState &guess, int periods) {
   OrbitPoint point{.orbit = find_periodic_orbit(scene, guess, periods)};
-  if (!point.orbit.converged) {
+  if (point.orbit.converged)
+    point.counts = counts_of(scene, point.orbit.events, periods, point.orbit.state.held);
+  else
     point.kind = BranchPoint::lost;
-    return point;
-  }
-  EventRecorder recorder(-infinity);
-  stroboscopic_map(scene, point.orbit.state, periods, {}, recorder);
-  point.counts = counts_of(scene, recorder.events, periods, point.orbit.state.held);
   return point;
 }
 

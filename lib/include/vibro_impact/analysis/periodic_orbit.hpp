@@ -65,6 +65,7 @@ struct StroboscopicImage {
   // False when the motion met an event at which its state is not differentiable: impacts of several
   // masses at one instant, grazing, a mass coming to rest at its stop without chatter.
   bool differentiable = true;
+  std::vector<Event> events = {};  // of the run
 };
 
 // The same with its derivative by the coordinates of the masses that are free at the start. `start`
@@ -88,6 +89,7 @@ struct PeriodicOrbit {
   bool converged = false;              // if false, this is the best iterate
   std::string why_not = {};            // ... and this says why, in one line
   std::vector<double> residuals = {};  // the distances of P(z) from z, one per map evaluation
+  std::vector<Event> events = {};      // from the state on, over the periods of the orbit
 
   // True of an orbit that was found and whose multipliers all lie inside the unit circle.
   bool stable() const {
