@@ -24,7 +24,7 @@ struct Trial {
   const Method *method;
   double setting;
   Result result = {};
-  Errors errors = {};
+  Error error = {};
   long long runs_per_sample = 1;
   bool repeated = true;
   std::vector<double> microseconds = {};  // one entry per sample
@@ -67,7 +67,7 @@ void run_first(Trial &trial) {
   const double begin = processor_seconds();
   trial.result = trial.method->run(*trial.problem, trial.setting);
   double seconds = processor_seconds() - begin;
-  trial.errors = errors_of(trial.result, *trial.problem);
+  trial.error = error_of(trial.result, *trial.problem);
   trial.repeated = seconds <= long_run;
   if (!trial.repeated) return add_sample(trial, seconds);
   seconds = seconds_of(trial);
@@ -79,13 +79,13 @@ void run_first(Trial &trial) {
 
 Table table_of(const std::vector<Trial> &trials) {
   Table table(
-      "problem,method,setting,error_time,error_state,fastest_us,slowest_us,"
+      "problem,method,setting,error_time,fastest_us,slowest_us,"
       "rhs_or_expansions,impacts,failure");
   for (const Trial &trial : trials) {
     const auto [fastest, slowest] = std::ranges::minmax_element(trial.microseconds);
     table.row(trial.problem->name, truth::in_quotes(trial.method->name), trial.setting,
-              trial.errors.time, trial.errors.state, *fastest, *slowest, trial.result.work,
-              trial.result.impacts, truth::in_quotes(trial.errors.failure));
+              trial.error.time, *fastest, *slowest, trial.result.work, trial.result.impacts,
+              truth::in_quotes(trial.error.failure));
   }
   return table;
 }

@@ -59,22 +59,17 @@ class OfMethod : public ::testing::TestWithParam<const char *> {
 };
 
 // The committed table is of this code. Rounding and the engine move an error by less than a factor
-// of two, or by some roundings of t = 200; the picture shows fifteen decades. Speeds are below one,
-// so that the state at the end is off by about as much as a time. In one flight it may be off by
-// more, because the only impact comes before any effect of it.
+// of two, or by some roundings of t = 200; the picture shows fifteen decades.
 TEST_P(OfMethod, HasTheErrorsOfTheCommittedTable) {
   int compared = 0;
   for (const Measured &run : read_measured(SOURCE_DIR "/figures/error_vs_runtime/measured.csv")) {
     if (run.method != method.name || run.problem.starts_with("chain")) continue;
     ++compared;
     const Problem problem = problem_named(run.problem);
-    const Errors errors = errors_of(method.run(problem, run.setting), problem);
+    const Error error = error_of(method.run(problem, run.setting), problem);
     SCOPED_TRACE(fmt::format("{} at {} on {}", run.method, run.setting, run.problem));
-    EXPECT_LE(errors.time, 2.0 * run.error + 1e-12) << errors.failure;
-    EXPECT_GE(errors.time, 0.5 * run.error - 1e-12) << errors.failure;
-    if (run.problem != "flight") {
-      EXPECT_LE(errors.state, 10.0 * errors.time + 1e-12);
-    }
+    EXPECT_LE(error.time, 2.0 * run.error + 1e-12) << error.failure;
+    EXPECT_GE(error.time, 0.5 * run.error - 1e-12) << error.failure;
   }
   EXPECT_GE(compared, 5);
 }
@@ -211,9 +206,9 @@ TEST(ErrorAgainstRunTime, TheLibraryAndDop853HaveTheSameEventsOfAChain) {
   const Problem problem = chain_problem(10);
   EXPECT_EQ(problem.reference_events.size(), 142u);
   for (const Method &method : {this_library().front(), dop853().front()}) {
-    const Errors errors = errors_of(method.run(problem, method.settings.back()), problem);
-    EXPECT_EQ(errors.failure, "") << method.name;
-    EXPECT_LT(errors.time, 1e-11) << method.name;
+    const Error error = error_of(method.run(problem, method.settings.back()), problem);
+    EXPECT_EQ(error.failure, "") << method.name;
+    EXPECT_LT(error.time, 1e-11) << method.name;
   }
 }
 
@@ -222,8 +217,8 @@ TEST(ErrorAgainstRunTime, TheLibraryAndDop853HaveTheSameEventsOfAChain) {
 TEST(ErrorAgainstRunTime, TheErrorOfAStiffSpringFallsWithTheRootOfItsStiffness) {
   const Problem problem = problem_named("figure2");
   const Method spring = stiff_spring().front();
-  const double soft = errors_of(spring.run(problem, 1e5), problem).time;
-  const double stiff = errors_of(spring.run(problem, 1e7), problem).time;
+  const double soft = error_of(spring.run(problem, 1e5), problem).time;
+  const double stiff = error_of(spring.run(problem, 1e7), problem).time;
   EXPECT_NEAR(soft / stiff, 10.0, 2.0) << "sqrt(100), but for the next order in kappa^-1/2";
 }
 
@@ -233,20 +228,18 @@ TEST(ErrorAgainstRunTime, TheErrorOfAStiffSpringFallsWithTheRootOfItsStiffness) 
 TEST(ErrorAgainstRunTime, ThePlainSchemeStallsNearTheRootOfRoundingUnlessGivenAThreshold) {
   const Problem problem = problem_named("chatter");
   const Method plain = plain_event_driven().front();
-  const double chosen = errors_of(plain.run(problem, 1e-6), problem).time;
+  const double chosen = error_of(plain.run(problem, 1e-6), problem).time;
   EXPECT_LT(chosen, 1e-8);
-  EXPECT_GT(errors_of(plain.run(problem, 1e-4), problem).time, 100.0 * chosen);
-  EXPECT_GT(errors_of(plain.run(problem, 1e-9), problem).time, 100.0 * chosen);
+  EXPECT_GT(error_of(plain.run(problem, 1e-4), problem).time, 100.0 * chosen);
+  EXPECT_GT(error_of(plain.run(problem, 1e-9), problem).time, 100.0 * chosen);
   const Result stalled = plain.run(problem, 0.0);
   EXPECT_EQ(stalled.failure.find("more than 20000 impacts"), 0u) << stalled.failure;
-  EXPECT_LT(stalled.end.time, problem.until);
 }
 
-// The reference's own events and end, with the first release late by `delay`.
+// The reference's own events, with the first release late by `delay`.
 Result exact(const Problem &problem, double delay = 0.0) {
   Result result;
   result.events = problem.reference_events;
-  result.end = problem.reference_end;
   for (Event &event : result.events)
     if (event.kind == EventKind::release) {
       event.instant.phase += delay;
@@ -255,29 +248,18 @@ Result exact(const Problem &problem, double delay = 0.0) {
   return result;
 }
 
-TEST(Measure, IsTheLargestErrorOfATimeAndOfTheState) {
+// The events are compared as in reference_test. The first one is an impact, for which the next one
+// is taken when it is missing.
+TEST(Measure, IsTheLargestErrorOfATimeAndFailsForEventsThatDiffer) {
   const Problem problem = problem_named("figure2");
-  EXPECT_EQ(errors_of(exact(problem), problem).failure, "");
-  EXPECT_EQ(errors_of(exact(problem), problem).time, 0.0);
-  EXPECT_EQ(errors_of(exact(problem), problem).state, 0.0);
-  EXPECT_NEAR(errors_of(exact(problem, 1e-3), problem).time, 1e-3, 1e-13);  // rounding of t = 14
-  Result result = exact(problem);
-  result.end.displacement[1] += 1e-4;
-  EXPECT_NEAR(errors_of(result, problem).state, 1e-4, 1e-15);
-  result.end.velocity[0] -= 1e-2;
-  EXPECT_NEAR(errors_of(result, problem).state, 1e-2, 1e-15);
-}
-
-// The events are compared as in reference_test.
-TEST(Measure, FailsForEventsThatDifferAnEndThatIsNoNumberAndAMethodThatGaveUp) {
-  const Problem problem = problem_named("figure2");
-  Result missing = exact(problem), no_number = missing, given_up = missing;
-  missing.events.erase(missing.events.begin());  // an impact, for which the next one is taken
-  EXPECT_NE(errors_of(missing, problem).failure, "");
-  no_number.end.velocity[1] = NAN;
-  EXPECT_NE(errors_of(no_number, problem).failure, "");
+  EXPECT_EQ(error_of(exact(problem), problem).failure, "");
+  EXPECT_EQ(error_of(exact(problem), problem).time, 0.0);
+  EXPECT_NEAR(error_of(exact(problem, 1e-3), problem).time, 1e-3, 1e-13);  // rounding of t = 14
+  Result missing = exact(problem), given_up = missing;
+  missing.events.erase(missing.events.begin());
+  EXPECT_NE(error_of(missing, problem).failure, "");
   given_up.failure = "stalled";
-  EXPECT_EQ(errors_of(given_up, problem).failure, "stalled");
+  EXPECT_EQ(error_of(given_up, problem).failure, "stalled");
 }
 
 }  // namespace

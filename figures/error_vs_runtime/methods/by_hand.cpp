@@ -241,7 +241,6 @@ Result run_by_hand(const Problem &problem, double tolerance) {
     if (program.result.impacts > impacts_at_most)
       program.result.failure = lost_in_impacts(program.now.time, 1, 0.0);
   }
-  program.result.end = physical_state(chain, program.now);
   return program.result;
 }
 

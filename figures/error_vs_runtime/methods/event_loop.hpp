@@ -99,7 +99,6 @@ Result with_events(const Problem &problem, double slowest, const StepsOf &steps_
         return beyond_the_flight * flight_ahead(chain, now);
       },
       result.failure);
-  result.end = physical_state(chain, now);
   return result;
 }
 

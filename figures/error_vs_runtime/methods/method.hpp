@@ -20,15 +20,14 @@ struct TwoMassState {
   std::array<bool, 2> held = {};
 };
 
-// A stretch of the motion of a scene with two masses and one stop each, with its events and its end
-// as the 50-digit generator has them.
+// A piece of the motion of a scene with two masses and one stop each, with its events as the
+// 50-digit generator has them.
 struct Problem {
   std::string name;
   Scene scene;
   TwoMassState start;
   double until = 0.0;
   std::vector<Event> reference_events = {};
-  TwoMassState reference_end = {};
 };
 
 // Reads work_precision_states.csv and work_precision_events.csv from `reference`. Throws
@@ -37,15 +36,14 @@ std::vector<Problem> problems(const std::filesystem::path &reference);
 
 // Two forcing periods from rest of a chain of equal masses, m = k = 1, beta = 0.1, A = 0.1 on each
 // mass, Omega = 0.2, r = 0.7, with stops at -0.3 and 0.3 on each. No mass sticks. The true events
-// are those of DOP853 in `long double`, which are known to about 1e-13; there is no true end.
+// are those of DOP853 in `long double`, which are known to about 1e-13.
 Problem chain_problem(std::size_t masses);
 
 // The result of a run of a method. `failure` is empty if the run reached its end. Otherwise it says
 // in one line where and why the run stopped.
 struct Result {
   std::vector<Event> events = {};  // a method may leave out the velocities
-  TwoMassState end = {};
-  long long work = 0;  // right-hand sides, closed forms, time steps or expansions
+  long long work = 0;              // right-hand sides, closed forms, time steps or expansions
   long long impacts = 0;
   std::string failure = {};
 };
@@ -55,14 +53,13 @@ struct Result {
 // 0.05.
 constexpr double slowest_impact_compared = 1e-2;
 
-// Largest error in the time of a stick, a release or such an impact, and in the displacements and
-// velocities at the end. Both are NaN if `failure` names a missing event, a
-// spurious event or the reason why the method gave up.
-struct Errors {
-  double time, state;
+// Largest error in the time of a stick, a release or such an impact. It is NaN if `failure` names a
+// missing event, a spurious event or the reason why the method gave up.
+struct Error {
+  double time;
   std::string failure = {};
 };
-Errors errors_of(const Result &result, const Problem &problem);
+Error error_of(const Result &result, const Problem &problem);
 
 // A method and the settings it is swept over: tolerances, time steps, thresholds or stiffnesses.
 // Settings are the same on every machine, and so is the work done.

@@ -98,7 +98,6 @@ Result integrate(const Problem &problem, double kappa) {
   Result &result = springs.result;
   advance(steps, springs.now, problem.until, first_step, 2, guard, event_of, result.failure);
   for (std::size_t i = 0; i < 2; ++i) springs.record_stick(i);
-  result.end = physical_state(springs.chain, springs.now);
   return result;
 }
 

@@ -35,12 +35,6 @@ Result run_with(const Problem &problem, const RunOptions &options) {
   const Outcome outcome =
       Simulation(problem.scene, start, options).advance(problem.until, recorder);
   result.events = std::move(recorder.events);
-  result.end.time = outcome.time;
-  for (std::size_t i = 0; i < 2; ++i) {
-    result.end.displacement[i] = outcome.state.displacement[i];
-    result.end.velocity[i] = outcome.state.velocity[i];
-    result.end.held[i] = outcome.state.held[i] != 0;
-  }
   result.failure = outcome.reason;
   result.work = outcome.counters.expansions;
   result.impacts = outcome.counters.impacts;
