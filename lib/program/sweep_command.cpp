@@ -137,39 +137,44 @@ struct Missing {
   std::string first = {};  // the reason and the values of the first of them
 };
 
-// The points without a record, by the kind of reason.
-std::map<std::string, Missing> missing_points(const SweepRequest &request, const Journal &journal) {
-  std::map<std::string, Missing> missing;
-  std::size_t row = 0;
-  journal.read([&](const Texts &texts) {
-    const std::size_t point = point_of(request, row++);
-    if (texts[3].empty()) return;
-    Missing &kind = missing[kind_of_reason(texts[3])];
-    if (kind.points++ > 0) return;
-    kind.first = with_remedy(texts[3]) + "; first at";
-    const std::vector<double> values = request.grid.values(point);
-    for (std::size_t axis = 0; axis < values.size(); ++axis)
-      kind.first += fmt::format("{} {} = {}", axis == 0 ? "" : ",",
-                                request.grid.axes[axis].parameter, values[axis]);
-  });
-  return missing;
+// By the kind of reason.
+using MissingPoints = std::map<std::string, Missing>;
+
+// Adds the point of a row that has no record for this reason.
+void add_missing(MissingPoints &missing, const SweepRequest &request, std::size_t row,
+                 const std::string &reason) {
+  Missing &kind = missing[kind_of_reason(reason)];
+  if (kind.points++ > 0) return;
+  kind.first = with_remedy(reason) + "; first at";
+  const std::vector<double> values = request.grid.values(point_of(request, row));
+  for (std::size_t axis = 0; axis < values.size(); ++axis)
+    kind.first += fmt::format("{} {} = {}", axis == 0 ? "" : ",", request.grid.axes[axis].parameter,
+                              values[axis]);
 }
 
-void write_tables(const SweepRequest &request, const Journal &journal) {
+// Writes the tables, and returns the points without a record.
+MissingPoints write_tables(const SweepRequest &request, const Journal &journal) {
   const auto [records, impacts, section] = sweep_tables(request.grid, request.records);
   const std::string headers[] = {records.text, impacts.text, section.text};
+  MissingPoints missing;
   for (std::size_t k = 0; k < request.tables.size(); ++k) {
     const auto give = [&](const Add &add) {
       add(request.head + headers[k]);
-      journal.read([&](const Texts &texts) { add(texts[k]); });
+      missing.clear();
+      std::size_t row = 0;
+      journal.read([&](const Texts &texts) {
+        add(texts[k]);
+        if (!texts[3].empty()) add_missing(missing, request, row, texts[3]);
+        ++row;
+      });
     };
     if (request.tables[k].wanted()) write_pieces(give, request.tables[k].path);
   }
+  return missing;
 }
 
 void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {
-  write_tables(request, journal);
-  const auto missing = missing_points(request, journal);
+  const MissingPoints missing = write_tables(request, journal);
   if (!journal.remove())
     fmt::print(stderr, "{} was changed by another program; the tables do not depend on it\n",
                journal_of(request).path);

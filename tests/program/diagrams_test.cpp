@@ -132,6 +132,13 @@ TEST_F(Runner, ASweepHasTheStatesAndImpactsOfARun) {
   }
 }
 
+TEST_F(Runner, ALogarithmicRangeHasEqualRatios) {
+  ASSERT_EQ(run("sweep --vary omega=0.2:0.8:3:log --table t.csv").status, 0);
+  const auto rows = numbers(folder / "t.csv");
+  ASSERT_EQ(rows.size(), 3u);
+  for (const std::size_t k : {0u, 1u, 2u}) EXPECT_NEAR(rows[k][0], 0.2 * std::exp2(k), 1e-15);
+}
+
 // Each picture has the panels of the masses that it shall show, by the names of their ordinates,
 // and no others. Masses without a stop have none in a diagram, and a panel without points has its
 // axes.
