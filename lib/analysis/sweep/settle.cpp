@@ -198,7 +198,8 @@ class Sections : public Recorder {
   // Accepts a period, unless what is still to come may bring another event, as next to a graze: the
   // last periods must have the same events with every stop nearer by some times this length.
   void accept_away_from_a_graze(int period, double length) {
-    if (length == 0.0 || same_events_with_nearer_stops(period, graze_margin * length)) {
+    if (length == 0.0 || scene_.stops.empty() ||
+        same_events_with_nearer_stops(period, graze_margin * length)) {
       period_ = period;
     } else {
       undecided_ = period;
