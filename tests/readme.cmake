@@ -1,6 +1,6 @@
 # Runs what the README shows: the commands of its `sh` block and its C++ program, with the program and
 # the libraries of this build, and the programs at the head of public headers. Every file that the
-# README links to, and every test that a document names, must exist.
+# README links to, and every test or source that a document names, must exist.
 # cmake -D source=... -D build=... -D compiler=... -D flags=... -D folder=... -P readme.cmake
 cmake_minimum_required(VERSION 3.21)
 file(READ ${source}/README.md text)
@@ -18,15 +18,17 @@ foreach(link IN LISTS links)
   endif()
 endforeach()
 
-# Every test that a document names has a file.
-foreach(document README.md CONTRIBUTING.md tests/README.md figures/README.md reference/README.md)
+# Every test and every source that a document names is there.
+file(GLOB_RECURSE sources ${source}/lib/*.?pp ${source}/figures/*.?pp ${source}/reference/*.?pp ${source}/tests/*.?pp)
+list(TRANSFORM sources REPLACE ".*/" "")
+foreach(document README.md CONTRIBUTING.md lib/README.md tests/README.md figures/README.md
+                 figures/error_vs_runtime/README.md figures/beyond/README.md reference/README.md)
   file(READ ${source}/${document} names)
-  string(REGEX MATCHALL "`[a-z0-9_]+_test`" names "${names}")
+  string(REGEX MATCHALL "`[a-z0-9_/]+(_test|\\.[ch]pp)`" names "${names}")
   foreach(name IN LISTS names)
-    string(REPLACE "`" "" name ${name})
-    file(GLOB found ${source}/tests/*/${name}.cpp)
-    if(NOT found)
-      message(SEND_ERROR "${document} names ${name}, which is no test")
+    string(REGEX REPLACE ".*/|`" "" name ${name})
+    if(NOT name IN_LIST sources AND NOT "${name}.cpp" IN_LIST sources)
+      message(SEND_ERROR "${document} names ${name}, which is not there")
     endif()
   endforeach()
 endforeach()

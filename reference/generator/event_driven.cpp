@@ -89,7 +89,7 @@ NextEvents find_next(const Scene &scene, const State &state, const Flow &flow, c
   return {horizon, {}};
 }
 
-/// Decides who of the masses at rest at the stops `in_question` is held (at_rest.hpp), and records
+/// Decides who of the masses at rest at the stops `in_question` is held (stops.hpp), and records
 /// the sticks and releases that follow.
 void decide(const Scene &scene, State &state, const std::vector<std::size_t> &in_question,
             Run &run) {
