@@ -53,6 +53,27 @@ TEST(SettleNextToAGraze, AMassThatComesNearItsSteadyMotion) {
       }
 }
 
+// Free motion turns 1.9e-9 of its amplitude beyond the stop. So every orbit has impacts, and 100
+// periods of the run have one every eight periods, to the rounding of its time. The sections of the
+// period before an impact lie within 1e-9 of each other.
+TEST(SettleNextToAGraze, AnImpactEveryEightPeriodsIsFound) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {1.0},
+                    .beta = 2.5,
+                    .amplitude = {1.0},
+                    .omega = 2.2013570520538277,
+                    .restitution = 0.8,
+                    .stops = {{1, Side::upper, 0.148940786883}}};
+  const Clock clock(scene.omega);
+  EventRecorder recorder(1000.0 * clock.period);
+  require_complete(simulate(scene, 1100.0 * clock.period, recorder));
+  for (std::size_t k = 1; k < recorder.events.size(); ++k)
+    ASSERT_NEAR(recorder.events[k].time - recorder.events[k - 1].time, 8.0 * clock.period, 1e-8);
+  const SettledMotion motion = settle(scene, start_of(scene), {.longest = 1000});
+  EXPECT_EQ(motion.period, 8);
+  EXPECT_EQ(motion.counts.impacts, std::vector{1});
+}
+
 // A chain with other impacts and sticks. Mass 1 has a second stop next to the largest displacement
 // of its settled motion.
 TEST(SettleNextToAGraze, AChainWithOtherImpacts) {
