@@ -88,8 +88,8 @@ void add_special_points(const Branch &branch, const Orbit &a, const Orbit &b,
     };
     try {
       zero(value, 0.0, 1.0);
-    } catch (
-        const std::runtime_error &) {  // the matrix of Newton's method is singular at a branching
+    } catch (const std::runtime_error &) {
+      // The matrix of Newton's method is singular at a branching: the nearest orbit counts.
     }
     if (least > 1e-6 * (std::abs(sign_of(a)) + std::abs(sign_of(b)))) continue;  // a jump
     // At a fold the parameter is greater than on both sides, or smaller.
