@@ -6,6 +6,7 @@
 // a negative force holds the mass to it.
 #include "driver.hpp"
 #include "measures/runs.hpp"
+#include "vibro_impact/analysis/locate.hpp"
 
 namespace {
 

@@ -136,7 +136,7 @@ TEST(FollowOrbit, PassesTheFlipInClosedFormAndEndsAtTheGrazing) {
 // branching is known to the root of the rounding only, at most 5e-9 in these.
 TEST(FollowOrbit, PassesTheBranchingOfASymmetricOrbitInClosedForm) {
   for (const double omega : {1.05, 1.5, 2.0})
-    for (const std::size_t count : {5, 10, 20, 40, 160}) {
+    for (const std::size_t count : {5u, 10u, 20u, 40u, 160u}) {
       SCOPED_TRACE(::testing::Message() << omega << " " << count);
       const OneImpact known(omega, true);
       const double y = known.speed_at_flip();
