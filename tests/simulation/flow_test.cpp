@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "tests/support/witness.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
 using namespace vibro_impact;
+using vibro_impact::testing::energy_of;
 
 // From the start of a scene without stops to the end, in one flight: within this share of the
 // motion, in the energy norm.
@@ -107,16 +109,6 @@ Scene elastic_chain(int n) {
     scene.stops.push_back({i, Side::upper, 0.23});
   }
   return scene;
-}
-
-double energy_of(const Scene &scene, const MotionState &state) {
-  double sum = 0.0, left = 0.0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double stretch = state.displacement[i] - left, v = state.velocity[i];
-    sum += 0.5 * (scene.mass[i] * v * v + scene.stiffness[i] * stretch * stretch);
-    left = state.displacement[i];
-  }
-  return sum;
 }
 
 // Asks for the end at a million impacts.

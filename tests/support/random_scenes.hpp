@@ -249,6 +249,17 @@ Scene with_all_forces(unsigned seed) {
   return scene;
 }
 
+// Kinetic and elastic, in springs between the masses.
+inline double energy_of(const Scene &scene, const MotionState &state) {
+  double sum = 0.0, left = 0.0;
+  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
+    const double stretch = state.displacement[i] - left, v = state.velocity[i];
+    sum += 0.5 * (scene.mass[i] * v * v + scene.stiffness[i] * stretch * stretch);
+    left = state.displacement[i];
+  }
+  return sum;
+}
+
 // The mirror image, x -> -x; of an event likewise.
 inline Scene mirrored(Scene scene) {
   for (auto *values :

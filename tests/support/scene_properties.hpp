@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "event_rules.hpp"
+#include "reference/generator/event_driven.hpp"
 #include "wide_scenes.hpp"
 #include "witness.hpp"
 
@@ -146,10 +147,51 @@ inline std::string broken_by_a_mirror(const Run &run) {
   return differs.empty() ? "" : "mirror image: " + differs;
 }
 
+// The sticks and releases are those of the generator with 50 digits, to 1e-12 of the run: the times
+// of the scenes that are asked this are determined by their inputs to some 1e-14.
+inline std::string broken_by_digits(const Run &run) {
+  namespace digits = vibro_impact_reference;
+  std::vector<Event> ours = run.events;
+  std::erase_if(ours, [](const Event &event) { return event.kind == EventKind::impact; });
+  std::vector<digits::Event> exact =
+      digits::simulate(digits::in_digits(run.scene, run.until), {.roots = {.newton = true}}).events;
+  std::erase_if(exact, [](const auto &event) { return event.kind == EventKind::impact; });
+  if (ours.size() != exact.size())
+    return fmt::format("{} sticks and releases instead of {}", ours.size(), exact.size());
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const double off = static_cast<double>(exact[i].time - ours[i].time);
+    if (ours[i].mass != static_cast<int>(exact[i].mass) + 1 || ours[i].kind != exact[i].kind ||
+        !(std::abs(off) <= 1e-12 * run.until))
+      return fmt::format("{} at {} off by {:.3g}", name(ours[i].kind), ours[i].time, off);
+  }
+  return "";
+}
+
+// The kinetic and elastic energy, but for what roundings of 2^-53 of it, one a step, of either
+// sign, add up to, eight times over.
+inline std::string broken_by_energy(const Run &run) {
+  const double before = energy_of(run.scene, start_of(run.scene)),
+               gained = energy_of(run.scene, run.outcome.state) / before - 1.0,
+               steps = static_cast<double>(run.outcome.counters.expansions);
+  return std::abs(gained) <= 8.0 * 0x1p-53 * std::sqrt(steps)
+             ? ""
+             : fmt::format("gains {:.3g} of its energy in {} steps", gained, steps);
+}
+
+// A force that touches zero may by rounding release the mass for a moment, at most once a period:
+// that is a release, an impact and a stick.
+inline std::string broken_by_touches(const Run &run) {
+  const double touches = run.until / Clock(run.scene.omega).period * run.scene.masses();
+  return static_cast<double>(run.events.size()) <= run.scene.masses() + 3.0 * touches
+             ? ""
+             : fmt::format("{} events at {:.0f} touches", run.events.size(), touches);
+}
+
 // Runs the scene, sampled and not, in two parts, mirrored, and before a witness. Where the parts
 // meet follows from `seed`: any time, or that of an event. `share`: of the motion, that a flight
-// may be off.
-inline Verdict try_scene(const Trial &trial, long long most_steps, double share, unsigned seed) {
+// may be off. `own` is a property of this kind of scenes alone.
+inline Verdict try_scene(const Trial &trial, long long most_steps, double share, unsigned seed,
+                         std::string (*own)(const Run &) = nullptr) {
   const Scene &scene = trial.scene;
   const double until = trial.until;
   RunOptions options;
@@ -180,6 +222,7 @@ inline Verdict try_scene(const Trial &trial, long long most_steps, double share,
   require_that([&] { return broken_by_samples(run, samples); });
   require_that([&] { return broken_by_a_split(run, split, samples); });
   require_that([&] { return broken_by_a_mirror(run); });
+  require_that([&] { return own == nullptr ? "" : own(run); });
   Witness witness = witness_of(scene, until);
   require_that([&] { return seen_by_a_witness(trial, share, witness); });
   return verdict;
