@@ -13,13 +13,15 @@ namespace vibro_impact::testing {
 
 // Time never falls. Only a free mass has impacts and sticks, so that the release of a mass follows
 // its stick before its next impact. Only a held mass is released, from the side at which it is
-// held. A mass is neither held nor free for no time. The recorded contact mode follows from all
-// events up to an instant, at which several masses may stick or be released. An impact obeys the
-// law of the stop, which has the mass and the side of the event.
+// held. A mass is neither held nor free for no time, but where it crosses from a stop to the other
+// one of a slot too narrow to take time. The recorded contact mode follows from all events up to an
+// instant, at which several masses may stick or be released. An impact obeys the law of the stop,
+// which has the mass and the side of the event.
 struct EventRules : Recorder {
   const Scene &scene;
   Held held = Held(scene.mass.size(), 0);
   std::vector<std::optional<Instant>> changed = std::vector<std::optional<Instant>>(held.size());
+  Held left = held;  // the side of the latest release of each mass
   double last = 0.0;
   Held recorded = held;      // with the latest event,
   Instant recorded_at = {};  // at this instant
@@ -63,7 +65,7 @@ struct EventRules : Recorder {
         break;
       case EventKind::stick:
         if (held[i] != 0) return "stick of a held mass";
-        if (changed_now) return "stick at the instant of a release";
+        if (changed_now && left[i] == side) return "stick at the instant of a release";
         held[i] = side;
         changed[i] = event.instant;
         break;
@@ -71,6 +73,7 @@ struct EventRules : Recorder {
         if (held[i] != side) return "release of a mass not held there";
         if (changed_now) return "release at the instant of a stick";
         held[i] = 0;
+        left[i] = side;
         changed[i] = event.instant;
         break;
     }
