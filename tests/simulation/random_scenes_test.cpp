@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "reference/truth/scene_reader.hpp"
+#include "tests/support/contact_scenes.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/scene_properties.hpp"
-#include "tests/support/wide_scenes.hpp"
 
 namespace {
 

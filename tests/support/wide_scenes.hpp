@@ -205,39 +205,6 @@ inline Trial in_other_units(unsigned seed) {
   return {scene, run_length(scene, 300.0), {length, time, stiffness * length}};
 }
 
-// Two or three masses, of which one is pressed onto its stop until its neighbours pull it off. The
-// next mass hits a stop of its own 1e-9 to 1e-2 later. Its damper pushes the released mass back,
-// which has then gone less than the rounding of its neighbour's displacement.
-inline Trial hit_after_a_release(unsigned seed) {
-  for (Draw draw{std::mt19937(seed)};;) {
-    Scene scene;
-    const int masses = draw.between(2, 3), held = draw.between(1, masses - 1);
-    for (int i = 1; i <= masses; ++i) {
-      scene.mass.push_back(draw.spread(0.3, 3.0));
-      scene.stiffness.push_back(draw.uniform(0.3, 3.0));
-      scene.amplitude.push_back(draw.uniform(-1.0, 1.0));
-      scene.constant.push_back(i == held ? draw.uniform(0.1, 1.0) : 0.0);
-      scene.displacement.push_back(i == held ? 0.0 : draw.uniform(-1.0, 1.0));
-      scene.velocity.push_back(i == held ? 0.0 : draw.uniform(-1.0, 1.0));
-    }
-    scene.beta = draw.spread(1e-3, 0.3);
-    scene.omega = draw.uniform(0.2, 1.0);
-    scene.restitution = draw.one_of({0.0, 0.5, 0.7, 0.9});
-    scene.stops = {{held, Side::upper, 0.0}};
-    const std::vector<Event> releases = select(events_of(scene, 0.0, 6.0), EventKind::release);
-    if (releases.empty()) continue;
-    const double release = releases[0].time;
-    const MotionState hit = simulate(scene, release + draw.spread(1e-9, 1e-2)).state;
-    const double position = hit.displacement[held], start = scene.displacement[held];
-    const Side side = hit.velocity[held] > 0.0 ? Side::upper : Side::lower;
-    if (!(sign(side) * (position - start) > 0.0)) continue;
-    scene.stops.push_back({held + 1, side, position});
-    const std::vector<Event> impacts =
-        select(events_of(scene, 0.0, release + 0.1), EventKind::impact, held + 1);
-    if (!impacts.empty() && impacts[0].time > release) return {scene, release + 1.0};
-  }
-}
-
 // The paper's damped chain of two to four masses under a forcing of period 6e4 to 6e10.
 inline Trial slow_forcing(unsigned seed) {
   Draw draw{std::mt19937(seed)};
@@ -253,60 +220,6 @@ inline Trial slow_forcing(unsigned seed) {
   scene.omega = draw.spread(1e-10, 1e-4);
   scene.restitution = draw.one_of({0.0, 0.3, 0.5, 0.7});
   return {scene, Clock(scene.omega).period, {}, true};
-}
-
-// Two or three ordinary masses, of which one is between two stops at zero that no number of twofold
-// precision tells apart.
-inline Trial narrow_slot(unsigned seed) {
-  Draw draw{std::mt19937(seed)};
-  Scene scene;
-  const int masses = draw.between(2, 3), narrow = draw.between(1, masses);
-  for (int i = 1; i <= masses; ++i) {
-    scene.mass.push_back(draw.uniform(0.5, 2.0));
-    scene.stiffness.push_back(draw.uniform(0.5, 2.0));
-    scene.amplitude.push_back(draw.uniform(-1.0, 1.0));
-    if (i != narrow) add_stops_nearby(i, draw, scene);
-  }
-  scene.stops.push_back({narrow, Side::lower, 0.0});
-  scene.stops.push_back({narrow, Side::upper, draw.spread(1e-300, 1e-30)});
-  scene.beta = draw.spread(1e-3, 0.3);
-  scene.omega = draw.uniform(0.1, 1.0);
-  scene.restitution = draw.one_of({0.0, 0.5, 0.9});
-  return {scene, 2.0 * Clock(scene.omega).period};
-}
-
-// One to six masses without damping and forcing between stops of r = 1.
-inline Trial elastic_chain(unsigned seed) {
-  Draw draw{std::mt19937(seed)};
-  Scene scene{.omega = 0.0, .restitution = 1.0};
-  const int masses = draw.between(1, 6);
-  for (int i = 1; i <= masses; ++i) {
-    scene.mass.push_back(draw.uniform(0.5, 2.0));
-    scene.stiffness.push_back(draw.uniform(0.5, 2.0));
-    scene.velocity.push_back(draw.uniform(-1.0, 1.0));
-    if (i == 1 || draw.one_in(2)) scene.stops.push_back({i, Side::upper, draw.uniform(0.1, 0.4)});
-    if (draw.one_in(2)) scene.stops.push_back({i, Side::lower, -draw.uniform(0.1, 0.4)});
-  }
-  return {scene, 10'000.0};
-}
-
-// One to three masses that rest at their stops under forces a (cos(Omega t) - 1), which touch zero
-// after each of twenty periods.
-inline Trial touching_forces(unsigned seed) {
-  Draw draw{std::mt19937(seed)};
-  Scene scene;
-  const int masses = draw.between(1, 3);
-  for (int i = 1; i <= masses; ++i) {
-    scene.mass.push_back(draw.spread(0.3, 3.0));
-    scene.stiffness.push_back(draw.uniform(0.3, 3.0));
-    scene.amplitude.push_back(draw.uniform(0.1, 1.0));
-    scene.constant.push_back(-scene.amplitude.back());
-    scene.stops.push_back({i, Side::lower, 0.0});
-  }
-  scene.beta = draw.one_in(2) ? 0.0 : draw.spread(1e-3, 0.3);
-  scene.omega = draw.uniform(0.1, 1.0);
-  scene.restitution = draw.one_of({0.0, 0.5, 0.7, 0.9});
-  return {scene, 20.0 * Clock(scene.omega).period};
 }
 
 }  // namespace vibro_impact::testing
