@@ -131,29 +131,6 @@ TEST(Resume, AnotherStartGivesTheEventsOfANewSimulation) {
   EXPECT_EQ(require_complete(moved.advance(760.0)).time, 760.0);
 }
 
-// A call ends between two impacts of a chatter. Other options then ask again for the limit of this
-// chatter, whose impacts before that time the first call has reported.
-TEST(Resume, OtherOptionsReportNoEventOfThePast) {
-  const Scene scene{.mass = {1.0},
-                    .stiffness = {1.0},
-                    .constant = {1.0},
-                    .omega = 1.0,
-                    .restitution = 0.7,
-                    .stops = {{1, Side::upper, 0.5}}};
-  const std::vector<Event> whole = events_of(scene, 0.0, 20.0, all_impacts);
-  for (const bool all_first : {false, true})
-    for (double split = 7.0; split < 8.0; split += 0.02) {
-      Simulation simulation(scene, all_first ? all_impacts : RunOptions{});
-      require_complete(simulation.advance(split));
-      simulation.set_options(all_first ? RunOptions{} : all_impacts);
-      EventRecorder events(-infinity);
-      require_complete(simulation.advance(20.0, events));
-      if (events.events.empty()) continue;
-      EXPECT_GE(events.events.front().time, split) << all_first;
-      EXPECT_NEAR(events.events.back().time, whole.back().time, 1e-12) << all_first << split;
-    }
-}
-
 // Keeps the first sample from a time on, and asks for the end there.
 struct FirstSample : Recorder {
   double at;
