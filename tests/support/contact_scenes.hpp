@@ -73,7 +73,7 @@ inline Trial elastic_chain(unsigned seed) {
     if (i == 1 || draw.one_in(2)) scene.stops.push_back({i, Side::upper, draw.uniform(0.1, 0.4)});
     if (draw.one_in(2)) scene.stops.push_back({i, Side::lower, -draw.uniform(0.1, 0.4)});
   }
-  return {scene, 10'000.0};
+  return {scene, 2'000.0};
 }
 
 // One to three masses that rest at their stops under forces a (cos(Omega t) - 1), which touch zero

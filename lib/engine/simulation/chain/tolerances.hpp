@@ -100,6 +100,9 @@ constexpr long long short_steps_divisor = 8;
 constexpr double two_decays = 0.01;
 // Relative distance from resonance below which the steady response is too large for a bound.
 constexpr double near_resonance = 1e-4;
+// Orders of the bounds of a contact. The second is tried where the first does not suffice.
+constexpr int quick_bound_order = 2;
+constexpr int best_bound_order = 23;
 // Time of a root, relative to the flight, below which a value of the wrong sign is rounding.
 constexpr double time_rounding = 1e-13;
 // Newton's steps in twice the precision on the time of an event, and the longest of them relative

@@ -38,16 +38,12 @@ double travel_of(const Polynomial &p) {
   return travel_margin * sum;
 }
 
-// True if the polynomial falls below zero by no more than rounding near its root u.
-bool only_touches(const Polynomial &p, double u) {
-  double terms = 0.0;
-  for (int n = p.order; n >= 0; --n)
-    terms = terms * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
-  const Jet jet = jet_at(p, 0, u);
-  return jet.second > 0.0 && jet.slope * jet.slope <= 4.0 * jet.second * touch_rounding * terms;
-}
-
 }  // namespace
+
+// Without a square of the polynomial, which may leave the range of double precision.
+bool only_touches(double slope, double second, double terms) {
+  return second > 0.0 && slope / terms * slope <= 4.0 * touch_rounding * second;
+}
 
 Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion) {
   if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
@@ -101,9 +97,23 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     event = true;
   }
   if (!event) return {step.length, false};
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k)
-    if (roots[k] == u)
-      near[k] = mode.contacts[k].held && only_touches(polynomials[k], u) ? Near::touch : Near::zero;
+  // A force that falls to less than its rounding, and not below it by more, touches zero.
+  const auto touches = [&](std::size_t k) {
+    const Contact &contact = mode.contacts[k];
+    if (!contact.held || starts[k].idle) return false;
+    const double terms = evaluate(chain, contact, motion).terms;
+    const Jet jet = jet_at(polynomials[k], 0, u);
+    return jet.value <= touch_rounding * terms && only_touches(jet.slope, jet.second, terms);
+  };
+  bool any_touches = false;
+  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    if (roots[k] != u) continue;
+    near[k] = touches(k) ? Near::touch : Near::zero;
+    any_touches = any_touches || near[k] == Near::touch;
+  }
+  // Others may touch at the same instant, although such roots are found to half the digits only.
+  for (std::size_t k = 0; k < mode.contacts.size() && any_touches; ++k)
+    if (roots[k] != u && touches(k)) near[k] = Near::touch;
   return {u * step.unit, true};
 }
 

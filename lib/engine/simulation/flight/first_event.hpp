@@ -18,9 +18,13 @@ struct Start {
 };
 
 // The place of a contact at the end of a flight. The first to come there are zero by definition;
-// others may be so within rounding. A hold force touches zero if it stays positive but for
-// rounding: its value and rate are then zero.
-enum class Near : char { no, perhaps, zero, touch };
+// others may be so within rounding. Two are zero with their rate: a hold force that touches zero
+// and stays positive but for rounding, and the gap of a mass that has come to rest at its stop.
+enum class Near : char { no, perhaps, zero, touch, rest };
+
+// True if a hold force falls below zero by no more than the rounding of its terms near a root,
+// where it has this derivative and half this second derivative.
+bool only_touches(double slope, double second, double terms);
 
 // A flight that ends at the time tau, with or without an event. tau is NaN if the motion leaves the
 // range of double precision.

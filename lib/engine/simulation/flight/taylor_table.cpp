@@ -206,7 +206,7 @@ void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table
       value = value * u + pair(entry -= table.stride);
     }
     slope = (u / unit) * (2.0 * value + u * slope);
-    value *= u * u;
+    value = u * (u * value);  // u^2 would be rounded alike in every step of a length
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
     const RealPair travel = v * Pair{tau, tau};
     store(x + (travel + value), &motion.x[i]);

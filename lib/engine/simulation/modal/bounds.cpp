@@ -1,5 +1,6 @@
-// Bounds of a contact ahead of a long flight.
+// Lower bounds of contacts in modal coordinates, over a time of a long flight.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,16 +10,6 @@
 namespace vibro_impact::detail {
 
 namespace {
-
-// The first positive root of p + q s + c s^2, where p >= 0, or infinity.
-double first_root_of(double p, double q, double c) {
-  const double discriminant = q * q - 4.0 * c * p;
-  if (discriminant < 0.0) return infinity;
-  const double root = std::sqrt(discriminant);
-  if (q > 0.0) return c < 0.0 ? (q + root) / (-2.0 * c) : infinity;
-  if (p == 0.0) return q < 0.0 || c < 0.0 ? 0.0 : infinity;
-  return root > q ? 2.0 * p / (root - q) : infinity;
-}
 
 // The steady response a cos + b sin and its derivative, at the phase of the force.
 struct SteadyResponse {
@@ -34,105 +25,145 @@ SteadyResponse steady_response(const Oscillator<double> &o, const ModalForce<dou
 
 }  // namespace
 
-// Parabolas below the cubic, one after the other, move on like Newton's steps.
-double ContactBound::first_root(double l) const {
-  double s = 0.0, p = value - away, q = rate;
-  if (p < 0.0) return 0.0;
-  if (p > l * (std::abs(q) + l * (0.5 * std::abs(second) + l * bound))) return l;
-  const double c = 0.5 * std::min(second, second - bound * l);
-  for (int k = 0; k < 4; ++k) {
-    s += first_root_of(p, q, c);
-    if (!(s < l)) return l;
-    p = value - away + s * (rate + s * (0.5 * second - s * bound / 6.0));
-    q = rate + s * (second - 0.5 * s * bound);
-    if (p <= 0.0) break;
+// A contact is bounded from below by its value, its rate, its derivatives of order 2 to `order` and
+// a bound of the next one. Parts of the motion that turn within the time are in `away` by their
+// amplitude instead. Derivatives of order n are in units of unit^-n.
+struct LongFlight::Bound {
+  int order = 2;
+  double length = 0.0, unit = 0.0;
+  double value = 0.0, rate = 0.0, away = 0.0, remainder = 0.0;
+  std::array<Real, max_order + 1> derivative{};
+
+  // A part from its value and derivative, with x'' + damping x' + stiffness x = 0.
+  void add(double value_of_part, double rate_of_part, double damping, double stiffness) {
+    const double root = std::sqrt(stiffness) * unit, d = damping * unit, k = root * root;
+    double before = value_of_part, latest = rate_of_part * unit;
+    for (int n = 2; n <= order + 1; ++n) {
+      const double next = -d * latest - k * before;
+      before = std::exchange(latest, next);
+      if (n <= order) derivative[static_cast<std::size_t>(n)] += latest;
+    }
+    remainder += std::hypot(latest, root * before);
   }
-  return s;
+  // A part of this amplitude is taken out of the value and of the rate; the others stay.
+  void leave_out(double value_of_part, double rate_of_part, double amplitude) {
+    value -= value_of_part;
+    rate -= rate_of_part;
+    away += amplitude;
+  }
+  // In u = s / length, from 0 to 1.
+  Polynomial polynomial() const {
+    Polynomial p;
+    p.order = order + 1;
+    p.coefficient[0] = value - away;
+    p.coefficient[1] = rate * length;
+    double power = length / unit;
+    for (int n = 2; n <= order + 1; ++n) {
+      power *= length / unit / n;
+      const auto i = static_cast<std::size_t>(n);
+      p.coefficient[i] = power * (n <= order ? derivative[i].hi : -remainder);
+    }
+    return p;
+  }
+};
+
+// The derivatives of all coordinates at u, in this unit. Those of a stiff coordinate cancel, as do
+// those of different coordinates at a mass that hardly moves: twice the precision keeps them.
+void LongFlight::find_derivatives(double unit, int order) {
+  if (unit == unit_ && order <= order_) return;
+  unit_ = unit;
+  order_ = order;
+  const double turn = omega_ * unit, square = unit * unit;
+  for (std::size_t j = 0; j < coordinates_.size(); ++j) {
+    Coordinate &c = coordinates_[j];
+    const Oscillator<Real> &o = form_->exact[j];
+    const Real kappa = o.kappa * unit, lambda = o.lambda * unit * unit;
+    ModalForce<Real> f{square * c.force.a, square * c.force.b, square * c.force.c};
+    c.derivative[1] = c.dy * unit;
+    c.derivative[0] = c.y;
+    for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
+      c.derivative[n] = f.a + f.c - kappa * c.derivative[n - 1] - lambda * c.derivative[n - 2];
+      f = {turn * f.b, -(turn * f.a), 0.0};
+    }
+  }
 }
 
-// A coordinate that turns within l is bounded in parts, each by its derivatives or by its
-// amplitude: the steady response, and one free oscillation or two decays about the static
-// displacement. A part that is bounded by its amplitude is taken out of the value and of the rate;
-// the others stay.
+// A bound of the derivative of order n over the length of a bound: the energy of each derivative
+// grows by the forcing alone.
+double LongFlight::derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
+                                    double length) const {
+  const auto i = static_cast<std::size_t>(n);
+  return std::hypot(c.derivative[i].hi, std::sqrt(o.lambda) * unit_ * c.derivative[i - 1].hi) +
+         c.modulus * unit_ * length * std::pow(omega_ * unit_, n - 1);
+}
+
+// A coordinate that turns within the length of the bound, in parts, each by its derivatives or by
+// its amplitude: the steady response, and one free oscillation or two decays about the static
+// displacement.
 void LongFlight::add_parts(const Watch &w, const Coordinate &c, const Oscillator<double> &o,
-                           double weight, double l, ContactBound &bound) const {
-  const double size = std::abs(weight), d = w.damping, square = omega_ * omega_;
-  double y = c.deviation, dy = c.d[1], second = c.d[2], third = c.d[3];  // of the free part
+                           double weight, Bound &bound) const {
+  const double size = std::abs(weight), d = w.damping, l = bound.length, square = omega_ * omega_;
+  double y = c.deviation, dy = c.velocity;  // of the free part
   if (c.modulus > 0.0) {
-    const SteadyResponse s = steady_response(o, c.force, omega_);
-    const double amplitude = size * s.modulus * (1.0 + d * omega_),
-                 value = weight * (s.y + d * s.dy), rate = weight * (s.dy - d * square * s.y);
+    const SteadyResponse s = steady_response(o, c.rounded_force, omega_);
+    const double value = weight * (s.y + d * s.dy), rate = weight * (s.dy - d * square * s.y);
     y -= s.y;
     dy -= s.dy;
-    second += square * s.y;
-    third += square * s.dy;
-    if (omega_ * l <= 1.0) {
-      bound.second -= square * value;
-      bound.bound += amplitude * square * omega_;
-    } else {
-      bound.value -= value;
-      bound.rate -= rate;
-      bound.away += amplitude;
-    }
+    if (omega_ * l <= 1.0)
+      bound.add(value, rate, 0.0, square);
+    else
+      bound.leave_out(value, rate, size * s.modulus * (1.0 + d * omega_));
   }
-  const double root = std::sqrt(o.lambda);
+  const double second = -o.kappa * dy - o.lambda * y;
   if (o.rate * l <= 1.0) {
-    bound.second += weight * (second + d * third);
-    bound.bound += size * std::hypot(third, root * second) * (1.0 + d * (o.kappa + root));
-    return;
-  }
-  if (!o.has_two_decays()) {
-    bound.value -= weight * (y + d * dy);
-    bound.rate -= weight * (dy + d * second);
-    bound.away += size * std::hypot(y, dy / root) * (1.0 + d * o.rate);
-    return;
-  }
-  const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
-  for (const auto &[part, decay] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
-    const double z = weight * part * (1.0 + d * decay);
-    if (-decay * l <= 1.0) {
-      bound.second += z * decay * decay;
-      bound.bound += std::abs(z * decay * decay * decay);
-    } else {
-      bound.value -= z;
-      bound.rate -= z * decay;
-      bound.away += std::abs(z);
+    bound.add(weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda);
+  } else if (!o.has_two_decays()) {
+    bound.leave_out(weight * (y + d * dy), weight * (dy + d * second),
+                    size * std::hypot(y, dy / std::sqrt(o.lambda)) * (1.0 + d * o.rate));
+  } else {
+    const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
+    for (const auto &[part, decay] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
+      const double z = weight * part * (1.0 + d * decay);
+      if (-decay * l <= 1.0)
+        bound.add(z, z * decay, -decay, 0.0);
+      else
+        bound.leave_out(z, z * decay, std::abs(z));
     }
   }
 }
 
-ContactBound LongFlight::bound_of(std::size_t k, double l) const {
+Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
   const std::size_t watch = form_->watch_of[k];
   const Watch &w = form_->watches[watch];
-  const double sign = sign_of(k), square = omega_ * omega_;
-  ContactBound bound;
+  const double sign = sign_of(k);
+  Bound bound{.order = order, .length = l, .unit = leading_power(l)};
+  find_derivatives(bound.unit, order + 2);
   bound.value = std::max(0.0, values_[k].value.hi);
   bound.rate = values_[k].rate.hi;
+  const double damping = w.damping / bound.unit;
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     const Coordinate &c = coordinates_[j];
     const Oscillator<double> &o = form_->rounded[j];
-    const double weight = sign * w.row[j];
-    if (weight == 0.0) continue;
-    if (o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0)) {
-      bound.second += weight * (c.d[2] + w.damping * c.d[3]);
-      bound.bound += std::abs(weight) * (c.third + w.damping * c.fourth +
-                                         c.modulus * square * l * (1.0 + w.damping * omega_));
-    } else {
-      add_parts(w, c, o, weight, l, bound);
+    const Real weight = scaled(w.row[j], sign);
+    if (weight.hi == 0.0) continue;
+    if (!(o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0))) {
+      add_parts(w, c, o, weight.hi, bound);
+      continue;
     }
+    for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
+      bound.derivative[n] += weight * c.derivative[n];
+      if (damping > 0.0) bound.derivative[n] += weight * (damping * c.derivative[n + 1]);
+    }
+    bound.remainder += std::abs(weight.hi) * (derivative_bound(c, o, order + 1, l) +
+                                              damping * derivative_bound(c, o, order + 2, l));
   }
-  if (w.a == 0.0 && w.b == 0.0) return bound;
+  if (w.a == 0.0 && w.b == 0.0) return bound.polynomial();
   const ModalForce<double> &f = watch_forces_[watch];
-  const double modulus = std::hypot(f.a, f.b);
-  if (omega_ * l <= 1.0) {
-    bound.second -= square * sign * f.a;
-    bound.bound += square * omega_ * modulus;
-  } else {
-    bound.value -= sign * f.a;
-    bound.rate -= sign * omega_ * f.b;
-    bound.away += modulus;
-  }
-  return bound;
+  if (omega_ * l <= 1.0)
+    bound.add(sign * f.a, sign * omega_ * f.b, 0.0, omega_ * omega_);
+  else
+    bound.leave_out(sign * f.a, sign * omega_ * f.b, std::hypot(f.a, f.b));
+  return bound.polynomial();
 }
 
 }  // namespace vibro_impact::detail

@@ -31,6 +31,43 @@ void LongFlight::begin(const Chain &chain, const Clock &clock,
   }
   l_ = std::min(turn_ > 0.0 ? 1.0 / turn_ : longest_, longest_);
   evaluate(chain, clock, motion, flown);
+  hidden_.assign(values_.size(), false);
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    hidden_[k] = !starts_[k].idle && values_[k].is_zero();
+}
+
+// The longest time of a step beside hidden contacts. Their coordinates cancel each other below the
+// threshold. One that lies below it alone does not make them seen. A power of time at most doubles
+// its argument.
+double LongFlight::longest_blind_step() const {
+  double longest = longest_;
+  for (std::size_t k = 0; k < hidden_.size(); ++k) {
+    if (!hidden_[k]) continue;
+    const Watch &w = form_->watches[form_->watch_of[k]];
+    double rate = w.a != 0.0 || w.b != 0.0 ? omega_ : 0.0;
+    for (std::size_t j = 0; j < coordinates_.size(); ++j) {
+      const Coordinate &c = coordinates_[j];
+      const Oscillator<double> &o = form_->rounded[j];
+      const double size = std::abs(c.deviation) + std::abs(c.velocity) / std::max(o.rate, 1e-300);
+      if (std::abs(w.row[j].hi) * size > zero_threshold * values_[k].terms)
+        rate = std::max({rate, o.rate, c.modulus > 0.0 ? omega_ : 0.0});
+    }
+    longest = std::min(longest, std::max(1.0 / turn_, std::min(u_, rate > 0.0 ? 1.0 / rate : u_)));
+  }
+  return longest;
+}
+
+// True when a hidden contact is seen below zero. One that is seen above zero is hidden no more.
+bool LongFlight::look_at_hidden() {
+  bool below = false;
+  for (std::size_t k = 0; k < hidden_.size(); ++k) {
+    if (!hidden_[k] || values_[k].is_zero()) continue;
+    if (values_[k].value.hi > 0.0)
+      hidden_[k] = false;
+    else
+      below = true;
+  }
+  return below;
 }
 
 double LongFlight::sign_of(std::size_t k) const {
@@ -38,33 +75,22 @@ double LongFlight::sign_of(std::size_t k) const {
   return contact.held ? contact.sigma : -contact.sigma;
 }
 
-// Evaluates the motion and all contacts at the time u of the flight. The derivatives of a stiff
-// coordinate cancel: they are found in twice the precision.
+// Evaluates the motion and all contacts at the time u of the flight.
 void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u) {
   u_ = u;
+  order_ = 0;
   at(chain, clock, start, u);
   const ComplexOf<Real> wave = wave_at(Real(u) * omega_);
-  const double square = omega_ * omega_;
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
-    const Oscillator<Real> &o = form_->exact[j];
     const ModalForce<Real> &f = forces_[j];
-    const auto column = static_cast<Eigen::Index>(j);
-    const Real &y = state_.y(column), &dy = state_.dy(column);
-    const Real even = f.a * wave.re + f.b * wave.im, odd = f.b * wave.re - f.a * wave.im;
-    const Real second = even + f.c - o.kappa * dy - o.lambda * y,
-               third = omega_ * odd - o.kappa * second - o.lambda * dy,
-               fourth = -(square * even) - o.kappa * third - o.lambda * second;
-    c.force = {even.hi, odd.hi, f.c.hi};
-    c.deviation = o.lambda.hi > 0.0 ? rounded(y - f.c / o.lambda) : y.hi;
-    c.d[1] = dy.hi;
-    c.d[2] = second.hi;
-    c.d[3] = third.hi;
-    c.d[4] = fourth.hi;
-    // The energies of the second and of the third derivative grow by the forcing alone.
-    const double root = std::sqrt(o.lambda.hi);
-    c.third = std::hypot(c.d[3], root * c.d[2]);
-    c.fourth = std::hypot(c.d[4], root * c.d[3]);
+    const Real &lambda = form_->exact[j].lambda;
+    c.y = state_.y(static_cast<Eigen::Index>(j));
+    c.dy = state_.dy(static_cast<Eigen::Index>(j));
+    c.force = {f.a * wave.re + f.b * wave.im, f.b * wave.re - f.a * wave.im, f.c};
+    c.rounded_force = {c.force.a.hi, c.force.b.hi, c.force.c.hi};
+    c.deviation = lambda.hi > 0.0 ? rounded(c.y - f.c / lambda) : c.y.hi;
+    c.velocity = c.dy.hi;
   }
   const double cosine = motion_.turn.cosine.hi, sine = motion_.turn.sine.hi;
   watch_forces_.clear();
@@ -75,26 +101,39 @@ void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &
     values_.push_back(detail::evaluate(chain, contact, motion_));
 }
 
-double LongFlight::safe_time(double l) const {
+// A time up to l in which no contact comes to zero. A parabola serves most contacts. At the end of
+// a long chain whose motion has hardly begun, many derivatives are as small as the value, and only
+// a polynomial of high order shows it.
+double LongFlight::safe_time(double l, Counters &counters) {
   double time = l;
-  for (std::size_t k = 0; k < values_.size() && time > 0.0; ++k)
-    if (!starts_[k].idle) time = std::min(time, bound_of(k, l).first_root(time));
+  const auto shorten = [&](std::size_t contact, int order) {
+    const std::optional<Root> root = first_root(bound_of(contact, l, order), time / l, counters);
+    return root ? (root->u > 0.0 ? root->u * l : 0.0) : time;
+  };
+  for (std::size_t k = 0; k < values_.size() && time > 0.0; ++k) {
+    if (starts_[k].idle || hidden_[k]) continue;
+    double own = shorten(k, quick_bound_order);
+    if (own < time) own = std::max(own, shorten(k, best_bound_order));
+    time = own;
+  }
   return time;
 }
 
 // The length of the next step of the search, in which no contact comes to zero. Bounds for a longer
 // time are worse: the time for which they are made follows the step that they allow.
-double LongFlight::next_step() {
-  double step = safe_time(l_);
-  while (step == l_ && l_ < longest_) {
-    const double longer = std::min(4.0 * l_, longest_), next = safe_time(longer);
+double LongFlight::next_step(Counters &counters) {
+  const double longest = longest_blind_step();
+  l_ = std::min(l_, longest);
+  double step = safe_time(l_, counters);
+  while (step == l_ && l_ < longest) {
+    const double longer = std::min(4.0 * l_, longest), next = safe_time(longer, counters);
     if (next < 2.0 * step && next < longer) break;
     l_ = longer;
     step = next;
   }
   while (step < 0.25 * l_ && l_ * turn_ > 1.0) {
     l_ = std::max(0.25 * l_, 1.0 / turn_);
-    step = std::max(step, safe_time(l_));
+    step = std::max(step, safe_time(l_, counters));
   }
   return step;
 }
@@ -104,7 +143,7 @@ double LongFlight::next_step() {
 bool LongFlight::is_root() const {
   for (std::size_t k = 0; k < values_.size(); ++k) {
     const double value = values_[k].value.hi, rate = values_[k].rate.hi;
-    if (!starts_[k].idle && rate <= 0.0 &&
+    if (!starts_[k].idle && !hidden_[k] && rate <= 0.0 &&
         (value <= zero_threshold * values_[k].terms || value <= -time_rounding * u_ * rate))
       return true;
   }
@@ -117,6 +156,11 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
   const std::vector<Contact> &contacts = start.mode->contacts;
   Real tau = u_;
   std::fill(near.begin(), near.end(), Near::perhaps);
+  if (look_at_hidden()) {
+    for (std::size_t k = 0; k < hidden_.size(); ++k)
+      if (hidden_[k] && !values_[k].is_zero()) near[k] = contacts[k].held ? Near::zero : Near::rest;
+    return tau;
+  }
   for (int k = 0; k < exact_newton_steps; ++k) {
     Real earliest = infinity;
     std::size_t first = 0;
@@ -135,6 +179,15 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
     if (earliest.hi == 0.0) break;
     tau += earliest;
   }
+  const auto touches = [&](std::size_t k) {
+    const double terms = values_[k].terms;
+    if (!contacts[k].held || starts_[k].idle || !(values_[k].value.hi <= touch_rounding * terms))
+      return false;
+    const Polynomial p = bound_of(k, l_, quick_bound_order);
+    return only_touches(p.coefficient[1], p.coefficient[2], terms);
+  };
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (touches(k)) near[k] = Near::touch;
   return tau;
 }
 
@@ -155,10 +208,24 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
   return motion_;
 }
 
+// Goes back to the time, after `before`, at which a hidden contact is first seen below zero.
+void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const Motion &start,
+                                 double before, long long &steps) {
+  double after = u_;
+  while (after - before > time_rounding * after) {
+    const double middle = before + 0.5 * (after - before);
+    evaluate(chain, clock, start, middle);
+    ++steps;
+    (look_at_hidden() ? after : before) = middle;
+  }
+  evaluate(chain, clock, start, after);
+}
+
 LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, const Motion &start,
-                                      double end, std::vector<Near> &near, long long &steps) {
+                                      double end, std::vector<Near> &near, long long &steps,
+                                      Counters &counters) {
   while (!is_at_event_) {
-    const double l = l_, step = next_step();
+    const double l = l_, step = next_step(counters);
     if (u_ + step >= end) {
       l_ = l;  // the next call makes this step
       return {Found::end_of_call};
@@ -166,7 +233,9 @@ LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, co
     const double before = u_;
     evaluate(chain, clock, start, u_ + step);
     ++steps;
-    if (is_root() || u_ == before)
+    const bool appears = look_at_hidden();
+    if (appears) find_appearance(chain, clock, start, before, steps);
+    if (appears || is_root() || u_ == before)
       is_at_event_ = true;
     else if (++evaluations_ >= most_search_steps)
       return {Found::nothing, u_};

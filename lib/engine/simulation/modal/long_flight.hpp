@@ -3,6 +3,7 @@
 // that has left them for good are all such flights.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -10,15 +11,6 @@
 #include "simulation/flight/first_event.hpp"
 
 namespace vibro_impact::detail {
-
-// A lower bound of a contact, for 0 <= s <= l: value - away + rate s + second s^2 / 2
-// - bound s^3 / 6. Parts of the motion that turn within l are in `away` by their amplitude.
-struct ContactBound {
-  double value = 0.0, rate = 0.0, second = 0.0, bound = 0.0, away = 0.0;
-
-  // A time up to l before which the bound is positive.
-  double first_root(double l) const;
-};
 
 // A flight under way. The calls of a run may end within it: its search stands between them, at the
 // time u of the flight, and does not depend on where they end.
@@ -45,21 +37,23 @@ class LongFlight {
     Real tau = 0.0;
   };
   Result search(const Chain &chain, const Clock &clock, const Motion &start, double end,
-                std::vector<Near> &near, long long &steps);
+                std::vector<Near> &near, long long &steps, Counters &counters);
 
   // The motion at the time tau of the flight.
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
 
  private:
-  // A coordinate at u: its deviation from the static displacement, its derivatives of order 1 to 4,
-  // and bounds of those of order 3 and 4 while the forcing stands.
+  // A coordinate at u, the derivatives that have been found of it, in units of unit_^-n, and in
+  // double precision its deviation from the static displacement and its velocity.
   struct Coordinate {
-    double deviation = 0.0;
-    double d[5] = {};
-    double third = 0.0, fourth = 0.0;
-    ModalForce<double> force = {};  // at u
-    double modulus = 0.0;           // of the forcing
+    Real y = 0.0, dy = 0.0;
+    std::array<Real, max_order + 3> derivative{};
+    ModalForce<Real> force{};
+    ModalForce<double> rounded_force{};
+    double modulus = 0.0;  // of the forcing
+    double deviation = 0.0, velocity = 0.0;
   };
+  struct Bound;
 
   std::shared_ptr<const ModalForm> form_;
   ModalState start_, state_;  // at the start of the flight, and at u
@@ -71,7 +65,12 @@ class LongFlight {
   std::vector<ModalForce<double>> watch_forces_;  // of the watches at u
   std::vector<Value> values_;                     // of the contacts at u
   double omega_ = 0.0, turn_ = 0.0;               // of the forcing; the fastest rate
+  // Of the contacts: the value lies below the rounding of its modal coordinates. Such a contact
+  // keeps its sign, by definition, until it is seen.
+  std::vector<char> hidden_;
   double u_ = 0.0;
+  double unit_ = 0.0;     // of the derivatives found at u,
+  int order_ = 0;         // up to this order
   double l_ = 0.0;        // the time for which bounds are made
   double longest_ = 0.0;  // for which they are good
   int evaluations_ = 0;
@@ -79,12 +78,19 @@ class LongFlight {
 
   void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u);
   double sign_of(std::size_t contact) const;
-  ContactBound bound_of(std::size_t contact, double l) const;
+  void find_derivatives(double unit, int order);
+  double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
+                          double length) const;
   void add_parts(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
-                 double weight, double l, ContactBound &bound) const;
-  double safe_time(double l) const;
-  double next_step();
+                 double weight, Bound &bound) const;
+  Polynomial bound_of(std::size_t contact, double l, int order);
+  double safe_time(double l, Counters &counters);
+  double next_step(Counters &counters);
   bool is_root() const;
+  double longest_blind_step() const;
+  bool look_at_hidden();
+  void find_appearance(const Chain &chain, const Clock &clock, const Motion &start, double before,
+                       long long &steps);
   Real refined(const Chain &chain, const Clock &clock, const Motion &start,
                std::vector<Near> &near);
 };

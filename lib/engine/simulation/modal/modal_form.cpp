@@ -31,10 +31,10 @@ Real constant_force(const Chain &chain, const Held &held, std::size_t i) {
 
 Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact) {
   const std::size_t i = contact.mass;
-  Watch watch{.row = std::vector<double>(form.size(), 0.0)};
+  Watch watch{.row = std::vector<Real>(form.size(), Real(0.0))};
   const auto add = [&](double weight, std::size_t mass) {
     for (std::size_t j = 0; j < form.size(); ++j)
-      watch.row[j] += weight * rounded(form.shape(as_index(mass), as_index(j)));
+      watch.row[j] += weight * form.shape(as_index(mass), as_index(j));
   };
   if (!contact.held) {
     add(1.0, i);

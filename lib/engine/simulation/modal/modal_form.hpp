@@ -16,7 +16,7 @@ namespace vibro_impact::detail {
 // The moving part of a contact, as a sum over the coordinates: row . (y + damping y') + a cos + b
 // sin. It is the displacement of a free mass or the force on a held one, but for a constant.
 struct Watch {
-  std::vector<double> row;
+  std::vector<Real> row;
   double damping = 0.0, a = 0.0, b = 0.0;
 };
 

@@ -173,8 +173,8 @@ void fly_far(Run &run, Recorders recorders) {
   }
   const double remaining =
       rounded(elapsed(run.motion.now, TwofoldInstant(run.progress.end), clock));
-  const LongFlight::Result result =
-      run.long_flight.search(chain, clock, run.motion, remaining, scratch.near, run.search_steps);
+  const LongFlight::Result result = run.long_flight.search(
+      chain, clock, run.motion, remaining, scratch.near, run.search_steps, run.counters);
   if (result.found == LongFlight::Found::end_of_call || result.tau.hi > remaining)
     return end_at_time(run, true, recorders);
   sample(run, result.tau, true, recorders);
@@ -194,13 +194,29 @@ bool is_in_range(const Motion &motion) {
   return true;
 }
 
-// The only place that chooses the kind of a flight, by the number of steps without an event. A
-// motion may be on its way to a mass without force, which only steps notice.
+// True when a motion may be on its way to a mass without force. Held masses let nothing pass.
+bool any_forceless_block_moves(const Run &run) {
+  const Held &held = run.motion.mode->held;
+  bool forceless = false, moves = false;  // in the block of free masses up to i
+  for (std::size_t i = 0; i < run.chain().masses; ++i) {
+    if (held[i] != 0) {
+      forceless = moves = false;
+      continue;
+    }
+    moves = moves || run.motion.v[i].hi != 0.0;
+    for (std::size_t k = 0; k < run.stops.size(); ++k)
+      forceless = forceless || (run.chain().stops[k].mass == i && is<Forceless>(run.stops[k].at));
+    if (forceless && moves) return true;
+  }
+  return false;
+}
+
+// The only place that chooses the kind of a flight, by the number of steps without an event. Only
+// steps notice a motion that comes to a mass without force.
 bool is_quiet(const Run &run) {
   const auto n = static_cast<long long>(run.chain().masses);
   if (run.hint.quiet_steps < fewest_short_steps + n * n / short_steps_divisor) return false;
-  const auto moves = [](const Real &v) { return v.hi != 0.0; };
-  return !any_forceless(run) || std::none_of(run.motion.v.begin(), run.motion.v.end(), moves);
+  return !any_forceless(run) || !any_forceless_block_moves(run);
 }
 
 // One flight of the loop.

@@ -64,10 +64,10 @@ void gather_hits(Run &run) {
     const Near near = scratch.near[k];
     if (contacts[k].held || near == Near::no || is<Forceless>(at) || is<Postponed>(at)) continue;
     const Value value = evaluate(run.chain(), contacts[k], run.motion);
-    if (near != Near::zero && !value.is_zero()) continue;
+    if (near != Near::zero && near != Near::rest && !value.is_zero()) continue;
     // A zero without any flight that does not close is rest within rounding.
     const bool stays = !run.hint.time_passed && near == Near::zero && !(value.rate.hi < 0.0);
-    if (stays || !(abs(value.rate) > zero_threshold * value.rate_terms))
+    if (near == Near::rest || stays || !(abs(value.rate) > zero_threshold * value.rate_terms))
       at = Resting{};
     else if (value.rate.hi < 0.0)
       scratch.hits.push_back({k, -value.rate});
