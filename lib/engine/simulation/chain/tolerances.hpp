@@ -103,6 +103,8 @@ constexpr double near_resonance = 1e-4;
 // Orders of the bounds of a contact. The second is tried where the first does not suffice.
 constexpr int quick_bound_order = 2;
 constexpr int best_bound_order = 23;
+// Longest step beside a contact that is hidden in rounding, in radians of the motion that hides it.
+constexpr double blind_radians = 0.5;
 // Time of a root, relative to the flight, below which a value of the wrong sign is rounding.
 constexpr double time_rounding = 1e-13;
 // Newton's steps in twice the precision on the time of an event, and the longest of them relative

@@ -34,22 +34,22 @@ struct LongFlight::Bound {
   double value = 0.0, rate = 0.0, away = 0.0, remainder = 0.0;
   std::array<Real, max_order + 1> derivative{};
 
-  // A part from its value and derivative, with x'' + damping x' + stiffness x = 0.
-  void add(double value_of_part, double rate_of_part, double damping, double stiffness) {
-    const double root = std::sqrt(stiffness) * unit, d = damping * unit, k = root * root;
-    double before = value_of_part, latest = rate_of_part * unit;
+  // A part that turns within the length is taken out of the value and of the rate; the others stay.
+  void add(const Part &part) {
+    if (part.rate * length > 1.0) {
+      value -= part.value;
+      rate -= part.slope;
+      away += part.amplitude;
+      return;
+    }
+    const double root = std::sqrt(part.stiffness) * unit, d = part.damping * unit;
+    double before = part.value, latest = part.slope * unit;
     for (int n = 2; n <= order + 1; ++n) {
-      const double next = -d * latest - k * before;
+      const double next = -d * latest - root * root * before;
       before = std::exchange(latest, next);
       if (n <= order) derivative[static_cast<std::size_t>(n)] += latest;
     }
     remainder += std::hypot(latest, root * before);
-  }
-  // A part of this amplitude is taken out of the value and of the rate; the others stay.
-  void leave_out(double value_of_part, double rate_of_part, double amplitude) {
-    value -= value_of_part;
-    rate -= rate_of_part;
-    away += amplitude;
   }
   // In u = s / length, from 0 to 1.
   Polynomial polynomial() const {
@@ -97,39 +97,32 @@ double LongFlight::derivative_bound(const Coordinate &c, const Oscillator<double
          c.modulus * unit_ * length * std::pow(omega_ * unit_, n - 1);
 }
 
-// A coordinate that turns within the length of the bound, in parts, each by its derivatives or by
-// its amplitude: the steady response, and one free oscillation or two decays about the static
-// displacement.
-void LongFlight::add_parts(const Watch &w, const Coordinate &c, const Oscillator<double> &o,
-                           double weight, Bound &bound) const {
-  const double size = std::abs(weight), d = w.damping, l = bound.length, square = omega_ * omega_;
+// The steady response, and one free oscillation or two decays about the static displacement.
+LongFlight::Parts LongFlight::parts_of(const Watch &w, const Coordinate &c,
+                                       const Oscillator<double> &o, double weight) const {
+  const double size = std::abs(weight), d = w.damping, square = omega_ * omega_;
+  Parts parts;
   double y = c.deviation, dy = c.velocity;  // of the free part
   if (c.modulus > 0.0) {
     const SteadyResponse s = steady_response(o, c.rounded_force, omega_);
-    const double value = weight * (s.y + d * s.dy), rate = weight * (s.dy - d * square * s.y);
     y -= s.y;
     dy -= s.dy;
-    if (omega_ * l <= 1.0)
-      bound.add(value, rate, 0.0, square);
-    else
-      bound.leave_out(value, rate, size * s.modulus * (1.0 + d * omega_));
+    parts.add({weight * (s.y + d * s.dy), weight * (s.dy - d * square * s.y), 0.0, square, omega_,
+               size * s.modulus * (1.0 + d * omega_)});
   }
-  const double second = -o.kappa * dy - o.lambda * y;
-  if (o.rate * l <= 1.0) {
-    bound.add(weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda);
-  } else if (!o.has_two_decays()) {
-    bound.leave_out(weight * (y + d * dy), weight * (dy + d * second),
-                    size * std::hypot(y, dy / std::sqrt(o.lambda)) * (1.0 + d * o.rate));
-  } else {
-    const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
-    for (const auto &[part, decay] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
-      const double z = weight * part * (1.0 + d * decay);
-      if (-decay * l <= 1.0)
-        bound.add(z, z * decay, -decay, 0.0);
-      else
-        bound.leave_out(z, z * decay, std::abs(z));
-    }
+  if (!o.has_two_decays()) {
+    const double second = -o.kappa * dy - o.lambda * y,
+                 amplitude = o.lambda > 0.0 ? std::hypot(y, dy / std::sqrt(o.lambda)) : infinity;
+    parts.add({weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda, o.rate,
+               size * amplitude * (1.0 + d * o.rate)});
+    return parts;
   }
+  const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
+  for (const auto &[part, decay] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
+    const double z = weight * part * (1.0 + d * decay);
+    parts.add({z, z * decay, -decay, 0.0, -decay, std::abs(z)});
+  }
+  return parts;
 }
 
 Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
@@ -147,7 +140,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
     const Real weight = scaled(w.row[j], sign);
     if (weight.hi == 0.0) continue;
     if (!(o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0))) {
-      add_parts(w, c, o, weight.hi, bound);
+      for (const Part &part : parts_of(w, c, o, weight.hi)) bound.add(part);
       continue;
     }
     for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
@@ -159,11 +152,23 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
   }
   if (w.a == 0.0 && w.b == 0.0) return bound.polynomial();
   const ModalForce<double> &f = watch_forces_[watch];
-  if (omega_ * l <= 1.0)
-    bound.add(sign * f.a, sign * omega_ * f.b, 0.0, omega_ * omega_);
-  else
-    bound.leave_out(sign * f.a, sign * omega_ * f.b, std::hypot(f.a, f.b));
+  bound.add({sign * f.a, sign * omega_ * f.b, 0.0, omega_ * omega_, omega_, std::hypot(f.a, f.b)});
   return bound.polynomial();
+}
+
+// The coordinates of a hidden contact cancel each other below the threshold. A part that lies below
+// it alone will not show the contact.
+double LongFlight::longest_blind_step() const {
+  double rate = 0.0;
+  for (std::size_t k = 0; k < hidden_.size(); ++k) {
+    if (!hidden_[k]) continue;
+    const Watch &w = form_->watches[form_->watch_of[k]];
+    if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, omega_);
+    for (std::size_t j = 0; j < coordinates_.size(); ++j)
+      for (const Part &part : parts_of(w, coordinates_[j], form_->rounded[j], w.row[j].hi))
+        if (part.amplitude > zero_threshold * values_[k].terms) rate = std::max(rate, part.rate);
+  }
+  return rate > 0.0 ? std::min(longest_, blind_radians / rate) : longest_;
 }
 
 }  // namespace vibro_impact::detail

@@ -36,27 +36,6 @@ void LongFlight::begin(const Chain &chain, const Clock &clock,
     hidden_[k] = !starts_[k].idle && values_[k].is_zero();
 }
 
-// The longest time of a step beside hidden contacts. Their coordinates cancel each other below the
-// threshold. One that lies below it alone does not make them seen. A power of time at most doubles
-// its argument.
-double LongFlight::longest_blind_step() const {
-  double longest = longest_;
-  for (std::size_t k = 0; k < hidden_.size(); ++k) {
-    if (!hidden_[k]) continue;
-    const Watch &w = form_->watches[form_->watch_of[k]];
-    double rate = w.a != 0.0 || w.b != 0.0 ? omega_ : 0.0;
-    for (std::size_t j = 0; j < coordinates_.size(); ++j) {
-      const Coordinate &c = coordinates_[j];
-      const Oscillator<double> &o = form_->rounded[j];
-      const double size = std::abs(c.deviation) + std::abs(c.velocity) / std::max(o.rate, 1e-300);
-      if (std::abs(w.row[j].hi) * size > zero_threshold * values_[k].terms)
-        rate = std::max({rate, o.rate, c.modulus > 0.0 ? omega_ : 0.0});
-    }
-    longest = std::min(longest, std::max(1.0 / turn_, std::min(u_, rate > 0.0 ? 1.0 / rate : u_)));
-  }
-  return longest;
-}
-
 // True when a hidden contact is seen below zero. One that is seen above zero is hidden no more.
 bool LongFlight::look_at_hidden() {
   bool below = false;

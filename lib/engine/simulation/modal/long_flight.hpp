@@ -53,6 +53,23 @@ class LongFlight {
     double modulus = 0.0;  // of the forcing
     double deviation = 0.0, velocity = 0.0;
   };
+  // A part of the share of a coordinate in a contact, with x'' + damping x' + stiffness x = 0.
+  struct Part {
+    double value, slope, damping, stiffness, rate, amplitude;
+  };
+  struct Parts {
+    std::array<Part, 3> part{};
+    std::size_t size = 0;
+    void add(const Part &next) {
+      part[size++] = next;
+    }
+    const Part *begin() const {
+      return part.data();
+    }
+    const Part *end() const {
+      return part.data() + size;
+    }
+  };
   struct Bound;
 
   std::shared_ptr<const ModalForm> form_;
@@ -81,8 +98,8 @@ class LongFlight {
   void find_derivatives(double unit, int order);
   double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
                           double length) const;
-  void add_parts(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
-                 double weight, Bound &bound) const;
+  Parts parts_of(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
+                 double weight) const;
   Polynomial bound_of(std::size_t contact, double l, int order);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
