@@ -59,40 +59,32 @@ TEST(Economy, AContactModeIsBuiltWhenItIsFirstEntered) {
   }
 }
 
-// A mass pressed onto its stop: an impact takes one expansion of its flight, as long as it
-// lasts, and one root. Further expansions are the one of the first flight, the one after the limit,
-// and those that tried a limit, the last of which was taken.
+// A mass pressed onto its stop: an impact takes one expansion of its flight, as long as it lasts,
+// and one root. Further expansions are those of the first flight, and of the time after the limit:
+// nothing moves there, and each is as long as the time before.
 TEST(Economy, AnImpactCostsOneExpansion) {
   for (const double r : {0.001, 0.3, 0.7, 0.9, 0.95}) {
     const Counters counters =
         simulate(extremes::one_mass(0.0, 0.0, 1.0, r, -0.5, -0.51), 30.0).counters;
     EXPECT_EQ(counters.sticks, 1) << r;
     EXPECT_EQ(counters.roots_searched, counters.impacts) << r;
-    const long long flights = tested(counters), limits = counters.expansions - flights;
-    EXPECT_LE(flights, counters.impacts + 2) << r;
-    EXPECT_LE(limits, std::min(10LL, counters.chatter_nodes)) << r;
+    EXPECT_LE(counters.expansions, counters.impacts + 2 + std::ilogb(30.0) + 2) << r;
   }
 }
 
-// An expansion takes, for each gap or force in reach, one product per coefficient and modal
-// coordinate or its speed. The work is proportional to the stops and to N, not to the square of N.
-TEST(Economy, AnExpansionCostsInProportionToTheStops) {
-  const auto products_per_stop = [](int masses, std::size_t stops) {
-    Scene scene = long_chain(masses, 0.7);
-    scene.stops.resize(stops);
-    const Counters counters = simulate(scene, 40.0).counters;
-    EXPECT_GE(looked_at(counters), 40);
-    // The forcing adds two coordinates. Sticking masses reduce the number.
-    const long long per_coefficient = 2 * masses + 2;
-    EXPECT_LE(counters.products, looked_at(counters) * most_coefficients * per_coefficient);
-    return static_cast<double>(counters.products) /
-           static_cast<double>(looked_at(counters) * per_coefficient);
-  };
-  for (const std::size_t stops : {1u, 2u, 3u}) {
-    const double few = products_per_stop(10, stops);
-    // Short flights have lower orders: which, and how often, depends on the motion.
-    for (const int masses : {50, 200})
-      EXPECT_NEAR(products_per_stop(masses, stops), few, 0.45 * few) << masses << " " << stops;
+// An expansion takes one product for each order and mass, whatever has stops, and reads the gaps
+// and forces that are in reach of zero.
+TEST(Economy, AnExpansionCostsInProportionToTheMasses) {
+  for (const int masses : {10, 50, 200}) {
+    for (const std::size_t stops : {1u, 3u}) {
+      Scene scene = long_chain(masses, 0.7);
+      scene.stops.resize(stops);
+      const Counters counters = simulate(scene, 40.0).counters;
+      EXPECT_GE(counters.expansions, 40) << masses << " " << stops;
+      EXPECT_EQ(counters.products, counters.coefficients * masses) << masses << " " << stops;
+      EXPECT_LE(counters.coefficients, most_coefficients * counters.expansions);
+      EXPECT_LE(tested(counters), static_cast<long long>(stops) * counters.expansions);
+    }
   }
 }
 
@@ -132,19 +124,19 @@ TEST(Economy, AMassThatRestsWithoutForceRefusesNoLimit) {
 }
 
 // If nothing can happen, without stops or out of their reach for ever, there is one closed-form
-// evaluation per sample and one for the state at the end. Expansions are made only while a mode
-// near resonance grows out of a motion far smaller than its response, which would cancel its
-// digits. With stops nothing is evaluated that nobody asked for.
+// evaluation per sample and one for the state at the end. Expansions come before it, as many as
+// cost what the modes do. With stops nothing is evaluated that nobody asked for.
 TEST(Economy, ASampleIsOneEvaluation) {
   Scene clear = extremes::one_mass(0.0, 0.5, 0.0, 0.7, 1.25);  // swings about 0.5
   clear.stops.push_back({1, Side::lower, -0.25});
   for (const Scene &scene :
        {without_stops(long_chain(2, 0.7)), without_stops(long_chain(50, 0.7)), clear}) {
-    SampleRecorder samples(1.0, 90.0, 0.37);
+    const double begin = 2.0 * scene.masses() * scene.masses();
+    SampleRecorder samples(begin, begin + 89.0, 0.37);
     const Counters counters = simulate(scene, 1e6, samples).counters;
     EXPECT_EQ(samples.times.size(), 241u);
     EXPECT_EQ(counters.modal_evaluations, 242);
-    EXPECT_LE(counters.expansions, 40);
+    EXPECT_LE(counters.expansions, 16 + scene.masses() * scene.masses() / 8);
     for (std::size_t i = 0; i < samples.times.size() && scene.masses() == 1; ++i)
       EXPECT_NEAR(samples.displacements[i], 0.5 * (1.0 - std::cos(samples.times[i])), 1e-15);
   }
@@ -191,7 +183,7 @@ TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreFewSteps) {
 }
 
 // A chain whose swing has died down between its stops, one that rests on them, and one that has
-// left them for good (not tied to the ground).
+// left them for good (not tied to the ground). After an event come some sixteen steps.
 TEST(Undisturbed, WhatHappensBeforeIsAllThatIsPaidFor) {
   Scene dying = paper::figure2();
   dying.amplitude.clear();
@@ -201,11 +193,11 @@ TEST(Undisturbed, WhatHappensBeforeIsAllThatIsPaidFor) {
 
   const Scene resting = extremes::one_mass(0.1, 0.5, 0.0, 0.7, 0.1);
   EXPECT_EQ(simulate(resting, 30.0).counters.sticks, 1);
-  expect_the_same_work(resting, 30.0, 1e9, 40);
+  expect_the_same_work(resting, 1e6, 1e9, 40);
 
   Scene leaving = extremes::one_mass(0.0, 0.0, 0.0, 0.7, 1.0, 0.0, 0.5);
   leaving.stiffness = {0.0};
-  expect_the_same_work(leaving, 30.0, 1e9, 4);
+  expect_the_same_work(leaving, 1e6, 1e9, 20);
   const MotionState end = simulate(leaving, 1e9).state;
   EXPECT_DOUBLE_EQ(end.displacement[0], 1.0 - 0.35 * (1e9 - 2.0));
   EXPECT_DOUBLE_EQ(end.velocity[0], -0.35);

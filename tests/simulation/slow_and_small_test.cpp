@@ -50,10 +50,10 @@ TEST(SlowForcing, CancelsNoDigits) {
       expect_exact(mass_on_spring(stiffness, 1.0, 0.0), t);
 }
 
-// Figure 2 forced by a period of 6e7. Mass 1 is held for longer than the motion of mass 2 has digits:
-// a motion that has died down must not set the length of the steps. The times come from the closed
-// form of the steady response and the generator with 60 digits. They are off by at most two units in
-// the last place, 1.5e-8; 1e-4 of the steps of two radians are some thousand.
+// Figure 2 forced by a period of 6e7. Mass 1 is held for longer than the motion of mass 2 has
+// digits: a motion that has died down must not set the length of the steps. The times come from the
+// closed form of the steady response and the generator with 60 digits. They are off by at most two
+// units in the last place, 1.5e-8; 1e-4 of the steps of two radians are some thousand.
 TEST(SlowForcing, TakesFewStepsForAPeriodOfFigure2) {
   Scene scene = paper::figure2();
   scene.omega = 1e-7;
@@ -69,10 +69,9 @@ TEST(SlowForcing, TakesFewStepsForAPeriodOfFigure2) {
 }
 
 // The centre of mass of a free chain moves as f (1 - cos(Omega t)) / Omega^2. First a stop is far
-// away. Then it lies 0.001 beyond the amplitude, so that steps have two radians of the fastest
-// mode. 1e-12 of the motion.
+// away. Then it lies 0.001 beyond the amplitude. 1e-12 of the motion.
 TEST(RigidBodyMode, IsExactForAHundredThousandPeriods) {
-  for (const auto &[omega, stop, steps] : {std::tuple{0.05, 1e4, 0}, {0.5, 2.001, 100'000}}) {
+  for (const auto &[omega, stop] : {std::pair{0.05, 1e4}, {0.5, 2.001}}) {
     Scene scene = paper::figure2();
     scene.stiffness = {0.0, 0.35};
     scene.amplitude = {0.5, 0.0};
@@ -81,7 +80,6 @@ TEST(RigidBodyMode, IsExactForAHundredThousandPeriods) {
     scene.stops = {{1, Side::upper, stop}};
     const double until = time_of({100'000, 3.0}, Clock(omega));
     const Outcome outcome = require_complete(simulate(scene, until));
-    EXPECT_GE(outcome.counters.expansions, steps);
     EXPECT_EQ(outcome.counters.impacts, 0);
     const double x = (outcome.state.displacement[0] + outcome.state.displacement[1]) / 2.0,
                  amplitude = 0.25 / (omega * omega);
@@ -104,16 +102,14 @@ TEST(StrongDamping, SlowerThanTheForcingCancelsNoDigits) {
   }
 }
 
-// A mode far slower than its forcing, in 1e4 forcing periods of steps beside a stop. Sums over
-// steps would be off by 3e-11 of the motion.
-TEST(SoftSpring, IsExactInStepsBesideAStop) {
+// A mode far slower than its forcing, in 1e4 forcing periods beside a stop. Sums over steps would
+// be off by 3e-11 of the motion.
+TEST(SoftSpring, IsExactBesideAStop) {
   Scene scene = mass_on_spring(1e-8, 10.0, 2.5);
   scene.stops = {{1, Side::lower, -0.7}};
   scene.displacement = {1.0};
   scene.velocity = {0.01};
-  const Counters counters = simulate(scene, 29'000.0).counters;
-  EXPECT_GT(counters.expansions, 10'000);
-  EXPECT_EQ(counters.impacts, 0);
+  EXPECT_EQ(simulate(scene, 29'000.0).counters.impacts, 0);
   expect_exact(scene, 29'000.0);
 }
 
@@ -163,7 +159,8 @@ TEST(SmallMotion, KeepsTwoSmallGaps) {
   EXPECT_NEAR(events[1].time, 3e-20 / 0.7, 4e-31);
 }
 
-// An undamped stiff mode takes two radians a step at most. A damped one dies out.
+// A run takes at most the steps that it may, and says when there are more. A stiff mode, damped or
+// not, needs few of them.
 TEST(Work, OfARunIsBounded) {
   Scene scene;
   scene.mass = {1.0, 1.0};
@@ -172,14 +169,16 @@ TEST(Work, OfARunIsBounded) {
   scene.restitution = 0.7;
   scene.stops = {{1, Side::upper, 0.1}};
   RunOptions options;
-  options.max_steps = 10'000;
+  options.max_steps = 100;
   const Outcome outcome = simulate(scene, 100.0, options);
   EXPECT_EQ(outcome.ending, Ending::given_up);
-  EXPECT_NE(outcome.reason.find("more than 10000 steps, given up at t = "), std::string::npos);
-  EXPECT_LE(outcome.counters.expansions, 10'000);
-  scene.beta = 0.1;
-  EXPECT_EQ(simulate(scene, 100.0).ending, Ending::reached);
-  scene.beta = 0.0;
+  EXPECT_NE(outcome.reason.find("more than 100 steps, given up at t = "), std::string::npos);
+  EXPECT_LE(outcome.counters.expansions, 100);
+  options.max_steps = 10'000;
+  for (const double beta : {0.1, 0.0}) {
+    scene.beta = beta;
+    EXPECT_EQ(simulate(scene, 100.0, options).ending, Ending::reached) << beta;
+  }
   scene.stiffness[1] = 1e30;
   EXPECT_THROW(static_cast<void>(simulate(scene, 100.0, options)), std::invalid_argument);
   EXPECT_EQ(simulate(scene, 1e-12, options).ending, Ending::reached);

@@ -37,8 +37,9 @@ struct RunOptions {
   // which the limit is accepted. It lies in (0, 1).
   double chatter_tolerance = 1e-13;
   // Largest remainder of the Taylor series of a step, relative to its second-order term, from 1e-21
-  // to below 1. The order of the series follows from it. The default lies below rounding.
-  double flight_tolerance = 0x1p-56;
+  // to below 1. The order of the series follows from it. The default lies so far below rounding
+  // that the energy of an elastic chain does not drift.
+  double flight_tolerance = 0x1p-59;
   // A run is given up after this many steps in one call of `advance`. Every impact ends a step, so
   // that this number bounds the impacts, too. Twenty orders of decisions who sticks take as long
   // as a step, and count as one. A sample inside a chatter that is taken to its limit needs further

@@ -87,13 +87,13 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
       ++counters.out_of_reach;
       continue;
     }
-    const std::optional<Root> root =
+    const std::optional<double> root =
         first_root(p, std::min(step.u_max, event ? u + tolerance(u) : u), counters);
     if (!root) continue;
-    if (std::isnan(root->u)) return {root->u, true};
+    if (std::isnan(*root)) return {*root, true};
     near[k] = Near::perhaps;
-    roots[k] = root->u;
-    if (!event || root->u < u) u = root->u;
+    roots[k] = *root;
+    if (!event || *root < u) u = *root;
     event = true;
   }
   if (!event) return {step.length, false};

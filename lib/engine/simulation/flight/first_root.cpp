@@ -68,25 +68,19 @@ inline double curvature_bound(const Jet &jet, double fifth, double h) {
   return 2.0 * (std::abs(jet.second) + h * third);
 }
 
-// The root of p at a root u of p(u) / u^zeros with this slope.
-Root root_at(double u, double slope, int zeros) {
-  for (int k = 0; k < zeros; ++k) slope *= u;
-  return {u, slope};
-}
-
 // The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies. The inverse of the
 // series about u gives it to fourth order in Newton's step, and then Newton's method with value and
 // slope alone. `curvature` bounds |q'' newton / q'|, so that the root lies within curvature *
 // |newton| of Newton's step.
-std::optional<Root> polished(const Polynomial &p, int zeros, double u, const Jet &jet,
-                             double newton, double curvature, double u_max) {
+std::optional<double> polished(const Polynomial &p, int zeros, double u, const Jet &jet,
+                               double newton, double curvature, double u_max) {
   const double inverse = -1.0 / jet.slope, a = jet.second * inverse, b = jet.third * inverse,
                c = jet.fourth * inverse, aa = a * a;
   const double correction =
       newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
   const double *coefficient = p.coefficient.data() + zeros;
   double v = u + newton * (1.0 + std::clamp(correction, -curvature, curvature));
-  double slope = 0.0, change = infinity;
+  double change = infinity;
   for (int k = 0; k < most_newton_steps && std::abs(change) > newton_accuracy * std::abs(v - u);
        ++k) {
     const double quartic = v * v * v * v;
@@ -97,15 +91,11 @@ std::optional<Root> polished(const Polynomial &p, int zeros, double u, const Jet
       rate += binomials(1, n) * term;
       power *= quartic;
     }
-    slope = rate.sum() / v;
-    change = -value.sum() / slope;
+    change = -value.sum() / (rate.sum() / v);
     v += change;
   }
-  if (!(v <= u_max)) return std::nullopt;
-  // The slope at the root, from that before the last step.
-  const double step = v - u;
-  slope += 2.0 * change * (jet.second + step * (3.0 * jet.third + 6.0 * step * jet.fourth));
-  return root_at(std::max(v, 0.0), slope, zeros);
+  if (v > u_max) return std::nullopt;
+  return std::max(v, 0.0);  // or not a number
 }
 
 // The length of the longest stretch from u on, up to u_max, on which the lower bound (5) of the
@@ -144,12 +134,12 @@ Jet jet_at(const Polynomial &p, int zeros, double u) {
           fourth.sum() * inverse * inverse * inverse * inverse};
 }
 
-std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &counters) {
+std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters) {
   int zeros = 0;
   while (zeros <= p.order && p.coefficient[static_cast<std::size_t>(zeros)] == 0.0) ++zeros;
   if (zeros > p.order) return std::nullopt;  // identically zero
   const double *c = p.coefficient.data() + zeros;
-  if (c[0] < 0.0) return Root{0.0, zeros == 0 ? c[1] : zeros == 1 ? c[0] : 0.0};
+  if (c[0] < 0.0) return 0.0;
   Jet jet{c[0], c[1], c[2], c[3], c[4]};  // coefficients beyond the order are zero
   const double fifth = derivative_bound(p, zeros, 5, u_max);
   if (lower_bound(jet, fifth, u_max) > 0.0) {
@@ -172,14 +162,14 @@ std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &coun
     const double rounding = polynomial_rounding * derivative_bound(p, zeros, 0, u);
     // From more than twice the rounding a step goes a share of the way to a tangency. With less the
     // steps would become ever shorter.
-    if (!(jet.value > 2.0 * rounding)) return root_at(u, jet.slope, zeros);
+    if (!(jet.value > 2.0 * rounding)) return u;
     const double stretch = positive_stretch(p, zeros, u, u_max, jet, fifth, rounding);
-    if (stretch == 0.0) return root_at(u, jet.slope, zeros);
+    if (stretch == 0.0) return u;
     u += stretch;
     if (!(u < u_max)) return std::nullopt;
     jet = jet_at(p, zeros, u);
   }
-  return Root{std::numeric_limits<double>::quiet_NaN(), 0.0};
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace vibro_impact::detail

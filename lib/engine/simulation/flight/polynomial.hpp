@@ -29,15 +29,10 @@ struct Jet {
 // The jet about u >= 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.
 Jet jet_at(const Polynomial &p, int zeros, double u);
 
-struct Root {
-  double u = 0.0;
-  double slope = 0.0;  // p' at the root
-};
-
 // The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
 // coefficients that are exactly zero. The search is guaranteed to miss no root and takes no
 // samples: (5) of lib/engine/README.md. If the first non-zero coefficient is negative, the root is
-// 0 with the slope there. If powers of u leave the range of double precision, it is NaN.
-std::optional<Root> first_root(const Polynomial &p, double u_max, Counters &counters);
+// 0. If powers of u leave the range of double precision, it is NaN.
+std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters);
 
 }  // namespace vibro_impact::detail

@@ -86,8 +86,8 @@ void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &
 double LongFlight::safe_time(double l, Counters &counters) {
   double time = l;
   const auto shorten = [&](std::size_t contact, int order) {
-    const std::optional<Root> root = first_root(bound_of(contact, l, order), time / l, counters);
-    return root ? (root->u > 0.0 ? root->u * l : 0.0) : time;
+    const std::optional<double> root = first_root(bound_of(contact, l, order), time / l, counters);
+    return root ? (*root > 0.0 ? *root * l : 0.0) : time;
   };
   for (std::size_t k = 0; k < values_.size() && time > 0.0; ++k) {
     if (starts_[k].idle || hidden_[k]) continue;
