@@ -1,10 +1,8 @@
-// When a chatter may be carried to its limit: the reach of other contacts, in the engine in modal
-// coordinates.
+// When a chatter may be carried to its limit: the reach of other contacts.
 #include <gtest/gtest.h>
 
 #include "reference/scenes/paper_scenes.hpp"
-#include "simulation/chain/mode_change.hpp"
-#include "simulation/chatter/limit.hpp"
+#include "simulation/chatter/reach.hpp"
 
 namespace {
 
@@ -21,18 +19,17 @@ TEST(ChatterReach, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
   // Both at rest at the origin, and a phase of the forcing that presses the second by its share.
   for (const auto &[share, stays] : {std::pair{1.2, false}, {0.5, false}, {3.0, true}}) {
     scene.amplitude = {0.0, share * scene.beta * scene.stiffness[1] * jumps_left};
-    const auto pressed_mode = detail::build_contact_mode(scene, Held{0, 1});
+    const detail::Chain chain(scene);
+    const detail::ContactMode mode = build_contact_mode(chain, Held{0, 1});
     detail::Motion motion;
-    detail::ChainMotion chain;
-    detail::express(scene, start_of(scene), pressed_mode, Clock(scene.omega), chain, motion);
+    motion.mode = &mode;
+    clear(chain, motion);
+    find_acceleration(chain, motion);
     detail::Chatter chatter;
-    detail::begin_chatter(chatter, {0}, r);
-    detail::add_impact(chatter, 1e-9, {jump}, motion);
-    detail::LimitState limit;
+    // All jumps to come, of which the first is that of this impact times r.
+    chatter.add({0}, 1e-9, r, Clock(scene.omega), motion, {-jumps_left, 0.0});
     const std::vector<detail::StopState> stops(2);
-    EXPECT_EQ(detail::others_stay_out_of_reach(chatter, motion, stops, scene.omega, 1e-9, limit),
-              stays)
-        << share;
+    EXPECT_EQ(others_stay_out_of_reach(chain, chatter, motion, stops, 1e-9), stays) << share;
   }
 }
 

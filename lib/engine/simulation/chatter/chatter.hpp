@@ -1,6 +1,6 @@
 // The limit of a complete chatter. Near it the impacts form an analytic sequence with the ratio r,
 // so that the time and the state at the limit follow from those of a few impacts by Richardson's
-// extrapolation: (6) and (7) of lib/engine/README.md.
+// extrapolation: (6) and (7) of lib/README.md.
 #pragma once
 
 #include <array>

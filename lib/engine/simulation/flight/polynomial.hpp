@@ -31,7 +31,7 @@ Jet jet_at(const Polynomial &p, int zeros, double u);
 
 // The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
 // coefficients that are exactly zero. The search is guaranteed to miss no root and takes no
-// samples: (5) of lib/engine/README.md. If the first non-zero coefficient is negative, the root is
+// samples: (5) of lib/README.md. If the first non-zero coefficient is negative, the root is
 // 0. If powers of u leave the range of double precision, it is NaN.
 std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters);
 

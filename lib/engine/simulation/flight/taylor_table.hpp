@@ -1,5 +1,5 @@
 // The Taylor table of a step: the coefficients of all displacements about its start. Gaps and hold
-// forces are read from it, and it moves the motion ((1) to (3) of lib/engine/README.md).
+// forces are read from it, and it moves the motion ((1) to (3) of lib/README.md).
 #pragma once
 
 #include <array>

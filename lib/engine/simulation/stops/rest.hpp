@@ -1,6 +1,6 @@
 // The decision which masses stick after an instant. All masses at rest at a stop are decided
 // together, order by order, each by the first non-zero derivative of its force
-// (lib/engine/README.md, "Held masses").
+// (lib/README.md, "Held masses").
 #pragma once
 
 #include <optional>
