@@ -6,7 +6,6 @@
 #   figures/measures <- figures, tests; no other folder of figures includes another one
 #   lib/simulation   <- lib/analysis, through for_analysis.hpp alone
 #   lib/analysis     <- lib/program   <- figures (its progress line)
-#   lib/engine/simulation obeys the rules of lib/simulation.
 # Inside the simulation a folder includes only folders before it: chain, flight, modal, stops,
 # chatter, run.
 cmake_minimum_required(VERSION 3.21)
@@ -35,9 +34,7 @@ function(refuse where pattern)
 endfunction()
 
 set(inside "(\\.\\./|lib/|figures/|reference/|tests/|program/)")
-foreach(engine lib lib/engine)
-  refuse(${engine}/simulation "(${inside}|analysis/|simulation/analysis|vibro_impact/analysis/)")
-endforeach()
+refuse(lib/simulation "(${inside}|analysis/|simulation/analysis|vibro_impact/analysis/)")
 refuse(lib/analysis "(${inside}|simulation/[a-z]+/)")
 # Orbits include neither settled motions nor sweeps.
 set(sweeping "(vibro_impact/analysis/)?(sweep|settle|orbit_record|lyapunov)")
@@ -81,15 +78,13 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-foreach(engine lib lib/engine)
-  set(later ${folders})
-  foreach(folder IN LISTS folders)
-    list(REMOVE_ITEM later ${folder})
-    list(JOIN later "|" behind)
-    if(behind AND EXISTS ${source}/${engine}/simulation/${folder})
-      refuse(${engine}/simulation/${folder} "(simulation/)?(${behind})/")
-    endif()
-  endforeach()
+set(later ${folders})
+foreach(folder IN LISTS folders)
+  list(REMOVE_ITEM later ${folder})
+  list(JOIN later "|" behind)
+  if(behind)
+    refuse(lib/simulation/${folder} "(simulation/)?(${behind})/")
+  endif()
 endforeach()
 
 # The header of all headers includes each of them, but itself.
