@@ -6,7 +6,8 @@ namespace vibro_impact {
 struct Counters {
   long long expansions = 0;          // Taylor expansions of the flow
   long long coefficients = 0;        // Taylor orders, summed over the expansions
-  long long products = 0;            // of weights and coefficients, for gaps and hold forces
+  long long products = 0;            // coefficients of masses, summed over the expansions
+  long long search_steps = 0;        // evaluations of a long flight in search of its end
   long long out_of_reach = 0;        // gaps and hold forces out of reach of zero over a step
   long long roots_dismissed = 0;     // polynomials shown positive by one lower bound
   long long roots_searched = 0;      // polynomials iterated on
@@ -18,7 +19,7 @@ struct Counters {
   long long chatter_nodes = 0;       // impacts entered into a chatter table
   long long chatter_limits = 0;      // complete chatters that ended at their limit
   long long chatter_incomplete = 0;  // five or more falling impacts at a stop that ended in flight
-  long long modes_built = 0;         // contact modes decomposed
+  long long modes_built = 0;         // contact modes entered for the first time
   long long modal_evaluations = 0;   // states at samples, and at ends in closed form
 };
 

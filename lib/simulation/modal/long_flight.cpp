@@ -189,20 +189,19 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
 
 // Goes back to the time, after `before`, at which a hidden contact is first seen below zero.
 void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const Motion &start,
-                                 double before, long long &steps) {
+                                 double before, Counters &counters) {
   double after = u_;
   while (after - before > time_rounding * after) {
     const double middle = before + 0.5 * (after - before);
     evaluate(chain, clock, start, middle);
-    ++steps;
+    ++counters.search_steps;
     (look_at_hidden() ? after : before) = middle;
   }
   evaluate(chain, clock, start, after);
 }
 
 LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, const Motion &start,
-                                      double end, std::vector<Near> &near, long long &steps,
-                                      Counters &counters) {
+                                      double end, std::vector<Near> &near, Counters &counters) {
   while (!is_at_event_) {
     const double l = l_, step = next_step(counters);
     if (u_ + step >= end) {
@@ -211,9 +210,9 @@ LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, co
     }
     const double before = u_;
     evaluate(chain, clock, start, u_ + step);
-    ++steps;
+    ++counters.search_steps;
     const bool appears = look_at_hidden();
-    if (appears) find_appearance(chain, clock, start, before, steps);
+    if (appears) find_appearance(chain, clock, start, before, counters);
     if (appears || is_root() || u_ == before)
       is_at_event_ = true;
     else if (++evaluations_ >= most_search_steps)

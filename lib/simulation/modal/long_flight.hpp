@@ -37,7 +37,7 @@ class LongFlight {
     Real tau = 0.0;
   };
   Result search(const Chain &chain, const Clock &clock, const Motion &start, double end,
-                std::vector<Near> &near, long long &steps, Counters &counters);
+                std::vector<Near> &near, Counters &counters);
 
   // The motion at the time tau of the flight.
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
@@ -107,7 +107,7 @@ class LongFlight {
   double longest_blind_step() const;
   bool look_at_hidden();
   void find_appearance(const Chain &chain, const Clock &clock, const Motion &start, double before,
-                       long long &steps);
+                       Counters &counters);
   Real refined(const Chain &chain, const Clock &clock, const Motion &start,
                std::vector<Near> &near);
 };

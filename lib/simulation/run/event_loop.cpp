@@ -173,8 +173,8 @@ void fly_far(Run &run, Recorders recorders) {
   }
   const double remaining =
       rounded(elapsed(run.motion.now, TwofoldInstant(run.progress.end), clock));
-  const LongFlight::Result result = run.long_flight.search(
-      chain, clock, run.motion, remaining, scratch.near, run.search_steps, run.counters);
+  const LongFlight::Result result =
+      run.long_flight.search(chain, clock, run.motion, remaining, scratch.near, run.counters);
   if (result.found == LongFlight::Found::end_of_call || result.tau.hi > remaining)
     return end_at_time(run, true, recorders);
   sample(run, result.tau, true, recorders);
@@ -238,13 +238,12 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
                   .inside_chatter = run.progress.inside_chatter,
                   .next_sample = next_sample(recorders)};
   run.ended_inside_chatter = false;
-  run.search_steps = 0;
   if (run.start) handle_start(run, recorders);
   take_limit(run, recorders);  // a chatter may stand at a node since the call before
   while (!run.progress.over) {
     fly_on(run, recorders);
-    const long long steps =
-        run.counters.expansions + run.search_steps + run.counters.rest_orders / orders_as_a_step;
+    const long long steps = run.counters.expansions + run.counters.search_steps +
+                            run.counters.rest_orders / orders_as_a_step;
     if (!run.progress.over && steps >= run.problem.options.max_steps)
       stop_run(run, Ending::given_up,
                line("more than ", run.problem.options.max_steps, " steps, given up at t = ",

@@ -90,7 +90,6 @@ struct Run {
   // The latest call ended inside a chatter, whose impacts after the latest node are not yet taken.
   bool ended_inside_chatter = false;
   Counters counters = {};
-  long long search_steps = 0;  // of long flights in this call
   Progress progress = {};
   Scratch scratch = {};
 
