@@ -170,4 +170,11 @@ TEST(FirstRoot, OfASmallPolynomialIsFoundInFewSteps) {
   EXPECT_LE(counters.root_iterations, 64);
 }
 
+// 1e-315 (1 - 3 u + u^2): the reciprocal of the slope is not a double.
+TEST(FirstRoot, OfCoefficientsBelowTheNormalNumbersIsFound) {
+  const auto root = first(rounded({1e-315L, -3e-315L, 1e-315L}));
+  ASSERT_TRUE(root);
+  EXPECT_NEAR(*root, 0.5 * (3.0 - std::sqrt(5.0)), 1e-8) << "1e-315 has eight digits";
+}
+
 }  // namespace

@@ -74,8 +74,9 @@ inline double curvature_bound(const Jet &jet, double fifth, double h) {
 // |newton| of Newton's step.
 std::optional<double> polished(const Polynomial &p, int zeros, double u, const Jet &jet,
                                double newton, double curvature, double u_max) {
-  const double inverse = -1.0 / jet.slope, a = jet.second * inverse, b = jet.third * inverse,
-               c = jet.fourth * inverse, aa = a * a;
+  // The reciprocal of a slope may leave the range of double precision, these quotients do not.
+  const double a = jet.second / -jet.slope, b = jet.third / -jet.slope, c = jet.fourth / -jet.slope,
+               aa = a * a;
   const double correction =
       newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
   const double *coefficient = p.coefficient.data() + zeros;

@@ -135,8 +135,9 @@ ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free)
     const auto n = static_cast<Index>(end - k);
     for (Index j = 0; j < n; ++j, ++done) {
       lambda(done) = rounded(block.lambda(j));
+      const double sign = block.shape(n - 1, j).hi < 0.0 ? -1.0 : 1.0;
       for (Index i = 0; i < n; ++i)
-        shape(static_cast<Index>(free[k]) + i, done) = rounded(block.shape(i, j));
+        shape(static_cast<Index>(free[k]) + i, done) = sign * rounded(block.shape(i, j));
     }
     k = end;
   }

@@ -24,8 +24,8 @@ struct BlockModes {
 BlockModes modes_of_block(const Chain &chain, std::size_t first, std::size_t last);
 
 // The modes of N masses of which some are held, in double precision for the analysis. `lambda`
-// ascends. `shape` is N x modes, with zero rows for held masses, and `inverse` = shape^T M is its
-// left inverse.
+// ascends. `shape` is N x modes, with zero rows for held masses; the last mass of a block moves to
+// the positive side, as in the paper. `inverse` = shape^T M is its left inverse.
 struct ModalBasis {
   Eigen::VectorXd lambda;
   Eigen::MatrixXd shape, inverse;

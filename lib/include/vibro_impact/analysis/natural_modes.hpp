@@ -9,7 +9,8 @@
 namespace vibro_impact {
 
 // The modes of the free masses, by ascending frequency. `shape` is N x modes, normalised to unit
-// modal mass; its rows of held masses are zero.
+// modal mass; its rows of held masses are zero. The last mass of a mode moves to the positive side,
+// as in the paper.
 struct NaturalModes {
   std::vector<double> lambda;  // squares of the natural frequencies
   Matrix shape;
