@@ -24,7 +24,7 @@ script(.ci/packages "exit 0")
 file(COPY ${source}/reference/tables DESTINATION ${folder})
 script(build/bin/check "exec '${build}/bin/check' --reference '${folder}/tables'")
 file(READ ${folder}/tables/checked_numbers.csv right)
-string(REPLACE ",0.25600632980" ",0.25600632990" wrong "${right}")  # a frequency of Figure 4
+string(REPLACE ",0.256006329" ",0.256006328" wrong "${right}")  # a frequency of Figure 4
 file(WRITE ${folder}/tables/checked_numbers.csv "${wrong}")
 make_target(figures status)
 if(status EQUAL 0 OR wrong STREQUAL right OR NOT said MATCHES "missed: [a-z].*FAILED: ")

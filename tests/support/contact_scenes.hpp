@@ -31,8 +31,9 @@ inline Trial hit_after_a_release(unsigned seed) {
     if (releases.empty()) continue;
     const double release = releases[0].time;
     const MotionState hit = simulate(scene, release + draw.spread(1e-9, 1e-2)).state;
-    const double position = hit.displacement[held], start = scene.displacement[held];
-    const Side side = hit.velocity[held] > 0.0 ? Side::upper : Side::lower;
+    const auto next = static_cast<std::size_t>(held);  // the mass after the held one, from 0
+    const double position = hit.displacement[next], start = scene.displacement[next];
+    const Side side = hit.velocity[next] > 0.0 ? Side::upper : Side::lower;
     if (!(sign(side) * (position - start) > 0.0)) continue;
     scene.stops.push_back({held + 1, side, position});
     const std::vector<Event> impacts =
