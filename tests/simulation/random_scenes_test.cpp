@@ -63,6 +63,7 @@ constexpr Distribution distributions[] = {
     {"hit after a release", hit_after_a_release, 2000, 2e-13, scenes / 20, broken_by_digits},
     {"slow forcing", slow_forcing, 20000, 2e-13, scenes / 6},
     {"narrow slot", narrow_slot, 20000, 2e-13, scenes / 6},
+    {"free chain", free_chain, 20000, 2e-13, scenes / 6},
     {"elastic", elastic_chain, 20000, 2e-13, scenes / 6, broken_by_energy},
     {"touching forces", touching_forces, 20000, 2e-13, scenes / 6, broken_by_touches}};
 

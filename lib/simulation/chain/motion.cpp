@@ -125,4 +125,19 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
   return value;
 }
 
+double sum_of_forces(const Chain &chain, std::size_t i, const Motion &motion) {
+  double sum = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
+               chain.ground[i] * std::abs(motion.x[i].hi);
+  const auto add_link = [&](double stiffness, const Real &x, double v) {
+    sum += stiffness * (std::abs(rounded(x - motion.x[i])) +
+                        chain.beta * (std::abs(v) + std::abs(motion.v[i].hi)));
+  };
+  if (i > 0)
+    add_link(chain.link[i], motion.x[i - 1], motion.v[i - 1].hi);
+  else
+    add_link(chain.link[i], 0.0, 0.0);
+  if (i + 1 < chain.masses) add_link(chain.above(i), motion.x[i + 1], motion.v[i + 1].hi);
+  return sum;
+}
+
 }  // namespace vibro_impact::detail

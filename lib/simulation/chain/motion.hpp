@@ -59,4 +59,8 @@ struct Value {
 // The rate of a force needs the acceleration.
 Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion);
 
+// The sum of the moduli of the forces on a mass at rest (from 0): springs by their stretch, dampers
+// and external forces. In double precision, a hold force is rounded relative to it.
+double sum_of_forces(const Chain &chain, std::size_t mass, const Motion &motion);
+
 }  // namespace vibro_impact::detail

@@ -101,7 +101,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   const auto touches = [&](std::size_t k) {
     const Contact &contact = mode.contacts[k];
     if (!contact.held || starts[k].idle) return false;
-    const double terms = evaluate(chain, contact, motion).terms;
+    const double terms = sum_of_forces(chain, contact.mass, motion) + travel_of(polynomials[k]);
     const Jet jet = jet_at(polynomials[k], 0, u);
     return jet.value <= touch_rounding * terms && only_touches(jet.slope, jet.second, terms);
   };

@@ -45,7 +45,8 @@ struct LongFlight::Bound {
     const double root = std::sqrt(part.stiffness) * unit, d = part.damping * unit;
     double before = part.value, latest = part.slope * unit;
     for (int n = 2; n <= order + 1; ++n) {
-      const double next = -d * latest - root * root * before;
+      double next = -d * latest - root * root * before;
+      if (n == 2) next += part.drive * unit * unit;
       before = std::exchange(latest, next);
       if (n <= order) derivative[static_cast<std::size_t>(n)] += latest;
     }
@@ -111,10 +112,13 @@ LongFlight::Parts LongFlight::parts_of(const Watch &w, const Coordinate &c,
                size * s.modulus * (1.0 + d * omega_)});
   }
   if (!o.has_two_decays()) {
-    const double second = -o.kappa * dy - o.lambda * y,
-                 amplitude = o.lambda > 0.0 ? std::hypot(y, dy / std::sqrt(o.lambda)) : infinity;
+    // A coordinate without a spring has no static displacement, and its constant force drives it.
+    const bool is_tied = o.lambda > 0.0;
+    const double drive = is_tied ? 0.0 : c.rounded_force.c,
+                 second = drive - o.kappa * dy - o.lambda * y,
+                 amplitude = is_tied ? std::hypot(y, dy / std::sqrt(o.lambda)) : infinity;
     parts.add({weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda, o.rate,
-               size * amplitude * (1.0 + d * o.rate)});
+               size * amplitude * (1.0 + d * o.rate), weight * drive});
     return parts;
   }
   const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;

@@ -159,9 +159,9 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
     tau += earliest;
   }
   const auto touches = [&](std::size_t k) {
-    const double terms = values_[k].terms;
-    if (!contacts[k].held || starts_[k].idle || !(values_[k].value.hi <= touch_rounding * terms))
-      return false;
+    if (!contacts[k].held || starts_[k].idle) return false;
+    const double terms = sum_of_forces(chain, contacts[k].mass, motion_);
+    if (!(values_[k].value.hi <= touch_rounding * terms)) return false;
     const Polynomial p = bound_of(k, l_, quick_bound_order);
     return only_touches(p.coefficient[1], p.coefficient[2], terms);
   };

@@ -53,9 +53,9 @@ class LongFlight {
     double modulus = 0.0;  // of the forcing
     double deviation = 0.0, velocity = 0.0;
   };
-  // A part of the share of a coordinate in a contact, with x'' + damping x' + stiffness x = 0.
+  // A part of the share of a coordinate in a contact: x'' + damping x' + stiffness x = drive.
   struct Part {
-    double value, slope, damping, stiffness, rate, amplitude;
+    double value, slope, damping, stiffness, rate, amplitude, drive = 0.0;
   };
   struct Parts {
     std::array<Part, 3> part{};
