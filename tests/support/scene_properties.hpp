@@ -168,8 +168,8 @@ inline std::string broken_by_digits(const Run &run) {
 }
 
 // The kinetic and elastic energy, but for what roundings of 2^-53 of it, one a step, of either
-// sign, add up to, eight times over. The motion of one mass repeats itself, and with it the rounding
-// of its speed, which is twice as large in the energy.
+// sign, add up to, eight times over. The motion of one mass repeats itself, and with it the
+// rounding of its speed, which is twice as large in the energy.
 inline std::string broken_by_energy(const Run &run) {
   const double before = energy_of(run.scene, start_of(run.scene)),
                gained = energy_of(run.scene, run.outcome.state) / before - 1.0,
