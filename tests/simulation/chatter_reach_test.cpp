@@ -33,4 +33,28 @@ TEST(ChatterReach, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
   }
 }
 
+// The jumps J to come of mass 1 move mass 2, all else at rest, by at most beta k J t^2 / 2 within
+// the time t to the limit. A gap of half of that may close; one of ten bounds may not, each of them
+// above 2 w J t^2 with the rate w of the fastest mode.
+TEST(ChatterReach, IsNotTakenWhereJumpsToComeMayCloseTheGapOfANeighbour) {
+  constexpr double jump = 1e-3, left = 1e-3;
+  Scene scene = paper::figure2();
+  scene.amplitude = {0.0, 0.0};
+  const double push = 0.5 * scene.beta * scene.stiffness[1] * jump * left * left;
+  for (const auto &[gap, stays] :
+       {std::pair{0.5 * push, false}, {100.0 * jump * left * left, true}}) {
+    scene.stops = {{1, Side::upper, 0.0}, {2, Side::upper, gap}};
+    const detail::Chain chain(scene);
+    const detail::ContactMode mode = build_contact_mode(chain, Held{0, 0});
+    detail::Motion motion;
+    motion.mode = &mode;
+    clear(chain, motion);
+    find_acceleration(chain, motion);
+    detail::Chatter chatter;
+    chatter.add({0}, left, scene.restitution, Clock(scene.omega), motion, {-jump, 0.0});
+    const std::vector<detail::StopState> stops(2);
+    EXPECT_EQ(others_stay_out_of_reach(chain, chatter, motion, stops, left), stays) << gap;
+  }
+}
+
 }  // namespace
