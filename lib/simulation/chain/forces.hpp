@@ -2,8 +2,6 @@
 // hold forces of Eqs. 12-13, are written out.
 #pragma once
 
-#include <cmath>
-#include <complex>
 #include <cstddef>
 
 #include "vibro_impact/scene.hpp"
@@ -27,19 +25,6 @@ double link_force(const Scene &scene, std::size_t i, double own, const Coordinat
   return force;
 }
 
-// The same row from the tensions of the springs (`ModalBasis` in modes.hpp): a difference of
-// positions times a stiff link would round it.
-template <class Tensions>
-double force_of_tensions(const Scene &scene, std::size_t i, const Tensions &tension) {
-  const std::size_t n = scene.mass.size();
-  const auto row = static_cast<decltype(tension.size())>(i);
-  double force = -std::sqrt(scene.stiffness[i]) * tension(row);
-  if (i + 1 < n) force += std::sqrt(scene.stiffness[i + 1]) * tension(row + 1);
-  if (!scene.ground.empty())
-    force -= std::sqrt(scene.ground[i]) * tension(tension.size() / 2 + row);
-  return force;
-}
-
 // The factors of A_i, B_i and P_i at one instant: cos(Omega t), sin(Omega t) and 1, or the same
 // derivative of all three.
 struct ForcingFactors {
@@ -50,21 +35,10 @@ inline ForcingFactors forcing_at(double cosine, double sine) {
   return {cosine, sine, 1.0};
 }
 
-// A force Re(turning e^(i Omega t)) + constant, on a mass or on a mode.
-struct ExternalForce {
-  std::complex<double> turning;
-  double constant;
-};
-
 // The external force on mass i (from 0). The kinds of force are put together here alone.
-inline ExternalForce external_force_of(const Scene &scene, std::size_t i) {
-  return {{entry_of(scene.amplitude, i), -entry_of(scene.sine, i)}, entry_of(scene.constant, i)};
-}
-
 inline double external_force(const Scene &scene, std::size_t i, const ForcingFactors &factors) {
-  const ExternalForce force = external_force_of(scene, i);
-  return force.turning.real() * factors.cosine - force.turning.imag() * factors.sine +
-         force.constant * factors.constant;
+  return entry_of(scene.amplitude, i) * factors.cosine + entry_of(scene.sine, i) * factors.sine +
+         entry_of(scene.constant, i) * factors.constant;
 }
 
 // The force on mass i (from 0) towards +x (Eq. 4): springs, dampers and external forces, by the
@@ -84,9 +58,6 @@ double largest_eigenvalue_bound(const Scene &scene);
 
 // Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
 double root_modulus(double kappa, double lambda);
-
-// The sum of the moduli of the forcing: A and B of every mass.
-double forcing_bound(const Scene &scene);
 
 // A bound of the rates of all contact modes and of the forcing, or 1 if all are zero. It is the
 // unit in which derivatives of forces are carried.

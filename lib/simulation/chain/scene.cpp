@@ -124,15 +124,6 @@ double root_modulus(double kappa, double lambda) {
   return discriminant > 0 ? alpha + std::sqrt(discriminant) : std::sqrt(lambda);
 }
 
-double forcing_bound(const Scene &scene) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const std::complex<double> turning = external_force_of(scene, i).turning;
-    sum += std::abs(turning.real()) + std::abs(turning.imag());
-  }
-  return sum;
-}
-
 double rate_bound(const Scene &scene) {
   const double lambda = largest_eigenvalue_bound(scene);
   const double rate = std::max(root_modulus(scene.beta * lambda, lambda), scene.omega);
