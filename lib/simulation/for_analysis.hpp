@@ -2,7 +2,7 @@
 // needs stands in the public headers.
 #pragma once
 
-#include "chain/forces.hpp"         // the forces of Eq. 4, and a bound of every rate
+#include "chain/rates.hpp"          // a bound of every rate
 #include "chain/require.hpp"        // the refusal of bad input
 #include "modal/free_response.hpp"  // the free motion of one mode in closed form
 #include "modal/modes.hpp"          // the natural modes of the free masses
@@ -11,13 +11,9 @@ namespace vibro_impact {
 
 using detail::check_place;
 using detail::entry_of;
-using detail::external_force;
 using detail::first_motion;
-using detail::force_on;
-using detail::forcing_at;
 using detail::free_response;
 using detail::line;
-using detail::link_force;
 using detail::OscillatorState;
 using detail::rate_bound;
 using detail::require;

@@ -135,13 +135,13 @@ TEST(Economy, ASampleIsOneEvaluation) {
     SampleRecorder samples(begin, begin + 89.0, 0.37);
     const Counters counters = simulate(scene, 1e6, samples).counters;
     EXPECT_EQ(samples.times.size(), 241u);
-    EXPECT_EQ(counters.modal_evaluations, 242);
+    EXPECT_EQ(counters.states_computed, 242);
     EXPECT_LE(counters.expansions, 16 + scene.masses() * scene.masses() / 8);
     for (std::size_t i = 0; i < samples.times.size() && scene.masses() == 1; ++i)
       EXPECT_NEAR(samples.displacements[i], 0.5 * (1.0 - std::cos(samples.times[i])), 1e-15);
   }
   EventRecorder events;
-  EXPECT_EQ(simulate(paper::figure2(), 300.0, events).counters.modal_evaluations, 0);
+  EXPECT_EQ(simulate(paper::figure2(), 300.0, events).counters.states_computed, 0);
 }
 
 // The expansions of a run before it is clear that nothing will happen: as many as its motion needs

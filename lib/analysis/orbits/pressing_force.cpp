@@ -24,9 +24,23 @@ void rest_on(const Stop &stop, MotionState &state) {
   state.velocity[index_of(stop)] = 0.0;
 }
 
-// The coordinate j (from 0) that link_force asks for.
-auto of(const std::vector<double> &values) {
-  return [&values](std::size_t j) { return values[j]; };
+// Row i (from 0) of -K x: the force of the springs on mass i. With velocities in place of
+// displacements, and times beta, it is the force of the dampers. Differences come first: a
+// neighbour at the same position exerts no force at all, not a rounded one.
+double link_force(const Scene &scene, std::size_t i, const std::vector<double> &x) {
+  double force = scene.stiffness[i] * ((i > 0 ? x[i - 1] : 0.0) - x[i]);
+  if (i + 1 < scene.mass.size()) force += scene.stiffness[i + 1] * (x[i + 1] - x[i]);
+  return force - entry_of(scene.ground, i) * x[i];
+}
+
+// The force on mass i (from 0) towards +x (Eq. 4). With the mass at rest at its stop it is the hold
+// force (Eqs. 12-13).
+double force_on(const Scene &scene, std::size_t i, const MotionState &state) {
+  const double angle = scene.omega * state.instant.phase;
+  return link_force(scene, i, state.displacement) +
+         scene.beta * link_force(scene, i, state.velocity) +
+         entry_of(scene.amplitude, i) * std::cos(angle) +
+         entry_of(scene.sine, i) * std::sin(angle) + entry_of(scene.constant, i);
 }
 
 // The force depends linearly on the displacements and velocities of the neighbours: its derivative
@@ -34,12 +48,13 @@ auto of(const std::vector<double> &values) {
 double pressing_force_rate(const Scene &scene, const Stop &stop, MotionState state) {
   rest_on(stop, state);
   const std::size_t p = index_of(stop);
-  const std::vector<double> a = acceleration_of(scene, state);
-  const double links = link_force(scene, p, 0.0, of(state.velocity));
-  const double dampers = scene.beta * link_force(scene, p, 0.0, of(a));
+  std::vector<double> a = acceleration_of(scene, state);
+  a[p] = 0.0;
+  const double links = link_force(scene, p, state.velocity);
+  const double dampers = scene.beta * link_force(scene, p, a);
   const double angle = scene.omega * state.instant.phase;
-  const double forcing = external_force(
-      scene, p, {-scene.omega * std::sin(angle), scene.omega * std::cos(angle), 0.0});
+  const double forcing = scene.omega * (entry_of(scene.sine, p) * std::cos(angle) -
+                                        entry_of(scene.amplitude, p) * std::sin(angle));
   return sign(stop.side) * (links + dampers + forcing);
 }
 
@@ -131,22 +146,15 @@ std::optional<LeastValue> least_minimum(Simulation &simulation, MotionState star
 }  // namespace
 
 std::vector<double> acceleration_of(const Scene &scene, const MotionState &state) {
-  const double angle = scene.omega * state.instant.phase;
-  const auto forcing = forcing_at(std::cos(angle), std::sin(angle));
   std::vector<double> a(scene.mass.size(), 0.0);
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (state.held[i] == 0)
-      a[i] =
-          force_on(scene, i, of(state.displacement), of(state.velocity), forcing) / scene.mass[i];
+    if (state.held[i] == 0) a[i] = force_on(scene, i, state) / scene.mass[i];
   return a;
 }
 
 double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state) {
   rest_on(stop, state);
-  const double angle = scene.omega * state.instant.phase;
-  return sign(stop.side) * force_on(scene, index_of(stop), of(state.displacement),
-                                    of(state.velocity),
-                                    forcing_at(std::cos(angle), std::sin(angle)));
+  return sign(stop.side) * force_on(scene, index_of(stop), state);
 }
 
 std::vector<double> acceleration(const Scene &scene, const MotionState &state) {

@@ -20,7 +20,7 @@ struct Counters {
   long long chatter_limits = 0;      // complete chatters that ended at their limit
   long long chatter_incomplete = 0;  // five or more falling impacts at a stop that ended in flight
   long long modes_built = 0;         // contact modes entered for the first time
-  long long modal_evaluations = 0;   // states at samples, and at ends in closed form
+  long long states_computed = 0;     // states at samples, and at ends in closed form
 };
 
 }  // namespace vibro_impact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forces.hpp"
+#include "rates.hpp"
 
 namespace vibro_impact::detail {
 

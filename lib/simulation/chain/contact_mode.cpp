@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forces.hpp"
+#include "rates.hpp"
 #include "tolerances.hpp"
 
 namespace vibro_impact::detail {

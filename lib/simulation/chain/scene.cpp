@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forces.hpp"
+#include "rates.hpp"
 #include "require.hpp"
 #include "vibro_impact/scene_fields.hpp"
 

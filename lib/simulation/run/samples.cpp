@@ -28,7 +28,7 @@ void sample(Run &run, const Real &tau, bool in_long_flight, Recorders recorders)
     require(since.hi >= -16.0 * std::numeric_limits<double>::epsilon() * next, "next_time = ", next,
             ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
     if (since.hi > 0.0) at.tau = since;
-    ++run.counters.modal_evaluations;
+    ++run.counters.states_computed;
     if (!report_sample(run, next, at, recorders)) continue;
     run.progress.last = state_at(run, at);
     return stop_run(run, Ending::stopped);
@@ -41,7 +41,7 @@ void end_at_time(Run &run, bool in_long_flight, Recorders recorders) {
   sample(run, at.tau, in_long_flight, recorders);
   if (run.progress.over) return;
   run.progress.last = state_at(run, at);
-  if (in_long_flight) ++run.counters.modal_evaluations;
+  if (in_long_flight) ++run.counters.states_computed;
   for (const double x : run.progress.last.displacement)
     if (!std::isfinite(x)) give_up_beyond_range(run, run.progress.end);
   stop_run(run, Ending::reached);
@@ -53,7 +53,7 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   inside.progress.inside_chatter = true;
   advance(inside, std::min(run.progress.end, limit), recorders);
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
-  run.counters.modal_evaluations += inside.counters.modal_evaluations;
+  run.counters.states_computed += inside.counters.states_computed;
   run.counters.modes_built += inside.counters.modes_built;
   run.progress.next_sample = inside.progress.next_sample;
   if (!(run.progress.end < limit) && inside.progress.ending == Ending::reached) return;

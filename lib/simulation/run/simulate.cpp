@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "run.hpp"
-#include "simulation/chain/forces.hpp"
+#include "simulation/chain/rates.hpp"
 #include "simulation/chain/require.hpp"
 
 namespace vibro_impact {

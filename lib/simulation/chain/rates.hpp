@@ -1,0 +1,27 @@
+// Bounds of the rates of a chain.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "vibro_impact/scene.hpp"
+
+namespace vibro_impact::detail {
+
+// Entry i of a list of a scene that may be left empty.
+inline double entry_of(const std::vector<double> &values, std::size_t i) {
+  return values.empty() ? 0.0 : values[i];
+}
+
+// Gershgorin's bound of the eigenvalues of the chain (squares of its natural frequencies). It holds
+// for every contact mode: holding masses keeps the eigenvalues between those of the free chain.
+double largest_eigenvalue_bound(const Scene &scene);
+
+// Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
+double root_modulus(double kappa, double lambda);
+
+// A bound of the rates of all contact modes and of the forcing, or 1 if all are zero. It is the
+// unit in which derivatives of forces are carried.
+double rate_bound(const Scene &scene);
+
+}  // namespace vibro_impact::detail
