@@ -84,6 +84,14 @@ TEST(Flow, AnErrorAllowedLowersTheOrders) {
             static_cast<double>(exact.counters.coefficients));
 }
 
+// x = cos t of one mass, by the highest order of a step. Some seven steps round it by 2^-53 each.
+TEST(Flow, OfTheLeastToleranceIsTheClosedForm) {
+  const Scene scene{.mass = {1.0}, .stiffness = {1.0}, .displacement = {1.0}};
+  const Outcome outcome = simulate(scene, 13.0, {.flight_tolerance = 1e-21});
+  EXPECT_NEAR(outcome.state.displacement[0], std::cos(13.0), 1e-15);
+  EXPECT_EQ(outcome.counters.coefficients, 28 * outcome.counters.expansions) << "order 27";
+}
+
 // A chain of n masses that are hit from both sides, without damping and forcing.
 Scene elastic_chain(int n) {
   Scene scene{.omega = 0.0, .restitution = 1.0};

@@ -51,7 +51,7 @@ struct Event {
   double time = 0.0;
   double velocity_before = 0.0, velocity_after = 0.0;  // of an impact, towards +x; else 0
   int falling = 0;         // impacts at this stop before this one, each slower than the one before
-  bool by_a_jump = false;  // a release where the force jumped, or at a start, not at a root
+  bool by_a_jump = false;  // a release where the force jumped or began, not at a root
   Held held = {};          // the contact mode after the event
 
   bool operator==(const Event &) const = default;

@@ -1,5 +1,5 @@
-// A scene as the equations of a run take it: every list has an entry for every mass, padded with
-// zeros to an even number, and stops are counted from 0.
+// A scene as the equations of a run take it: every list has an entry for every mass, padded to an
+// even number, and stops are counted from 0.
 #pragma once
 
 #include <cstddef>

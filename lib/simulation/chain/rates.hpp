@@ -20,8 +20,7 @@ double largest_eigenvalue_bound(const Scene &scene);
 // Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
 double root_modulus(double kappa, double lambda);
 
-// A bound of the rates of all contact modes and of the forcing, or 1 if all are zero. It is the
-// unit in which derivatives of forces are carried.
+// A bound of the rates of all contact modes and of the forcing, or 1 if all are zero.
 double rate_bound(const Scene &scene);
 
 }  // namespace vibro_impact::detail

@@ -1,4 +1,5 @@
-// The exact knowledge of a stop at an instant. A flight forgets it, but for `Forceless`.
+// The exact knowledge of a stop at an instant. A flight forgets it, but for `Forceless` and
+// `Postponed`.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Every tolerance of the simulation but the two of `RunOptions`, each with its reason.
+// The tolerances of the simulation but the two of `RunOptions`, each with its reason. The lengths
+// of series stand with the series.
 #pragma once
 
 #include <cstddef>
@@ -32,14 +33,21 @@ constexpr double slower_unit = 0x1p-10;
 constexpr double slowest_unit = 0x1p-60;
 // Orders of a decision at rest that take as long as a step, for chains of 2 to 200 masses.
 constexpr int orders_as_a_step = 20;
+// Most radians of a mode that swings on. Its phase rounds to 1e-4 there.
+constexpr double most_radians = 1e12;
+// e^-37 of an amplitude is below the rounding of a double.
+constexpr double dead_after = 37.0;
+// A sample may lie before the motion by the rounding of its time, relative to it.
+constexpr double sample_rounding = 0x1p-48;
 
 // Steps.
 
-// Rate times length of the longest step. The order is then 23; other lengths cost more.
+// Rate times length of the longest step. The order is then 25. Longer steps cost fewer orders a
+// time, but their terms are larger, and so is the rounding of their sums.
 constexpr double max_step_radians = 2.0;
 // Longest step of a motion of any rate, whose square has to be finite.
 constexpr double longest_step = 0x1p500;
-// Margin of the largest rate of a contact mode, from a bisection.
+// Margin of the largest eigenvalue of a contact mode, from a bisection.
 constexpr double rate_margin = 1.01;
 // Least `flight_tolerance`. The remainder of order 27 over the longest step is 4.4e-22.
 constexpr double least_flight_tolerance = 1e-21;
@@ -73,8 +81,8 @@ constexpr int most_newton_steps = 8;
 constexpr double newton_accuracy = 1e-9;
 // Rounding of a polynomial, relative to the sum of the moduli of its terms.
 constexpr double polynomial_rounding = 0x1p-53;
-// Depth, relative to the same sum, to which a hold force may fall below zero without a release:
-// eight roundings of its terms. The mass would leave its stop by some 1e-30.
+// Depth to which a hold force may fall below zero without a release, relative to the sum of the
+// moduli of the forces on its mass: eight roundings. The mass would leave its stop by some 1e-30.
 constexpr double touch_rounding = 0x1p-50;
 // Least first coefficient of a decided force: a positive number, far below every motion.
 constexpr double least_coefficient = 1e-290;

@@ -51,13 +51,6 @@ class Chatter {
   const std::vector<double> &latest_jumps() const {
     return jumps_;
   }
-  // The time in which its impacts happen, to leading order.
-  double duration() const {
-    return duration_;
-  }
-  double restitution() const {
-    return restitution_;
-  }
 
  private:
   using Weights = std::array<double, most_chatter_nodes>;  // of the latest node first

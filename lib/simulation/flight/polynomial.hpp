@@ -8,8 +8,7 @@
 
 namespace vibro_impact::detail {
 
-// The largest order of a step. Over the longest step (`max_step_radians`) the remainder of order 23
-// lies below rounding.
+// The largest order of a step, for the least `flight_tolerance` and for gaps with many zeros.
 constexpr int max_order = 27;
 
 // One number for each order. Loops read packets of four, also beyond the last order.
@@ -26,13 +25,14 @@ struct Jet {
   double value, slope, second, third, fourth;
 };
 
-// The jet about u >= 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.
+// The jet about u > 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.
 Jet jet_at(const Polynomial &p, int zeros, double u);
 
 // The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
 // coefficients that are exactly zero. The search is guaranteed to miss no root and takes no
 // samples: (5) of lib/README.md. If the first non-zero coefficient is negative, the root is
-// 0. If powers of u leave the range of double precision, it is NaN.
+// 0. If powers of u leave the range of double precision, or after `most_root_iterations`, it is
+// NaN.
 std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters);
 
 }  // namespace vibro_impact::detail

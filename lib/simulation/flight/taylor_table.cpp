@@ -9,13 +9,14 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// n, n (n - 1) and its reciprocal, for two masses.
+// n, n (n - 1) and its reciprocal, for two masses. The wave looks at most four orders beyond the
+// highest one.
 struct OrderFactors {
   Pair order, product, inverse;
 };
 
 const auto factors_of = [] {
-  std::array<OrderFactors, max_order + 4> factors{};
+  std::array<OrderFactors, max_order + 5> factors{};
   for (std::size_t n = 2; n < factors.size(); ++n) {
     const auto order = static_cast<double>(n);
     const Pair both{order, order}, product = both * (both - 1.0);

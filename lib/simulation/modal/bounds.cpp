@@ -26,8 +26,11 @@ SteadyResponse steady_response(const Oscillator<double> &o, const ModalForce<dou
 }  // namespace
 
 // A contact is bounded from below by its value, its rate, its derivatives of order 2 to `order` and
-// a bound of the next one. Parts of the motion that turn within the time are in `away` by their
-// amplitude instead. Derivatives of order n are in units of unit^-n.
+// a bound of the next one. Parts of the motion that turn within the time are taken out of these,
+// and are in `away` by their amplitude instead. Derivatives of order n are in units of unit^-n:
+//
+//   g(s) >= value - away + rate s + sum_(n=2)^order g_n (s/unit)^n / n!
+//           - remainder (s/unit)^(order+1) / (order+1)!
 struct LongFlight::Bound {
   int order = 2;
   double length = 0.0, unit = 0.0;

@@ -17,7 +17,7 @@ void LongFlight::begin(const Chain &chain, const Clock &clock,
   starts_ = starts;
   motion_tau_ = -1.0;
   omega_ = chain.omega;
-  turn_ = std::max(form_->fastest, omega_);
+  fastest_ = std::max(form_->fastest, omega_);
   evaluations_ = 0;
   is_at_event_ = false;
   longest_ = longest_step;
@@ -29,7 +29,7 @@ void LongFlight::begin(const Chain &chain, const Clock &clock,
     if (coordinates_[j].modulus > 0.0 && distance < near_resonance * (o.lambda + omega_ * omega_))
       longest_ = std::min(longest_, 1.0 / o.rate);
   }
-  l_ = std::min(turn_ > 0.0 ? 1.0 / turn_ : longest_, longest_);
+  l_ = std::min(fastest_ > 0.0 ? 1.0 / fastest_ : longest_, longest_);
   evaluate(chain, clock, motion, flown);
   hidden_.assign(values_.size(), false);
   for (std::size_t k = 0; k < values_.size(); ++k)
@@ -110,8 +110,8 @@ double LongFlight::next_step(Counters &counters) {
     l_ = longer;
     step = next;
   }
-  while (step < 0.25 * l_ && l_ * turn_ > 1.0) {
-    l_ = std::max(0.25 * l_, 1.0 / turn_);
+  while (step < 0.25 * l_ && l_ * fastest_ > 1.0) {
+    l_ = std::max(0.25 * l_, 1.0 / fastest_);
     step = std::max(step, safe_time(l_, counters));
   }
   return step;
@@ -144,7 +144,7 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
     Real earliest = infinity;
     std::size_t first = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      if (starts_[i].idle) continue;
+      if (starts_[i].idle || hidden_[i]) continue;
       const Value value = detail::evaluate(chain, contacts[i], at(chain, clock, start, tau));
       if (!(value.rate.hi < 0.0)) continue;
       const Real newton = -value.value / value.rate;

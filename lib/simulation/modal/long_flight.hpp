@@ -81,7 +81,7 @@ class LongFlight {
   std::vector<Coordinate> coordinates_;
   std::vector<ModalForce<double>> watch_forces_;  // of the watches at u
   std::vector<Value> values_;                     // of the contacts at u
-  double omega_ = 0.0, turn_ = 0.0;               // of the forcing; the fastest rate
+  double omega_ = 0.0, fastest_ = 0.0;            // of the forcing; the fastest rate
   // Of the contacts: the value lies below the rounding of its modal coordinates. Such a contact
   // keeps its sign, by definition, until it is seen.
   std::vector<char> hidden_;

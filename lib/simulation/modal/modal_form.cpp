@@ -93,9 +93,7 @@ ModalForm build_modal_form(const Chain &chain, const ContactMode &mode,
 
 }  // namespace
 
-std::shared_ptr<const ModalForm> ModalForms::enter(const Chain &chain, const ContactMode &mode,
-                                                   int &built) {
-  built = 0;
+std::shared_ptr<const ModalForm> ModalForms::enter(const Chain &chain, const ContactMode &mode) {
   const auto latest = std::find_if(recent_.rbegin(), recent_.rend(),
                                    [&mode](const auto &form) { return form->held == mode.held; });
   if (latest != recent_.rend()) {
@@ -108,10 +106,7 @@ std::shared_ptr<const ModalForm> ModalForms::enter(const Chain &chain, const Con
     std::size_t last = first;
     while (last + 1 < chain.masses && mode.held[last + 1] == 0) ++last;
     std::shared_ptr<const BlockModes> &block = blocks_[{first, last}];
-    if (!block) {
-      block = std::make_shared<const BlockModes>(modes_of_block(chain, first, last));
-      ++built;
-    }
+    if (!block) block = std::make_shared<const BlockModes>(modes_of_block(chain, first, last));
     blocks.push_back(block);
     first = last;
   }

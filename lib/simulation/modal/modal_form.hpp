@@ -38,8 +38,7 @@ struct ModalForm {
 // The modal forms of one run, and the blocks that they share. Copies of a run share them, too.
 class ModalForms {
  public:
-  // `built` is set to the number of blocks that had to be decomposed.
-  std::shared_ptr<const ModalForm> enter(const Chain &chain, const ContactMode &mode, int &built);
+  std::shared_ptr<const ModalForm> enter(const Chain &chain, const ContactMode &mode);
 
  private:
   std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<const BlockModes>> blocks_;

@@ -21,11 +21,11 @@ bool find_limit(Run &run) {
   const Chatter &chatter = run.chatter;
   const RunOptions &options = run.problem.options;
   Scratch &scratch = run.scratch;
-  double fastest = 0.0;
+  double speed = 0.0;
   for (const std::size_t k : chatter.stops())
-    fastest = std::max(fastest, std::abs(run.motion.v[chain.stops[k].mass].hi));
+    speed = std::max(speed, std::abs(run.motion.v[chain.stops[k].mass].hi));
   // The closing speed of the next impact may be a little above the latest rebound speed.
-  if (!(next_speed_factor * fastest < options.limit_below_speed)) return false;
+  if (!(next_speed_factor * speed < options.limit_below_speed)) return false;
   if (!chatter.find_limit(options.chatter_tolerance / error_share, run.motion.mode->fastest,
                           scratch.limit))
     return false;
@@ -157,15 +157,15 @@ void fly_one_step(Run &run, double remaining, Recorders recorders) {
 }
 
 // Flies in closed form, to the first event or to the end of the call. The flight begins where that
-// of the steps before has begun: a slow coordinate has lost digits in them.
+// of the steps before has begun: a slow coordinate has lost digits in them. Of the starts, which
+// are those of now, it takes only which contacts are idle.
 void fly_far(Run &run, Recorders recorders) {
   const Chain &chain = run.chain();
   const Clock &clock = run.problem.clock;
   Scratch &scratch = run.scratch;
   if (!run.long_flight.is_under_way()) {
     set_starts(run);
-    int built = 0;
-    auto form = run.forms.enter(chain, *run.motion.mode, built);
+    auto form = run.forms.enter(chain, *run.motion.mode);
     const Real flown = elapsed(run.flight_start.now, run.motion.now, clock);
     run.motion = run.flight_start;
     run.long_flight.begin(chain, clock, std::move(form), run.motion, scratch.starts,

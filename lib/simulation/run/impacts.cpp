@@ -30,6 +30,7 @@ double flight_after(const Motion &motion, const Contact &contact, double speed) 
 // To put the mass hit onto its stop would move it in the field of its springs: the gap has a
 // preferred sign, and the energy of an elastic chain would drift. Hence the time until the gap is
 // zero passes for all masses. First order is enough: its square lies below twice the precision.
+// After a long flight, whose time has twice the precision, none passes.
 void let_rounding_pass(Run &run) {
   const Chain &chain = run.chain();
   Motion &motion = run.motion;
@@ -130,7 +131,9 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
     const Contact &contact = motion.mode->contacts[hit.contact];
     const auto *leaving = std::get_if<Leaving>(&run.stops[contact.stop].at);
     if (!leaving) return chatter.end();
-    r = chain.stops[contact.stop].law.at_rest();
+    const double at_rest = chain.stops[contact.stop].law.at_rest();
+    if (!scratch.stops.empty() && at_rest != r) return chatter.end();  // they part
+    r = at_rest;
     scratch.stops.push_back(contact.stop);
     // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
     scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->speed;

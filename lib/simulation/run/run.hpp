@@ -51,7 +51,7 @@ struct Scratch {
   Flight flight;
   std::vector<Start> starts;
   std::vector<Near> near;
-  Motion motion;  // at a sample, or at a limit
+  Motion motion;  // at a limit, or at the end of a long flight
   ChatterLimit limit;
   RestDecision rest;
   std::vector<RestingMass> resting;

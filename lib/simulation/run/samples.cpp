@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
 
@@ -25,7 +25,7 @@ void sample(Run &run, const Real &tau, bool in_long_flight, Recorders recorders)
     TimeOfFlight at{instant_at(next, clock), 0.0, in_long_flight};
     const Real since = time_until(run, at.instant);
     if (!(since <= tau) && since.hi > 0.0) return;
-    require(since.hi >= -16.0 * std::numeric_limits<double>::epsilon() * next, "next_time = ", next,
+    require(since.hi >= -sample_rounding * next, "next_time = ", next,
             ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
     if (since.hi > 0.0) at.tau = since;
     ++run.counters.states_computed;

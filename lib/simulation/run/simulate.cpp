@@ -7,15 +7,13 @@
 #include "run.hpp"
 #include "simulation/chain/rates.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact {
 
 namespace detail {
 
 namespace {
-
-constexpr double most_radians = 1e12;  // of a mode that swings on, whose phase rounds to 1e-4 there
-constexpr double dead_after = 37.0;    // e^-37 of an amplitude is below the rounding of a double
 
 // The most radians after which some mode of rates up to `rate` may still swing: with the damping
 // beta, the amplitude of a mode of the rate w falls by exp(-beta w^2 t / 2).
