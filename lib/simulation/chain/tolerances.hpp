@@ -129,8 +129,7 @@ constexpr int most_sweeps = 40;
 
 // Nodes of the extrapolation. More nodes amplify rounding, fewer need more impacts.
 constexpr std::size_t most_chatter_nodes = 12;
-// Nodes of an accepted limit. With three, the estimates of a limit at r = 0.05 agreed by chance and
-// were off by 14 tolerances.
+// Nodes of an accepted limit: two estimates may agree by chance.
 constexpr std::size_t fewest_chatter_nodes = 4;
 // Largest ratio of x at one node to x at the node before. Closer nodes amplify rounding.
 constexpr double node_ratio = 0.75;
