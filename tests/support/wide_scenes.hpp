@@ -205,6 +205,27 @@ inline Trial in_other_units(unsigned seed) {
   return {scene, run_length(scene, 300.0), {length, time, stiffness * length}};
 }
 
+// One to three masses on links that no spring ties to the ground, driven towards the stop of the
+// first by a constant force beside the forcing. They come from far away.
+inline Trial free_chain(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  Scene scene;
+  const int masses = draw.between(1, 3);
+  const double far = draw.spread(0.1, 1e3), force = draw.spread(0.03, 1.0);
+  for (int i = 1; i <= masses; ++i) {
+    scene.mass.push_back(draw.uniform(0.5, 2.0));
+    scene.stiffness.push_back(i == 1 ? 0.0 : draw.uniform(0.3, 3.0));
+    scene.amplitude.push_back(draw.one_in(2) ? 0.0 : draw.uniform(-1.0, 1.0) * force);
+    scene.constant.push_back(i == 1 ? force : 0.0);
+    scene.displacement.push_back(-far);
+  }
+  scene.beta = draw.one_in(2) ? 0.0 : draw.spread(1e-3, 1.0);
+  scene.omega = draw.spread(1e-3, 1.0);
+  scene.restitution = draw.one_of({0.0, 0.3, 0.7});
+  scene.stops = {{1, Side::upper, 0.0}};
+  return {scene, 3.0 * std::sqrt(2.0 * far * masses / force) + 20.0};
+}
+
 // The paper's damped chain of two to four masses under a forcing of period 6e4 to 6e10.
 inline Trial slow_forcing(unsigned seed) {
   Draw draw{std::mt19937(seed)};

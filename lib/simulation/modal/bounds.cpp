@@ -164,7 +164,8 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
 }
 
 // The coordinates of a hidden contact cancel each other below the threshold. A part that lies below
-// it alone will not show the contact.
+// it alone will not show the contact. A gap that began as a power of time may be seen, and close
+// again, within a time longer than the flight so far.
 double LongFlight::longest_blind_step() const {
   double rate = 0.0;
   for (std::size_t k = 0; k < hidden_.size(); ++k) {
@@ -175,7 +176,8 @@ double LongFlight::longest_blind_step() const {
       for (const Part &part : parts_of(w, coordinates_[j], form_->rounded[j], w.row[j].hi))
         if (part.amplitude > zero_threshold * values_[k].terms) rate = std::max(rate, part.rate);
   }
-  return rate > 0.0 ? std::min(longest_, blind_radians / rate) : longest_;
+  if (rate == 0.0) return longest_;
+  return std::min({longest_, blind_radians / rate, std::max(u_, 1.0 / fastest_)});
 }
 
 }  // namespace vibro_impact::detail
