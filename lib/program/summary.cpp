@@ -25,16 +25,6 @@ double extrapolated(const std::vector<double> &x, std::vector<double> y) {
   return best;
 }
 
-// The motion now, in this contact mode.
-MotionState state_at(const Moment &moment, const Held &held) {
-  MotionState state{moment.instant, {}, {}, held};
-  for (int mass = 1; mass <= moment.masses(); ++mass) {
-    state.displacement.push_back(moment.displacement(mass));
-    state.velocity.push_back(moment.velocity(mass));
-  }
-  return state;
-}
-
 // The integral of the external force on mass i between two instants.
 double forcing_impulse(const Scene &scene, std::size_t i, const Instant &a, const Instant &b) {
   const auto value = [i](const std::vector<double> &list) { return list.empty() ? 0.0 : list[i]; };

@@ -8,6 +8,21 @@ namespace {
 
 using namespace vibro_impact;
 
+// The verdict for a chatter of mass 1 whose limit is a time `left` away, and which will still
+// change its velocity by `jump`. All masses are at rest at zero.
+bool stay_out_of_reach(const Scene &scene, const Held &held, double left, double jump) {
+  const detail::Chain chain(scene);
+  const detail::ContactMode mode = build_contact_mode(chain, held);
+  detail::Motion motion;
+  motion.mode = &mode;
+  clear(chain, motion);
+  find_acceleration(chain, motion);
+  detail::Chatter chatter;
+  chatter.add({0}, left, scene.restitution, Clock(scene.omega), motion, {jump, 0.0});
+  const std::vector<detail::StopState> stops(2);
+  return others_stay_out_of_reach(chain, chatter, motion, stops, left);
+}
+
 // A mass held next to a chattering mass feels the jumps of its neighbour through the damper between
 // them. A limit is only taken where all jumps to come, r / (1 - r) of the latest, cannot release
 // it.
@@ -19,17 +34,7 @@ TEST(ChatterReach, IsNotTakenWhereJumpsToComeMayReleaseANeighbour) {
   // Both at rest at the origin, and a phase of the forcing that presses the second by its share.
   for (const auto &[share, stays] : {std::pair{1.2, false}, {0.5, false}, {3.0, true}}) {
     scene.amplitude = {0.0, share * scene.beta * scene.stiffness[1] * jumps_left};
-    const detail::Chain chain(scene);
-    const detail::ContactMode mode = build_contact_mode(chain, Held{0, 1});
-    detail::Motion motion;
-    motion.mode = &mode;
-    clear(chain, motion);
-    find_acceleration(chain, motion);
-    detail::Chatter chatter;
-    // All jumps to come, of which the first is that of this impact times r.
-    chatter.add({0}, 1e-9, r, Clock(scene.omega), motion, {-jumps_left, 0.0});
-    const std::vector<detail::StopState> stops(2);
-    EXPECT_EQ(others_stay_out_of_reach(chain, chatter, motion, stops, 1e-9), stays) << share;
+    EXPECT_EQ(stay_out_of_reach(scene, {0, 1}, 1e-9, -jumps_left), stays) << share;
   }
 }
 
@@ -44,16 +49,7 @@ TEST(ChatterReach, IsNotTakenWhereJumpsToComeMayCloseTheGapOfANeighbour) {
   for (const auto &[gap, stays] :
        {std::pair{0.5 * push, false}, {100.0 * jump * left * left, true}}) {
     scene.stops = {{1, Side::upper, 0.0}, {2, Side::upper, gap}};
-    const detail::Chain chain(scene);
-    const detail::ContactMode mode = build_contact_mode(chain, Held{0, 0});
-    detail::Motion motion;
-    motion.mode = &mode;
-    clear(chain, motion);
-    find_acceleration(chain, motion);
-    detail::Chatter chatter;
-    chatter.add({0}, left, scene.restitution, Clock(scene.omega), motion, {-jump, 0.0});
-    const std::vector<detail::StopState> stops(2);
-    EXPECT_EQ(others_stay_out_of_reach(chain, chatter, motion, stops, left), stays) << gap;
+    EXPECT_EQ(stay_out_of_reach(scene, {0, 0}, left, -jump), stays) << gap;
   }
 }
 

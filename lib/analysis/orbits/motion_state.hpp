@@ -70,16 +70,6 @@ inline void require_fits(const Scene &scene, const MotionState &at) {
       require(std::isfinite(value), what, " = ", value, ": must be finite");
 }
 
-// The state at a moment of a run in this contact mode.
-inline MotionState state_at(const Moment &moment, const Held &held) {
-  MotionState at{moment.instant, {}, {}, held};
-  for (int mass = 1; mass <= moment.masses(); ++mass) {
-    at.displacement.push_back(moment.displacement(mass));
-    at.velocity.push_back(moment.velocity(mass));
-  }
-  return at;
-}
-
 // The frequency of each mass between neighbours that stand still. On no spring it is Omega, or 1.
 inline std::vector<double> local_frequencies(const Scene &scene) {
   std::vector<double> frequencies;

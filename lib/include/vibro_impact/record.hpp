@@ -35,6 +35,9 @@ class Moment {
   virtual double hold_force(int mass) const = 0;
 };
 
+// The state at a moment of a run, which is in this contact mode.
+MotionState state_at(const Moment &moment, const Held &held);
+
 // A recorder is an object of a class that derives from Recorder and overrides some of its members,
 // which a run calls. An exception that a member throws ends the run and reaches the caller. The
 // state of the simulation is then unspecified.

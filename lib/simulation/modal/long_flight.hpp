@@ -82,7 +82,7 @@ class LongFlight {
   std::vector<ModalForce<double>> watch_forces_;  // of the watches at u
   std::vector<Value> values_;                     // of the contacts at u
   double omega_ = 0.0, fastest_ = 0.0;            // of the forcing; the fastest rate
-  // Of the contacts: the value lies below the rounding of its modal coordinates. Such a contact
+  // Whether the value of a contact lies below the rounding of its modal coordinates. It then
   // keeps its sign, by definition, until it is seen.
   std::vector<char> hidden_;
   double u_ = 0.0;

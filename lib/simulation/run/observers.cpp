@@ -102,15 +102,6 @@ auto with_moment(Run &run, const TimeOfFlight &at, const Use &use) {
                           clock));
 }
 
-MotionState state_of_moment(const Moment &moment, const Held &held) {
-  MotionState state{moment.instant, {}, {}, held};
-  for (int mass = 1; mass <= moment.masses(); ++mass) {
-    state.displacement.push_back(moment.displacement(mass));
-    state.velocity.push_back(moment.velocity(mass));
-  }
-  return state;
-}
-
 }  // namespace
 
 void stop_run(Run &run, Ending ending, std::string reason) {
@@ -175,13 +166,13 @@ bool report_sample(Run &run, double time, const TimeOfFlight &at, Recorders reco
 
 MotionState state_at(Run &run, const TimeOfFlight &at) {
   return with_moment(run, at, [&](const Moment &moment) {
-    return state_of_moment(moment, run.motion.mode->held);
+    return vibro_impact::state_at(moment, run.motion.mode->held);
   });
 }
 
 MotionState state_of(const Run &run) {
   const MomentOfMotion moment(run.chain(), run.motion, run.motion.now.rounded(), run.problem.clock);
-  return state_of_moment(moment, run.motion.mode->held);
+  return vibro_impact::state_at(moment, run.motion.mode->held);
 }
 
 }  // namespace vibro_impact::detail

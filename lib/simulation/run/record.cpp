@@ -10,6 +10,15 @@ namespace vibro_impact {
 using detail::require;
 using detail::require_mass;
 
+MotionState state_at(const Moment &moment, const Held &held) {
+  MotionState state{moment.instant, {}, {}, held};
+  for (int mass = 1; mass <= moment.masses(); ++mass) {
+    state.displacement.push_back(moment.displacement(mass));
+    state.velocity.push_back(moment.velocity(mass));
+  }
+  return state;
+}
+
 std::string contact_mode_name(const Held &held) {
   std::string text;
   for (std::size_t i = 0; i < held.size(); ++i)
