@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -61,13 +62,7 @@ struct OneImpact {
     return c0 / (k - c1);
   }
   Scene scene(double y) const {
-    Scene scene{.mass = {1.0},
-                .stiffness = {1.0},
-                .beta = c,
-                .amplitude = {amplitude(y)},
-                .omega = omega,
-                .restitution = r,
-                .stops = {{1, Side::upper, 1.0}}};
+    Scene scene = extremes::one_mass(c, amplitude(y), omega, r, 1.0);
     if (symmetric) scene.stops.push_back({1, Side::lower, -1.0});
     return scene;
   }

@@ -5,7 +5,9 @@
 #include <complex>
 #include <vector>
 
+#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -16,12 +18,9 @@ using namespace vibro_impact;
 // One mass whose steady free motion, of amplitude |H(Omega)|, turns the part `depth` of it beyond
 // its stop, or before the stop where `depth` is negative.
 Scene next_to_a_graze(double omega, double restitution, double depth) {
-  Scene scene{.mass = {1.0}, .stiffness = {1.0}, .beta = 2.5, .amplitude = {1.0}, .omega = omega};
-  const double steady =
-      1.0 / std::abs(std::complex<double>(1.0 - omega * omega, scene.beta * omega));
-  scene.restitution = restitution;
-  scene.stops = {{1, Side::upper, steady * (1.0 - depth)}};
-  return scene;
+  const double beta = 2.5,
+               steady = 1.0 / std::abs(std::complex<double>(1.0 - omega * omega, beta * omega));
+  return extremes::one_mass(beta, 1.0, omega, restitution, steady * (1.0 - depth));
 }
 
 // The settled motion. If a period was found, its events are those of one period far out.
@@ -57,18 +56,12 @@ TEST(SettleNextToAGraze, AMassThatComesNearItsSteadyMotion) {
 // periods of the run have one every eight periods, to the rounding of its time. The sections of the
 // period before an impact lie within 1e-9 of each other.
 TEST(SettleNextToAGraze, AnImpactEveryEightPeriodsIsFound) {
-  const Scene scene{.mass = {1.0},
-                    .stiffness = {1.0},
-                    .beta = 2.5,
-                    .amplitude = {1.0},
-                    .omega = 2.2013570520538277,
-                    .restitution = 0.8,
-                    .stops = {{1, Side::upper, 0.148940786883}}};
-  const Clock clock(scene.omega);
-  EventRecorder recorder(1000.0 * clock.period);
-  require_complete(simulate(scene, 1100.0 * clock.period, recorder));
-  for (std::size_t k = 1; k < recorder.events.size(); ++k)
-    ASSERT_NEAR(recorder.events[k].time - recorder.events[k - 1].time, 8.0 * clock.period, 1e-8);
+  Scene scene = next_to_a_graze(2.2013570520538277, 0.8, 0.0);
+  scene.stops[0].position = 0.148940786883;
+  const double period = Clock(scene.omega).period;
+  const auto events = vibro_impact::testing::events_of(scene, 1000.0 * period, 1100.0 * period);
+  for (std::size_t k = 1; k < events.size(); ++k)
+    ASSERT_NEAR(events[k].time - events[k - 1].time, 8.0 * period, 1e-8);
   const SettledMotion motion = settle(scene, start_of(scene), {.longest = 1000});
   EXPECT_EQ(motion.period, 8);
   EXPECT_EQ(motion.counts.impacts, std::vector{1});
@@ -98,12 +91,9 @@ TEST(SettleNextToAGraze, AChainWithOtherImpacts) {
 
 // An impact just after the section comes before it when its stop is nearer.
 TEST(SettleNextToAGraze, AnImpactMayLieAtTheSection) {
-  struct : EventRecorder {
-    using EventRecorder::EventRecorder;
-    bool done() const override {
-      return !events.empty() && events.back().kind == EventKind::impact;
-    }
-  } impact(200.0);
+  vibro_impact::testing::AtEvents impact([](const Event &event, const Moment &) {
+    return event.time >= 200.0 && event.kind == EventKind::impact;
+  });
   const Scene scene = next_to_a_graze(2.0, 0.8, 0.5);
   const MotionState begin = simulate(scene, 300.0, impact).state;
   for (const double earlier : {0.0, 1e-14, 1e-13, 1e-12, 1e-11}) {

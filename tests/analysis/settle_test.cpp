@@ -1,5 +1,5 @@
 // Motions followed until they have settled, compared with motions run to the full length and
-// counted by another rule.
+// counted by another rule, and their records.
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -85,37 +85,54 @@ EventCounts counted_far_out(const Scene &scene, int periods, int after) {
   return counts;
 }
 
+// A motion that is given at most so many periods to settle, and decided after others.
+struct Followed {
+  Scene scene;
+  int longest = 2000, far_out = 2000;
+};
+
 // Fifty points of the (Omega, r) atlas, a scene without rebound, of which all impacts count, and a
-// chain of ten masses, of which several stick at once.
-std::vector<Scene> scenes_of_many_kinds() {
-  std::vector<Scene> scenes{with(paper::figure2(), "restitution", 0.0)};
-  const auto add = [&scenes](Scene scene, double omega, double restitution) {
-    scene.omega = omega;
-    scene.restitution = restitution;
-    scenes.push_back(scene);
+// chain of ten masses, of which several stick at once. Motions that come near their orbit slowly,
+// turning: with some number of periods in between, the states are close long before those of one
+// period are. A ball on no spring, thrown between two stops by the force on it: nothing makes it
+// turn.
+std::vector<Followed> motions_of_many_kinds() {
+  Scene ball{.mass = {1.0}, .stiffness = {0.0}, .amplitude = {1.0}, .restitution = 0.5};
+  ball.stops = {{1, Side::lower, -1.0}, {1, Side::upper, 1.0}};
+  std::vector<Followed> motions{{with(paper::figure2(), "restitution", 0.0)}, {ball, 200, 4000}};
+  const auto add = [&motions](Followed motion, double omega, double restitution) {
+    motion.scene.omega = omega;
+    motion.scene.restitution = restitution;
+    motions.push_back(motion);
   };
   for (const auto &[omega, restitution] : {std::pair{0.25, 0.7}, {0.3, 0.2}, {0.72, 0.6}})
-    add(extremes::long_chain(), omega, restitution);
+    add({extremes::long_chain()}, omega, restitution);
+  for (const auto &[omega, restitution] : {std::pair{0.39849624060150379, 0.82595317725752504},
+                                           {0.61804511278195495, 0.74401337792642142},
+                                           {0.67218045112781954, 0.72434782608695647},
+                                           {0.68571428571428572, 0.58668896321070241},
+                                           {0.69172932330827075, 0.62602006688963208}})
+    add({paper::figure2(), 200, 4000}, omega, restitution);
   std::mt19937 random(20060401);
   std::uniform_real_distribution<double> any_omega(0.2, 0.8), any_restitution(0.0, 0.98);
   for (int k = 0; k < 50; ++k) {
     const double omega = any_omega(random);
-    add(paper::figure2(), omega, any_restitution(random));
+    add({paper::figure2()}, omega, any_restitution(random));
   }
-  return scenes;
+  return motions;
 }
 
-// Whether a motion repeats is decided after 2,000 periods, by its states alone.
-TEST(Settle, PeriodsAndCountsAreThoseOfTwoThousandPeriods) {
+// Whether a motion repeats is decided far out, by its states alone.
+TEST(Settle, PeriodsAndCountsAreThoseOfThousandsOfPeriods) {
   int settled = 0;
-  for (const Scene &scene : scenes_of_many_kinds()) {
+  for (const auto &[scene, longest, after] : motions_of_many_kinds()) {
     SCOPED_TRACE(::testing::Message() << scene.omega << " " << scene.restitution);
-    const OrbitRecord found = record_of(scene, {.settle = {.longest = 2000}});
-    const MotionState far_out = state_after_periods(scene, 2000);
+    const OrbitRecord found = record_of(scene, {.settle = {.longest = longest}});
+    const MotionState far_out = state_after_periods(scene, after);
     ASSERT_EQ(found.period, period_of_states(scene, far_out));
     if (found.period == 0) continue;
     ++settled;
-    const EventCounts expected = counted_far_out(scene, found.period, 2000);
+    const EventCounts expected = counted_far_out(scene, found.period, after);
     EXPECT_EQ(found.counts.periods, expected.periods);
     EXPECT_EQ(found.counts.impacts, expected.impacts);
     EXPECT_EQ(found.counts.sticks, expected.sticks);
@@ -124,56 +141,44 @@ TEST(Settle, PeriodsAndCountsAreThoseOfTwoThousandPeriods) {
   EXPECT_GT(settled, 39);
 }
 
-// Period 2 after period 1 in the region of sticking, and what a short wait leaves undecided.
-TEST(Settle, SaysThePeriodOrNone) {
-  const auto period_of = [](double omega, int longest) {
-    const Scene scene = paper::figure3(omega);
-    const SettledMotion motion = settle(scene, start_of(scene), {.longest = longest});
-    EXPECT_LE(motion.periods_run, longest);
-    EXPECT_TRUE(motion.period > 0 || motion.periods_run == longest);
-    return motion.period;
-  };
-  EXPECT_EQ(period_of(0.28, 400), 1);
-  EXPECT_EQ(period_of(0.65, 400), 4);
-  EXPECT_EQ(period_of(0.61, 400), 2);
-  EXPECT_EQ(period_of(0.69, 400), 0);  // chaotic
-  EXPECT_EQ(period_of(0.28, 5), 0);    // on its way
-  EXPECT_EQ(period_of(0.28, 1), 0);
-}
-
-// At Omega = 1.9 the free motion turns ten times in 19 forcing periods. Periods are looked for up
-// to the largest one. A motion whose damping has not died out yet is on its way to its period, a
-// chaotic one to none.
-TEST(Settle, ALongPeriodAMotionOnItsWayAndAnIrregularOne) {
-  Scene scene{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.1}, .omega = 1.9};
-  EXPECT_EQ(settle(scene, start_of(scene)).period, 19);
-  const SettledMotion shorter = settle(scene, start_of(scene), {.largest_period = 18});
-  EXPECT_EQ(shorter.period, 0);
-  EXPECT_EQ(shorter.approached, 0);
-  scene.beta = 0.02;
-  const SettledMotion slow = settle(scene, start_of(scene), {.longest = 300});
-  EXPECT_EQ(slow.period, 0);
-  EXPECT_EQ(slow.approached, 1);
-  const Scene irregular = paper::figure3(0.69);
-  EXPECT_EQ(settle(irregular, start_of(irregular)).approached, 0);
-}
-
-// A motion without forcing comes to rest at a distance from its stop. Its tolerance is relative to
-// its amplitude over the later half, so that it settles.
-TEST(Settle, AMotionThatComesToRestSettles) {
-  const Scene scene{.mass = {1.0}, .stiffness = {1.0}, .beta = 0.2, .velocity = {1.0}};
-  EXPECT_EQ(settle(scene, start_of(scene)).period, 1);
+// Period 2 after period 1 in the region of sticking, and what a short wait leaves undecided. At
+// Omega = 1.9 the free motion turns ten times in 19 forcing periods; periods are looked for up to
+// the largest one. A motion whose damping has not died out yet is on its way to its period, a
+// chaotic one to none. A motion without forcing comes to rest at a distance from its stop: its
+// tolerance is relative to its amplitude over the later half, so that it settles.
+TEST(Settle, SaysThePeriodOrTheOneThatTheMotionApproaches) {
+  const Scene turning{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.1}, .omega = 1.9},
+      resting{.mass = {1.0}, .stiffness = {1.0}, .beta = 0.2, .velocity = {1.0}};
+  const struct {
+    const char *name;
+    Scene scene;
+    SettleOptions options;
+    int period, approached = 0;
+  } cases[] = {{"sticking", paper::figure3(0.28), {}, 1},
+               {"period 4", paper::figure3(0.65), {}, 4},
+               {"period 2", paper::figure3(0.61), {}, 2},
+               {"chaotic", paper::figure3(0.69), {}, 0},
+               {"after 5 periods", paper::figure3(0.28), {.longest = 5}, 0},
+               {"after 1 period", paper::figure3(0.28), {.longest = 1}, 0},
+               {"period 19", turning, {}, 19},
+               {"up to period 18", turning, {.largest_period = 18}, 0},
+               {"damped slowly", with(turning, "beta", 0.02), {.longest = 300}, 0, 1},
+               {"at rest", resting, {}, 1}};
+  for (const auto &[name, scene, options, period, approached] : cases) {
+    const SettledMotion motion = settle(scene, start_of(scene), options);
+    EXPECT_EQ(motion.period, period) << name;
+    EXPECT_EQ(motion.approached, approached) << name;
+    EXPECT_LE(motion.periods_run, options.longest) << name;
+    EXPECT_TRUE(period > 0 || motion.periods_run == options.longest) << name;
+  }
 }
 
 // The state of a stiff oscillator, no stop in its way, turns around the orbit as it comes nearer,
 // in a thin ellipse: any one component is small twice a turn. The orbit itself in closed form.
 // Twice the tolerance, relative to its amplitude: the decay within a turn is not even.
 TEST(Settle, WhatIsStillToComeIsKnownOfAMotionThatTurns) {
-  Scene scene;
-  scene.mass = {1.0};
-  scene.stiffness = scene.amplitude = {1e4};
-  scene.beta = 5e-4;
-  scene.stops = {{1, Side::upper, 1000.0}};
+  Scene scene = extremes::one_mass(5e-4, 1e4, 0.0, 1.0, 1000.0);
+  scene.stiffness = {1e4};
   const double tolerance = 1e-10;
   for (int k = 0; k <= 400; ++k) {
     scene.omega = 20.0 + 0.45 * k;
@@ -189,26 +194,6 @@ TEST(Settle, WhatIsStillToComeIsKnownOfAMotionThatTurns) {
   }
 }
 
-// Motions that come near their orbit slowly, turning: with some number of periods in between, the
-// states are close long before those of one period are. After 4,000 periods it is decided. And a
-// ball on no spring, thrown between two stops by the force on it: nothing makes it turn.
-TEST(Settle, OfSlowAndOfFreeMotionsThePeriodIsThatOfFourThousandPeriods) {
-  Scene ball{.mass = {1.0}, .stiffness = {0.0}, .amplitude = {1.0}, .restitution = 0.5};
-  ball.stops = {{1, Side::lower, -1.0}, {1, Side::upper, 1.0}};
-  std::vector<Scene> scenes{ball};
-  for (const auto &[omega, restitution] : {std::pair{0.39849624060150379, 0.82595317725752504},
-                                           {0.61804511278195495, 0.74401337792642142},
-                                           {0.67218045112781954, 0.72434782608695647},
-                                           {0.68571428571428572, 0.58668896321070241},
-                                           {0.69172932330827075, 0.62602006688963208}})
-    scenes.push_back(with(paper::figure3(omega), "restitution", restitution));
-  for (const Scene &scene : scenes) {
-    const SettledMotion motion = settle(scene, start_of(scene), {.longest = 200});
-    EXPECT_EQ(motion.period, period_of_states(scene, state_after_periods(scene, 4000)))
-        << scene.omega;
-  }
-}
-
 // The section is the phase of the start.
 TEST(Settle, AnyPhaseMayBeTheSection) {
   const Scene scene = paper::figure2();
@@ -220,6 +205,73 @@ TEST(Settle, AnyPhaseMayBeTheSection) {
   EXPECT_EQ(motion.state.instant.phase, begin.instant.phase);
   EXPECT_EQ(motion.state.held, begin.held);
   EXPECT_EQ(period_of_states(scene, motion.state), 1);
+}
+
+// The record of a motion has counts of its events, and only what is asked for.
+TEST(Record, HasOnlyWhatIsAskedFor) {
+  const Scene settling = paper::figure3(0.55);
+  const OrbitRecord bare = record_of(settling);
+  EXPECT_GT(bare.period, 0);
+  EXPECT_FALSE(bare.lyapunov.has_value());
+  EXPECT_TRUE(bare.impacts.empty());
+  EXPECT_TRUE(bare.pairs.empty());
+  RecordOptions asked;
+  asked.impacts = true;
+  const OrbitRecord speeds = record_of(settling, asked);
+  EXPECT_EQ(speeds.counts.impacts, bare.counts.impacts);
+  EXPECT_EQ(speeds.impacts[0].size(), static_cast<std::size_t>(bare.counts.impacts[0]));
+  EXPECT_LT(speeds.impacts[0].front().velocity_before, 0.0) << "mass 1 hits a lower stop";
+  EXPECT_GT(speeds.impacts[1].front().velocity_before, 0.0) << "mass 2 hits an upper stop";
+}
+
+// Pressed onto their stops for ever: no event says so.
+TEST(Record, MassesThatAreHeldFromTheBeginningStickAtOnce) {
+  Scene scene = paper::two_masses({1, Side::lower, 0.1}, {2, Side::lower, 0.15}, 0.7, 0.3);
+  scene.amplitude = {0.01, 0.0};
+  scene.displacement = {0.1, 0.15};
+  const EventCounts counts = record_of(scene).counts;
+  EXPECT_TRUE(counts.dual_sticking);
+  EXPECT_EQ(counts.sticks, (std::vector{0, 0}));
+}
+
+// A chatter goes on over the section. The events of one period from there on begin with impacts of
+// this chatter, which are not counted either.
+TEST(Record, ACompleteChatterAtTheSectionIsNotCounted) {
+  const Scene scene = paper::figure3(0.3);
+  const OrbitRecord record = record_of(scene);
+  ASSERT_EQ(record.period, 1);
+  EventRecorder recorder(-infinity);
+  stroboscopic_map(scene, record.state, 1, {}, recorder);
+  const EventCounts counts = counts_of(scene, recorder.events, 1, record.state.held);
+  EXPECT_EQ(counts.impacts, record.counts.impacts);
+  EXPECT_EQ(counts.sticks, record.counts.sticks);
+}
+
+// The pairs themselves are those of event_pairs_test; Figure 5(b) has none.
+TEST(Record, ThePairsOfTableIThatOccur) {
+  const RecordOptions options{.settle = {}, .pairs = true};
+  EXPECT_EQ(record_of(paper::figure5a(), options).pairs, std::vector{EventPair::sticking_impact});
+  EXPECT_TRUE(record_of(paper::figure5b(), options).pairs.empty());
+}
+
+// A state of a neighbouring scene is a start: a mass that is held moves with its stop, a mass
+// beyond a stop moves to it, and the phase stays within the period.
+TEST(StartNear, BringsAStateIntoTheScene) {
+  Scene scene = paper::figure2();
+  MotionState state = start_of(scene);
+  state.displacement = {-0.3, 0.05};
+  state.velocity = {0.0, 0.2};
+  state.held = {-1, 0};
+  state.instant.phase = 0.9 * Clock(scene.omega).period;
+  scene.omega *= 1.5;
+  scene.stops[0].position = -0.25;
+  scene.stops[1].position = 0.04;
+  const MotionState start = start_near(scene, state);
+  EXPECT_EQ(start.displacement, (std::vector<double>{-0.25, 0.04}));
+  EXPECT_EQ(start.velocity, state.velocity);
+  EXPECT_EQ(start.held, state.held);
+  EXPECT_LT(start.instant.phase, Clock(scene.omega).period);
+  EXPECT_NO_THROW(require_complete(Simulation(scene, start).advance(time_after(scene, start, 1))));
 }
 
 }  // namespace

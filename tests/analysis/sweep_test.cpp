@@ -6,22 +6,22 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "reference/truth/table_reader.hpp"
 #include "tests/support/refusals.hpp"
+#include "tests/support/tables.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
 using namespace vibro_impact;
-using vibro_impact::testing::expect_refused;
+using vibro_impact::testing::expect_refused, vibro_impact::testing::NamedColumns;
 
 // Over sticking, incomplete chatter and chaos, where nothing but the same bits stay close.
 Grid grid_of_figure3() {
@@ -72,7 +72,6 @@ TEST(Sweep, ThrowsTheErrorOfItsFirstPoint) {
     }
 }
 
-// Cells by the names of their columns, so that another column changes nothing.
 TEST(Sweep, RecordsAreRowsOfATable) {
   Grid grid = grid_of_figure3();
   grid.axes = {{"omega", 0.28, 0.69, 2}};
@@ -86,13 +85,8 @@ TEST(Sweep, RecordsAreRowsOfATable) {
   SweepTables tables = sweep_tables(grid, options);
   add_rows(tables, grid, options, 0, record);
   add_rows(tables, grid, options, 1, std::nullopt);
-  const Table &table = tables.records;
-  const truth::Row names = truth::cells_of(table.text.substr(0, table.text.find('\n')));
-  std::istringstream text(table.text);
-  const truth::Rows rows = truth::read_rows(text, "table", names.size());
-  ASSERT_EQ(rows.size(), 2u);
-  std::map<std::string, std::string> cell;
-  for (std::size_t k = 0; k < names.size(); ++k) cell[names[k]] = rows[0][k];
+  const NamedColumns table(tables.records.text);
+  ASSERT_EQ(table.rows(), 2u);
   const std::map<std::string, std::string> expected = {{"omega", "0.28000000000000003"},
                                                        {"period", "2"},
                                                        {"sticks1", "0.75"},
@@ -104,10 +98,10 @@ TEST(Sweep, RecordsAreRowsOfATable) {
                                                        {"lyapunov_error", "0.0012"},
                                                        {"attractor", ""},
                                                        {"pairs", "DS SI"}};
-  for (const auto &[name, value] : expected) EXPECT_EQ(cell.at(name), value) << name;
-  truth::Row empty(names.size());
-  empty[0] = "0.68999999999999995";
-  EXPECT_EQ(rows[1], empty);
+  for (const auto &[name, value] : expected) {
+    EXPECT_EQ(table.cell(name), value) << name;
+    EXPECT_EQ(table.cell(name, 1), name == "omega" ? "0.68999999999999995" : "") << name;
+  }
 }
 
 TEST(Grid, TheLastAxisIsInnermost) {
@@ -157,13 +151,8 @@ TEST(Sweep, APointWithoutARecordHasAReason) {
 // The two orbits of a symmetric oscillator have equal counts and exponents, and other marks. Two
 // starts of one orbit have one mark. The mark of the rest of an unforced mass is zero.
 TEST(Sweep, MirrorOrbitsHaveOtherMarks) {
-  Scene scene{.mass = {1.0},
-              .stiffness = {1.0},
-              .beta = 0.1,
-              .amplitude = {2.0},
-              .omega = 2.0,
-              .restitution = 0.5,
-              .stops = {{1, Side::lower, -0.5}, {1, Side::upper, 0.5}}};
+  Scene scene = extremes::one_mass(0.1, 2.0, 2.0, 0.5, 0.5);
+  scene.stops.push_back({1, Side::lower, -0.5});
   const RecordOptions options{.lyapunov = true, .attractor = true};
   std::map<double, int> marks;
   for (int k = 0; k <= 20; ++k) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
-#include "reference/truth/table_reader.hpp"
 #include "tests/support/runner_program.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
@@ -15,40 +14,31 @@ namespace {
 using namespace vibro_impact::testing;
 using namespace vibro_impact;
 
-// A row of a table by the names of its columns.
-std::string cell(const fs::path &table, const std::string &column, std::size_t row = 0) {
-  const truth::Row header = truth::header_of(table);
-  const auto at = std::find(header.begin(), header.end(), column) - header.begin();
-  return truth::read_rows(table, header.size()).at(row).at(static_cast<std::size_t>(at));
-}
-
 // The orbit of Figure 3 at Omega = 0.625 has no sticking and |mu| = 0.634608739113, computed
 // independently to twelve digits.
 TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
   const std::string files = " --table t.csv --velocities --samples s.csv --every 0.125P";
   const Result result = run("orbit --omega 0.625" + files);
   ASSERT_EQ(result.status, 0) << result.err;
+  const NamedColumns row = table("t.csv");
   for (const char *column : {"period", "residual", "stable", "x1", "v2", "impacts1", "re1", "im4"})
-    EXPECT_NE(result.out.find(std::string(column) + " = " + cell(folder / "t.csv", column) + "\n"),
+    EXPECT_NE(result.out.find(std::string(column) + " = " + row.cell(column) + "\n"),
               std::string::npos)
         << column << " is not in " << result.out;
-  EXPECT_NEAR(std::hypot(std::stod(cell(folder / "t.csv", "re1")),
-                         std::stod(cell(folder / "t.csv", "im1"))),
-              0.634608739113, 1e-12);
+  EXPECT_NEAR(std::hypot(row.number("re1"), row.number("im1")), 0.634608739113, 1e-12);
   const Scene scene = paper::figure3(0.625);
   const PeriodicOrbit orbit =
       find_periodic_orbit(scene, at_quiet_phase(scene, record_of(scene).state));
-  const fs::path table = folder / "t.csv";
-  EXPECT_EQ(cell(table, "period"), "1");
-  EXPECT_EQ(std::stod(cell(table, "x1")), orbit.state.displacement[0]);
-  EXPECT_EQ(std::stod(cell(table, "v2")), orbit.state.velocity[1]);
-  EXPECT_EQ(std::stod(cell(table, "re1")), orbit.multipliers[0].real());
-  EXPECT_EQ(std::stod(cell(table, "im4")), orbit.multipliers[3].imag());
-  EXPECT_EQ(cell(table, "impacts1"), "6");
-  const truth::Rows rows = truth::read_rows(folder / "s.csv", 5);
-  ASSERT_EQ(rows.size(), 9u);
-  for (std::size_t k = 1; k < 5; ++k)  // the orbit is known to 1e-13
-    EXPECT_NEAR(std::stod(rows[0][k]), std::stod(rows[8][k]), 1e-12);
+  EXPECT_EQ(row.cell("period"), "1");
+  EXPECT_EQ(row.number("x1"), orbit.state.displacement[0]);
+  EXPECT_EQ(row.number("v2"), orbit.state.velocity[1]);
+  EXPECT_EQ(row.number("re1"), orbit.multipliers[0].real());
+  EXPECT_EQ(row.number("im4"), orbit.multipliers[3].imag());
+  EXPECT_EQ(row.cell("impacts1"), "6");
+  const NamedColumns samples = table("s.csv");
+  ASSERT_EQ(samples.rows(), 9u);
+  for (const char *coordinate : {"x1", "x2", "v1", "v2"})  // the orbit is known to 1e-13
+    EXPECT_NEAR(samples.number(coordinate, 0), samples.number(coordinate, 8), 1e-12);
 }
 
 // At Omega = 0.69 the motion is chaotic. At 0.688 it settles to period 2, which period 1 has lost
@@ -58,8 +48,8 @@ TEST_F(Runner, OrbitsAreFoundNextToChaosOrRefusedWithTheReason) {
   expect_message(run("orbit --omega 0.69 --period 5"), "no orbit of period 5 was found: ", 1);
   EXPECT_NE(run("orbit --omega 0.688").out.find("\nperiod = 2\n"), std::string::npos);
   ASSERT_EQ(run("orbit --omega 0.688 --period 1 --table t.csv").status, 0);
-  EXPECT_EQ(cell(folder / "t.csv", "stable"), "0");
-  EXPECT_LT(std::stod(cell(folder / "t.csv", "re1")), -1.0);
+  EXPECT_EQ(table("t.csv").cell("stable"), "0");
+  EXPECT_LT(table("t.csv").number("re1"), -1.0);
 }
 
 // One mass at omega = 1.3 settles without impacts. Downwards its branch ends where the free motion
@@ -71,20 +61,20 @@ TEST_F(Runner, ABranchHasARowForEachPointAndEndsAtTheGrazeInClosedForm) {
           "--vary omega=1:1.5:21 --table t.csv");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_TRUE(result.out.ends_with("end of range at omega = 1.5\n")) << result.out;
-  const fs::path table = folder / "t.csv";
-  const std::size_t last = lines(contents(table)).size() - 2;
+  const NamedColumns branch = table("t.csv");
+  const std::size_t last = branch.rows() - 1;
   ASSERT_GT(last, 14u);  // steps of at most 0.025
-  EXPECT_EQ(cell(table, "kind"), "graze");
-  EXPECT_NEAR(std::stod(cell(table, "omega")), 1.145870429873032, 1e-12);
+  EXPECT_EQ(branch.cell("kind"), "graze");
+  EXPECT_NEAR(branch.number("omega"), 1.145870429873032, 1e-12);
   for (std::size_t row = 0; row <= last; ++row) {
-    const double omega = std::stod(cell(table, "omega", row));
-    EXPECT_NEAR(std::hypot(std::stod(cell(table, "re1", row)), std::stod(cell(table, "im1", row))),
+    const double omega = branch.number("omega", row);
+    EXPECT_NEAR(std::hypot(branch.number("re1", row), branch.number("im1", row)),
                 std::exp(-0.1 * std::numbers::pi / omega), 1e-13)
         << omega;
-    EXPECT_EQ(cell(table, "stable", row), "1");
+    EXPECT_EQ(branch.cell("stable", row), "1");
     if (row == 0) continue;
-    EXPECT_GT(omega, std::stod(cell(table, "omega", row - 1)));
-    EXPECT_EQ(cell(table, "kind", row), row < last ? "orbit" : "end of range");
+    EXPECT_GT(omega, branch.number("omega", row - 1));
+    EXPECT_EQ(branch.cell("kind", row), row < last ? "orbit" : "end of range");
   }
 }
 
@@ -97,15 +87,15 @@ TEST_F(Runner, ABranchOfFigureThreeHasItsFoldAndTheKindsOfItsEnds) {
              down = follow_orbit(scene, start, {"omega", 0.7, 0.5, 101});
   const Result result = run("orbit --omega 0.6 --vary omega=0.5:0.7:101 --table t.csv");
   ASSERT_EQ(result.status, 0) << result.err;
-  const fs::path table = folder / "t.csv";
-  ASSERT_EQ(lines(contents(table)).size(), up.size() + down.size());
+  const NamedColumns rows = table("t.csv");
+  ASSERT_EQ(rows.rows() + 1, up.size() + down.size());
   std::vector<OrbitPoint> branch(down.rbegin(), down.rend());
   branch.insert(branch.end(), up.begin() + 1, up.end());
   int folds = 0;
   for (std::size_t row = 0; row < branch.size(); ++row) {
-    EXPECT_EQ(cell(table, "kind", row), name(branch[row].kind));
-    EXPECT_NEAR(std::stod(cell(table, "omega", row)), branch[row].parameter, 1e-12);
-    EXPECT_EQ(cell(table, "impacts1", row), std::to_string(branch[row].counts.impacts[0]));
+    EXPECT_EQ(rows.cell("kind", row), name(branch[row].kind));
+    EXPECT_NEAR(rows.number("omega", row), branch[row].parameter, 1e-12);
+    EXPECT_EQ(rows.cell("impacts1", row), std::to_string(branch[row].counts.impacts[0]));
     if (branch[row].kind != BranchPoint::fold) continue;
     ++folds;
     EXPECT_NE(result.out.find("\nfold at omega = 0.578747472"), std::string::npos) << result.out;

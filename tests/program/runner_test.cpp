@@ -1,8 +1,9 @@
-// The scene runner, tested through the program itself: its options and its tables.
+// The scene runner, tested through the program itself: its options, its tables and its progress.
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "program/progress.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/table_reader.hpp"
 #include "tests/support/runner_program.hpp"
@@ -34,12 +35,12 @@ TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   EXPECT_EQ(lines(result.out), lines(expected.text));
   EXPECT_GT(events.events.size(), 30u);
   EXPECT_EQ(truth::header_of(folder / "s.csv"), (truth::Row{"time", "x1", "x2"}));
-  const truth::Rows rows = truth::read_rows(folder / "s.csv", 3);
-  ASSERT_EQ(rows.size(), 161u);  // 20, 20.25, ... 60
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_EQ(std::stod(rows[i][0]), samples.times[i]);
-    EXPECT_EQ(std::stod(rows[i][1]), samples.displacements[2 * i]);
-    EXPECT_EQ(std::stod(rows[i][2]), samples.displacements[2 * i + 1]);
+  const NamedColumns rows = table("s.csv");
+  ASSERT_EQ(rows.rows(), 161u);  // 20, 20.25, ... 60
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    EXPECT_EQ(rows.number("time", i), samples.times[i]);
+    EXPECT_EQ(rows.number("x1", i), samples.displacements[2 * i]);
+    EXPECT_EQ(rows.number("x2", i), samples.displacements[2 * i + 1]);
   }
 }
 
@@ -129,6 +130,24 @@ TEST_F(Runner, TheExamplesOfTheHelpWork) {
                          "section.csv", "section.png", "states.csv", "states.png"}));
   EXPECT_EQ(run("sweep --help").out.find("{"), std::string::npos) << "no word of CLI11's own";
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
+}
+
+TEST(Progress, SaysHowFarAndHowLongStill) {
+  const auto line = [](double before, double done, double total, double seconds) {
+    return vibro_impact::progress_line("time", before, done, total, seconds);
+  };
+  EXPECT_EQ(line(0, 75, 750, 3), "time: 75 of 750 (10 %), 0.45 min left");
+  EXPECT_EQ(line(700, 725, 750, 4000), "time: 725 of 750 (96 %), 66.7 min left");
+  EXPECT_EQ(line(0, 1e-3, 1e15, 2), "time: 0.001 of 1e+15 (0 %), 3.33e+16 min left");
+  EXPECT_EQ(line(0, 750, 750, 9), "time: 750 of 750 (100 %), 0 min left");
+  EXPECT_EQ(line(700, 700, 750, 5), "time: 700 of 750 (93 %)") << "nothing is known of the pace";
+}
+
+TEST(Progress, IsShownAfterTwoSecondsAndFiveTimesASecond) {
+  EXPECT_FALSE(vibro_impact::is_progress_due(1.9, 0.0));
+  EXPECT_TRUE(vibro_impact::is_progress_due(2.0, 0.0));
+  EXPECT_FALSE(vibro_impact::is_progress_due(2.1, 2.0));
+  EXPECT_TRUE(vibro_impact::is_progress_due(2.3, 2.0));
 }
 
 }  // namespace

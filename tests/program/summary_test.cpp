@@ -7,28 +7,18 @@
 #include "program/summary.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/runner_program.hpp"
-#include "vibro_impact/scene_text.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace {
 
 using namespace vibro_impact;
 
-constexpr std::size_t impacts = 3, sticks = 4, impulse = 8, energy = 9, contact = 10, pressing = 11;
+using vibro_impact::testing::NamedColumns;
 
-// The rows of the table as numbers, with 0 for the side.
-std::vector<std::vector<double>> totals(const Scene &scene, double from, double to,
-                                        const RunOptions &options = {}) {
+NamedColumns totals(const Scene &scene, double from, double to, const RunOptions &options = {}) {
   runner::Summary summary(scene, from, to);
   require_complete(simulate(scene, to, options, summary));
-  std::vector<std::vector<double>> rows;
-  for (const std::string &line : vibro_impact::testing::lines(summary.table().text)) {
-    if (line.starts_with("stop")) continue;
-    rows.emplace_back();
-    for (const std::string_view cell : detail::parts_of(line, ','))
-      rows.back().push_back(cell == "lower" || cell == "upper" ? 0.0 : detail::number_of(cell));
-  }
-  return rows;
+  return NamedColumns(summary.table().text);
 }
 
 // Both stops of the first of three masses, all terms of the equation of motion, and sticking.
@@ -57,12 +47,12 @@ TEST(Summary, ABouncingMassHasItsClosedForms) {
                              .restitution = r,
                              .stops = {{1, Side::lower, 0.0}},
                              .displacement = {0.5}},
-                            0.0, to)[0];
-    EXPECT_EQ(row[sticks], 1.0);
-    EXPECT_NEAR(row[impulse], m * rest, 1e-13 * m * rest) << r;
-    EXPECT_NEAR(row[energy], m / 2.0, 1e-14) << r;
-    EXPECT_NEAR(row[contact], to - rest, 1e-13 * to) << r;
-    EXPECT_NEAR(row[pressing], m * (to - rest), 1e-13 * m * to) << r;
+                            0.0, to);
+    EXPECT_EQ(row.number("sticks"), 1.0);
+    EXPECT_NEAR(row.number("impulse"), m * rest, 1e-13 * m * rest) << r;
+    EXPECT_NEAR(row.number("energy_lost"), m / 2.0, 1e-14) << r;
+    EXPECT_NEAR(row.number("contact_time"), to - rest, 1e-13 * to) << r;
+    EXPECT_NEAR(row.number("pressing_impulse"), m * (to - rest), 1e-13 * m * to) << r;
   }
 }
 
@@ -73,11 +63,12 @@ TEST(Summary, ImpulseAndEnergyDoNotDependOnTheCutOfChatter) {
     const auto resolved = totals(scene, 0.0, 100.0, {.limit_below_speed = 0.0});
     for (const double cut : {1e-3, infinity}) {
       const auto rows = totals(scene, 0.0, 100.0, {.limit_below_speed = cut});
-      for (std::size_t k = 0; k < rows.size(); ++k) {
-        EXPECT_EQ(rows[k][sticks], resolved[k][sticks]);
-        EXPECT_LE(rows[k][impacts], resolved[k][impacts]);
-        for (const std::size_t column : {impulse, energy, contact, pressing})
-          EXPECT_NEAR(rows[k][column], resolved[k][column], 1e-10 * resolved[k][column])
+      for (std::size_t k = 0; k < rows.rows(); ++k) {
+        EXPECT_EQ(rows.cell("sticks", k), resolved.cell("sticks", k));
+        EXPECT_LE(rows.number("impacts", k), resolved.number("impacts", k));
+        for (const char *column : {"impulse", "energy_lost", "contact_time", "pressing_impulse"})
+          EXPECT_NEAR(rows.number(column, k), resolved.number(column, k),
+                      1e-10 * resolved.number(column, k))
               << "stop " << k + 1 << ", column " << column;
       }
     }
@@ -111,9 +102,11 @@ TEST(Summary, StopsPressAsTheForceDoes) {
     Press press(scene);
     require_complete(simulate(scene, 100.0, press));
     const auto rows = totals(scene, 0.0, 100.0);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      EXPECT_GT(rows[k][sticks], 0.0) << k;
-      EXPECT_NEAR(rows[k][pressing], press.sum[k], Press::h * rows[k][sticks]) << "stop " << k + 1;
+    for (std::size_t k = 0; k < rows.rows(); ++k) {
+      EXPECT_GT(rows.number("sticks", k), 0.0) << k;
+      EXPECT_NEAR(rows.number("pressing_impulse", k), press.sum[k],
+                  Press::h * rows.number("sticks", k))
+          << "stop " << k + 1;
     }
   }
 }
@@ -124,10 +117,11 @@ TEST(Summary, PartsOfTheTimeAddUp) {
   const auto whole = totals(scene, 0.0, 100.0);
   for (const double cut : {28.0, 35.0}) {
     const auto first = totals(scene, 0.0, cut), second = totals(scene, cut, 100.0);
-    for (std::size_t k = 0; k < whole.size(); ++k)
-      for (const std::size_t column : {impacts, sticks, impulse, energy, contact, pressing})
-        EXPECT_NEAR(first[k][column] + second[k][column], whole[k][column],
-                    1e-12 * whole[k][column])
+    for (std::size_t k = 0; k < whole.rows(); ++k)
+      for (const char *column :
+           {"impacts", "sticks", "impulse", "energy_lost", "contact_time", "pressing_impulse"})
+        EXPECT_NEAR(first.number(column, k) + second.number(column, k), whole.number(column, k),
+                    1e-12 * whole.number(column, k))
             << cut << ", stop " << k + 1 << ", column " << column;
   }
 }

@@ -7,12 +7,14 @@
 #include <type_traits>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/events.hpp"
 #include "tests/support/refusals.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
 using namespace vibro_impact;
+using vibro_impact::testing::AtEvents;
 using vibro_impact::testing::BadCall;
 using vibro_impact::testing::expect_refused;
 
@@ -176,12 +178,6 @@ struct GoesBack : Recorder {
   }
 };
 
-struct AsksForMassFive : Recorder {
-  void event(const Event &, const Moment &moment) override {
-    moment.hold_force(5);
-  }
-};
-
 template <class OneRecorder>
 BadCall recorded_by(const OneRecorder &recorder, const char *says) {
   return {[recorder] {
@@ -195,6 +191,8 @@ TEST(Refusals, OfRecorders) {
   const Scene scene = paper::figure2();
   const MotionState later = simulate(scene, 50.0).state;
   SampleRecorder early{10.0, 60.0, 1.0};
+  const AtEvents asks_for_mass_five(
+      [](const Event &, const Moment &moment) { return moment.hold_force(5) > 0.0; });
   expect_refused({
       recorded_by(EventRecorder{nan}, "from = nan: must be a time"),
       recorded_by(ImpactVelocityRecorder{3, 0.0}, "mass 3: the chain has masses 1 to 2"),
@@ -206,7 +204,7 @@ TEST(Refusals, OfRecorders) {
       recorded_by(SampleRecorder{5e9, 5e9 + 1e-6, 1e-7}, "every = 1e-07: must exceed the spacing"),
       recorded_by(GoesBack(12.0), "next_time = 12: lies before the motion"),
       recorded_by(GoesBack(nan), "next_time = nan: must be a time"),
-      recorded_by(AsksForMassFive{}, "mass 5: the chain has masses 1 to 2"),
+      recorded_by(asks_for_mass_five, "mass 5: the chain has masses 1 to 2"),
       {[&] { require_complete(Simulation(scene, later).advance(60.0, early)); },
        "sample at t = 10: the run begins at 5"},
   });

@@ -162,8 +162,7 @@ TEST(SmallMotion, KeepsTwoSmallGaps) {
 // A run takes at most the steps that it may, and says when there are more. A stiff mode, damped or
 // not, needs few of them.
 TEST(Work, OfARunIsBounded) {
-  Scene scene;
-  scene.mass = {1.0, 1.0};
+  Scene scene = extremes::chain(2, 0.0);
   scene.stiffness = {1.0, 1e14};
   scene.amplitude = {0.5, 0.0};
   scene.restitution = 0.7;
@@ -186,10 +185,8 @@ TEST(Work, OfARunIsBounded) {
 
 // A fast decay that wakes up late in a run, where its steps lie below the rounding of the phase.
 TEST(Clock, ResolvesAFastDecayLateInARun) {
-  Scene scene;
-  scene.mass = {1.0, 1.0};
+  Scene scene = extremes::chain(2, 1e4);
   scene.stiffness = {1.0, 1e9};
-  scene.beta = 1e4;
   scene.amplitude = {1.0, 0.0};
   scene.omega = 1e-4;
   scene.restitution = 0.5;
@@ -237,12 +234,8 @@ TEST(Chatter, OfAFallingMassEndsWhereItsImpactsDo) {
 
 // A spring so soft that a step of two radians has an infinite square.
 TEST(Modes, OfASpringNearTheLeastNumberStayInRange) {
-  const Scene scene{.mass = {1.0},
-                    .stiffness = {1e-310},
-                    .omega = 0.0,
-                    .restitution = 0.5,
-                    .stops = {{1, Side::upper, 1.0}},
-                    .velocity = {0.5}};
+  Scene scene = extremes::one_mass(0.0, 0.0, 0.0, 0.5, 1.0, 0.0, 0.5);
+  scene.stiffness = {1e-310};
   const Outcome outcome = require_complete(simulate(scene, 4.0));
   EXPECT_EQ(outcome.counters.impacts, 1);
   EXPECT_NEAR(outcome.state.displacement[0], 0.5, 1e-15);

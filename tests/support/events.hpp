@@ -1,7 +1,9 @@
 // Events of runs, as many tests read them.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vibro_impact/vibro_impact.hpp"
@@ -26,6 +28,22 @@ inline std::vector<Event> events_of(const Scene &scene, double from, double unti
   require_complete(simulate(scene, until, options, recorder));
   return recorder.events;
 }
+
+// Calls a function with each event, and asks for the end of the run once it has returned true.
+struct AtEvents : Recorder {
+  std::function<bool(const Event &, const Moment &)> is_last;
+  bool ended = false;
+
+  explicit AtEvents(std::function<bool(const Event &, const Moment &)> function)
+      : is_last(std::move(function)) {
+  }
+  void event(const Event &event, const Moment &moment) override {
+    ended = is_last(event, moment) || ended;
+  }
+  bool done() const override {
+    return ended;
+  }
+};
 
 // The events of a kind: of one mass, or of every mass.
 inline std::vector<Event> select(const std::vector<Event> &events, EventKind kind,

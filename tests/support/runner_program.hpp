@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "tables.hpp"
+
 namespace vibro_impact::testing {
 
 namespace fs = std::filesystem;
@@ -85,6 +87,10 @@ struct Runner : ::testing::Test {
     fs::remove(out);
     fs::remove(err);
     return result;
+  }
+  // A table that the program has written there.
+  NamedColumns table(const std::string &name) const {
+    return NamedColumns(contents(folder / name));
   }
   // The names of the files left, in order.
   std::vector<std::string> files() const {

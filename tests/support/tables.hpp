@@ -1,10 +1,13 @@
-// Shared by the tests of the figures: the tables of the drivers, and the true events to compare
-// them with.
+// Tables read back, and those of the drivers of the figures with the true events to compare them
+// with.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +18,31 @@
 #include "reference/truth/table_reader.hpp"
 
 namespace vibro_impact::testing {
+
+// A table by the names of its columns, so that another column changes nothing.
+class NamedColumns {
+ public:
+  explicit NamedColumns(const std::string &table)
+      : names_(truth::cells_of(table.substr(0, table.find('\n')))) {
+    std::istringstream text(table);
+    rows_ = truth::read_rows(text, "table", names_.size());
+  }
+  std::size_t rows() const {
+    return rows_.size();
+  }
+  const std::string &cell(const std::string &column, std::size_t row = 0) const {
+    const auto k = std::ranges::find(names_, column) - names_.begin();
+    return rows_.at(row).at(static_cast<std::size_t>(k));
+  }
+  // NaN for an empty cell and for a word.
+  double number(const std::string &column, std::size_t row = 0) const {
+    return truth::as_number(cell(column, row)).value_or(NAN);
+  }
+
+ private:
+  truth::Row names_;
+  truth::Rows rows_ = {};
+};
 
 // Runs the driver of a figure. Returns the folder of its tables, which is that of one test in this
 // build, since several tests run at once. Throws std::runtime_error if the driver fails.
