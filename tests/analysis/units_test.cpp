@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/scenes/table1_scenes.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -24,22 +27,11 @@ struct Units {
   }
 };
 
-void scale(Values &values, int power) {
-  for (double &value : values) value = std::ldexp(value, power);
-}
-
-Scene in_units(const Units &units, Scene scene) {
-  scale(scene.mass, units.mass);
-  scale(scene.stiffness, units.mass - 2 * units.time);
-  scale(scene.ground, units.mass - 2 * units.time);
-  scene.beta = std::ldexp(scene.beta, units.time);
-  scene.omega = std::ldexp(scene.omega, -units.time);
-  for (Values *force : {&scene.amplitude, &scene.sine, &scene.constant})
-    scale(*force, units.force());
-  for (Stop &stop : scene.stops) stop.position = std::ldexp(stop.position, units.length);
-  scale(scene.displacement, units.length);
-  scale(scene.velocity, units.length - units.time);
-  return scene;
+Scene in_units(const Units &units, const Scene &scene) {
+  const auto power = [](int exponent) { return std::ldexp(1.0, exponent); };
+  return vibro_impact::testing::in_units(scene, power(units.mass),
+                                         power(units.mass - 2 * units.time), power(units.length),
+                                         power(units.time));
 }
 
 // Numbers of one quantity, and the power of two of its unit.
@@ -80,72 +72,20 @@ class Measured {
   Values values_ = {};
 };
 
-// The measured numbers of a scene whose numbers are in these units.
-using Measure = std::function<void(const Scene &, const Units &, Measured &)>;
-
-// The motions of Figure 3: sticking, chatter, impacts of several periods, and chaos (0.69).
-void expect_equal_in(const std::vector<Units> &all, const Measure &measure) {
-  for (const double omega : {0.28, 0.395, 0.47, 0.6, 0.61, 0.625, 0.65, 0.69}) {
-    Values expected;
-    for (const Units &units : all) {
-      Measured measured(units);
-      measure(in_units(units, paper::figure3(omega)), units, measured);
-      if (expected.empty()) expected = measured.values();
-      EXPECT_EQ(measured.values(), expected)
-          << omega << ", length 2^" << units.length << ", mass 2^" << units.mass << ", time 2^"
-          << units.time;
-    }
-  }
-}
-
 // Masses are multiplied by even powers of two alone: the modes contain their square roots.
 const std::vector<Units> all_units{{0},     {-500},    {-20},      {-10},       {450},
                                    {0, 40}, {0, 0, 1}, {0, 0, -9}, {0, 0, 150}, {-10, 6, -11}};
 
-void measure_record(const Scene &scene, const Units &, Measured &measured) {
+void measure_record(const Scene &scene, const Units &units, Measured &measured) {
   RecordOptions options{.lyapunov = true, .pairs = true};
   options.impacts = options.attractor = true;
   measured.add(record_of(scene, options));
-}
-
-void measure_settling(const Scene &scene, const Units &units, Measured &measured) {
   const SettledMotion motion = settle(scene, start_of(scene));
-  measured.add(motion.period);
   measured.add(motion.periods_run);
   measured.add(motion.fastest_impact, units.length - units.time);
-  measured.add(motion.state);
 }
 
-void measure_orbit(const Scene &scene, const Units &units, Measured &measured) {
-  const PeriodicOrbit orbit =
-      find_periodic_orbit(scene, at_quiet_phase(scene, state_after_periods(scene, 20)));
-  measured.add(orbit.converged);
-  for (const double residual : orbit.residuals) measured.add(residual, units.length);
-  for (const auto &multiplier : orbit.multipliers) {
-    measured.add(multiplier.real());
-    measured.add(multiplier.imag());
-  }
-  measured.add(orbit.state);
-}
-
-void measure_growth(const Scene &scene, const Units &units, Measured &measured) {
-  const MotionState start = at_quiet_phase(scene, state_after_periods(scene, 5));
-  const Growth growth = mean_growth(scene, start, {.longest = 400});
-  measured.add(growth.exponent, -units.time);
-  measured.add(growth.error, -units.time);
-}
-
-void measure_places(const Scene &scene, const Units &units, Measured &measured) {
-  const double stop = scene.stops[0].position;
-  const auto count = [&](double position) {
-    return static_cast<int>(
-        record_of(with(scene, "stop1", position), {.settle = {.longest = 20}}).counts.impacts[0]);
-  };
-  if (count(stop) != count(8.0 * stop)) {
-    const CountJump jump = bisect(count, 8.0 * stop, stop);
-    measured.add(jump.below, units.length);
-    measured.add(jump.above, units.length);
-  }
+void measure_minima(const Scene &scene, const Units &units, Measured &measured) {
   const MotionState start = state_after_periods(scene, 30);
   for (const Stop &of : scene.stops) {
     if (const auto least = least_gap(scene, start, of)) {
@@ -159,18 +99,6 @@ void measure_places(const Scene &scene, const Units &units, Measured &measured) 
   }
 }
 
-void measure_pairs(const Scene &scene, const Units &units, Measured &measured, double from,
-                   double to) {
-  PressedEventRecorder recorder(scene, std::ldexp(from, units.time));
-  require_complete(simulate(scene, std::ldexp(to, units.time), recorder));
-  for (const PairedEvents &pair : event_pairs(recorder.events)) {
-    measured.add(static_cast<int>(pair.kind));
-    measured.add(pair.mass);
-    measured.add(pair.from, units.time);
-    measured.add(pair.to, units.time);
-  }
-}
-
 void measure_branch(const Scene &scene, const Units &units, Measured &measured) {
   const MotionState guess = at_quiet_phase(scene, record_of(scene).state);
   const double stop = scene.stops[0].position;
@@ -179,46 +107,54 @@ void measure_branch(const Scene &scene, const Units &units, Measured &measured) 
     measured.add(point.parameter, units.length);
     measured.add(static_cast<int>(point.kind));
     for (const auto &multiplier : point.orbit.multipliers) measured.add(std::abs(multiplier));
+    measured.add(point.orbit.residuals.back(), units.length);
     measured.add(point.orbit.state);
   }
 }
 
-TEST(Units, ChangeNoBitOfABranch) {
-  expect_equal_in(all_units, measure_branch);
-}
+// The measured numbers of a scene whose numbers are in these units.
+using Measure = std::function<void(const Scene &, const Units &, Measured &)>;
 
-// The pairs of the six scenes of Table I.
-TEST(Units, ChangeNoBitOfAPair) {
-  for (const paper::PairScene &shown : paper::table1_scenes()) {
-    Values expected;
-    for (const Units &units : all_units) {
-      Measured measured(units);
-      measure_pairs(in_units(units, shown.scene), units, measured, shown.from, shown.to);
-      if (expected.empty()) expected = measured.values();
-      EXPECT_FALSE(expected.empty()) << shown.pair;
-      EXPECT_EQ(measured.values(), expected) << shown.pair << ", time 2^" << units.time;
-    }
+void expect_equal_in_all_units(const std::string &name, const Scene &scene,
+                               const Measure &measure) {
+  Values expected;
+  for (const Units &units : all_units) {
+    Measured measured(units);
+    measure(in_units(units, scene), units, measured);
+    if (expected.empty()) expected = measured.values();
+    EXPECT_EQ(measured.values(), expected) << name << ", length 2^" << units.length << ", mass 2^"
+                                           << units.mass << ", time 2^" << units.time;
   }
 }
 
-TEST(Units, ChangeNoBitOfARecord) {
-  expect_equal_in(all_units, measure_record);
+// The motions of Figure 3: sticking, chatter, impacts of several periods, and chaos (0.69). A
+// branch begins with a periodic orbit, and the exponent of the record of a motion that has not
+// settled is a mean growth.
+TEST(Units, ChangeNoBitOfTheMotionsOfFigure3) {
+  const std::pair<std::string, Measure> measures[] = {
+      {"record", measure_record}, {"minima", measure_minima}, {"branch", measure_branch}};
+  for (const double omega : {0.28, 0.395, 0.47, 0.6, 0.61, 0.625, 0.65, 0.69})
+    for (const auto &[name, measure] : measures)
+      expect_equal_in_all_units(fmt::format("{} at {}", name, omega), paper::figure3(omega),
+                                measure);
 }
 
-TEST(Units, ChangeNoBitOfWhereAMotionSettles) {
-  expect_equal_in(all_units, measure_settling);
-}
-
-TEST(Units, ChangeNoBitOfAPeriodicOrbit) {
-  expect_equal_in(all_units, measure_orbit);
-}
-
-TEST(Units, ChangeNoBitOfAMeanGrowth) {
-  expect_equal_in(all_units, measure_growth);
-}
-
-TEST(Units, ChangeNoBitOfPlacesThatAreLocated) {
-  expect_equal_in(all_units, measure_places);
+TEST(Units, ChangeNoBitOfThePairsOfTableI) {
+  for (const paper::PairScene &shown : paper::table1_scenes())
+    expect_equal_in_all_units(
+        shown.pair, shown.scene,
+        [&shown](const Scene &scene, const Units &units, Measured &measured) {
+          PressedEventRecorder recorder(scene, std::ldexp(shown.from, units.time));
+          require_complete(simulate(scene, std::ldexp(shown.to, units.time), recorder));
+          const std::vector<PairedEvents> pairs = event_pairs(recorder.events);
+          EXPECT_FALSE(pairs.empty()) << shown.pair;
+          for (const PairedEvents &pair : pairs) {
+            measured.add(static_cast<int>(pair.kind));
+            measured.add(pair.mass);
+            measured.add(pair.from, units.time);
+            measured.add(pair.to, units.time);
+          }
+        });
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ OrbitPoint point_of(const Branch &branch, const Orbit &orbit, BranchPoint kind) 
   point.orbit.state = orbit.state;
   point.orbit.multipliers = orbit.multipliers;
   point.orbit.converged = true;
-  point.orbit.residuals = {orbit.residual};
+  point.orbit.residuals = {orbit.residual * branch.unit_of_length()};
   point.orbit.events = orbit.all_events;
   return point;
 }
