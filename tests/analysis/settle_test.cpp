@@ -234,19 +234,6 @@ TEST(Record, MassesThatAreHeldFromTheBeginningStickAtOnce) {
   EXPECT_EQ(counts.sticks, (std::vector{0, 0}));
 }
 
-// A chatter goes on over the section. The events of one period from there on begin with impacts of
-// this chatter, which are not counted either.
-TEST(Record, ACompleteChatterAtTheSectionIsNotCounted) {
-  const Scene scene = paper::figure3(0.3);
-  const OrbitRecord record = record_of(scene);
-  ASSERT_EQ(record.period, 1);
-  EventRecorder recorder(-infinity);
-  stroboscopic_map(scene, record.state, 1, {}, recorder);
-  const EventCounts counts = counts_of(scene, recorder.events, 1, record.state.held);
-  EXPECT_EQ(counts.impacts, record.counts.impacts);
-  EXPECT_EQ(counts.sticks, record.counts.sticks);
-}
-
 // The pairs themselves are those of event_pairs_test; Figure 5(b) has none.
 TEST(Record, ThePairsOfTableIThatOccur) {
   const RecordOptions options{.settle = {}, .pairs = true};

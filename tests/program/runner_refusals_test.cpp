@@ -37,7 +37,7 @@ const std::vector<BadCase> bad_cases = {
      "'1000001' must be a whole number from 1 to 1000000"},
     {sweep_files + "--vary omega=0.3:0.5:1000000001",
      "must be a whole number from 1 to 1000000000"},
-    {"run --until 50000 --every 0.003 --samples s.csv", "samples of 3 numbers, and a table has"},
+    {"run --until 50000 --every 0.003 --samples s.csv", "0.003: 16666667 samples of 3 numbers"},
     {"run --until 30000 --every 0.003 --samples s.csv --velocities", "samples of 5 numbers, and"},
     // Numbers, lists, stops and ranges.
     {run_files + "--omega 1e400", "--omega: '1e400' is not a number in double precision"},

@@ -35,19 +35,27 @@ Scene rich_scene() {
           .stops = {{1, Side::lower, -0.3}, {1, Side::upper, 0.2}, {3, Side::upper, 0.25}}};
 }
 
-// A mass of weight m falls from height 1/2 in a field of strength 1, and comes to rest at the time
-// (1 + r) / (1 - r). Up to then the impulse is the weight times the time; all energy is lost. The
-// tolerance is that of the extrapolation over the ten impacts of r = 0.9.
+// A mass of weight m falls from height 1/2 in a field of strength 1, half of it a forcing that does
+// not turn, and comes to rest at the time (1 + r) / (1 - r). Up to then the impulse is the weight
+// times the time; all energy is lost. The n impacts that were resolved have the speeds 1, r, r^2,
+// .... The tolerance is that of the extrapolation over the ten impacts of r = 0.9.
 TEST(Summary, ABouncingMassHasItsClosedForms) {
   for (const double r : {0.0, 0.5, 0.9}) {
     const double m = 2.0, rest = (1.0 + r) / (1.0 - r), to = 30.0;
-    const auto row = totals({.mass = {m},
-                             .stiffness = {0.0},
-                             .constant = {-m},
-                             .restitution = r,
-                             .stops = {{1, Side::lower, 0.0}},
-                             .displacement = {0.5}},
-                            0.0, to);
+    const NamedColumns row = totals({.mass = {m},
+                                     .stiffness = {0.0},
+                                     .amplitude = {-m / 2.0},
+                                     .constant = {-m / 2.0},
+                                     .omega = 0.0,
+                                     .restitution = r,
+                                     .stops = {{1, Side::lower, 0.0}},
+                                     .displacement = {0.5}},
+                                    0.0, to);
+    const double n = row.number("impacts"),
+                 mean_square = (1.0 - std::pow(r, 2.0 * n)) / (1.0 - r * r) / n;
+    EXPECT_NEAR(row.number("mean_speed"), (1.0 - std::pow(r, n)) / (1.0 - r) / n, 1e-14) << r;
+    EXPECT_NEAR(row.number("rms_speed"), std::sqrt(mean_square), 1e-14) << r;
+    EXPECT_NEAR(row.number("largest_speed"), 1.0, 1e-15) << r;
     EXPECT_EQ(row.number("sticks"), 1.0);
     EXPECT_NEAR(row.number("impulse"), m * rest, 1e-13 * m * rest) << r;
     EXPECT_NEAR(row.number("energy_lost"), m / 2.0, 1e-14) << r;
