@@ -2,10 +2,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "tolerances.hpp"
 
 namespace vibro_impact::detail {
+
+namespace {
+
+// Two numbers as they are, or rounded.
+template <class Number>
+Number in_precision_of(const RealPair &two) {
+  if constexpr (std::is_same_v<Number, RealPair>)
+    return two;
+  else
+    return two.hi;
+}
+
+// Calls `use(i, acceleration)` for every other i with x'' of masses i and i + 1, from forces in
+// this precision. Held masses have none. `use` may move these two masses.
+template <class Number, class Use>
+void for_accelerations(const Chain &chain, const Motion &motion, const Use &use) {
+  const ContactMode &mode = *motion.mode;
+  const auto cosine = in_precision_of<Number>(both(motion.turn.cosine)),
+             sine = in_precision_of<Number>(both(motion.turn.sine));
+  const Pair beta{chain.beta, chain.beta};
+  // Spring and damper of a link together pull with k (z_i - z_j), z = x + beta v. Differences come
+  // first: a neighbour at the same place exerts no force at all.
+  const auto z_of = [&](std::size_t i) {
+    return in_precision_of<Number>(load(&motion.x[i])) +
+           in_precision_of<Number>(load(&motion.v[i])) * beta;
+  };
+  Number before{}, z = z_of(0);
+  for (std::size_t i = 0; i < chain.padded; i += 2) {
+    const Number after = i + 2 < chain.padded ? z_of(i + 2) : Number{};
+    Number force = cosine * pair(&chain.a[i]) + pair(&chain.p[i]);
+    if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
+    force -= (z - exchanged(z)) * pair(&mode.within[i]);
+    force -= (z - middle(before, after)) * pair(&mode.outside[i]);
+    if (mode.grounded) force -= z * pair(&chain.ground[i]);
+    use(i, rounded(force) / pair(&mode.mass[i]));
+    before = z;
+    z = after;
+  }
+}
+
+}  // namespace
 
 void clear(const Chain &chain, Motion &motion) {
   for (std::vector<Real> *list : {&motion.x, &motion.v}) list->assign(chain.padded, 0.0);
@@ -31,19 +73,10 @@ void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motio
   if (chain.omega == 0.0) return;
   if (++motion.turned > most_turns) return set_turn(chain, motion);
   const Real angle = Real::exact_product(chain.omega, tau);
-  const double w = angle.hi, square = w * w;
-  double even, odd;
-  if (std::abs(w) < short_angle) {
-    even = square * (-0.5 + square * (1.0 / 24 - square * (1.0 / 720 - square * (1.0 / 40320))));
-    odd = w * square * (-1.0 / 6 + square * (1.0 / 120 - square * (1.0 / 5040 - square / 362880)));
-  } else {
-    const double half = std::sin(0.5 * w);
-    even = -2.0 * half * half;
-    odd = std::sin(w) - w;
-  }
+  const Pair beyond = turn_beyond_first_order(angle.hi);
   Real &c = motion.turn.cosine, &s = motion.turn.sine;
   const RealPair z{Pair{c.hi, s.hi}, Pair{c.lo, s.lo}}, iz{Pair{-s.hi, c.hi}, Pair{-s.lo, c.lo}};
-  const RealPair after = z + (both(angle) * iz + (even * z.hi + odd * iz.hi));
+  const RealPair after = z + (both(angle) * iz + (beyond[0] * z.hi + beyond[1] * iz.hi));
   c = {after.hi[0], after.lo[0]};
   s = {after.hi[1], after.lo[1]};
 }
@@ -51,27 +84,23 @@ void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motio
 void find_acceleration(const Chain &chain, Motion &motion) {
   if (motion.acceleration_known) return;
   motion.acceleration_known = true;
-  const ContactMode &mode = *motion.mode;
-  const RealPair cosine = both(motion.turn.cosine), sine = both(motion.turn.sine);
-  const Pair beta{chain.beta, chain.beta};
-  // Spring and damper of a link together pull with k (z_i - z_j), z = x + beta v. Differences come
-  // first: a neighbour at the same place exerts no force at all.
-  const auto z_of = [&](std::size_t i) { return load(&motion.x[i]) + load(&motion.v[i]) * beta; };
-  RealPair before{}, z = z_of(0);
-  for (std::size_t i = 0; i < chain.padded; i += 2) {
-    const RealPair after = i + 2 < chain.padded ? z_of(i + 2) : RealPair{};
-    const RealPair other{exchanged(z.hi), exchanged(z.lo)},
-        beyond{__builtin_shufflevector(before.hi, after.hi, 1, 2),
-               __builtin_shufflevector(before.lo, after.lo, 1, 2)};
-    RealPair force = cosine * pair(&chain.a[i]) + pair(&chain.p[i]);
-    if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
-    force -= (z - other) * pair(&mode.within[i]);
-    force -= (z - beyond) * pair(&mode.outside[i]);
-    if (mode.grounded) force -= z * pair(&chain.ground[i]);
-    put(force.hi / pair(&mode.mass[i]), &motion.acceleration[i]);
-    before = z;
-    z = after;
-  }
+  for_accelerations<RealPair>(chain, motion, [&](std::size_t i, const Pair &acceleration) {
+    put(acceleration, &motion.acceleration[i]);
+  });
+}
+
+void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Motion &motion) {
+  for_accelerations<Pair>(chain, motion, [&](std::size_t i, const Pair &acceleration) {
+    const RealPair v = load(&motion.v[i]);
+    store(load(&motion.x[i]) + v * Pair{time, time}, &motion.x[i]);
+    store(v + time * acceleration, &motion.v[i]);
+  });
+  motion.acceleration_known = false;
+  pass(time, clock, motion.now);
+  const double angle = chain.omega * time;
+  const Turn before = motion.turn;
+  motion.turn.cosine -= angle * before.sine.hi;
+  motion.turn.sine += angle * before.cosine.hi;
 }
 
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion) {
@@ -96,8 +125,10 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
             change_rounding * (motion.x_change[i] +
                                step_time_rounding * motion.step_time * std::abs(motion.v[i].hi))};
   const auto &[cosine, sine] = motion.turn;
-  Real force = chain.p[i] + chain.a[i] * cosine + chain.b[i] * sine - chain.ground[i] * motion.x[i];
-  Real rate = chain.omega * (chain.b[i] * cosine - chain.a[i] * sine);
+  Real force = chain.p[i] + chain.a[i] * cosine;
+  if (chain.b[i] != 0.0) force += chain.b[i] * sine;
+  if (chain.ground[i] != 0.0) force -= chain.ground[i] * motion.x[i];
+  double rate = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
   const double late = step_time_rounding * motion.step_time;
   Value value;
   value.rounding = motion.step_time > 0.0 ? std::abs(chain.a[i]) + std::abs(chain.b[i]) : 0.0;
@@ -110,17 +141,15 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
       return;
     }
     force += stiffness * ((motion.x[other] - motion.x[i]) + chain.beta * motion.v[other]);
-    rate += stiffness * (motion.v[other] + chain.beta * motion.acceleration[other]);
+    rate += stiffness * (motion.v[other].hi + chain.beta * motion.acceleration[other]);
     value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);
-    value.rate_terms += stiffness * motion.v_terms[other];
     value.rounding += stiffness * (motion.x_change[other] + late * std::abs(motion.v[other].hi) +
                                    chain.beta * motion.v_change[other]);
   };
   add_link(chain.link[i], i - 1, i > 0);
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1, true);
   value.value = scaled(force, sigma);
-  value.rate = scaled(rate, sigma);
-  value.rate_terms += std::abs(rate.hi);
+  value.rate = sigma * rate;
   value.rounding *= change_rounding;
   return value;
 }

@@ -42,17 +42,22 @@ void set_turn(const Chain &chain, Motion &motion);
 // Moves the clock on by a step, with e^(i Omega t).
 void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motion);
 
+// Moves motion and clock on by a time so short that its first order is enough, and that it is no
+// step: its square lies below twice the precision.
+void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Motion &motion);
+
 // Sets the acceleration x'' = M^-1 (F - C x' - K x) of the free masses, unless it is known.
 void find_acceleration(const Chain &chain, Motion &motion);
 
 // Puts a mass, at an instant, to a displacement and a velocity that are known exactly.
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion);
 
-// The gap or the pressing force of a contact and its rate, each with the sum of the moduli of its
-// terms. `rounding` is that of the latest step.
+// The gap or the pressing force of a contact and its rate. The rate of a force is rounded.
 struct Value {
   Real value, rate;
-  double terms = 0.0, rate_terms = 0.0, rounding = 0.0;
+  double terms = 0.0;       // the sum of the moduli of the terms of the value,
+  double rate_terms = 0.0;  // and of those of the rate of a gap
+  double rounding = 0.0;    // of the value, in the latest step
   bool is_zero() const;
 };
 

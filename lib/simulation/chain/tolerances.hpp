@@ -42,8 +42,8 @@ constexpr double sample_rounding = 0x1p-48;
 
 // Steps.
 
-// Rate times length of the longest step. The order is then 25. Longer steps cost fewer orders a
-// time, but their terms are larger, and so is the rounding of their sums.
+// Rate times length of the longest step, whose order is 25 with the default tolerance. Longer steps
+// cost fewer orders a time, but their terms are larger, and so is the rounding of their sums.
 constexpr double max_step_radians = 2.0;
 // Longest step of a motion of any rate, whose square has to be finite.
 constexpr double longest_step = 0x1p500;
@@ -68,8 +68,6 @@ constexpr double largest_motion = 0x1p1014;
 // Steps after which e^(i Omega t) is computed anew: each adds a rounding of 2^-53 of a second-order
 // change.
 constexpr int most_turns = 50;
-// Angle below which cos w - 1 and sin w - w are series of four terms: the fifth is below rounding.
-constexpr double short_angle = 0.1;
 
 // Roots.
 

@@ -13,8 +13,21 @@ constexpr double quarter_turn_rest = -1.4973849048591698e-33;
 
 // 1 / n.
 const auto inverse_number = [] {
-  std::array<Real, 32> inverse{};
+  std::array<Real, 9> inverse{};
   for (std::size_t n = 1; n < inverse.size(); ++n) inverse[n] = Real(1.0) / static_cast<double>(n);
+  return inverse;
+}();
+
+// 1 / (2n)! and 1 / (2n + 1)!.
+constexpr std::size_t circular_terms = 14;
+const auto inverse_factorials = [] {
+  std::array<RealPair, circular_terms> inverse{};
+  Real even = 1.0;
+  for (std::size_t n = 0; n < circular_terms; ++n) {
+    const Real odd = even / static_cast<double>(2 * n + 1);
+    inverse[n] = {Pair{even.hi, odd.hi}, Pair{even.lo, odd.lo}};
+    even = odd / static_cast<double>(2 * n + 2);
+  }
   return inverse;
 }();
 
@@ -34,36 +47,39 @@ Real exp(const Real &x) {
   const double k = std::round(x.hi / log_2.hi);
   const Real r = (x - log_2 * k) * 0x1p-9;
   Real s = r, term = r;
-  for (std::size_t n = 2; n < 9; ++n) s += term = term * r * inverse_number[n];
+  for (std::size_t n = 2; n < inverse_number.size(); ++n) s += term = term * r * inverse_number[n];
   for (int n = 0; n < 9; ++n) s = s * 2.0 + s * s;
   s += 1.0;
   return {std::ldexp(s.hi, static_cast<int>(k)), std::ldexp(s.lo, static_cast<int>(k))};
 }
 
-// The series about the nearest multiple of pi / 2. Terms below the rounding of a double are added
-// in doubles.
+// With r from the nearest multiple of pi / 2, cos r and (sin r) / r are two series in -r^2, summed
+// side by side. The terms from order 18 on lie below 2^-53.
 void sincos(const Real &x, Real &sine, Real &cosine) {
+  constexpr std::size_t rounded_from = 9;
   const double k = std::nearbyint(x.hi / quarter_turn.hi);
-  const Real r = x - quarter_turn * k - quarter_turn_rest * k, square = -(r * r);
-  Real s = r, c = 1.0, sine_term = r, cosine_term = 1.0;
-  std::size_t n = 1;
-  for (; n < 28 && std::abs(cosine_term.hi) > 0x1p-53; n += 2) {
-    c += cosine_term = cosine_term * square * (inverse_number[n] * inverse_number[n + 1]);
-    s += sine_term = sine_term * square * (inverse_number[n + 1] * inverse_number[n + 2]);
-  }
-  double even = cosine_term.hi, odd = sine_term.hi, rest_even = 0.0, rest_odd = 0.0;
-  for (; n < 34 && std::abs(even) > 0x1p-110; n += 2) {
-    const auto order = static_cast<double>(n);
-    rest_even += even *= square.hi / (order * (order + 1.0));
-    rest_odd += odd *= square.hi / ((order + 1.0) * (order + 2.0));
-  }
-  c += rest_even;
-  s += rest_odd;
+  const Real r = x - quarter_turn * k - quarter_turn_rest * k;
+  const RealPair square = both(-(r * r));
+  Pair rest{};
+  std::size_t n = circular_terms;
+  while (n > rounded_from) rest = rest * square.hi + inverse_factorials[--n].hi;
+  RealPair sum = rest;
+  while (n > 0) sum = sum * square + inverse_factorials[--n];
+  std::array<Real, 2> parts;
+  store(sum, parts.data());
+  const Real c = parts[0], s = parts[1] * r;
   const int quarter = static_cast<int>(static_cast<long long>(k) & 3);
   sine = quarter % 2 == 0 ? s : c;
   cosine = quarter % 2 == 0 ? c : s;
   if (quarter == 2 || quarter == 3) sine = -sine;
   if (quarter == 1 || quarter == 2) cosine = -cosine;
+}
+
+Pair turn_beyond_first_order(double w) {
+  const double square = -w * w;
+  Pair sum{};
+  for (std::size_t n = circular_terms; --n > 0;) sum = sum * square + inverse_factorials[n].hi;
+  return sum * Pair{square, w * square};
 }
 
 }  // namespace vibro_impact::detail

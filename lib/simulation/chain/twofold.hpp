@@ -30,6 +30,11 @@ inline Pair exchanged(Pair two) {
   return __builtin_shufflevector(two, two, 1, 0);
 }
 
+// The second of the first two, and the first of the last two.
+inline Pair middle(Pair first, Pair last) {
+  return __builtin_shufflevector(first, last, 1, 2);
+}
+
 inline Pair modulus(Pair two) {
   using Bits [[gnu::vector_size(16)]] = long long;
   constexpr long long mask = ~(1LL << 63);
@@ -169,6 +174,12 @@ inline void store(const RealPair &two, Real *to) {
   to[0] = {two.hi[0], two.lo[0]};
   to[1] = {two.hi[1], two.lo[1]};
 }
+inline RealPair exchanged(const RealPair &two) {
+  return {exchanged(two.hi), exchanged(two.lo)};
+}
+inline RealPair middle(const RealPair &first, const RealPair &last) {
+  return {middle(first.hi, last.hi), middle(first.lo, last.lo)};
+}
 // A product with a power of two or its opposite, which is exact.
 inline Real scaled(const Real &a, double power) {
   return {a.hi * power, a.lo * power};
@@ -185,6 +196,12 @@ inline double rounded(double x) {
 inline double rounded(const Real &x) {
   return x.hi;
 }
+inline Pair rounded(const Pair &x) {
+  return x;
+}
+inline Pair rounded(const RealPair &x) {
+  return x.hi;
+}
 
 inline Real abs(const Real &x) {
   return x.hi < 0.0 ? -x : x;
@@ -193,6 +210,8 @@ Real sqrt(const Real &x);
 Real exp(const Real &x);
 // |x| up to 1e15.
 void sincos(const Real &x, Real &sine, Real &cosine);
+// cos w - 1 and sin w - w, for |w| up to 3.
+Pair turn_beyond_first_order(double w);
 inline void sincos(double x, double &sine, double &cosine) {
   sine = std::sin(x);
   cosine = std::cos(x);

@@ -68,13 +68,14 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     return std::min(radians, same_instant_of_flight * u);
   };
   if (polynomials.size() < mode.contacts.size()) polynomials.resize(mode.contacts.size());
-  roots.assign(mode.contacts.size(), infinity);
+  roots.resize(mode.contacts.size());
   double u = step.u_max;
   bool event = false;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     const Contact &contact = mode.contacts[k];
     const Start &start = starts[k];
     near[k] = Near::no;
+    roots[k] = infinity;
     if (start.idle) continue;
     if (!contact.held && start.zeros == 0 && start.value > travel_of(table, contact, start)) {
       ++counters.out_of_reach;

@@ -49,10 +49,13 @@ Parts<T> parts_of(const Turn &turn, const T &a, const T &b) {
 // n, with alternating signs and with even and odd parts in turn.
 void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit, angle = chain.omega * unit;
-  Pair wave{0.5, angle / 6.0};
-  for (int n = 2; n <= table.step.order + 1; n += 2) {
-    put(wave, &table.wave[static_cast<std::size_t>(n)]);
-    wave *= -(angle * angle) * Pair{factors(n + 2).inverse[0], factors(n + 3).inverse[0]};
+  if (angle != table.wave_angle) {
+    table.wave_angle = angle;
+    Pair wave{0.5, angle / 6.0};
+    for (int n = 2; n <= max_order + 1; n += 2) {
+      put(wave, &table.wave[static_cast<std::size_t>(n)]);
+      wave *= -(angle * angle) * Pair{factors(n + 2).inverse[0], factors(n + 3).inverse[0]};
+    }
   }
   for (const std::size_t i : motion.mode->forced_pairs) {
     const Pair scale = square * pair(&motion.mode->inverse_mass[i]);
@@ -104,8 +107,8 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTabl
   Pair left{}, own = z_of(0);
   for (std::size_t i = 0; i < stride; i += 2) {
     const Pair right = i + 2 < stride ? z_of(i + 2) : Pair{};
-    Pair sum = pair(within + i) * (own - exchanged(own)) +
-               pair(outside + i) * (own - __builtin_shufflevector(left, right, 1, 2));
+    Pair sum =
+        pair(within + i) * (own - exchanged(own)) + pair(outside + i) * (own - middle(left, right));
     if constexpr (grounded) sum += pair(ground + i) * own;
     put(coefficient(-square * sum, pair(mass + i), pair(inverse + i), n), to + i);
     left = own;
@@ -221,17 +224,21 @@ void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table
   pass_time(chain, clock, tau, motion);
 }
 
-Place place_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau) {
+double displacement_at(const TaylorTable &table, const Motion &start, std::size_t mass,
+                       double tau) {
+  const double u = tau / table.step.unit;
+  double sum = 0.0;
+  for (int n = table.step.order + 1; n >= 2; --n) sum = sum * u + table.of_order(n)[mass];
+  const Real &x = start.x[mass];
+  return x.hi + (tau * start.v[mass].hi + (x.lo + sum * u * u));
+}
+
+double velocity_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau) {
   const double unit = table.step.unit, u = tau / unit;
-  const double *entry = table.of_order(table.step.order + 1) + mass;
-  double value = *entry, slope = 0.0;
-  for (int n = table.step.order; n >= 2; --n) {
-    slope = slope * u + value;
-    value = value * u + *(entry -= table.stride);
-  }
-  const Real &x = start.x[mass], &v = start.v[mass];
-  return {x.hi + (tau * v.hi + (x.lo + value * u * u)),
-          v.hi + (u / unit) * (2.0 * value + u * slope)};
+  double sum = 0.0;
+  for (int n = table.step.order + 1; n >= 2; --n) sum = sum * u + n * table.of_order(n)[mass];
+  const Real &v = start.v[mass];
+  return v.hi + (v.lo + sum * (u / unit));
 }
 
 }  // namespace vibro_impact::detail

@@ -39,6 +39,7 @@ struct TaylorTable {
   std::vector<double> travel = {};        // of masses with stops: the sum of moduli from order 2 on
   // The forcing of order n is part of the coefficient by wave[n] times `even` or `odd`.
   Terms wave{};
+  double wave_angle = -1.0;  // Omega h, for which `wave` was found
   std::vector<double> even = {}, odd = {};
 
   double *of_order(int n) {
@@ -61,10 +62,9 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
 void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
                 Motion &motion);
 
-// A displacement and a velocity at the time tau of the step that begins at this motion.
-struct Place {
-  double x, v;
-};
-Place place_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau);
+// The displacement and the velocity of a mass at the time tau of the step that begins at this
+// motion, in double precision.
+double displacement_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau);
+double velocity_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau);
 
 }  // namespace vibro_impact::detail

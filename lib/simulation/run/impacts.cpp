@@ -29,34 +29,23 @@ double flight_after(const Motion &motion, const Contact &contact, double speed) 
 // The motion stands at the time of a root that a double has rounded, with a gap of a rounding left.
 // To put the mass hit onto its stop would move it in the field of its springs: the gap has a
 // preferred sign, and the energy of an elastic chain would drift. Hence the time until the gap is
-// zero passes for all masses. First order is enough: its square lies below twice the precision.
-// After a long flight, whose time has twice the precision, none passes.
-void let_rounding_pass(Run &run) {
-  const Chain &chain = run.chain();
+// zero passes for all masses. After a long flight, whose time has twice the precision, none passes.
+void close_gap(Run &run) {
   Motion &motion = run.motion;
-  const std::vector<Near> &near = run.scratch.near;
   for (std::size_t k = 0; k < motion.mode->contacts.size(); ++k) {
     const Contact &contact = motion.mode->contacts[k];
-    if (contact.held || near[k] != Near::zero) continue;
-    const Value gap = evaluate(chain, contact, motion);
+    if (contact.held || run.scratch.near[k] != Near::zero) continue;
+    const Value gap = evaluate(run.chain(), contact, motion);
     const double time = -gap.value.hi / gap.rate.hi;
-    if (!(gap.rate.hi < 0.0 && std::abs(time) <= root_rounding * motion.step_time)) continue;
-    find_acceleration(chain, motion);
-    for (std::size_t i = 0; i < chain.padded; ++i) {
-      motion.x[i] += motion.v[i] * time;
-      motion.v[i] += motion.acceleration[i] * time;
-    }
-    const double step_time = motion.step_time;  // this is no step
-    pass_time(chain, run.problem.clock, time, motion);
-    motion.step_time = step_time;
-    return;
+    if (gap.rate.hi < 0.0 && std::abs(time) <= root_rounding * motion.step_time)
+      return let_rounding_pass(run.chain(), run.problem.clock, time, motion);
   }
 }
 
 }  // namespace
 
 void gather_hits(Run &run) {
-  let_rounding_pass(run);
+  close_gap(run);
   Scratch &scratch = run.scratch;
   scratch.hits.clear();
   const std::vector<Contact> &contacts = run.motion.mode->contacts;

@@ -21,17 +21,18 @@ class MomentOfChain : public Moment {
   }
   double displacement(int mass) const override {
     const std::size_t i = index_of(mass);
-    return std::clamp(place(i).x, chain_.lowest[i], chain_.highest[i]);
+    return std::clamp(x(i), chain_.lowest[i], chain_.highest[i]);
   }
   double velocity(int mass) const override {
-    return place(index_of(mass)).v;
+    return v(index_of(mass));
   }
 
  protected:
   const Chain &chain_;
   const ContactMode &mode_;
 
-  virtual Place place(std::size_t mass) const = 0;
+  virtual double x(std::size_t mass) const = 0;
+  virtual double v(std::size_t mass) const = 0;
   std::size_t index_of(int mass) const {
     require_mass(mass, masses());
     return static_cast<std::size_t>(mass - 1);
@@ -57,8 +58,11 @@ class MomentOfMotion final : public MomentOfChain {
  private:
   const Motion &motion_;
 
-  Place place(std::size_t mass) const override {
-    return {motion_.x[mass].hi, motion_.v[mass].hi};
+  double x(std::size_t mass) const override {
+    return motion_.x[mass].hi;
+  }
+  double v(std::size_t mass) const override {
+    return motion_.v[mass].hi;
   }
 };
 
@@ -85,8 +89,11 @@ class MomentOfStep final : public MomentOfChain {
   double tau_;
   const Clock &clock_;
 
-  Place place(std::size_t mass) const override {
-    return place_at(table_, start_, mass, tau_);
+  double x(std::size_t mass) const override {
+    return displacement_at(table_, start_, mass, tau_);
+  }
+  double v(std::size_t mass) const override {
+    return velocity_at(table_, start_, mass, tau_);
   }
 };
 
