@@ -10,7 +10,6 @@
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -201,21 +200,6 @@ TEST(FollowOrbit, GoesThroughUnstablePartsOfFigure3) {
   const auto few = settled_branch(scene, {"omega", 0.7, 0.5, 100}, 5);
   EXPECT_EQ(few.size(), 5u);
   EXPECT_EQ(few.back().kind, BranchPoint::most_points);
-}
-
-TEST(FollowOrbit, RefusesBadRanges) {
-  const Scene scene = paper::figure2();
-  const MotionState start = start_of(scene);
-  const auto follow = [&](const Axis &range, const FollowOptions &options = {}) {
-    return [&scene, &start, range, options] { follow_orbit(scene, start, range, options); };
-  };
-  vibro_impact::testing::expect_refused(
-      {{follow({"omega", 0.1, 0.3, 1}), "1 values: must have a finite width"},
-       {follow({"omega", 0.2, 0.2, 5}), "omega from 0.2 to 0.2"},
-       {follow({"omega", 0.3, 0.4, 5}), "omega = 0.2: must lie in the range from 0.3"},
-       {follow({"omega", 0.1, 0.3, 5}, {.most_points = 0}), "most_points = 0"},
-       {follow({"omega", 0.1, 0.3, 5}, {.periods = 0}), "periods = 0"},
-       {[] { name(BranchPoint{11}); }, "kind of a point = 11"}});
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "tests/support/refusals.hpp"
 #include "tests/support/tables.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -21,7 +20,7 @@
 namespace {
 
 using namespace vibro_impact;
-using vibro_impact::testing::expect_refused, vibro_impact::testing::NamedColumns;
+using vibro_impact::testing::NamedColumns;
 
 // Over sticking, incomplete chatter and chaos, where nothing but the same bits stay close.
 Grid grid_of_figure3() {
@@ -165,70 +164,6 @@ TEST(Sweep, MirrorOrbitsHaveOtherMarks) {
   EXPECT_EQ(marks.size(), 2u);
   Scene resting{.mass = {1.0}, .stiffness = {1.0}, .beta = 0.5, .velocity = {1.0}};
   EXPECT_NEAR(record_of(resting, options).attractor.value(), 0.0, 1e-9);
-}
-
-TEST(BadCalls, OfSweepsAndRecordsAreRefusedWithOneLine) {
-  const Scene good = paper::figure2();
-  const std::string omega = "omega", stop3 = "stop3";
-  const Axis axis{omega, 0.2, 1.0, 3};
-  const Grid grid{good, {axis}};
-  const auto axes = [&](const std::vector<Axis> &of) { return [&, of] { check(Grid{good, of}); }; };
-  const auto number = [](std::size_t point) { return point; };
-  const auto record = [&](auto set) {
-    return [&, set] {
-      RecordOptions options;
-      set(options);
-      record_of(good, options);
-    };
-  };
-  MotionState start = start_of(good), far_out = start;
-  far_out.instant.cycle = std::numeric_limits<long long>::max();
-  // Counts the events of a run of the scene that has one impact, of this mass and stop.
-  const auto counted = [&good](int mass, int stop, int periods = 1, const Held &held = {0, 0}) {
-    return [&good, mass, stop, periods, held] {
-      Event event;
-      event.mass = mass;
-      event.stop = stop;
-      counts_of(good, {event}, periods, held);
-    };
-  };
-  expect_refused({
-      {axes({{omega, 0.0, 1.0, 3}}), "omega = 0"},
-      {axes({{omega, 0.2, 1.0, 0}}), "omega: 0 values"},
-      {axes({{omega, 0.2, INFINITY, 2}}), "inf"},
-      {axes({axis, axis}), "omega: given twice"},
-      {axes({{stop3, 0.2, 1.0, 2}}), "stop"},
-      {axes({{"restitution", 0.0, 1.1, 2}}), "1.1"},
-      {axes({{omega, 0.2, 1.0, std::size_t{1} << 52}, {"beta", 0.1, 0.2, 3}}), "more points"},
-      {[&] { axis.value(3); }, "value 3 of omega: there are 3"},
-      {[&] { grid.values(3); }, "point 3: the grid has 3"},
-      {[&] { sweep(3, number, -1); }, "threads = -1: must lie from 0 to"},
-      {record([](auto &o) { o.settle.longest = 0; }), "longest = 0"},
-      {record([](auto &o) { o.slowest = -1.0; }), "slowest = -1"},
-      {record([](auto &o) { o.settle.largest_period = 0; }), "largest_period = 0: must lie from 1"},
-      {[&] { mean_growth(good, start, {.error = -1.0}); }, "error = -1: must be non-negative"},
-      {[&] { attractor_mark(good, {MotionState{}}); }, "displacement: 0 values"},
-      {[&] { record_of(with(good, "omega", 0.0)); }, "omega = 0"},
-      {[&] { settle(good, far_out); }, "period 9223372036854775807"},
-      {[&] { mean_growth(good, start, {.longest = 0}); }, "longest = 0"},
-      {counted(0, 1), "mass 0: the chain has"},
-      {counted(3, 1), "mass 3: the chain has"},
-      {counted(1, 3), "stop 3: the scene has 2"},
-      {counted(1, 1, 0), "periods = 0"},
-      {counted(1, 1, 1, {0}), "held: 1 values"},
-      {[&] {
-         counts_of(with(good, "restitution", 1.5), {}, 1, {0, 0});
-       },
-       "restitution = 1.5"},
-      {[&] { record_columns(-1, {}); }, "masses = -1"},
-      {[&] {
-         SweepTables tables;
-         add_rows(tables, grid, {}, 0, OrbitRecord{});
-       },
-       "record: counts of 0 masses"},
-      {[&] { start_near(good, {}); }, "displacement: 0 values"},
-      {[&] { mean_growth(good, MotionState{}, {}); }, "displacement: 0 values"},
-  });
 }
 
 }  // namespace

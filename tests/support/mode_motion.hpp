@@ -198,16 +198,4 @@ struct ModeMotion {
   }
 };
 
-// The motion of a chain of one mass at time t, as if there were no stops.
-inline Place motion_of_one_mass(const Scene &scene, Real t) {
-  const FreeModes basis = free_modes(scene, {0});
-  const MotionState start = start_of(scene);
-  const Real shape = basis.shape(0, 0);
-  const ModeMotion mode(scene, basis.lambda(0), Complex(basis.cosine(0), -basis.sine(0)),
-                        basis.pull(0), 0,
-                        {start.displacement[0] / shape, start.velocity[0] / shape});
-  const Place place = mode.after(t);
-  return {shape * place.at, shape * place.speed};
-}
-
 }  // namespace vibro_impact::testing

@@ -1,9 +1,11 @@
-// Every public function of the analysis of orbits refuses bad input, with one line that names the
-// value and the rule. A bisection does what it promises.
+// Every public function of the analysis refuses bad input, with one line that names the value and
+// the rule. A bisection does what it promises.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/refusals.hpp"
@@ -104,6 +106,82 @@ TEST(Refusals, OfOrbits) {
       {[&] { require_complete(simulate(good_scene, 60.0, without_stops)); },
        "recorder: its scene has 2 masses and 0 stops, that of the run 2 and 2"},
       {[&] { require_complete(simulate(good_scene, 60.0, of_no_chain)); }, "masses = 0"},
+  });
+}
+
+TEST(Refusals, OfBranches) {
+  const auto follow = [](const Axis &range, const FollowOptions &options = {}) {
+    return [range, options] { follow_orbit(good_scene, good_start, range, options); };
+  };
+  expect_refused({{follow({"omega", 0.1, 0.3, 1}), "1 values: must have a finite width"},
+                  {follow({"omega", 0.2, 0.2, 5}), "omega from 0.2 to 0.2"},
+                  {follow({"omega", 0.3, 0.4, 5}), "omega = 0.2: must lie in the range from 0.3"},
+                  {follow({"omega", 0.1, 0.3, 5}, {.most_points = 0}), "most_points = 0"},
+                  {follow({"omega", 0.1, 0.3, 5}, {.periods = 0}), "periods = 0"},
+                  {[] { name(BranchPoint{11}); }, "kind of a point = 11"}});
+}
+
+TEST(Refusals, OfSweepsAndRecords) {
+  const std::string omega = "omega", stop3 = "stop3";
+  const Axis axis{omega, 0.2, 1.0, 3};
+  const Grid grid{good_scene, {axis}};
+  const auto axes = [&](const std::vector<Axis> &of) {
+    return [&, of] { check(Grid{good_scene, of}); };
+  };
+  const auto number = [](std::size_t point) { return point; };
+  const auto record = [&](auto set) {
+    return [&, set] {
+      RecordOptions options;
+      set(options);
+      record_of(good_scene, options);
+    };
+  };
+  // Counts the events of a run of the scene that has one impact, of this mass and stop.
+  const auto counted = [](int mass, int stop, int periods = 1, const Held &held = {0, 0}) {
+    return [mass, stop, periods, held] {
+      Event event;
+      event.mass = mass;
+      event.stop = stop;
+      counts_of(good_scene, {event}, periods, held);
+    };
+  };
+  expect_refused({
+      {axes({{omega, 0.0, 1.0, 3}}), "omega = 0"},
+      {axes({{omega, 0.2, 1.0, 0}}), "omega: 0 values"},
+      {axes({{omega, 0.2, INFINITY, 2}}), "inf"},
+      {axes({axis, axis}), "omega: given twice"},
+      {axes({{stop3, 0.2, 1.0, 2}}), "stop"},
+      {axes({{"restitution", 0.0, 1.1, 2}}), "1.1"},
+      {axes({{omega, 0.2, 1.0, std::size_t{1} << 52}, {"beta", 0.1, 0.2, 3}}), "more points"},
+      {[&] { axis.value(3); }, "value 3 of omega: there are 3"},
+      {[&] { grid.values(3); }, "point 3: the grid has 3"},
+      {[&] { sweep(3, number, -1); }, "threads = -1: must lie from 0 to"},
+      {record([](auto &o) { o.settle.longest = 0; }), "longest = 0"},
+      {record([](auto &o) { o.slowest = -1.0; }), "slowest = -1"},
+      {record([](auto &o) { o.settle.largest_period = 0; }), "largest_period = 0: must lie from 1"},
+      {[&] { mean_growth(good_scene, good_start, {.error = -1.0}); },
+       "error = -1: must be non-negative"},
+      {[&] { attractor_mark(good_scene, {MotionState{}}); }, "displacement: 0 values"},
+      {[&] { record_of(with(good_scene, "omega", 0.0)); }, "omega = 0"},
+      {[&] { settle(good_scene, far); }, "period 9223372036854775807"},
+      {[&] { mean_growth(good_scene, good_start, {.longest = 0}); }, "longest = 0"},
+      {counted(0, 1), "mass 0: the chain has"},
+      {counted(3, 1), "mass 3: the chain has"},
+      {counted(1, 3), "stop 3: the scene has 2"},
+      {counted(1, 1, 0), "periods = 0"},
+      {counted(1, 1, 1, {0}), "held: 1 values"},
+      {[&] {
+         counts_of(with(good_scene, "restitution", 1.5), {}, 1, {0, 0});
+       },
+       "restitution = 1.5"},
+      {[&] { record_columns(-1, {}); }, "masses = -1"},
+      {[&] {
+         SweepTables tables;
+         add_rows(tables, grid, {}, 0, OrbitRecord{});
+       },
+       "record: counts of 0 masses"},
+      {[&] { start_near(good_scene, {}); }, "displacement: 0 values"},
+      {[&] { mean_growth(good_scene, MotionState{}, {}); }, "displacement: 0 values"},
   });
 }
 
