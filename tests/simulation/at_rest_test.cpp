@@ -120,18 +120,6 @@ TEST(AtRest, DecisionsCountAsSteps) {
   EXPECT_GE(outcome.counters.rest_orders, 160);
 }
 
-// A mass at rest at its stop, k = A = 1, is released when A cos(Omega t) falls to zero. The force
-// is exactly zero at this root, whatever the rounding of the cosine, and its rate decides: one
-// order decides at the start, two at the root.
-TEST(AtRest, TheForceIsExactlyZeroAtTheRootThatEndsASticking) {
-  for (double omega = 0.1; omega < 2.0; omega += 0.05) {
-    const Scene scene = extremes::one_mass(0.0, 1.0, omega, 1.0, 0.0);
-    const Outcome outcome = require_complete(simulate(scene, 1.6 / omega));
-    EXPECT_EQ(outcome.counters.releases, 1);
-    EXPECT_EQ(outcome.counters.rest_orders, 3) << omega;
-  }
-}
-
 // All masses have a stop where they start, at 0.1. The hold force of a mass without forcing is the
 // sum of k (x_j - 0.1) + beta k v_j over its neighbours and the wall. It presses only where a
 // neighbour approaches its stop and there is a damper, though it may be zero but for the rounding
