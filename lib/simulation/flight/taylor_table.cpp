@@ -65,7 +65,9 @@ void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table
   }
 }
 
-// Two masses fit into one register.
+// All orders of a chain of one or two masses, which fit into one register. By `expand_order`,
+// Figure 2 would take a fifth more time. An order waits for the one before: hence the products come
+// first that do not need it.
 void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit;
   const Pair mass = pair(mode.mass.data()), inverse = pair(mode.inverse_mass.data()),
@@ -78,10 +80,15 @@ void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table
   double *entry = table.of_order(2);
   Pair before = pair(table.of_order(1)), latest = pair(entry), travel = modulus(latest);
   const auto next = [&](int n, const Pair &force) {
-    const Pair z = before + damping * factors(n - 1).order * latest;
+    const Pair z = before + damping * factors(n - 1).order * latest, stretch = z - exchanged(z),
+               forcing = force * table.wave[static_cast<std::size_t>(n)];
     before = latest;
-    latest = force * table.wave[static_cast<std::size_t>(n)] -
-             coefficient(own * z + within * (z - exchanged(z)), mass, inverse, n);
+    if (n > last_divided_order) {
+      const Pair scale = inverse * factors(n).inverse;
+      latest = (forcing - (scale * own) * z) - (scale * within) * stretch;
+    } else {
+      latest = forcing - (own * z + within * stretch) / mass / factors(n).product;
+    }
     travel += modulus(latest);
     put(latest, entry += 2);
   };
@@ -92,7 +99,7 @@ void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table
   put(travel, table.travel.data());
 }
 
-// One order of a longer chain.
+// One order of a longer chain, where the pairs of masses do not wait for each other.
 template <bool grounded>
 void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit;

@@ -37,22 +37,31 @@ bool is_pushed(const Run &run, std::size_t mass) {
   });
 }
 
-// A held mass is in question when its force is zero, was decided at this instant before, or has
-// jumped to a value that is small or negative.
+// The number of orders of the force on a held mass that are exactly zero at this instant:
+//
+//   2  the force touches zero, with its slope
+//   1  it is at its root, or was decided to be zero at this instant before
+//   1  it is zero but for rounding, and so found next to a root, or pushed there by a neighbour
+//   0  it has jumped elsewhere, or was never near zero
+int zero_orders_of(const Run &run, std::size_t k, const Value &force) {
+  const Contact &contact = run.motion.mode->contacts[k];
+  const Near near = run.scratch.near[k];
+  const auto *decided = std::get_if<Decided>(&run.stops[contact.stop].at);
+  const bool by_definition =
+      near == Near::zero || near == Near::touch || (decided && decided->zeros > 0);
+  if (by_definition && !is_pushed(run, contact.mass)) return near == Near::touch ? 2 : 1;
+  return (by_definition || near == Near::perhaps) && force.is_zero() ? 1 : 0;
+}
+
+// Puts a held mass into question at the start of a run, when a decision was postponed, at a root of
+// its force, and when the force has jumped to a value that is small or negative.
 void question_held(Run &run, std::size_t k, bool at_start) {
   const Contact &contact = run.motion.mode->contacts[k];
-  const AtStop &at = run.stops[contact.stop].at;
-  const Value value = evaluate(run.chain(), contact, run.motion);
+  const Value force = evaluate(run.chain(), contact, run.motion);
   const Near near = run.scratch.near[k];
-  const bool small = rounded(value.value) <= force_in_question * value.terms;
-  const bool is_root = near == Near::zero || near == Near::touch;
-  if (!small && !at_start && !is_root && !is<Postponed>(at)) return;
-  // The force is zero by definition at its root, and as decided at this instant before.
-  const auto *decided = std::get_if<Decided>(&at);
-  const bool by_definition = is_root || (decided && decided->zeros > 0);
-  int zero_orders = (by_definition || near != Near::no) && value.is_zero() ? 1 : 0;
-  if (by_definition && !is_pushed(run, contact.mass)) zero_orders = near == Near::touch ? 2 : 1;
-  add_resting(run, contact, zero_orders);
+  if (at_start || is<Postponed>(run.stops[contact.stop].at) || near == Near::zero ||
+      near == Near::touch || rounded(force.value) <= force_in_question * force.terms)
+    add_resting(run, contact, zero_orders_of(run, k, force));
 }
 
 // The motion of the chain and of the forcing, within one unit of time, has a rounding. A mass whose
