@@ -10,7 +10,8 @@
 # make pictures       draw all and renew figures/pictures, which the documents show
 # make check          compare every key number, published number and fragment of a document
 # make build          build the library and the program only
-# make test-sanitize  run the tests under the address and undefined-behaviour sanitizers
+# make test-sanitize  run the tests of the library and the program under the address and
+#                     undefined-behaviour sanitizers (minutes)
 # make reference      recompute the 50-digit tables in reference/tables/ (about an hour)
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
 # make clean          remove build/
@@ -69,6 +70,7 @@ check: configured-runner
 	@$(folder)/bin/check
 
 test-sanitize:
+	@.ci/packages clang
 	@$(MAKE) test preset=sanitize
 
 reference: configured-runner

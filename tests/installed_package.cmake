@@ -1,6 +1,6 @@
 # Installs the build, builds the examples against the installed package from outside the tree, and
 # runs them:
-#   cmake -D build=<folder> -D examples=<folder> -D compiler=<path> -D flags=<of the examples>
+#   cmake -D build=<folder> -D examples=<folder> -D compiler=<path>
 #         -D folder=<where they are built> -P installed_package.cmake
 # Eigen, fmt and Boost, with which the library was built, are hidden: the package needs none.
 set(installed ${build}/installed)
@@ -22,7 +22,7 @@ foreach(header ${headers})
 endforeach()
 
 run(${CMAKE_COMMAND} -S ${examples} -B ${folder} -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${installed}
+    -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_PREFIX_PATH=${installed}
     -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON
     -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON)
 run(${CMAKE_COMMAND} --build ${folder})

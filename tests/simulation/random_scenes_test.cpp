@@ -21,7 +21,7 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
 
-#ifdef __SANITIZE_ADDRESS__  // far slower
+#ifdef FEWER_SCENES  // with sanitizers, which are far slower
 constexpr unsigned scenes = 60;
 #else
 constexpr unsigned scenes = 300;

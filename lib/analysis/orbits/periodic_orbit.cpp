@@ -105,11 +105,7 @@ StroboscopicImage stroboscopic_map_and_derivative(Simulation &simulation, const 
   TangentRecorder recorder(scene, start);
   EventRecorder events(-infinity);
   const Outcome end = simulation.advance(time_after(scene, start, periods), recorder, events);
-  const Eigen::MatrixXd tangents = recorder.finish(require_complete(end).state.instant);
-  Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(tangents.rows(), tangents.rows());
-  Eigen::Index column = 0;
-  for (const std::size_t coordinate : free_coordinates(start.held))
-    derivative.col(static_cast<Eigen::Index>(coordinate)) = tangents.col(column++);
+  const Eigen::MatrixXd derivative = recorder.finish(require_complete(end).state.instant);
   MotionState state = end.state;
   state.instant = start.instant;
   return {state, matrix_of(derivative), recorder.differentiable(), std::move(events.events)};

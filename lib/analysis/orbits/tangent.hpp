@@ -103,19 +103,20 @@ inline Eigen::MatrixXd extrapolate_chatter(const std::vector<Eigen::MatrixXd> &v
 // end, shows that they are complete.
 class TangentRecorder : public Recorder {
  public:
-  // The tangents at the start of the run are the unit vectors of the free coordinates.
+  // The tangents at the start of the run are the unit vectors of the free coordinates, and zero for
+  // the coordinates of masses that are held.
   TangentRecorder(const Scene &scene, const MotionState &start)
       : scene_(scene),
         clock_(scene.omega),
         start_(start.instant),
         now_(start.instant),
-        start_held_(start.held),
         held_(start.held) {
-    const std::vector<std::size_t> free = free_coordinates(start.held);
-    tangents_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * start.held.size()),
-                                      static_cast<Eigen::Index>(free.size()));
-    for (std::size_t k = 0; k < free.size(); ++k)
-      tangents_(static_cast<Eigen::Index>(free[k]), static_cast<Eigen::Index>(k)) = 1.0;
+    const auto size = static_cast<Eigen::Index>(2 * start.held.size());
+    tangents_ = Eigen::MatrixXd::Zero(size, size);
+    for (const std::size_t coordinate : free_coordinates(start.held)) {
+      const auto k = static_cast<Eigen::Index>(coordinate);
+      tangents_(k, k) = 1.0;
+    }
   }
 
   void event(const Event &event, const Moment &moment) override {
@@ -128,7 +129,7 @@ class TangentRecorder : public Recorder {
     group_.push_back(event);
   }
 
-  // The tangents at the end of the run, 2N x free coordinates. To be called once, after the run.
+  // The tangents at the end of the run, 2N x 2N. To be called once, after the run.
   Eigen::MatrixXd finish(const Instant &end) {
     if (!group_.empty()) apply_group();
     carry_to(end);
@@ -151,7 +152,6 @@ class TangentRecorder : public Recorder {
   Scene scene_;
   Clock clock_;
   Instant start_, now_;
-  Held start_held_;
   Held held_;  // before the events of the group
   Eigen::MatrixXd tangents_;
   std::map<Held, TangentFlow> flows_ = {};
@@ -248,19 +248,18 @@ class TangentRecorder : public Recorder {
       return;
     }
     // In the units of the coordinates the largest entry of a difference measures all of it.
-    const Eigen::VectorXd rows = coordinate_units(scene_, Held(after.size(), 0)),
-                          columns = coordinate_units(scene_, start_held_);
+    const Eigen::VectorXd units = coordinate_units(scene_, Held(after.size(), 0));
     std::vector<double> time_left;
     std::vector<Eigen::MatrixXd> values;
     for (const Node &node : nodes_) {
       time_left.push_back(elapsed(node.instant, now_, clock_));
       Eigen::MatrixXd tangents = node.tangents;
       carry(after, time_left.back(), tangents);
-      values.push_back(rows.asDiagonal().inverse() * tangents * columns.asDiagonal());
+      values.push_back(units.asDiagonal().inverse() * tangents * units.asDiagonal());
     }
     const double last_error = std::pow(time_left.back() * rate_bound(scene_), 2);
-    tangents_ = rows.asDiagonal() * extrapolate_chatter(values, time_left, last_error) *
-                columns.asDiagonal().inverse();
+    tangents_ = units.asDiagonal() * extrapolate_chatter(values, time_left, last_error) *
+                units.asDiagonal().inverse();
   }
 };
 
