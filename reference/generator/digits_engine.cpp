@@ -1,6 +1,7 @@
 #include "digits_engine.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -50,6 +51,9 @@ const Resolution resolution_of_frequencies = resolution_down_to(Real("1e-22"));
 /// A bracket is bisected until it is narrower than this. A double has 17 digits.
 const Real bracket_width = Real("1e-18");
 
+/// A whole number read off a run, such as the number of its sticking phases.
+using Count = std::function<std::ptrdiff_t(const Run &)>;
+
 /// A motion at phase zero of the forcing.
 struct MotionAt {
   Real frequency;
@@ -95,8 +99,9 @@ void require_change(const Real &near, const Real &far, std::ptrdiff_t count_near
     throw std::logic_error("the counts at " + near.str(10) + " and " + far.str(10) + " agree");
 }
 
-}  // namespace
-
+/// The extremes of the motion of a mass over [from, to]: at zeros of the velocity (sampled, then
+/// bisected) or where one piece of motion meets the next. Throws std::runtime_error if the run has
+/// no motion there.
 Extremes extremes(const Run &run, std::size_t mass, const Real &from, const Real &to) {
   std::optional<Extremes> found;
   for (const Piece &piece : run.pieces) {
@@ -122,6 +127,9 @@ Extremes extremes(const Run &run, std::size_t mass, const Real &from, const Real
   return *found;
 }
 
+/// How hard a mass is pressed into its stop where that is least inside its sticking phases that
+/// begin after `from`: the local minimum nearest to zero. Throws std::runtime_error if there is
+/// none.
 Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const Real &from) {
   std::optional<Real> least;
   for (const Piece &piece : run.pieces) {
@@ -142,6 +150,10 @@ Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const 
   return *least;
 }
 
+/// The frequency between `near` and `far` at which the count changes. The settled motion is
+/// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
+/// known to have the same count as `near`, so that the unsettled part of a trial is small beside
+/// the bracket. Throws std::logic_error if the counts at the ends agree.
 Real changing_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
   const auto settled_count = [&](MotionAt &motion) {
     carry_on(scene, motion, settling_from_near);
@@ -162,6 +174,8 @@ Real changing_frequency(const Scene &scene, const Real &near, const Real &far, c
   return bisect(as_near, near, far, bracket_width / far);
 }
 
+/// The frequency between `near` and `far` at which the count of the motion from rest jumps. Every
+/// trial starts at rest. Throws as `changing_frequency` does.
 Real jumping_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
   const auto count_at = [&](const Real &frequency) {
     MotionAt motion = from_rest(scene, frequency, settling_of_a_jump);
@@ -172,6 +186,8 @@ Real jumping_frequency(const Scene &scene, const Real &near, const Real &far, co
   return bisect([&](const Real &frequency) { return count_at(frequency) == count_near; }, near, far,
                 bracket_width / far);
 }
+
+}  // namespace
 
 const Run &DigitsEngine::run(const NamedScene &asked) {
   for (const auto &[known, run] : runs_)

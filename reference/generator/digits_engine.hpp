@@ -5,7 +5,6 @@
 #include "reference/numbers/quantities.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <list>
 #include <utility>
 #include <vector>
@@ -19,29 +18,6 @@ using vibro_impact::paper::NamedScene;
 struct Extremes {
   Real lowest, highest, highest_at;
 };
-
-/// The extremes of the motion of a mass over [from, to]: at zeros of the velocity (sampled, then
-/// bisected) or where one piece of motion meets the next. Throws std::runtime_error if the run has
-/// no motion there.
-Extremes extremes(const Run &run, std::size_t mass, const Real &from, const Real &to);
-
-/// How hard a mass is pressed into its stop where that is least inside its sticking phases that
-/// begin after `from`: the local minimum nearest to zero. Throws std::runtime_error if there is
-/// none.
-Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const Real &from);
-
-/// A whole number read off a run, such as the number of its sticking phases.
-using Count = std::function<std::ptrdiff_t(const Run &)>;
-
-/// The frequency between `near` and `far` at which the count changes. The settled motion is
-/// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
-/// known to have the same count as `near`, so that the unsettled part of a trial is small beside
-/// the bracket. Throws std::logic_error if the counts at the ends agree.
-Real changing_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count);
-
-/// The frequency between `near` and `far` at which the count of the motion from rest jumps. Every
-/// trial starts at rest. Throws as `changing_frequency` does.
-Real jumping_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count);
 
 /// The engine simulates every run once and keeps it.
 class DigitsEngine {

@@ -8,7 +8,7 @@
 
 namespace vibro_impact::comparison {
 
-void require_two_masses(const Scene &scene) {
+TwoMasses two_masses(const Scene &scene) {
   const auto &stops = scene.stops;
   if (scene.masses() != 2 || stops.size() != 2 || stops[0].mass != 1 || stops[1].mass != 2)
     throw std::invalid_argument("the comparison takes two masses with one stop each");
@@ -20,10 +20,6 @@ void require_two_masses(const Scene &scene) {
     if (std::ranges::any_of(scene.*list, [](double force) { return force != 0.0; }))
       throw std::invalid_argument(
           fmt::format("the comparison takes no scene with forces '{}'", name));
-}
-
-TwoMasses two_masses(const Scene &scene) {
-  require_two_masses(scene);
   const double k1 = scene.stiffness[0], k2 = scene.stiffness[1];
   const double stiffness[2][2] = {{k1 + k2, -k2}, {-k2, k2}};
   TwoMasses chain{{}, {}, {}, scene.omega, scene.restitution};

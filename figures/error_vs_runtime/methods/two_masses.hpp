@@ -37,9 +37,6 @@ struct TwoMasses {
 
 // The methods other than this library know two masses with stops[i] on mass i + 1, and no external
 // force but A cos(Omega t). Throws std::invalid_argument for any other scene.
-void require_two_masses(const Scene &scene);
-
-// Throws as `require_two_masses` does.
 TwoMasses two_masses(const Scene &scene);
 
 // The state of a run in gap coordinates.

@@ -9,7 +9,6 @@
 
 namespace vibro_impact {
 
-using detail::line;
 using detail::require;
 
 namespace {
