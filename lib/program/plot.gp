@@ -88,6 +88,7 @@ if (kind eq 'diagram' || kind eq 'columns') {
   height(panel, side) = fell(column(1)) == side ? of_panel(panel) : NaN
   size(side) = side ? 1.2 : followed ? 0.5 : kind eq 'columns' ? 0.35 : 0.2
   side_name(side) = !followed ? '' : side ? 'falling ' : 'rising '
+  side = 0  # gnuplot 6 evaluates the title after the iteration where there are no points
   if (is_log(ARG6)) { set logscale x base(ARG6) }
   set xrange [lower_end(ARG6):upper_end(ARG6)]
   set multiplot layout panels,1
