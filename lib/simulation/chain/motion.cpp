@@ -121,7 +121,7 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
   const double sigma = contact.sigma;
   if (!contact.held)
     return {scaled(contact.position - motion.x[i], sigma), scaled(motion.v[i], -sigma),
-            std::abs(contact.position) + motion.x_terms[i], motion.v_terms[i],
+            std::abs(contact.position) + motion.x_terms[i],
             change_rounding * (motion.x_change[i] +
                                step_time_rounding * motion.step_time * std::abs(motion.v[i].hi))};
   const auto &[cosine, sine] = motion.turn;

@@ -55,9 +55,8 @@ void place(std::size_t mass, const Real &x, const Real &v, Motion &motion);
 // The gap or the pressing force of a contact and its rate. The rate of a force is rounded.
 struct Value {
   Real value, rate;
-  double terms = 0.0;       // the sum of the moduli of the terms of the value,
-  double rate_terms = 0.0;  // and of those of the rate of a gap
-  double rounding = 0.0;    // of the value, in the latest step
+  double terms = 0.0;     // the sum of the moduli of the terms of the value
+  double rounding = 0.0;  // of the value, in the latest step
   bool is_zero() const;
 };
 

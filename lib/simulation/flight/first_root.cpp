@@ -39,13 +39,12 @@ Packet binomials(int k, int n) {
   return packet(binomial[static_cast<std::size_t>(k)].data() + n);
 }
 
-// An upper bound on [0, u] of |q^(k)| / k!, q(u) = p(u) / u^zeros. For k = 0 this is the sum of the
-// moduli of the terms, which is the scale of the rounding of q(u).
-inline double derivative_bound(const Polynomial &p, int zeros, int k, double u) {
-  const double *c = p.coefficient.data() + zeros + k, quartic = u * u * u * u;
+// An upper bound on [0, u] of |q^(5)| / 5!, q(u) = p(u) / u^zeros.
+inline double fifth_bound(const Polynomial &p, int zeros, double u) {
+  const double *c = p.coefficient.data() + zeros + 5, quartic = u * u * u * u;
   Packet sum = Packet::Zero(), power = powers_of(u);
-  for (int n = 0; n <= p.order - zeros - k; n += 4) {
-    sum += binomials(k, n + k) * packet(c + n).abs() * power;
+  for (int n = 0; n <= p.order - zeros - 5; n += 4) {
+    sum += binomials(5, n + 5) * packet(c + n).abs() * power;
     power *= quartic;
   }
   return sum.sum();
@@ -107,7 +106,7 @@ double positive_stretch(const Polynomial &p, int zeros, double u, double u_max, 
   for (double stretch = u_max - u; u + stretch > u; stretch *= 0.5) {
     const double end = u + stretch;
     // The bound of p^(5) over the whole step is far too large for a small polynomial near 0.
-    const double fifth_to_end = end < 0.25 ? derivative_bound(p, zeros, 5, end) : fifth;
+    const double fifth_to_end = end < 0.25 ? fifth_bound(p, zeros, end) : fifth;
     if (lower_bound(jet, fifth_to_end, stretch) > rounding) return stretch;
   }
   return 0.0;
@@ -119,10 +118,12 @@ Jet jet_at(const Polynomial &p, int zeros, double u) {
   const double *c = p.coefficient.data() + zeros;
   const double quartic = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
   Packet power = powers_of(u);
-  Packet value = Packet::Zero(), slope = value, second = value, third = value, fourth = value;
+  Packet value = Packet::Zero(), slope = value, second = value, third = value, fourth = value,
+         moduli = value;
   for (int n = 0; n <= p.order - zeros; n += 4) {
     const Packet term = packet(c + n) * power;
     value += term;
+    moduli += term.abs();
     slope += binomials(1, n) * term;
     second += binomials(2, n) * term;
     third += binomials(3, n) * term;
@@ -130,9 +131,12 @@ Jet jet_at(const Polynomial &p, int zeros, double u) {
     power *= quartic;
   }
   // The products run from left to right: a sum that has underflown stays zero.
-  return {value.sum(), slope.sum() * inverse, second.sum() * inverse * inverse,
+  return {value.sum(),
+          slope.sum() * inverse,
+          second.sum() * inverse * inverse,
           third.sum() * inverse * inverse * inverse,
-          fourth.sum() * inverse * inverse * inverse * inverse};
+          fourth.sum() * inverse * inverse * inverse * inverse,
+          moduli.sum()};
 }
 
 std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters) {
@@ -141,8 +145,8 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
   if (zeros > p.order) return std::nullopt;  // identically zero
   const double *c = p.coefficient.data() + zeros;
   if (c[0] < 0.0) return 0.0;
-  Jet jet{c[0], c[1], c[2], c[3], c[4]};  // coefficients beyond the order are zero
-  const double fifth = derivative_bound(p, zeros, 5, u_max);
+  Jet jet{c[0], c[1], c[2], c[3], c[4], c[0]};  // coefficients beyond the order are zero
+  const double fifth = fifth_bound(p, zeros, u_max);
   if (lower_bound(jet, fifth, u_max) > 0.0) {
     ++counters.roots_dismissed;
     return std::nullopt;
@@ -160,7 +164,7 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
     const double curvature = curvature_bound(jet, fifth, 2.0 * distance) * distance / -jet.slope;
     if (jet.slope < 0.0 && curvature <= 0.25)
       return polished(p, zeros, u, jet, newton, curvature, u_max);
-    const double rounding = polynomial_rounding * derivative_bound(p, zeros, 0, u);
+    const double rounding = polynomial_rounding * jet.terms;
     // From more than twice the rounding a step goes a share of the way to a tangency. With less the
     // steps would become ever shorter.
     if (!(jet.value > 2.0 * rounding)) return u;

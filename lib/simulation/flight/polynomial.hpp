@@ -20,9 +20,10 @@ struct Polynomial {
   int order = 0;
 };
 
-// The Taylor coefficients p, p', p''/2, p'''/6, p''''/24 of a polynomial about one point.
+// The Taylor coefficients p, p', p''/2, p'''/6, p''''/24 of a polynomial about one point, and the
+// sum of the moduli of the terms of p there, which is the scale of its rounding.
 struct Jet {
-  double value, slope, second, third, fourth;
+  double value, slope, second, third, fourth, terms;
 };
 
 // The jet about u > 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.

@@ -53,14 +53,17 @@ void gather_hits(Run &run) {
     AtStop &at = run.stops[contacts[k].stop].at;
     const Near near = scratch.near[k];
     if (contacts[k].held || near == Near::no || is<Forceless>(at) || is<Postponed>(at)) continue;
-    const Value value = evaluate(run.chain(), contacts[k], run.motion);
-    if (near != Near::zero && near != Near::rest && !value.is_zero()) continue;
+    const bool by_definition = near == Near::zero || near == Near::rest;
+    if (!by_definition && !evaluate(run.chain(), contacts[k], run.motion).is_zero()) continue;
+    const std::size_t i = contacts[k].mass;
+    const Real closing = scaled(run.motion.v[i], contacts[k].sigma);
     // A zero without any flight that does not close is rest within rounding.
-    const bool stays = !run.hint.time_passed && near == Near::zero && !(value.rate.hi < 0.0);
-    if (near == Near::rest || stays || !(abs(value.rate) > zero_threshold * value.rate_terms))
+    const bool stays = !run.hint.time_passed && near == Near::zero && !(closing.hi > 0.0);
+    if (near == Near::rest || stays ||
+        !(std::abs(closing.hi) > zero_threshold * run.motion.v_terms[i]))
       at = Resting{};
-    else if (value.rate.hi < 0.0)
-      scratch.hits.push_back({k, -value.rate});
+    else if (closing.hi > 0.0)
+      scratch.hits.push_back({k, closing});
   }
 }
 

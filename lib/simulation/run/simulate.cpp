@@ -41,10 +41,10 @@ Problem problem_of(const Scene &scene, const RunOptions &options) {
 }
 
 // A run before its first step, from a motion that has been checked.
-std::unique_ptr<Run> start_run(Problem problem, const MotionState &start) {
-  Run run{.problem = std::move(problem), .start = start};
-  run.motion.now = TwofoldInstant(start.instant);
-  return std::make_unique<Run>(std::move(run));
+std::unique_ptr<Run> start_run(Problem problem, MotionState start) {
+  std::unique_ptr<Run> run(new Run{.problem = std::move(problem), .start = std::move(start)});
+  run->motion.now = TwofoldInstant(run->start->instant);
+  return run;
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ Outcome require_complete(Outcome outcome) {
 }
 
 Simulation::Simulation(const Scene &scene, const RunOptions &options) {
-  const MotionState start = start_of(scene);  // checks the scene
-  run_ = detail::start_run(detail::problem_of(scene, options), start);
+  MotionState start = start_of(scene);  // checks the scene
+  run_ = detail::start_run(detail::problem_of(scene, options), std::move(start));
 }
 
 Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options) {
