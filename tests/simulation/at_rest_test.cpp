@@ -78,9 +78,9 @@ TEST(AtRest, AReleaseBesideAMassWhoseBouncesHaveDiedDownGoesOn) {
 }
 
 // The neighbours of mass 2 or 3 are released when this mass, which no force acts on, has just hit
-// its stop at 1e-229. Its acceleration is then a sum of those of the modes, zero but for rounding,
-// which must not bring it back. A forcing moves the first chain. In the second one two heavy masses
-// at the ends press the neighbours, for a quarter of their period.
+// its stop at 1e-229. Its acceleration is then a sum of forces, zero but for rounding, which must
+// not bring it back. A forcing moves the first chain. In the second one two heavy masses at the
+// ends press the neighbours, for a quarter of their period.
 TEST(AtRest, AMassWhoseBouncesHaveDiedDownLeavesWithTheOthers) {
   const Scene forced{.mass = {1.0, 1.0, 1.0},
                      .stiffness = {0.004, 2.7, 2.7},
@@ -183,6 +183,49 @@ TEST(AtRest, AnImpactOfEitherNeighbourReleasesByAJump) {
     EXPECT_EQ(events[2].kind, EventKind::release);
     EXPECT_EQ(events[2].instant, events[1].instant);
     EXPECT_TRUE(events[2].by_a_jump) << hit;
+  }
+}
+
+// A force P and the neighbour that approaches its stop at -0.25 press a mass into its stop. The
+// neighbour hits, with r = 0, where this force k (x + beta v) + P has just fallen to zero. By the
+// impact it jumps to -k beta v > 0, so that the mass stays. P is off by a rounding, so that either
+// comes first, and both are one instant.
+TEST(AtRest, AnImpactAtTheRootOfAForceKeepsAMassHeld) {
+  for (const std::size_t hit : {0u, 1u}) {
+    const std::size_t pressed = 1 - hit;
+    Scene scene{.mass = {1.0, 1.0},
+                .stiffness = {1.0, 2.0},
+                .beta = 0.3,
+                .constant = {0.0, 0.0},
+                .ground = {0.0, 1.0},
+                .omega = 0.0,
+                .restitution = 0.0,
+                .stops = {{static_cast<int>(hit) + 1, Side::lower, -0.25},
+                          {static_cast<int>(pressed) + 1, Side::upper, 0.0}},
+                .velocity = {0.0, 0.0}};
+    scene.constant[hit] = -3.0;
+    scene.constant[pressed] = 9.0;
+    const Event impact = select(events_of(scene, 0.0, 1.0), EventKind::impact).front();
+    const double root = 2.0 * (0.25 - scene.beta * impact.velocity_before);
+    for (const int roundings : {-1, 0, 1}) {
+      scene.constant[pressed] = root * (1.0 + roundings * 0x1p-52);
+      const std::vector<Event> events = events_of(scene, 0.0, 0.5);
+      EXPECT_EQ(select(events, EventKind::impact).size(), 1u) << hit << " " << roundings;
+      EXPECT_TRUE(select(events, EventKind::release).empty()) << hit << " " << roundings;
+    }
+  }
+}
+
+// The masses beside mass 2 swing against each other at one frequency, and their springs pull it
+// with k x and -k x, to all orders. In twice the precision these cancel but for rounding.
+TEST(AtRest, ForcesThatCancelButForRoundingHoldNoMass) {
+  for (const double m : {5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0}) {
+    const Scene scene{.mass = {m, 1.0, 3.0 * m},
+                      .stiffness = {0.0, 1.0, 3.0},
+                      .omega = 0.0,
+                      .stops = {{2, Side::upper, 0.0}},
+                      .displacement = {0.75, 0.0, -0.25}};
+    EXPECT_TRUE(events_of(scene, 0.0, 0.0).empty()) << m;
   }
 }
 
