@@ -2,52 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "tolerances.hpp"
 
 namespace vibro_impact::detail {
-
-namespace {
-
-// Two numbers as they are, or rounded.
-template <class Number>
-Number in_precision_of(const RealPair &two) {
-  if constexpr (std::is_same_v<Number, RealPair>)
-    return two;
-  else
-    return two.hi;
-}
-
-// Calls `use(i, acceleration)` for every other i with x'' of masses i and i + 1, from forces in
-// this precision. Held masses have none. `use` may move these two masses.
-template <class Number, class Use>
-void for_accelerations(const Chain &chain, const Motion &motion, const Use &use) {
-  const ContactMode &mode = *motion.mode;
-  const auto cosine = in_precision_of<Number>(both(motion.turn.cosine)),
-             sine = in_precision_of<Number>(both(motion.turn.sine));
-  const Pair beta{chain.beta, chain.beta};
-  // Spring and damper of a link together pull with k (z_i - z_j), z = x + beta v. Differences come
-  // first: a neighbour at the same place exerts no force at all.
-  const auto z_of = [&](std::size_t i) {
-    return in_precision_of<Number>(load(&motion.x[i])) +
-           in_precision_of<Number>(load(&motion.v[i])) * beta;
-  };
-  Number before{}, z = z_of(0);
-  for (std::size_t i = 0; i < chain.padded; i += 2) {
-    const Number after = i + 2 < chain.padded ? z_of(i + 2) : Number{};
-    Number force = cosine * pair(&chain.a[i]) + pair(&chain.p[i]);
-    if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
-    force -= (z - exchanged(z)) * pair(&mode.within[i]);
-    force -= (z - middle(before, after)) * pair(&mode.outside[i]);
-    if (mode.grounded) force -= z * pair(&chain.ground[i]);
-    use(i, rounded(force) / pair(&mode.mass[i]));
-    before = z;
-    z = after;
-  }
-}
-
-}  // namespace
 
 void clear(const Chain &chain, Motion &motion) {
   for (std::vector<Real> *list : {&motion.x, &motion.v}) list->assign(chain.padded, 0.0);
@@ -73,10 +31,10 @@ void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motio
   if (chain.omega == 0.0) return;
   if (++motion.turned > most_turns) return set_turn(chain, motion);
   const Real angle = Real::exact_product(chain.omega, tau);
-  const Pair beyond = turn_beyond_first_order(angle.hi);
+  const Pair higher = higher_orders_of_turn(angle.hi);
   Real &c = motion.turn.cosine, &s = motion.turn.sine;
   const RealPair z{Pair{c.hi, s.hi}, Pair{c.lo, s.lo}}, iz{Pair{-s.hi, c.hi}, Pair{-s.lo, c.lo}};
-  const RealPair after = z + (both(angle) * iz + (beyond[0] * z.hi + beyond[1] * iz.hi));
+  const RealPair after = z + (both(angle) * iz + (higher[0] * z.hi + higher[1] * iz.hi));
   c = {after.hi[0], after.lo[0]};
   s = {after.hi[1], after.lo[1]};
 }
@@ -84,23 +42,40 @@ void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motio
 void find_acceleration(const Chain &chain, Motion &motion) {
   if (motion.acceleration_known) return;
   motion.acceleration_known = true;
-  for_accelerations<RealPair>(chain, motion, [&](std::size_t i, const Pair &acceleration) {
-    put(acceleration, &motion.acceleration[i]);
-  });
+  const ContactMode &mode = *motion.mode;
+  const RealPair cosine = both(motion.turn.cosine), sine = both(motion.turn.sine);
+  const Pair beta{chain.beta, chain.beta};
+  // Spring and damper of a link together pull with k (z_i - z_j), z = x + beta v. Differences come
+  // first: a neighbour at the same place exerts no force at all.
+  const auto z_of = [&](std::size_t i) { return load(&motion.x[i]) + load(&motion.v[i]) * beta; };
+  RealPair before{}, z = z_of(0);
+  for (std::size_t i = 0; i < chain.padded; i += 2) {
+    const RealPair after = i + 2 < chain.padded ? z_of(i + 2) : RealPair{};
+    RealPair force = cosine * pair(&chain.a[i]) + pair(&chain.p[i]);
+    if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
+    force -= (z - exchanged(z)) * pair(&mode.within[i]);
+    force -= (z - middle(before, after)) * pair(&mode.outside[i]);
+    if (mode.grounded) force -= z * pair(&chain.ground[i]);
+    put(force.hi / pair(&mode.mass[i]), &motion.acceleration[i]);
+    before = z;
+    z = after;
+  }
 }
 
 void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Motion &motion) {
-  for_accelerations<Pair>(chain, motion, [&](std::size_t i, const Pair &acceleration) {
+  find_acceleration(chain, motion);
+  for (std::size_t i = 0; i < chain.padded; i += 2) {
     const RealPair v = load(&motion.v[i]);
     store(load(&motion.x[i]) + v * Pair{time, time}, &motion.x[i]);
-    store(v + time * acceleration, &motion.v[i]);
-  });
+    store(v + time * pair(&motion.acceleration[i]), &motion.v[i]);
+  }
   motion.acceleration_known = false;
   pass(time, clock, motion.now);
   const double angle = chain.omega * time;
   const Turn before = motion.turn;
   motion.turn.cosine -= angle * before.sine.hi;
   motion.turn.sine += angle * before.cosine.hi;
+  motion.turned = std::max(motion.turned, 1);  // it is no more that of the phase
 }
 
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion) {

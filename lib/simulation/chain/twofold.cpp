@@ -53,17 +53,17 @@ Real exp(const Real &x) {
   return {std::ldexp(s.hi, static_cast<int>(k)), std::ldexp(s.lo, static_cast<int>(k))};
 }
 
-// With r from the nearest multiple of pi / 2, cos r and (sin r) / r are two series in -r^2, summed
-// side by side. The terms from order 18 on lie below 2^-53.
+// x = r + k pi / 2 with |r| <= pi / 4. cos r and (sin r) / r are series in -r^2, summed side by
+// side. Their terms from order 18 on lie below 2^-53 and are summed in double precision.
 void sincos(const Real &x, Real &sine, Real &cosine) {
   constexpr std::size_t rounded_from = 9;
   const double k = std::nearbyint(x.hi / quarter_turn.hi);
   const Real r = x - quarter_turn * k - quarter_turn_rest * k;
   const RealPair square = both(-(r * r));
-  Pair rest{};
+  Pair high_orders{};
   std::size_t n = circular_terms;
-  while (n > rounded_from) rest = rest * square.hi + inverse_factorials[--n].hi;
-  RealPair sum = rest;
+  while (n > rounded_from) high_orders = high_orders * square.hi + inverse_factorials[--n].hi;
+  RealPair sum = high_orders;
   while (n > 0) sum = sum * square + inverse_factorials[--n];
   std::array<Real, 2> parts;
   store(sum, parts.data());
@@ -75,7 +75,7 @@ void sincos(const Real &x, Real &sine, Real &cosine) {
   if (quarter == 1 || quarter == 2) cosine = -cosine;
 }
 
-Pair turn_beyond_first_order(double w) {
+Pair higher_orders_of_turn(double w) {
   const double square = -w * w;
   Pair sum{};
   for (std::size_t n = circular_terms; --n > 0;) sum = sum * square + inverse_factorials[n].hi;

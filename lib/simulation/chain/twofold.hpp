@@ -196,12 +196,6 @@ inline double rounded(double x) {
 inline double rounded(const Real &x) {
   return x.hi;
 }
-inline Pair rounded(const Pair &x) {
-  return x;
-}
-inline Pair rounded(const RealPair &x) {
-  return x.hi;
-}
 
 inline Real abs(const Real &x) {
   return x.hi < 0.0 ? -x : x;
@@ -210,8 +204,8 @@ Real sqrt(const Real &x);
 Real exp(const Real &x);
 // |x| up to 1e15.
 void sincos(const Real &x, Real &sine, Real &cosine);
-// cos w - 1 and sin w - w, for |w| up to 3.
-Pair turn_beyond_first_order(double w);
+// cos w - 1 and sin w - w, for |w| up to 3, to a few roundings.
+Pair higher_orders_of_turn(double w);
 inline void sincos(double x, double &sine, double &cosine) {
   sine = std::sin(x);
   cosine = std::cos(x);

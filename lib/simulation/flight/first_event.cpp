@@ -47,12 +47,13 @@ bool only_touches(double slope, double second, double terms) {
 
 Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion) {
   if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
-  if (const auto *decided = std::get_if<Decided>(&at); decided && decided->zeros > 1)
-    return {.zeros = decided->zeros, .first = decided->first};
+  // A decision knows the first derivative that is not zero to twice the precision.
+  const auto *decided = std::get_if<Decided>(&at);
+  if (decided && decided->zeros > 1) return {.zeros = decided->zeros, .first = decided->first};
+  if (decided && decided->zeros == 1) return {.rate = decided->first, .zeros = 1};
   if (const auto *leaving = std::get_if<Leaving>(&at)) return {.rate = leaving->speed, .zeros = 1};
   const Value value = evaluate(chain, contact, motion);
-  const auto *decided = std::get_if<Decided>(&at);
-  if ((decided && decided->zeros == 1) || rounded(value.value) <= zero_threshold * value.terms)
+  if (rounded(value.value) <= zero_threshold * value.terms)
     return {.rate = rounded(value.rate), .zeros = 1};
   return {.value = rounded(value.value), .rate = rounded(value.rate)};
 }

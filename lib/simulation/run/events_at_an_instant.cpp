@@ -37,11 +37,11 @@ bool is_pushed(const Run &run, std::size_t mass) {
   });
 }
 
-// The number of orders of the force on a held mass that are exactly zero at this instant:
+// The number of orders of the force on a held mass that count as exactly zero at this instant:
 //
 //   2  the force touches zero, with its slope
 //   1  it is at its root, or was decided to be zero at this instant before
-//   1  it is zero but for rounding, and so found next to a root, or pushed there by a neighbour
+//   1  it is zero but for rounding: next to a root, or at its root after the impact of a neighbour
 //   0  it has jumped elsewhere, or was never near zero
 int zero_orders_of(const Run &run, std::size_t k, const Value &force) {
   const Contact &contact = run.motion.mode->contacts[k];

@@ -42,7 +42,7 @@ Problem problem_of(const Scene &scene, const RunOptions &options) {
 
 // A run before its first step, from a motion that has been checked.
 std::unique_ptr<Run> start_run(Problem problem, MotionState start) {
-  std::unique_ptr<Run> run(new Run{.problem = std::move(problem), .start = std::move(start)});
+  auto run = std::make_unique<Run>(Run{.problem = std::move(problem), .start = std::move(start)});
   run->motion.now = TwofoldInstant(run->start->instant);
   return run;
 }
