@@ -67,7 +67,7 @@ TEST(LeastGap, IsTheLeastOfSeveralMinima) {
 
 // In Figure 4(a) mass 2 chatters while mass 1 sticks. The least force is no greater than any sample
 // of it, and as small as the nearest samples: a step of 1e-4 makes 1e-8 of the curvature, here 1.
-// Each of the two is a sum of four terms below one, in which a rounding is 2^-54 at most.
+// Each of the two is a sum of four terms below one: eight roundings of at most 2^-54.
 TEST(LeastPressingForce, IsTheLeastOfManySamples) {
   const Scene scene = paper::figure4a();
   const MotionState start = at_quiet_phase(scene, state_after_periods(scene, 60));

@@ -1,5 +1,6 @@
 // The analysis in other units. A unit that is a power of two changes no mantissa, so that what is
 // computed in it is the same bit for bit.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,6 +84,7 @@ void measure_record(const Scene &scene, const Units &units, Measured &measured) 
   const SettledMotion motion = settle(scene, start_of(scene));
   measured.add(motion.periods_run);
   measured.add(motion.fastest_impact, units.length - units.time);
+  measured.add(mean_growth(scene, start_of(scene), {.longest = 100}).exponent, -units.time);
 }
 
 void measure_minima(const Scene &scene, const Units &units, Measured &measured) {

@@ -69,9 +69,9 @@ TEST(ChatterLimit, NeedsFewImpacts) {
   }
 }
 
-// A chain of three masses that is its own mirror image moves as its half. Roots that only rounding
-// parts are one instant: masses 1 and 3 have their events at the same bits
-// of time, and chatter together to the limit. Resolved in turn, they would never end in one.
+// A chain of three masses that is its own mirror image moves as its half: masses 1 and 3 together.
+// Roots that only rounding parts are one instant: both masses have their events at the same bits of
+// time, and chatter together to the limit. Resolved in turn, they would never end in one.
 TEST(SymmetricChain, HasTheEventsOfItsHalvesAtOneInstant) {
   for (const double r : {0.3, 0.5, 0.7})
     for (const double link : {0.25, 1.0, 2.7}) {

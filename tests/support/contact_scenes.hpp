@@ -62,11 +62,9 @@ inline Trial narrow_slot(unsigned seed) {
   return {scene, 2.0 * Clock(scene.omega).period};
 }
 
-// One to six masses without damping and forcing between stops of r = 1.
-inline Trial elastic_chain(unsigned seed) {
-  Draw draw{std::mt19937(seed)};
+// Masses without damping and forcing between stops of r = 1; one to six of them.
+inline Scene elastic_scene(Draw &draw, int masses) {
   Scene scene{.omega = 0.0, .restitution = 1.0};
-  const int masses = draw.between(1, 6);
   for (int i = 1; i <= masses; ++i) {
     scene.mass.push_back(draw.uniform(0.5, 2.0));
     scene.stiffness.push_back(draw.uniform(0.5, 2.0));
@@ -74,7 +72,13 @@ inline Trial elastic_chain(unsigned seed) {
     if (i == 1 || draw.one_in(2)) scene.stops.push_back({i, Side::upper, draw.uniform(0.1, 0.4)});
     if (draw.one_in(2)) scene.stops.push_back({i, Side::lower, -draw.uniform(0.1, 0.4)});
   }
-  return {scene, 2'000.0};
+  return scene;
+}
+
+inline Trial elastic_chain(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  const int masses = draw.between(1, 6);
+  return {elastic_scene(draw, masses), 2'000.0};
 }
 
 // Three masses, the last on a link of 1e8 to 1e13, of which the force presses the first onto its
