@@ -64,8 +64,8 @@ Table windows() {
   return table;
 }
 
-// The runs of frequencies above 0.5 at which mass 1 sticks, in steps of 0.01. Between them the
-// motion is chaotic in places, and there a finer step would show the rounding.
+// The frequencies from 0.5 on, in steps of 0.01, at which mass 1 sticks, as runs. A finer step
+// meets chaotic motions, where rounding decides whether a mass sticks.
 Table sticking_above_one_half() {
   const Grid above{paper::figure3(0.5), {{"omega", 0.5, 0.7, 21}}};
   const auto settled = sticks(above, {}, paper::figure3_settling_periods, 10);

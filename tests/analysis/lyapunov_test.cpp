@@ -116,6 +116,7 @@ TEST(Lyapunov, TheErrorCoversTheSpreadOfStarts) {
     const Growth growth = record_within(400, scene).lyapunov.value();
     EXPECT_LT(growth.error, 0.003);
     const double deviation = std::abs(growth.exponent - expected) / growth.error;
+    EXPECT_LT(deviation, 5.0) << k;
     within_two += deviation < 2.0;
     squares += deviation * deviation;
   }

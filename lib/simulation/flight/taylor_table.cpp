@@ -66,8 +66,8 @@ void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table
 }
 
 // All orders of a chain of one or two masses, which fit into one register. By `expand_order`,
-// Figure 2 would take a fifth more time. An order waits for the one before: hence the products come
-// first that do not need it.
+// Figure 2 would take a fifth more time. An order needs the one before. The products that do not
+// need it come first.
 void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit;
   const Pair mass = pair(mode.mass.data()), inverse = pair(mode.inverse_mass.data()),
