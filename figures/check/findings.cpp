@@ -22,7 +22,7 @@ Findings findings(const std::string &folder) {
   return findings;
 }
 
-std::string table_of(const truth::Rows &rows) {
+std::string table_of(const std::vector<truth::Cells> &rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto &cells : rows)
     for (std::size_t k = 0; k < cells.size(); ++k) widths[k] = std::max(widths[k], cells[k].size());
@@ -39,7 +39,7 @@ std::string table_of(const truth::Rows &rows) {
 }
 
 std::string table_of(const Findings &findings) {
-  truth::Rows rows{{"number", "class", "printed", "computed", "error", "allowed"}};
+  std::vector<truth::Cells> rows{{"number", "class", "printed", "computed", "error", "allowed"}};
   for (const Finding &finding : findings) {
     const numbers::CheckedNumber &number = finding.number;
     const bool other = !number.of_the_paper();

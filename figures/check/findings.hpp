@@ -35,7 +35,7 @@ using Findings = std::vector<Finding>;
 Findings findings(const std::string &folder);
 
 // A table of Markdown, every column as wide as its widest cell.
-std::string table_of(const truth::Rows &rows);
+std::string table_of(const std::vector<truth::Cells> &rows);
 
 // The table of all numbers.
 std::string table_of(const Findings &findings);

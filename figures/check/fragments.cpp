@@ -26,20 +26,17 @@ std::vector<std::string> split(const std::string &text, char separator) {
 // those of a row joined by "to", or one if they are equal, and those of several rows by commas.
 std::string cells(const std::string &path, const std::string &first, const std::string &columns,
                   const std::string &format) {
-  const truth::Row header = truth::header_of(path), begins_with = split(first, ',');
+  const truth::Cells begins_with = split(first, ',');
   const auto same = [](const std::string &asked, const std::string &is) {
     const auto one = truth::as_number(asked), other = truth::as_number(is);
     return one && other ? fmt::format("{:g}", *one) == fmt::format("{:g}", *other) : asked == is;
   };
   std::vector<std::string> shown;
-  for (const truth::Row &row : truth::read_rows(path, header.size())) {
-    if (!std::equal(begins_with.begin(), begins_with.end(), row.begin(), same)) continue;
+  for (const truth::Row &row : truth::read_rows(path)) {
+    if (!std::equal(begins_with.begin(), begins_with.end(), row.cells().begin(), same)) continue;
     std::vector<std::string> texts;
-    for (const std::string &column : split(columns, '+')) {
-      const auto place = std::ranges::find(header, column) - header.begin();
-      const double value = std::stod(row.at(static_cast<std::size_t>(place)));
-      texts.push_back(numbers::formatted(value, format));
-    }
+    for (const std::string &column : split(columns, '+'))
+      texts.push_back(numbers::formatted(std::stod(row.cell(column)), format));
     texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
     shown.push_back(fmt::format("{}", fmt::join(texts, " to ")));
   }

@@ -47,11 +47,10 @@ std::string name_of(double error) {
 
 std::vector<Measured> read_measured(const std::string &path) {
   std::vector<Measured> runs;
-  for (const auto &cells : truth::read_rows(path, 9)) {
-    if (!cells.back().empty()) continue;  // the reason of a failure
-    const auto number = [&](std::size_t k) { return truth::number_in(path, cells[k]); };
-    runs.push_back({cells[0], cells[1], number(2), number(3), number(4)});
-  }
+  for (const truth::Row &row : truth::read_rows(path))
+    if (row.cell("failure").empty())
+      runs.push_back({row.cell("problem"), row.cell("method"), row.number("setting"),
+                      row.number("error_time"), row.number("fastest_us")});
   return runs;
 }
 
@@ -66,23 +65,23 @@ std::optional<Measured> fastest(const std::vector<Measured> &runs, const std::st
   return best;
 }
 
-truth::Rows rows_of_steppers(const std::vector<Measured> &runs) {
-  truth::Rows rows{{"motion"}};
+std::vector<truth::Cells> rows_of_steppers(const std::vector<Measured> &runs) {
+  std::vector<truth::Cells> rows{{"motion"}};
   for (const double error : errors) rows.front().push_back(name_of(error));
   for (const auto &[problem, motion] : motions) {
-    truth::Row &row = rows.emplace_back(truth::Row{motion});
+    truth::Cells &row = rows.emplace_back(truth::Cells{motion});
     for (const double error : errors) row.push_back(ratio(runs, problem, steppers, error));
   }
   return rows;
 }
 
-truth::Rows rows_of_methods(const std::vector<Measured> &runs) {
+std::vector<truth::Cells> rows_of_methods(const std::vector<Measured> &runs) {
   const std::pair<std::string, std::string> columns[] = {
       {"by hand", "by hand"},         {"this library (every impact)", "every impact"},
       {steppers[0], "DOP853"},        {steppers[1], "dopri5"},
       {steppers[2], "fehlberg78"},    {steppers[3], "ERKStep"},
       {"plain event-driven", "plain"}};
-  truth::Rows rows{{"error", "library, us"}};
+  std::vector<truth::Cells> rows{{"error", "library, us"}};
   for (const auto &[method, column] : columns) rows.front().push_back(column);
   for (const double error : errors) {
     const auto ours = fastest(runs, "figure2", {library}, error);

@@ -29,10 +29,10 @@ std::optional<Measured> fastest(const std::vector<Measured> &runs, const std::st
 
 // The table of README.md. For every motion and every error it has the time of the fastest
 // general-purpose stepper, relative to the library. The errors are those at which people work.
-truth::Rows rows_of_steppers(const std::vector<Measured> &runs);
+std::vector<truth::Cells> rows_of_steppers(const std::vector<Measured> &runs);
 
 // The table of the page of the methods: the time of every method in ten periods of Figure 2,
 // relative to the library, whose time is in microseconds.
-truth::Rows rows_of_methods(const std::vector<Measured> &runs);
+std::vector<truth::Cells> rows_of_methods(const std::vector<Measured> &runs);
 
 }  // namespace vibro_impact::comparison

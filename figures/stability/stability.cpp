@@ -12,7 +12,7 @@ using namespace vibro_impact;
 
 // Throws std::runtime_error naming the cases that fail, once the table is written.
 void judge_all(const std::filesystem::path &output) {
-  const auto tables = truth::read_event_tables(REFERENCE_DIR "/extreme_events.csv");
+  const auto tables = truth::read_event_tables(REFERENCE_DIR "/extreme_events.csv", "case");
   const auto cases = truth::extreme_cases();
   Progress progress("stability", static_cast<double>(cases.size()));
   Table table(

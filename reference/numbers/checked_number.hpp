@@ -111,24 +111,27 @@ struct CheckedNumber {
 inline std::vector<CheckedNumber> checked_numbers(const std::string &folder) {
   const std::string path = folder + "/checked_numbers.csv";
   std::vector<CheckedNumber> numbers;
-  for (const auto &cells : truth::read_rows(path, 14)) {
-    const auto bound = [&](const std::string &cell) {
-      return cell.empty() ? std::numeric_limits<double>::infinity() : truth::number_in(path, cell);
+  for (const truth::Row &row : truth::read_rows(path)) {
+    const auto bound = [&](const std::string &column) {
+      return row.cell(column).empty() ? std::numeric_limits<double>::infinity()
+                                      : row.number(column);
     };
-    numbers.push_back({.id = cells[0],
-                       .digits = cells[1],
-                       .value = truth::number_in(path, cells[1]),
-                       .kind = Kind{word_in(path, cells[2], kind_words)},
-                       .source = cells[3],
-                       .quantity = cells[4],
-                       .given = cells[5],
-                       .arguments = read_arguments(path, cells[5]),
-                       .meaning = cells[6],
-                       .printed = {cells[7], Claim{word_in(path, cells[8], claim_words)},
-                                   bound(cells[9]), bound(cells[10])},
-                       .format = cells[11],
-                       .tolerance = truth::number_in(path, cells[12]),
-                       .why = cells[13]});
+    const std::string &given = row.cell("arguments");
+    numbers.push_back({.id = row.cell("id"),
+                       .digits = row.cell("value"),
+                       .value = row.number("value"),
+                       .kind = Kind{word_in(row.place(), row.cell("kind"), kind_words)},
+                       .source = row.cell("source"),
+                       .quantity = row.cell("quantity"),
+                       .given = given,
+                       .arguments = read_arguments(row.place(), given),
+                       .meaning = row.cell("meaning"),
+                       .printed = {row.cell("the_paper_says"),
+                                   Claim{word_in(row.place(), row.cell("claim"), claim_words)},
+                                   bound("from"), bound("to")},
+                       .format = row.cell("format"),
+                       .tolerance = row.number("tolerance"),
+                       .why = row.cell("why")});
   }
   return numbers;
 }

@@ -25,10 +25,10 @@ inline AxisBox panel(const std::string &name) {
   static const auto panels = [] {
     const std::string table = REFERENCE_DIR "/panels.csv";
     std::map<std::string, AxisBox> boxes;
-    for (const auto &cells : truth::read_rows(table, 7)) {
-      const auto number = [&](std::size_t k) { return truth::number_in(table, cells[k]); };
-      boxes[cells[0]] = {number(1), number(2), number(3), number(4), number(5), number(6)};
-    }
+    for (const truth::Row &row : truth::read_rows(table))
+      boxes[row.cell("panel")] = {row.number("from"),        row.number("to"),
+                                  row.number("lowest"),      row.number("highest"),
+                                  row.number("tick_across"), row.number("tick")};
     return boxes;
   }();
   const auto found = panels.find(name);

@@ -40,13 +40,11 @@ inline Held held_in(const std::string &place, const std::string &cell) {
   return held;
 }
 
-// The event in the columns time, mass, event, velocity_before, velocity_after and contact_mode, of
-// which `first` is the first.
-inline Event event_in(const std::string &place, const Row &row, std::size_t first = 0) {
-  Event event = event_at(number_in(place, row[first]), mass_in(place, row[first + 1]),
-                         kind_in(place, row[first + 2]), number_in(place, row[first + 3]));
-  event.velocity_after = number_in(place, row[first + 4]);
-  event.held = held_in(place, row[first + 5]);
+inline Event event_in(const Row &row) {
+  Event event = event_at(row.number("time"), mass_in(row.place(), row.cell("mass")),
+                         kind_in(row.place(), row.cell("event")), row.number("velocity_before"));
+  event.velocity_after = row.number("velocity_after");
+  event.held = held_in(row.place(), row.cell("contact_mode"));
   return event;
 }
 
@@ -55,20 +53,17 @@ inline Event event_in(const std::string &place, const Row &row, std::size_t firs
 // Throws std::runtime_error naming the table, the line and what is wrong with it.
 inline std::vector<Event> read_event_table(const std::string &path) {
   std::vector<Event> events;
-  for (const Row &row : read_rows(path, 6))
-    events.push_back(detail::event_in(line_of(path, events.size()), row));
+  for (const Row &row : read_rows(path)) events.push_back(detail::event_in(row));
   return events;
 }
 
-// The events of several cases, named in a column before the others.
+// The events of several cases.
 using EventTables = std::map<std::string, std::vector<Event>>;
 
-// Throws std::runtime_error as above.
-inline EventTables read_event_tables(const std::string &path) {
+// By the names of the cases in the column `named`. Throws std::runtime_error as above.
+inline EventTables read_event_tables(const std::string &path, const std::string &named) {
   EventTables tables;
-  std::size_t index = 0;
-  for (const Row &row : read_rows(path, 7))
-    tables[row[0]].push_back(detail::event_in(line_of(path, index++), row, 1));
+  for (const Row &row : read_rows(path)) tables[row.cell(named)].push_back(detail::event_in(row));
   return tables;
 }
 

@@ -37,19 +37,17 @@ inline std::vector<Event> exact_events(const std::string &formula, const Case &r
 // Throws std::runtime_error naming the table and what is wrong with it.
 inline std::vector<Case> extreme_cases() {
   const std::string table = REFERENCE_DIR "/extreme_cases.csv";
-  const Row header = header_of(table);
   std::vector<Case> cases;
-  for (const Row &cells : read_rows(table, header.size())) {
-    const std::string place = line_of(table, cases.size());
-    Case &row = cases.emplace_back();
-    row.name = cells[0];
-    row.group = cells[1];
-    row.from = number_in(place, cells[4]);
-    row.until = number_in(place, cells[5]);
-    row.slowest_impact = number_in(place, cells[6]);
-    row.scene = scene_in(place, header, cells);
-    row.truth = truth_named(place, cells[2]);
-    if (row.truth != Truth::digits) row.events = detail::exact_events(cells[3], row);
+  for (const Row &row : read_rows(table)) {
+    Case &one = cases.emplace_back();
+    one.name = row.cell("case");
+    one.group = row.cell("group");
+    one.from = row.number("from");
+    one.until = row.number("until");
+    one.slowest_impact = row.number("slowest_impact");
+    one.scene = scene_in(row);
+    one.truth = truth_named(row.place(), row.cell("truth"));
+    if (one.truth != Truth::digits) one.events = detail::exact_events(row.cell("formula"), one);
   }
   return cases;
 }

@@ -12,14 +12,14 @@
 
 namespace vibro_impact::truth {
 
-// Throws std::runtime_error naming `place`, the column and the rule.
-inline Scene scene_in(const std::string &place, const Row &header, const Row &row) {
+// Throws std::runtime_error naming the place, the column and the rule.
+inline Scene scene_in(const Row &row) {
   Scene scene;
-  const auto first = std::ranges::find(header, "masses");
-  for (auto name = first; name != header.end() && *name != "note"; ++name) {
-    const std::string &words = row[static_cast<std::size_t>(name - header.begin())];
+  const auto first = std::ranges::find(row.columns(), "masses");
+  for (auto name = first; name != row.columns().end() && *name != "note"; ++name) {
+    const std::string &words = row.cell(*name);
     if (words.empty()) continue;
-    const std::string column = place + ", column " + *name + ": ";
+    const std::string column = row.place() + ", column " + *name + ": ";
     try {
       if (!set_field(scene, *name, words))
         throw std::runtime_error(column + "is no field of a scene");

@@ -1,16 +1,19 @@
-// Reading the CSV tables of reference/: rows of cells, and numbers that are numbers.
+// Reading CSV tables: cells by the names of their columns, and numbers that are numbers.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/tokenizer.hpp>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <istream>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vibro_impact::truth {
@@ -22,11 +25,10 @@ inline std::ifstream opened(const std::string &path) {
   return file;
 }
 
-using Row = std::vector<std::string>;  // of cells
-using Rows = std::vector<Row>;
+using Cells = std::vector<std::string>;
 
 // The cells of a line; one in double quotes may hold commas, and is given without the quotes.
-inline Row cells_of(const std::string &line) {
+inline Cells cells_of(const std::string &line) {
   using Separator = boost::escaped_list_separator<char>;
   const boost::tokenizer<Separator> cells(line, Separator("", ",", "\""));  // without escapes
   return {cells.begin(), cells.end()};
@@ -35,40 +37,6 @@ inline Row cells_of(const std::string &line) {
 // A cell of text that may hold commas.
 inline std::string in_quotes(const std::string &text) {
   return '"' + text + '"';
-}
-
-// The cells of the header line.
-inline Row header_of(const std::string &path) {
-  std::ifstream file = opened(path);
-  std::string line;
-  std::getline(file, line);
-  return cells_of(line);
-}
-
-// The place of a row, counted from 0, for a message.
-inline std::string line_of(const std::string &name, std::size_t row) {
-  return fmt::format("{}: line {}", name, row + 2);
-}
-
-// The rows below the header line. Throws std::runtime_error naming `name` and the line of a row
-// with fewer than `columns` cells.
-inline Rows read_rows(std::istream &file, const std::string &name, std::size_t columns) {
-  Rows rows;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    Row cells = cells_of(line);
-    if (cells.size() < columns)
-      throw std::runtime_error(fmt::format("{} has {} columns, {} are needed",
-                                           line_of(name, rows.size()), cells.size(), columns));
-    rows.push_back(std::move(cells));
-  }
-  return rows;
-}
-
-inline Rows read_rows(const std::string &path, std::size_t columns) {
-  std::ifstream file = opened(path);
-  return read_rows(file, path, columns);
 }
 
 // A whole cell as a number; nothing for other text.
@@ -86,6 +54,76 @@ inline double number_in(const std::string &name, const std::string &cell) {
   if (!value || !std::isfinite(*value))
     throw std::runtime_error(fmt::format("{}: '{}' is not a number", name, cell));
   return *value;
+}
+
+// A row of a table, with its cells by the names of their columns, and its place for messages.
+// Another column, or another order of them, changes nothing.
+class Row {
+ public:
+  Row(std::shared_ptr<const Cells> columns, Cells cells, std::string place)
+      : columns_(std::move(columns)), cells_(std::move(cells)), place_(std::move(place)) {
+  }
+
+  const Cells &columns() const {
+    return *columns_;
+  }
+  // In the order of the columns. A table may have cells beyond the last column.
+  const Cells &cells() const {
+    return cells_;
+  }
+  // The table and the line.
+  const std::string &place() const {
+    return place_;
+  }
+  // Throws std::runtime_error naming the place and a column that the table has not.
+  const std::string &cell(const std::string &column) const {
+    const auto found = std::ranges::find(*columns_, column);
+    if (found == columns_->end())
+      throw std::runtime_error(fmt::format("{}: there is no column '{}'", place_, column));
+    return cells_[static_cast<std::size_t>(found - columns_->begin())];
+  }
+  // Throws std::runtime_error naming the place and a cell that is not a finite number.
+  double number(const std::string &column) const {
+    return number_in(place_, cell(column));
+  }
+
+ private:
+  std::shared_ptr<const Cells> columns_;
+  Cells cells_;
+  std::string place_;
+};
+
+using Rows = std::vector<Row>;
+
+// The rows below the header line. Throws std::runtime_error naming `name` and the line of a row
+// with fewer cells than the header.
+inline Rows read_rows(std::istream &file, const std::string &name) {
+  std::string line;
+  std::getline(file, line);
+  const auto columns = std::make_shared<const Cells>(cells_of(line));
+  Rows rows;
+  while (std::getline(file, line)) {
+    const std::string place = fmt::format("{}: line {}", name, rows.size() + 2);
+    Cells cells = cells_of(line);
+    if (cells.size() < columns->size())
+      throw std::runtime_error(
+          fmt::format("{} has {} of {} columns", place, cells.size(), columns->size()));
+    rows.emplace_back(columns, std::move(cells), place);
+  }
+  return rows;
+}
+
+inline Rows read_rows(const std::string &path) {
+  std::ifstream file = opened(path);
+  return read_rows(file, path);
+}
+
+// The cells of a column that are numbers, infinities and NaN among them.
+inline std::vector<double> numbers_of(const Rows &rows, const std::string &column) {
+  std::vector<double> numbers;
+  for (const Row &row : rows)
+    if (const auto value = as_number(row.cell(column))) numbers.push_back(*value);
+  return numbers;
 }
 
 }  // namespace vibro_impact::truth

@@ -20,7 +20,6 @@
 namespace {
 
 using namespace vibro_impact;
-using vibro_impact::testing::NamedColumns;
 
 // Over sticking, incomplete chatter and chaos, where nothing but the same bits stay close.
 Grid grid_of_figure3() {
@@ -84,8 +83,8 @@ TEST(Sweep, RecordsAreRowsOfATable) {
   SweepTables tables = sweep_tables(grid, options);
   add_rows(tables, grid, options, 0, record);
   add_rows(tables, grid, options, 1, std::nullopt);
-  const NamedColumns table(tables.records.text);
-  ASSERT_EQ(table.rows(), 2u);
+  const truth::Rows table = vibro_impact::testing::rows_in(tables.records.text);
+  ASSERT_EQ(table.size(), 2u);
   const std::map<std::string, std::string> expected = {{"omega", "0.28000000000000003"},
                                                        {"period", "2"},
                                                        {"sticks1", "0.75"},
@@ -98,8 +97,8 @@ TEST(Sweep, RecordsAreRowsOfATable) {
                                                        {"attractor", ""},
                                                        {"pairs", "DS SI"}};
   for (const auto &[name, value] : expected) {
-    EXPECT_EQ(table.cell(name), value) << name;
-    EXPECT_EQ(table.cell(name, 1), name == "omega" ? "0.68999999999999995" : "") << name;
+    EXPECT_EQ(table.at(0).cell(name), value) << name;
+    EXPECT_EQ(table.at(1).cell(name), name == "omega" ? "0.68999999999999995" : "") << name;
   }
 }
 

@@ -47,7 +47,8 @@ void expect_changes(const truth::Rows &changes, int mass, const std::string &kin
     if (number.id.starts_with(symbol + "_mass_" + std::to_string(mass)))
       known.push_back(number.value);
   for (const auto &row : changes)
-    if (row[0] == std::to_string(mass) && row[1] == kind) found.push_back(std::stod(row[2]));
+    if (row.cell("mass") == std::to_string(mass) && row.cell("kind") == kind)
+      found.push_back(row.number("omega"));
   std::sort(known.begin(), known.end());
   ASSERT_EQ(found.size(), known.size()) << symbol;
   for (std::size_t i = 0; i < known.size(); ++i)
@@ -56,14 +57,14 @@ void expect_changes(const truth::Rows &changes, int mass, const std::string &kin
 
 TEST(Figure3, HasTheImpactVelocitiesAndTheSticking) {
   const std::string folder = tables_of("figure3", "figure3");
-  const auto changes = truth::read_rows(folder + "/figure3_bifurcations.csv", 3);
-  const auto sticking = columns_of(folder + "/figure3_sticking.csv");
+  const auto changes = truth::read_rows(folder + "/figure3_bifurcations.csv");
+  const auto sticking = truth::read_rows(folder + "/figure3_sticking.csv");
   for (const int mass : {1, 2}) {
     const std::string name = mass == 1 ? "figure3a" : "figure3b";
     SCOPED_TRACE(name);
     const AxisBox box = paper::panel(name);
-    auto columns = columns_of(folder + "/" + name + ".csv");
-    const Velocities table{columns["omega"], columns["v" + std::to_string(mass)]};
+    const truth::Rows rows = truth::read_rows(folder + "/" + name + ".csv");
+    const Velocities table{numbers_of(rows, "omega"), numbers_of(rows, "v" + std::to_string(mass))};
     ASSERT_GT(table.omega.size(), 10000u);
     ASSERT_EQ(table.velocity.size(), table.omega.size());
     EXPECT_EQ(table.omega.front(), box.from);
@@ -91,11 +92,10 @@ TEST(Figure3, HasTheImpactVelocitiesAndTheSticking) {
     for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(of_figure4a[i], truth[i], 1e-8);
     // The edges of sticking below 0.5 are the border orbits.
     const auto sticks_at = [&](double frequency) {
-      for (std::size_t i = 0; i < sticking.at("omega").size(); ++i)
-        if (sticking.at("mass")[i] == mass &&
-            std::abs(sticking.at("omega")[i] - frequency) < 1.3e-4)
-          return true;
-      return false;
+      return std::ranges::any_of(sticking, [&](const truth::Row &row) {
+        return row.cell("mass") == std::to_string(mass) &&
+               std::abs(row.number("omega") - frequency) < 1.3e-4;
+      });
     };
     EXPECT_TRUE(sticks_at(0.29));
     EXPECT_EQ(sticks_at(0.32), mass == 2);

@@ -27,20 +27,20 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const std::vector<Event> events = true_events("figure2");
   std::set<std::string> actions[2];
   double last = paper::panel("figure2a").to - 2 * Clock(scene.omega).period;
-  for (const auto &cells : truth::read_rows(folder + "/figure1_motion.csv", 5)) {
-    const double time = std::stod(cells[0]);
+  for (const truth::Row &row : truth::read_rows(folder + "/figure1_motion.csv")) {
+    const double time = row.number("t");
     const auto next = std::find_if(events.begin(), events.end(),
                                    [time](const Event &event) { return event.time > time; });
     ASSERT_NE(next, events.begin());
     EXPECT_LT(time - last, 0.65) << "frames are 0.2 or 0.6 apart";
     last = time;
     for (const std::size_t i : {0u, 1u}) {
-      const std::string &action = cells[3 + i];
-      actions[i].insert(action);
       const int mass = static_cast<int>(i) + 1;
+      const std::string &action = row.cell("action" + std::to_string(mass));
+      actions[i].insert(action);
       EXPECT_EQ(action == "sticks", holds(std::prev(next)->held, mass)) << time;
       if (action == "sticks") {
-        EXPECT_EQ(std::stod(cells[1 + i]), scene.stops[i].position) << time;
+        EXPECT_EQ(row.number("x" + std::to_string(mass)), scene.stops[i].position) << time;
       }
     }
   }
@@ -55,10 +55,10 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
 void expect_motion(const std::string &folder, const std::string &panel, const std::string &truth,
                    const std::vector<int> &shown) {
   SCOPED_TRACE(panel);
-  auto columns = columns_of(folder + "/" + panel + ".csv");
+  const truth::Rows rows = truth::read_rows(folder + "/" + panel + ".csv");
   const AxisBox box = paper::panel(panel);
   const Scene scene = paper::scene_named(truth).scene;
-  const std::vector<double> &t = columns["t"];
+  const std::vector<double> t = numbers_of(rows, "t");
   ASSERT_GT(t.size(), 1000u);
   EXPECT_EQ(t.front(), box.from);
   EXPECT_NEAR(t.back(), box.to, 1e-9);
@@ -67,7 +67,7 @@ void expect_motion(const std::string &folder, const std::string &panel, const st
   figures::Range reached;
   int compared = 0;
   for (const int mass : {1, 2}) {
-    const std::vector<double> &x = columns["x" + std::to_string(mass)];
+    const std::vector<double> x = numbers_of(rows, "x" + std::to_string(mass));
     const double stop = stop_position(scene, mass);
     const bool is_shown = std::find(shown.begin(), shown.end(), mass) != shown.end();
     ASSERT_EQ(x.size(), t.size());
@@ -105,12 +105,12 @@ void expect_impacts_of_mass_2(const std::string &folder, const std::string &pane
     return event.time >= paper::panel(panel).from;
   });
   int compared = 0;
-  for (const auto &row : truth::read_rows(folder + "/" + panel + "_impacts.csv", 3)) {
-    if (row[1] != "2") continue;
+  for (const auto &row : truth::read_rows(folder + "/" + panel + "_impacts.csv")) {
+    if (row.cell("mass") != "2") continue;
     ASSERT_NE(next, truth.end());
-    EXPECT_NEAR(std::stod(row[0]), next->time, 1e-6);
+    EXPECT_NEAR(row.number("t"), next->time, 1e-6);
     const double speed = std::abs(next->velocity_before);
-    EXPECT_NEAR(std::stod(row[2]), speed, 1e-5 * speed);
+    EXPECT_NEAR(row.number("speed"), speed, 1e-5 * speed);
     ++next;
     ++compared;
   }
@@ -126,7 +126,7 @@ TEST(Figure5, HasTheMotionsOfItsScenes) {
   expect_impacts_of_mass_2(folder, "figure5c");
   // Mass 2 turns before its stop in (b). The samples are 0.001 apart, and x2'' is -0.3 there: the
   // highest of them is at most 4e-8 below the maximum.
-  const std::vector<double> x = columns_of(folder + "/figure5b.csv")["x2"];
+  const std::vector<double> x = numbers_of(truth::read_rows(folder + "/figure5b.csv"), "x2");
   const double gap = paper::figure5b().stops[1].position - *std::max_element(x.begin(), x.end());
   for (const auto &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.id == "figure5b_nearest_gap") {
@@ -156,20 +156,20 @@ TEST(Figure4, HasTheHoldForceInEveryStickingPhase) {
   for (const bool after : {false, true}) {
     const std::string name = after ? "figure4b" : "figure4a";
     SCOPED_TRACE(name);
-    auto columns = columns_of(folder + "/" + name + ".csv");
+    const truth::Rows rows = truth::read_rows(folder + "/" + name + ".csv");
     const auto phases =
         true_phases(name, after ? paper::figure4b().omega : paper::figure4a().omega);
     ASSERT_EQ(phases.size(), after ? 2u : 1u);  // printed: the phase is split in two
-    EXPECT_EQ(columns["phase"].back(), static_cast<double>(phases.size()));
+    EXPECT_EQ(rows.back().cell("phase"), std::to_string(phases.size()));
     EXPECT_TRUE(figures::fills({phases.front().lowest, phases.back().highest}, {box.from, box.to},
                                box.tick_across));
     figures::Range all_forces;
     for (std::size_t phase = 0; phase < phases.size(); ++phase) {
       std::vector<double> t, force;
-      for (std::size_t i = 0; i < columns["t"].size(); ++i)
-        if (columns["phase"][i] == static_cast<double>(phase + 1)) {
-          t.push_back(columns["t"][i]);
-          force.push_back(columns["F2"][i]);
+      for (const truth::Row &row : rows)
+        if (row.cell("phase") == std::to_string(phase + 1)) {
+          t.push_back(row.number("t"));
+          force.push_back(row.number("F2"));
           all_forces.include(force.back());
           EXPECT_LE(force.back(), 0.0) << "printed: the force holds mass 1 to a lower stop";
           if (std::abs(t.back() - 14.173) < 1e-3) {
@@ -185,12 +185,13 @@ TEST(Figure4, HasTheHoldForceInEveryStickingPhase) {
   }
   // The force at the bifurcation touches zero. The samples are 0.001 apart, and the second
   // derivative of the force is -0.11.
-  auto touching = columns_of(folder + "/figure4_at.csv");
-  std::size_t highest = 0;
-  for (std::size_t i = 0; i < touching["t"].size(); ++i)
-    if (touching["t"][i] < 14.8 && touching["F2"][i] > touching["F2"][highest]) highest = i;
-  EXPECT_NEAR(touching["t"][highest], 14.173, 0.001);
-  EXPECT_NEAR(touching["F2"][highest], 0.0, 2e-8);
+  truth::Rows touching = truth::read_rows(folder + "/figure4_at.csv");
+  std::erase_if(touching, [](const truth::Row &row) { return row.number("t") >= 14.8; });
+  const auto highest = std::ranges::max_element(
+      touching, {}, [](const truth::Row &row) { return row.number("F2"); });
+  ASSERT_NE(highest, touching.end());
+  EXPECT_NEAR(highest->number("t"), 14.173, 0.001);
+  EXPECT_NEAR(highest->number("F2"), 0.0, 2e-8);
 }
 
 // Between the two phases of (b), the force as if held goes on where the hold force ends, and ends
@@ -198,18 +199,20 @@ TEST(Figure4, HasTheHoldForceInEveryStickingPhase) {
 // the motion of mass 2 does not jump. In between it pulls mass 1 off its lower stop.
 TEST(Figure4, TheForceAsIfHeldJoinsTheStickingPhases) {
   const std::string folder = tables_of("figure4", "figure4_free");
-  auto free = columns_of(folder + "/figure4b_free.csv"),
-       held = columns_of(folder + "/figure4b.csv");
-  const std::vector<double> &t = free["t"], &force = free["F2"];
+  const truth::Rows free = truth::read_rows(folder + "/figure4b_free.csv"),
+                    held = truth::read_rows(folder + "/figure4b.csv");
+  const std::vector<double> t = numbers_of(free, "t"), force = numbers_of(free, "F2");
   ASSERT_GT(t.size(), 600u);
-  const auto second = static_cast<std::size_t>(
-      std::find(held["phase"].begin(), held["phase"].end(), 2.0) - held["phase"].begin());
-  ASSERT_LT(second, held["t"].size());
+  const auto second =
+      std::ranges::find_if(held, [](const truth::Row &row) { return row.cell("phase") == "2"; });
+  ASSERT_NE(second, held.end());
+  ASSERT_NE(second, held.begin());
+  const truth::Row &last_of_first = *std::prev(second);
   // The samples are 0.001 apart, and the force changes by at most 0.05 per unit of time there.
-  EXPECT_NEAR(t.front(), held["t"][second - 1], 0.001);
-  EXPECT_NEAR(force.front(), held["F2"][second - 1], 5e-5);
-  EXPECT_NEAR(t.back(), held["t"][second], 0.001);
-  EXPECT_NEAR(force.back(), held["F2"][second], 5e-5);
+  EXPECT_NEAR(t.front(), last_of_first.number("t"), 0.001);
+  EXPECT_NEAR(force.front(), last_of_first.number("F2"), 5e-5);
+  EXPECT_NEAR(t.back(), second->number("t"), 0.001);
+  EXPECT_NEAR(force.back(), second->number("F2"), 5e-5);
   const auto highest = std::max_element(force.begin(), force.end());
   EXPECT_NEAR(t[static_cast<std::size_t>(highest - force.begin())], 14.173, 0.01)
       << "where the force of (a) turns back";
@@ -221,17 +224,18 @@ TEST(Figure4, TheForceAsIfHeldJoinsTheStickingPhases) {
 TEST(Table1, EachPairIsAtItsStops) {
   const std::string folder = tables_of("table1", "table1");
   const auto scenes = paper::table1_scenes();
-  const auto pairs = truth::read_rows(folder + "/table1_pairs.csv", 8);
+  const auto pairs = truth::read_rows(folder + "/table1_pairs.csv");
   for (const auto &[name, scene, from, to] : scenes) {
     SCOPED_TRACE(name);
     int shown = 0;
-    for (const auto &pair : pairs) {
-      if (pair[0] != name) continue;
+    for (const truth::Row &pair : pairs) {
+      if (pair.cell("pair") != name) continue;
       ++shown;
       const std::string second = {name[1]}, first = name[0] == 'D' ? second : std::string{name[0]};
-      EXPECT_EQ(std::multiset({pair[5], pair[6]}), std::multiset({first, second}));
+      EXPECT_EQ(std::multiset({pair.cell("event1"), pair.cell("event2")}),
+                std::multiset({first, second}));
       for (const std::size_t i : {0u, 1u})
-        EXPECT_NEAR(std::stod(pair[3 + i]), scene.stops[i].position, 1e-6);
+        EXPECT_NEAR(pair.number("x" + std::to_string(i + 1)), scene.stops[i].position, 1e-6);
     }
     EXPECT_GE(shown, 1);
   }
@@ -242,15 +246,15 @@ TEST(Table1, EachPairIsAtItsStops) {
 // k (x1 - s2) + c x1'.
 TEST(ExitBoundary, EveryReleaseLiesOnIt) {
   const std::string folder = tables_of("exit_boundary", "exit_boundary");
-  auto numbers = columns_of(folder + "/exit_boundary.csv");
-  const auto number = [&](const char *name) { return numbers.at(name).front(); };
+  const truth::Row numbers = truth::read_rows(folder + "/exit_boundary.csv").at(0);
+  const auto number = [&](const char *name) { return numbers.number(name); };
   for (const int mass : {1, 2}) {
     int releases = 0;
-    for (const auto &row :
-         truth::read_rows(folder + "/exit_boundary" + std::to_string(mass) + ".csv", 5)) {
-      if (row[1] != "release") continue;
+    for (const truth::Row &row :
+         truth::read_rows(folder + "/exit_boundary" + std::to_string(mass) + ".csv")) {
+      if (row.cell("kind") != "release") continue;
       ++releases;
-      const double t = std::stod(row[2]), x = std::stod(row[3]), v = std::stod(row[4]);
+      const double t = row.number("t"), x = row.number("x"), v = row.number("v");
       const double boundary = mass == 2 ? -number("rate") * (x - number("s2"))
                                         : -number("rate") * (x - 2 * number("s1")) -
                                               number("forcing") * std::cos(number("omega") * t);

@@ -22,7 +22,8 @@ using namespace vibro_impact::truth;
 using extremes::one_mass;
 
 const EventTables &reference() {
-  static const EventTables tables = truth::read_event_tables(REFERENCE_DIR "/extreme_events.csv");
+  static const EventTables tables =
+      truth::read_event_tables(REFERENCE_DIR "/extreme_events.csv", "case");
   return tables;
 }
 

@@ -20,16 +20,16 @@ TEST_F(Runner, FigureThreeIsOneCommand) {
   const Result result = run(command);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(contents(folder / "f.png").empty(), !there_is_gnuplot());
-  const NamedColumns impacts = table("i.csv");
+  const truth::Rows impacts = table("i.csv");
   const auto records = sweep(grid, figures::recorded_in_figure3);
   for (const int mass : {1, 2}) {
     Table of_program("omega,v" + std::to_string(mass));
     for (std::size_t point = 0; point < grid.points(); ++point) {
       const double omega = grid.values(point).front();
       std::vector<double> velocities;
-      for (std::size_t k = 0; k < impacts.rows(); ++k)
-        if (impacts.number("omega", k) == omega && impacts.number("mass", k) == mass)
-          velocities.push_back(impacts.number("velocity", k));
+      for (std::size_t k = 0; k < impacts.size(); ++k)
+        if (impacts.at(k).number("omega") == omega && impacts.at(k).number("mass") == mass)
+          velocities.push_back(impacts.at(k).number("velocity"));
       for (const double v : figures::distinct(velocities)) of_program.row(omega, v);
     }
     EXPECT_GT(lines(of_program.text).size(), 400u);
@@ -48,14 +48,14 @@ TEST_F(Runner, ABranchIsFollowedUpAndDown) {
   const Result there_and_back =
       run("sweep --vary omega=1.1:1.5:81 --back --table t.csv" + oscillator);
   ASSERT_TRUE(there_and_back.err.starts_with("162 points, 162 computed now")) << there_and_back.err;
-  const NamedColumns rows = table("t.csv");
-  ASSERT_EQ(rows.rows(), 162u);
+  const truth::Rows rows = table("t.csv");
+  ASSERT_EQ(rows.size(), 162u);
   double last_up = 0.0, first_down = 0.0;
-  for (std::size_t k = 0; k < rows.rows(); ++k) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool up = k < 81;
-    const double omega = rows.number("omega", k);
-    EXPECT_EQ(omega, rows.number("omega", 161 - k)) << "there and back";
-    if (!(rows.number("impacts1", k) > 0.0)) continue;
+    const double omega = rows.at(k).number("omega");
+    EXPECT_EQ(omega, rows.at(161 - k).number("omega")) << "there and back";
+    if (!(rows.at(k).number("impacts1") > 0.0)) continue;
     if (up) last_up = omega;
     if (!up && first_down == 0.0) first_down = omega;
   }
@@ -64,11 +64,11 @@ TEST_F(Runner, ABranchIsFollowedUpAndDown) {
   EXPECT_GT(first_down, upper_graze - 0.0051) << "the distance of the frequencies is 0.005";
   // A range that goes down, alone, is the second half but for its start.
   ASSERT_EQ(run("sweep --vary omega=1.5:1.1:81 --follow --table d.csv" + oscillator).status, 0);
-  const NamedColumns down = table("d.csv");
-  ASSERT_EQ(down.rows(), 81u);
-  EXPECT_EQ(down.number("omega"), 1.5);
-  for (std::size_t k = 0; k < down.rows(); ++k)
-    EXPECT_EQ(down.number("impacts1", k) > 0.0, rows.number("impacts1", 81 + k) > 0.0) << k;
+  const truth::Rows down = table("d.csv");
+  ASSERT_EQ(down.size(), 81u);
+  EXPECT_EQ(down.at(0).number("omega"), 1.5);
+  for (std::size_t k = 0; k < down.size(); ++k)
+    EXPECT_EQ(down.at(k).number("impacts1") > 0.0, rows.at(81 + k).number("impacts1") > 0.0) << k;
 }
 
 // Chains are shared out whole, and a sweep that goes on begins at the start of one.
@@ -103,32 +103,32 @@ TEST_F(Runner, ASweepHasTheStatesAndImpactsOfARun) {
             0);
   EXPECT_EQ(lines(contents(folder / "s.csv"))[0], "omega,x1,v1");
   EXPECT_EQ(lines(contents(folder / "r.csv"))[0], "time,x1,v1");
-  const NamedColumns section = table("s.csv"), samples = table("r.csv");
-  ASSERT_EQ(section.rows(), 2u);
-  ASSERT_EQ(samples.rows(), 3u);
-  for (std::size_t k = 0; k < samples.rows(); ++k)
+  const truth::Rows section = table("s.csv"), samples = table("r.csv");
+  ASSERT_EQ(section.size(), 2u);
+  ASSERT_EQ(samples.size(), 3u);
+  for (std::size_t k = 0; k < samples.size(); ++k)
     for (const char *coordinate : {"x1", "v1"})
-      EXPECT_NEAR(samples.number(coordinate, k), section.number(coordinate), 1e-9);
+      EXPECT_NEAR(samples.at(k).number(coordinate), section.at(0).number(coordinate), 1e-9);
   EXPECT_EQ(lines(contents(folder / "i.csv"))[0], "omega,mass,velocity,stop,side,phase,impulse");
-  const NamedColumns impacts = table("i.csv"), events = table("e.csv");
-  ASSERT_EQ(impacts.rows(), 2u);
-  ASSERT_EQ(events.rows(), 20u);
-  for (std::size_t k = 0; k < events.rows(); ++k) {
-    const double velocity = events.number("velocity_before", k);
-    EXPECT_NEAR(velocity, impacts.number("velocity"), 1e-9);
-    EXPECT_EQ(events.cell("stop", k), impacts.cell("stop"));
-    EXPECT_NEAR(events.number("phase", k), impacts.number("phase"), 1e-9);
-    EXPECT_NEAR(events.number("impulse", k), 2.0 * 1.7 * velocity, 1e-15);
-    EXPECT_NEAR(events.number("impulse", k), impacts.number("impulse"), 1e-9);
+  const truth::Rows impacts = table("i.csv"), events = table("e.csv");
+  ASSERT_EQ(impacts.size(), 2u);
+  ASSERT_EQ(events.size(), 20u);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const double velocity = events.at(k).number("velocity_before");
+    EXPECT_NEAR(velocity, impacts.at(0).number("velocity"), 1e-9);
+    EXPECT_EQ(events.at(k).cell("stop"), impacts.at(0).cell("stop"));
+    EXPECT_NEAR(events.at(k).number("phase"), impacts.at(0).number("phase"), 1e-9);
+    EXPECT_NEAR(events.at(k).number("impulse"), 2.0 * 1.7 * velocity, 1e-15);
+    EXPECT_NEAR(events.at(k).number("impulse"), impacts.at(0).number("impulse"), 1e-9);
   }
 }
 
 TEST_F(Runner, ALogarithmicRangeHasEqualRatios) {
   ASSERT_EQ(run("sweep --vary omega=0.2:0.8:3:log --table t.csv").status, 0);
-  const NamedColumns rows = table("t.csv");
-  ASSERT_EQ(rows.rows(), 3u);
+  const truth::Rows rows = table("t.csv");
+  ASSERT_EQ(rows.size(), 3u);
   for (const std::size_t k : {0u, 1u, 2u})
-    EXPECT_NEAR(rows.number("omega", k), 0.2 * std::exp2(k), 1e-15);
+    EXPECT_NEAR(rows.at(k).number("omega"), 0.2 * std::exp2(k), 1e-15);
 }
 
 // Each picture has the panels of the masses that it shall show, by the names of their ordinates,

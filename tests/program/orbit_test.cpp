@@ -20,7 +20,7 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
   const std::string files = " --table t.csv --velocities --samples s.csv --every 0.125P";
   const Result result = run("orbit --omega 0.625" + files);
   ASSERT_EQ(result.status, 0) << result.err;
-  const NamedColumns row = table("t.csv");
+  const truth::Row row = table("t.csv").at(0);
   for (const char *column : {"period", "residual", "stable", "x1", "v2", "impacts1", "re1", "im4"})
     EXPECT_NE(result.out.find(std::string(column) + " = " + row.cell(column) + "\n"),
               std::string::npos)
@@ -35,10 +35,10 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
   EXPECT_EQ(row.number("re1"), orbit.multipliers[0].real());
   EXPECT_EQ(row.number("im4"), orbit.multipliers[3].imag());
   EXPECT_EQ(row.cell("impacts1"), "6");
-  const NamedColumns samples = table("s.csv");
-  ASSERT_EQ(samples.rows(), 9u);
+  const truth::Rows samples = table("s.csv");
+  ASSERT_EQ(samples.size(), 9u);
   for (const char *coordinate : {"x1", "x2", "v1", "v2"})  // the orbit is known to 1e-13
-    EXPECT_NEAR(samples.number(coordinate, 0), samples.number(coordinate, 8), 1e-12);
+    EXPECT_NEAR(samples.at(0).number(coordinate), samples.at(8).number(coordinate), 1e-12);
 }
 
 // At Omega = 0.69 the motion is chaotic. At 0.688 it settles to period 2, which period 1 has lost
@@ -48,10 +48,10 @@ TEST_F(Runner, OrbitsAreFoundNextToChaosOrRefusedWithTheReason) {
   expect_message(run("orbit --omega 0.69 --period 5"), "no orbit of period 5 was found: ", 1);
   const std::string samples = " --samples s.csv --every 0.5P";
   EXPECT_NE(run("orbit --omega 0.688" + samples).out.find("\nperiod = 2\n"), std::string::npos);
-  EXPECT_EQ(table("s.csv").rows(), 5u) << "over both periods";
+  EXPECT_EQ(table("s.csv").size(), 5u) << "over both periods";
   ASSERT_EQ(run("orbit --omega 0.688 --period 1 --table t.csv").status, 0);
-  EXPECT_EQ(table("t.csv").cell("stable"), "0");
-  EXPECT_LT(table("t.csv").number("re1"), -1.0);
+  EXPECT_EQ(table("t.csv").at(0).cell("stable"), "0");
+  EXPECT_LT(table("t.csv").at(0).number("re1"), -1.0);
 }
 
 // One mass at omega = 1.3 settles without impacts. Downwards its branch ends where the free motion
@@ -63,20 +63,20 @@ TEST_F(Runner, ABranchHasARowForEachPointAndEndsAtTheGrazeInClosedForm) {
           "--vary omega=1:1.5:21 --table t.csv");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_TRUE(result.out.ends_with("end of range at omega = 1.5\n")) << result.out;
-  const NamedColumns branch = table("t.csv");
-  const std::size_t last = branch.rows() - 1;
+  const truth::Rows branch = table("t.csv");
+  const std::size_t last = branch.size() - 1;
   ASSERT_GT(last, 14u);  // steps of at most 0.025
-  EXPECT_EQ(branch.cell("kind"), "graze");
-  EXPECT_NEAR(branch.number("omega"), 1.145870429873032, 1e-12);
+  EXPECT_EQ(branch.at(0).cell("kind"), "graze");
+  EXPECT_NEAR(branch.at(0).number("omega"), 1.145870429873032, 1e-12);
   for (std::size_t row = 0; row <= last; ++row) {
-    const double omega = branch.number("omega", row);
-    EXPECT_NEAR(std::hypot(branch.number("re1", row), branch.number("im1", row)),
+    const double omega = branch.at(row).number("omega");
+    EXPECT_NEAR(std::hypot(branch.at(row).number("re1"), branch.at(row).number("im1")),
                 std::exp(-0.1 * std::numbers::pi / omega), 1e-13)
         << omega;
-    EXPECT_EQ(branch.cell("stable", row), "1");
+    EXPECT_EQ(branch.at(row).cell("stable"), "1");
     if (row == 0) continue;
-    EXPECT_GT(omega, branch.number("omega", row - 1));
-    EXPECT_EQ(branch.cell("kind", row), row < last ? "orbit" : "end of range");
+    EXPECT_GT(omega, branch.at(row - 1).number("omega"));
+    EXPECT_EQ(branch.at(row).cell("kind"), row < last ? "orbit" : "end of range");
   }
 }
 
@@ -89,15 +89,15 @@ TEST_F(Runner, ABranchOfFigureThreeHasItsFoldAndTheKindsOfItsEnds) {
              down = follow_orbit(scene, start, {"omega", 0.7, 0.5, 101});
   const Result result = run("orbit --omega 0.6 --vary omega=0.5:0.7:101 --table t.csv");
   ASSERT_EQ(result.status, 0) << result.err;
-  const NamedColumns rows = table("t.csv");
-  ASSERT_EQ(rows.rows() + 1, up.size() + down.size());
+  const truth::Rows rows = table("t.csv");
+  ASSERT_EQ(rows.size() + 1, up.size() + down.size());
   std::vector<OrbitPoint> branch(down.rbegin(), down.rend());
   branch.insert(branch.end(), up.begin() + 1, up.end());
   int folds = 0;
   for (std::size_t row = 0; row < branch.size(); ++row) {
-    EXPECT_EQ(rows.cell("kind", row), name(branch[row].kind));
-    EXPECT_NEAR(rows.number("omega", row), branch[row].parameter, 1e-12);
-    EXPECT_EQ(rows.cell("impacts1", row), std::to_string(branch[row].counts.impacts[0]));
+    EXPECT_EQ(rows.at(row).cell("kind"), name(branch[row].kind));
+    EXPECT_NEAR(rows.at(row).number("omega"), branch[row].parameter, 1e-12);
+    EXPECT_EQ(rows.at(row).cell("impacts1"), std::to_string(branch[row].counts.impacts[0]));
     if (branch[row].kind != BranchPoint::fold) continue;
     ++folds;
     EXPECT_NE(result.out.find("\nfold at omega = 0.578747472"), std::string::npos) << result.out;

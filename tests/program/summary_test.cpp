@@ -13,12 +13,10 @@ namespace {
 
 using namespace vibro_impact;
 
-using vibro_impact::testing::NamedColumns;
-
-NamedColumns totals(const Scene &scene, double from, double to, const RunOptions &options = {}) {
+truth::Rows totals(const Scene &scene, double from, double to, const RunOptions &options = {}) {
   runner::Summary summary(scene, from, to);
   require_complete(simulate(scene, to, options, summary));
-  return NamedColumns(summary.table().text);
+  return vibro_impact::testing::rows_in(summary.table().text);
 }
 
 // Both stops of the first of three masses, all terms of the equation of motion, and sticking.
@@ -42,15 +40,16 @@ Scene rich_scene() {
 TEST(Summary, ABouncingMassHasItsClosedForms) {
   for (const double r : {0.0, 0.5, 0.9}) {
     const double m = 2.0, rest = (1.0 + r) / (1.0 - r), to = 30.0;
-    const NamedColumns row = totals({.mass = {m},
-                                     .stiffness = {0.0},
-                                     .amplitude = {-m / 2.0},
-                                     .constant = {-m / 2.0},
-                                     .omega = 0.0,
-                                     .restitution = r,
-                                     .stops = {{1, Side::lower, 0.0}},
-                                     .displacement = {0.5}},
-                                    0.0, to);
+    const truth::Row row = totals({.mass = {m},
+                                   .stiffness = {0.0},
+                                   .amplitude = {-m / 2.0},
+                                   .constant = {-m / 2.0},
+                                   .omega = 0.0,
+                                   .restitution = r,
+                                   .stops = {{1, Side::lower, 0.0}},
+                                   .displacement = {0.5}},
+                                  0.0, to)
+                               .at(0);
     const double n = row.number("impacts"),
                  mean_square = (1.0 - std::pow(r, 2.0 * n)) / (1.0 - r * r) / n;
     EXPECT_NEAR(row.number("mean_speed"), (1.0 - std::pow(r, n)) / (1.0 - r) / n, 1e-14) << r;
@@ -71,12 +70,12 @@ TEST(Summary, ImpulseAndEnergyDoNotDependOnTheCutOfChatter) {
     const auto resolved = totals(scene, 0.0, 100.0, {.limit_below_speed = 0.0});
     for (const double cut : {1e-3, infinity}) {
       const auto rows = totals(scene, 0.0, 100.0, {.limit_below_speed = cut});
-      for (std::size_t k = 0; k < rows.rows(); ++k) {
-        EXPECT_EQ(rows.cell("sticks", k), resolved.cell("sticks", k));
-        EXPECT_LE(rows.number("impacts", k), resolved.number("impacts", k));
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        EXPECT_EQ(rows.at(k).cell("sticks"), resolved.at(k).cell("sticks"));
+        EXPECT_LE(rows.at(k).number("impacts"), resolved.at(k).number("impacts"));
         for (const char *column : {"impulse", "energy_lost", "contact_time", "pressing_impulse"})
-          EXPECT_NEAR(rows.number(column, k), resolved.number(column, k),
-                      1e-10 * resolved.number(column, k))
+          EXPECT_NEAR(rows.at(k).number(column), resolved.at(k).number(column),
+                      1e-10 * resolved.at(k).number(column))
               << "stop " << k + 1 << ", column " << column;
       }
     }
@@ -110,10 +109,10 @@ TEST(Summary, StopsPressAsTheForceDoes) {
     Press press(scene);
     require_complete(simulate(scene, 100.0, press));
     const auto rows = totals(scene, 0.0, 100.0);
-    for (std::size_t k = 0; k < rows.rows(); ++k) {
-      EXPECT_GT(rows.number("sticks", k), 0.0) << k;
-      EXPECT_NEAR(rows.number("pressing_impulse", k), press.sum[k],
-                  Press::h * rows.number("sticks", k))
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      EXPECT_GT(rows.at(k).number("sticks"), 0.0) << k;
+      EXPECT_NEAR(rows.at(k).number("pressing_impulse"), press.sum[k],
+                  Press::h * rows.at(k).number("sticks"))
           << "stop " << k + 1;
     }
   }
@@ -125,11 +124,11 @@ TEST(Summary, PartsOfTheTimeAddUp) {
   const auto whole = totals(scene, 0.0, 100.0);
   for (const double cut : {28.0, 35.0}) {
     const auto first = totals(scene, 0.0, cut), second = totals(scene, cut, 100.0);
-    for (std::size_t k = 0; k < whole.rows(); ++k)
+    for (std::size_t k = 0; k < whole.size(); ++k)
       for (const char *column :
            {"impacts", "sticks", "impulse", "energy_lost", "contact_time", "pressing_impulse"})
-        EXPECT_NEAR(first.number(column, k) + second.number(column, k), whole.number(column, k),
-                    1e-12 * whole.number(column, k))
+        EXPECT_NEAR(first.at(k).number(column) + second.at(k).number(column),
+                    whole.at(k).number(column), 1e-12 * whole.at(k).number(column))
             << cut << ", stop " << k + 1 << ", column " << column;
   }
 }

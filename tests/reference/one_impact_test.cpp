@@ -21,10 +21,10 @@ struct KnownOrbit {
 
 std::vector<KnownOrbit> known_orbits() {
   std::vector<KnownOrbit> known;
-  const auto rows = truth::read_rows(REFERENCE_DIR "/one_impact_orbits.csv", 7);
+  const auto rows = truth::read_rows(REFERENCE_DIR "/one_impact_orbits.csv");
   for (auto &given : vibro_impact_reference::one_impact_cases()) {
     std::vector<double> row;
-    for (const std::string &cell : rows.at(known.size()))
+    for (const std::string &cell : rows.at(known.size()).cells())
       if (cell != given.name) row.push_back(truth::number_in(given.name, cell));
     const auto computed = vibro_impact_reference::one_impact_orbit(given);
     EXPECT_DOUBLE_EQ(row[2], static_cast<double>(computed.velocity_before)) << given.name;

@@ -73,10 +73,12 @@ TEST(ExtremeScenes, AreReadAlikeByTheProgramAndFromTheTable) {
 }
 
 TEST(ScenesInWords, ThatBreakARuleAreRefusedWithTheirPlace) {
-  const truth::Row header{"case", "masses", "mass", "stop", "amplitud"};
-  const auto refusal = [&](const truth::Row &row) {
-    return vibro_impact::testing::refusal<std::runtime_error>(
-        [&] { truth::scene_in("t.csv: line 2", header, row); });
+  const auto columns =
+      std::make_shared<truth::Cells>(truth::Cells{"case", "masses", "mass", "stop", "amplitud"});
+  const auto refusal = [&](const truth::Cells &cells) {
+    return vibro_impact::testing::refusal<std::runtime_error>([&] {
+      truth::scene_in({columns, cells, "t.csv: line 2"});
+    });
   };
   EXPECT_EQ(refusal({"", "2", "1,2", "none", ""}), "accepted");
   EXPECT_EQ(refusal({"", "2", "1,2,3", "none", ""}),

@@ -139,23 +139,20 @@ TEST(ChatteringScenes, HoldTheirMassesWhenAllImpactsDo) {
 // Scenes in which a longer search has found faults of the engine. A search prints the rows.
 TEST(RandomScenes, KeepEveryPropertyWhereALongSearchFailed) {
   const std::string table = SOURCE_DIR "/tests/simulation/known_scenes.csv";
-  const truth::Row header = truth::header_of(table);
-  std::size_t index = 0;
-  for (const truth::Row &row : truth::read_rows(table, header.size())) {
-    const std::string place = truth::line_of(table, index++);
-    const auto number = [&](std::size_t i) { return truth::number_in(place, row[i]); };
-    const Trial trial{truth::scene_in(place, header, row),
-                      number(2),
-                      {number(3), number(4), number(5)},
-                      number(6) != 0.0};
-    const Distribution distribution = distribution_named(row[0]);
+  const truth::Rows rows = truth::read_rows(table);
+  for (const truth::Row &row : rows) {
+    const Trial trial{truth::scene_in(row),
+                      row.number("until"),
+                      {row.number("length"), row.number("time"), row.number("force")},
+                      row.number("completes") != 0.0};
+    const Distribution distribution = distribution_named(row.cell("distribution"));
     EXPECT_EQ(try_scene(trial, distribution.most_steps, distribution.share,
-                        static_cast<unsigned>(number(1)), distribution.own)
+                        static_cast<unsigned>(row.number("seed")), distribution.own)
                   .broken,
               "")
-        << place;
+        << row.place();
   }
-  EXPECT_GE(index, 66u);
+  EXPECT_GE(rows.size(), 66u);
 }
 
 // In units of length and time up to 1e10 times ours or 1e-10, and of mass up to 1e8 or 1e-8, every

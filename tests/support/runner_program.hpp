@@ -89,8 +89,8 @@ struct Runner : ::testing::Test {
     return result;
   }
   // A table that the program has written there.
-  NamedColumns table(const std::string &name) const {
-    return NamedColumns(contents(folder / name));
+  truth::Rows table(const std::string &name) const {
+    return truth::read_rows(folder / name);
   }
   // The names of the files left, in order.
   std::vector<std::string> files() const {

@@ -12,19 +12,21 @@ namespace vibro_impact::comparison {
 std::vector<Problem> problems(const std::filesystem::path &reference) {
   std::vector<Problem> all;
   const std::string states = reference / "work_precision_states.csv";
-  const auto events = truth::read_event_tables(reference / "work_precision_events.csv");
-  for (const auto &row : truth::read_rows(states, 10)) {
-    const auto number = [&](std::size_t i) { return truth::number_in(states, row[i]); };
+  const auto events = truth::read_event_tables(reference / "work_precision_events.csv", "problem");
+  for (const auto &row : truth::read_rows(states)) {
+    const std::string name = row.cell("problem"), scene = row.cell("scene");
     Problem &problem = all.emplace_back();
-    problem.name = row[0];
-    problem.scene = paper::scene_named(row[1]).scene;
-    problem.start = {
-        number(2), {number(4), number(5)}, {number(6), number(7)}, {row[8] == "1", row[9] == "1"}};
-    problem.until = number(3);
-    if (const auto its_events = events.find(row[0]); its_events != events.end()) {
+    problem.name = name;
+    problem.scene = paper::scene_named(scene).scene;
+    problem.start = {row.number("from"),
+                     {row.number("x1"), row.number("x2")},
+                     {row.number("v1"), row.number("v2")},
+                     {row.cell("held1") == "1", row.cell("held2") == "1"}};
+    problem.until = row.number("until");
+    if (const auto its_events = events.find(name); its_events != events.end()) {
       problem.reference_events = its_events->second;
     } else {  // a motion from rest is the beginning of the motion in the table of its scene
-      problem.reference_events = truth::read_event_table(reference / (row[1] + "_events.csv"));
+      problem.reference_events = truth::read_event_table(reference / (scene + "_events.csv"));
       std::erase_if(problem.reference_events,
                     [&](const Event &event) { return event.time > problem.until; });
     }
