@@ -156,10 +156,12 @@ TEST_F(Runner, TheJobOfTheHelpRuns) {
   }
   fs::create_directory(folder / "atlas");
   std::ofstream(folder / "job") << job << '\n';
-  for (const char *message : {"9 points, 9 computed now", ""}) {
+  for (const bool first : {true, false}) {  // the second finds its tables
     const Result result = run("", "export HOME='" + folder.string() + "'", "sh ", "job");
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_TRUE(result.err.starts_with(message)) << result.err;
+    // mpirun may say of the network what it likes.
+    const bool computed = result.err.find("9 points, 9 computed now") != std::string::npos;
+    EXPECT_EQ(computed, first) << result.err;
     EXPECT_EQ(lines(contents(folder / "atlas" / "atlas.csv")).size(), 10u);
   }
   EXPECT_TRUE(fs::exists(folder / "atlas" / "impacts.csv"));
