@@ -39,7 +39,7 @@ int main(int argc, char **argv) {
     status = 2;
     message = refused.what();
   } catch (const std::exception &failure) {
-    message = with_remedy(failure.what());
+    message = failure.what();
   }
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');

@@ -23,9 +23,9 @@ CLI::Option *option(CLI::App &app, const std::string &name, Value &value, const 
     if constexpr (std::is_same_v<Value, std::string>)
       value = word;
     else if constexpr (is_number)
-      value = read_at(name, [&] { return detail::number_of(word); });
+      value = read_at(name, [&] { return number_of(word); });
     else
-      value = static_cast<Value>(read_at(name, [&] { return detail::count_of(word, most); }));
+      value = static_cast<Value>(read_at(name, [&] { return count_of(word, most); }));
     if constexpr (is_number)
       if (!(value >= 0.0)) refuse("{} {}: must be non-negative", name, word);
   };

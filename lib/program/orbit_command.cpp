@@ -86,8 +86,8 @@ Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> 
 
 // Prints the row of one orbit, a line `column = cell` each.
 void print(const Table &table) {
-  const auto lines = detail::parts_of(table.text, '\n'), names = detail::parts_of(lines[0], ','),
-             cells = detail::parts_of(lines[1], ',');
+  const auto lines = parts_of(table.text, '\n'), names = parts_of(lines[0], ','),
+             cells = parts_of(lines[1], ',');
   for (std::size_t k = 0; k < names.size(); ++k)
     if (!cells[k].empty()) fmt::print("{} = {}\n", names[k], cells[k]);
 }

@@ -15,16 +15,14 @@ constexpr double most_numbers = 5e7;  // in a table of samples, which then has a
 // The values of a parameter, given as parameter=from:to:count or parameter=from:to:count:log.
 Axis axis_of(std::string_view text) {
   return read_at("--vary", [&] {
-    const auto sides = detail::parts_of(text, '='), range = detail::parts_of(sides.back(), ':');
+    const auto sides = parts_of(text, '='), range = parts_of(sides.back(), ':');
     const bool logarithmic = range.size() == 4 && range[3] == "log";
     if (sides.size() != 2 || range.size() != (logarithmic ? 4 : 3))
-      detail::refuse_words(text,
-                           "must read parameter=from:to:count or parameter=from:to:count:log");
-    const Axis axis{std::string(sides[0]), detail::number_of(range[0]), detail::number_of(range[1]),
-                    static_cast<std::size_t>(detail::count_of(range[2], 1'000'000'000)),
-                    logarithmic};
+      refuse_words(text, "must read parameter=from:to:count or parameter=from:to:count:log");
+    const Axis axis{std::string(sides[0]), number_of(range[0]), number_of(range[1]),
+                    static_cast<std::size_t>(count_of(range[2], 1'000'000'000)), logarithmic};
     if (axis.count > 1 && axis.from == axis.to)
-      detail::refuse_words(text, "has equal values; one is enough");
+      refuse_words(text, "has equal values; one is enough");
     return axis;
   });
 }
@@ -34,12 +32,12 @@ double time_of(const std::string &option, std::string_view word, double omega) {
   return read_at(option, [&] {
     const bool in_periods = word.ends_with('P');
     if (in_periods && omega == 0.0)
-      detail::refuse_words(word, "without a forcing frequency there is no period");
+      refuse_words(word, "without a forcing frequency there is no period");
     try {
-      const double number = detail::number_of(word.substr(0, word.size() - (in_periods ? 1 : 0)));
+      const double number = number_of(word.substr(0, word.size() - (in_periods ? 1 : 0)));
       return in_periods ? number * Clock(omega).period : number;
     } catch (const std::invalid_argument &) {
-      detail::refuse_words(word, "is not a number, nor one with a P behind it");
+      refuse_words(word, "is not a number, nor one with a P behind it");
     }
   });
 }
@@ -68,9 +66,9 @@ std::vector<int> panels_of(const Scene &scene, const std::string &words, bool al
   std::vector<int> panels;
   all = all || scene.stops.empty();
   if (!words.empty())
-    for (const std::string_view word : detail::parts_of(words, ','))
-      panels.push_back(static_cast<int>(
-          read_at("--panels", [&] { return detail::count_of(word, scene.masses()); })));
+    for (const std::string_view word : parts_of(words, ','))
+      panels.push_back(
+          static_cast<int>(read_at("--panels", [&] { return count_of(word, scene.masses()); })));
   for (int mass = 1; mass <= scene.masses() && words.empty(); ++mass)
     if (all || std::ranges::find(scene.stops, mass, &Stop::mass) != scene.stops.end())
       panels.push_back(mass);

@@ -34,7 +34,7 @@ std::string words_in(std::string value) {
   for (const char quote : {'"', '\''}) closed = std::erase(value, quote) % 2 == 0 && closed;
   if (!closed) throw std::invalid_argument("a bracket or a quote is not closed");
   std::vector<std::string> words;
-  for (const std::string_view word : detail::parts_of(value, ','))
+  for (const std::string_view word : parts_of(value, ','))
     words.push_back(CLI::detail::trim_copy(std::string(word)));
   return fmt::format("{}", fmt::join(words, ","));
 }
@@ -87,8 +87,8 @@ Scene scene_of(const std::vector<SceneLine> &lines) {
   Scene scene = default_scene(2);
   for (const SceneLine &line : lines)
     if (line.name == "masses")
-      scene = default_scene(static_cast<int>(
-          read_at(line.given, [&] { return detail::count_of(line.words, most_masses); })));
+      scene = default_scene(
+          static_cast<int>(read_at(line.given, [&] { return count_of(line.words, most_masses); })));
   for (const SceneLine &line : lines)
     if (line.name != "masses") set(scene, line);
   check(scene);

@@ -10,7 +10,7 @@
 
 namespace vibro_impact::runner {
 
-using detail::shown;
+using words::count_of, words::number_of, words::parts_of, words::refuse_words, words::shown;
 
 // A table that was written with --header begins with this, and is a file of its scene.
 inline constexpr const char *table_head = "# vibro-impact ";

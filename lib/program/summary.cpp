@@ -45,7 +45,7 @@ std::vector<double> solved(const Scene &scene, const Held &held, std::vector<dou
     pivot[i] = 1.0;
     if (held[i] != 0) continue;
     if (i + 1 < n) beyond[i] = -scene.stiffness[i + 1];
-    pivot[i] = scene.stiffness[i] - beyond[i] + (scene.ground.empty() ? 0.0 : scene.ground[i]);
+    pivot[i] = stiffness_at(scene, i);
     if (i == 0) continue;
     const double factor = -scene.stiffness[i] / pivot[i - 1];
     pivot[i] -= factor * beyond[i - 1];
@@ -144,11 +144,8 @@ void Summary::close_mode() {
     const Stop &stop = scene_.stops[k];
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     if (a.held[i] != static_cast<signed char>(stop.side)) continue;
-    double pressing = force[i] - scene_.stiffness[i] * (y[i] - (i > 0 ? y[i - 1] : 0.0));
-    if (i + 1 < y.size()) pressing -= scene_.stiffness[i + 1] * (y[i] - y[i + 1]);
-    if (!scene_.ground.empty()) pressing -= scene_.ground[i] * y[i];
     totals_[k].contact += length;
-    totals_[k].pressing += sign(stop.side) * pressing;
+    totals_[k].pressing += sign(stop.side) * (force[i] + spring_force(scene_, i, y));
   }
   begin_ = std::exchange(end_, std::nullopt);
   impulses_.assign(impulses_.size(), 0.0);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "journal.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
@@ -145,7 +146,7 @@ void add_missing(MissingPoints &missing, const SweepRequest &request, std::size_
                  const std::string &reason) {
   Missing &kind = missing[kind_of_reason(reason)];
   if (kind.points++ > 0) return;
-  kind.first = with_remedy(reason) + "; first at";
+  kind.first = reason + "; first at";
   const std::vector<double> values = request.grid.values(point_of(request, row));
   for (std::size_t axis = 0; axis < values.size(); ++axis)
     kind.first += fmt::format("{} {} = {}", axis == 0 ? "" : ",", request.grid.axes[axis].parameter,
@@ -156,28 +157,24 @@ void add_missing(MissingPoints &missing, const SweepRequest &request, std::size_
 MissingPoints write_tables(const SweepRequest &request, const Journal &journal) {
   const auto [records, impacts, section] = sweep_tables(request.grid, request.records);
   const std::string headers[] = {records.text, impacts.text, section.text};
-  MissingPoints missing;
+  const std::size_t rows = number_of_rows(request);
   for (std::size_t k = 0; k < request.tables.size(); ++k) {
-    const auto give = [&](const Add &add) {
-      add(request.head + headers[k]);
-      missing.clear();
-      std::size_t row = 0;
-      journal.read([&](const Texts &texts) {
-        add(texts[k]);
-        if (!texts[3].empty()) add_missing(missing, request, row, texts[3]);
-        ++row;
-      });
-    };
-    if (request.tables[k].wanted()) write_pieces(give, request.tables[k].path);
+    if (!request.tables[k].wanted()) continue;
+    Table table;
+    table.text = request.head + headers[k];
+    for (std::size_t row = 0; row < rows; ++row) table.text += journal.texts_of(row)[k];
+    write(table, request.tables[k].path);
   }
+  MissingPoints missing;
+  for (std::size_t row = 0; row < rows; ++row)
+    if (const std::string reason = journal.texts_of(row)[3]; !reason.empty())
+      add_missing(missing, request, row, reason);
   return missing;
 }
 
-void finish(const SweepRequest &request, Journal &journal, std::size_t computed) {
+void finish(const SweepRequest &request, const Journal &journal, std::size_t computed) {
   const MissingPoints missing = write_tables(request, journal);
-  if (!journal.remove())
-    fmt::print(stderr, "{} was changed by another program; the tables do not depend on it\n",
-               journal_of(request).path);
+  journal.remove();
   try {
     if (request.plot.wanted()) draw_plot(request);
   } catch (const std::runtime_error &failure) {

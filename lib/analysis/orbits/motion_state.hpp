@@ -74,8 +74,7 @@ inline void require_fits(const Scene &scene, const MotionState &at) {
 inline std::vector<double> local_frequencies(const Scene &scene) {
   std::vector<double> frequencies;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0,
-                 stiffness = scene.stiffness[i] + right + entry_of(scene.ground, i);
+    const double stiffness = stiffness_at(scene, i);
     const double without_spring = scene.omega > 0.0 ? scene.omega : 1.0;
     frequencies.push_back(stiffness > 0.0 ? std::sqrt(stiffness / scene.mass[i]) : without_spring);
   }

@@ -24,21 +24,12 @@ void rest_on(const Stop &stop, MotionState &state) {
   state.velocity[index_of(stop)] = 0.0;
 }
 
-// Row i (from 0) of -K x: the force of the springs on mass i. With velocities in place of
-// displacements, and times beta, it is the force of the dampers. Differences come first: a
-// neighbour at the same position exerts no force at all, not a rounded one.
-double link_force(const Scene &scene, std::size_t i, const std::vector<double> &x) {
-  double force = scene.stiffness[i] * ((i > 0 ? x[i - 1] : 0.0) - x[i]);
-  if (i + 1 < scene.mass.size()) force += scene.stiffness[i + 1] * (x[i + 1] - x[i]);
-  return force - entry_of(scene.ground, i) * x[i];
-}
-
 // The force on mass i (from 0) towards +x (Eq. 4). With the mass at rest at its stop it is the hold
-// force (Eqs. 12-13).
+// force (Eqs. 12-13). C = beta K.
 double force_on(const Scene &scene, std::size_t i, const MotionState &state) {
   const double angle = scene.omega * state.instant.phase;
-  return link_force(scene, i, state.displacement) +
-         scene.beta * link_force(scene, i, state.velocity) +
+  return spring_force(scene, i, state.displacement) +
+         scene.beta * spring_force(scene, i, state.velocity) +
          entry_of(scene.amplitude, i) * std::cos(angle) +
          entry_of(scene.sine, i) * std::sin(angle) + entry_of(scene.constant, i);
 }
@@ -50,8 +41,8 @@ double pressing_force_rate(const Scene &scene, const Stop &stop, MotionState sta
   const std::size_t p = index_of(stop);
   std::vector<double> a = acceleration_of(scene, state);
   a[p] = 0.0;
-  const double links = link_force(scene, p, state.velocity);
-  const double dampers = scene.beta * link_force(scene, p, a);
+  const double links = spring_force(scene, p, state.velocity);
+  const double dampers = scene.beta * spring_force(scene, p, a);
   const double angle = scene.omega * state.instant.phase;
   const double forcing = scene.omega * (entry_of(scene.sine, p) * std::cos(angle) -
                                         entry_of(scene.amplitude, p) * std::sin(angle));

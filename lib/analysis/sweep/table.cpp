@@ -37,10 +37,6 @@ void Table::cell(std::string_view value) {
 }
 
 void write(const Table &table, const std::string &path) {
-  write_pieces([&](const Add &add) { add(table.text); }, path);
-}
-
-void write_pieces(const std::function<void(const Add &add)> &give, const std::string &path) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path target = fs::weakly_canonical(path, error);  // a link is written through
@@ -55,9 +51,7 @@ void write_pieces(const std::function<void(const Add &add)> &give, const std::st
   };
   require_done(file != nullptr);
   try {
-    give([&](std::string_view piece) {
-      require_done(std::fwrite(piece.data(), 1, piece.size(), file) == piece.size());
-    });
+    require_done(std::fwrite(table.text.data(), 1, table.text.size(), file) == table.text.size());
     require_done(std::fflush(file) == 0);
     fs::rename(temporary, target, error);
     require_done(!error);

@@ -75,6 +75,13 @@ struct Scene {
   }
 };
 
+// The sum of the stiffnesses of the springs of mass i, from 0: K_ii of Eq. 4.
+double stiffness_at(const Scene &scene, std::size_t i);
+
+// The force of the springs on mass i, from 0, for the displacements x of all masses: row i of -K x.
+// Differences come first: a neighbour at the same place exerts no force at all, not a rounded one.
+double spring_force(const Scene &scene, std::size_t i, const std::vector<double> &x);
+
 // The impact law at a stop of the scene.
 inline ImpactLaw law_of(const Scene &scene, const Stop &stop) {
   return {stop.restitution.value_or(scene.restitution)};

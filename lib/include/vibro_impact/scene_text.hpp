@@ -21,7 +21,9 @@
 
 namespace vibro_impact {
 
-namespace detail {
+// Values in words. Each function that reads throws std::invalid_argument with one line naming the
+// word and the rule.
+namespace words {
 
 // The beginning of a text that was given, for a message: printable, and short.
 inline std::string shown(std::string_view text) {
@@ -47,7 +49,7 @@ inline std::vector<std::string_view> parts_of(std::string_view text, char separa
   return parts;
 }
 
-// from_chars knows no locale, no leading space and no plus sign.
+// A finite number or not; from_chars knows no locale, no leading space and no plus sign.
 inline double number_of(std::string_view word) {
   double value = 0.0;
   const char *end = word.data() + word.size();
@@ -57,6 +59,7 @@ inline double number_of(std::string_view word) {
   return value;
 }
 
+// A whole number from 1 to `most`.
 inline long long count_of(std::string_view word, long long most) {
   const double value = number_of(word);
   if (!(value >= 1.0 && value <= static_cast<double>(most) && value == std::floor(value)))
@@ -68,7 +71,7 @@ inline int mass_of(std::string_view word) {
   return static_cast<int>(count_of(word, 1'000'000));
 }
 
-inline Stop stop_of(std::string_view word) {
+inline Stop stop_in(std::string_view word) {
   const auto parts = parts_of(word, ':');
   const bool lower = parts.size() > 1 && parts[1] == "lower";
   if (parts.size() < 3 || parts.size() > 4 || (!lower && parts[1] != "upper"))
@@ -80,6 +83,7 @@ inline Stop stop_of(std::string_view word) {
   return stop;
 }
 
+// The shortest digits that give the number again.
 inline std::string words_of(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
@@ -93,6 +97,7 @@ inline std::string words_of(const Stop &stop) {
   return words;
 }
 
+// With commas between them.
 template <class Value>
 std::string joined(const std::vector<Value> &values) {
   std::string words;
@@ -100,39 +105,39 @@ std::string joined(const std::vector<Value> &values) {
   return words;
 }
 
-}  // namespace detail
+}  // namespace words
 
 // Gives the field `name` of a scene, its `masses` or its stops (`stop`) the value in these words.
 // Returns false if there is no such field. Throws std::invalid_argument with one line naming the
 // word and the rule; `check` judges the values.
-inline bool set_field(Scene &scene, std::string_view name, std::string_view words) {
+inline bool set_field(Scene &scene, std::string_view name, std::string_view given) {
   if (name == "masses") {
-    scene.mass.assign(static_cast<std::size_t>(detail::mass_of(words)), 1.0);
+    scene.mass.assign(static_cast<std::size_t>(words::mass_of(given)), 1.0);
     scene.stiffness = scene.mass;
     return true;
   }
   if (name == "stop") {
     scene.stops.clear();
-    if (words == "none") return true;
-    for (const std::string_view word : detail::parts_of(words, ','))
-      scene.stops.push_back(detail::stop_of(word));
+    if (given == "none") return true;
+    for (const std::string_view word : words::parts_of(given, ','))
+      scene.stops.push_back(words::stop_in(word));
     return true;
   }
   for (const auto &field : scalar_fields) {
     if (name != field.name) continue;
-    scene.*field.value = detail::number_of(words);
+    scene.*field.value = words::number_of(given);
     return true;
   }
   for (const auto &field : list_fields) {
     if (name != field.name) continue;
-    std::vector<double> given;
-    for (const std::string_view word : detail::parts_of(words, ','))
-      given.push_back(detail::number_of(word));
-    if (given.size() == 1) given.assign(scene.mass.size(), given.front());
-    if (given.size() != scene.mass.size())
-      throw std::invalid_argument(std::to_string(given.size()) + " values given, the chain has " +
+    std::vector<double> values;
+    for (const std::string_view word : words::parts_of(given, ','))
+      values.push_back(words::number_of(word));
+    if (values.size() == 1) values.assign(scene.mass.size(), values.front());
+    if (values.size() != scene.mass.size())
+      throw std::invalid_argument(std::to_string(values.size()) + " values given, the chain has " +
                                   std::to_string(scene.masses()) + " masses");
-    scene.*field.value = std::move(given);
+    scene.*field.value = std::move(values);
     return true;
   }
   return false;
@@ -149,14 +154,14 @@ inline std::vector<FieldInWords> fields_in_words(const Scene &scene) {
   std::vector<FieldInWords> fields{{"masses", std::to_string(scene.masses())}};
   for (const auto &field : list_fields) {
     const std::vector<double> &values = scene.*field.value;
-    const std::string first = values.empty() ? "" : detail::words_of(values.front());
-    const auto is_first = [&](double value) { return detail::words_of(value) == first; };
+    const std::string first = values.empty() ? "" : words::words_of(values.front());
+    const auto is_first = [&](double value) { return words::words_of(value) == first; };
     const bool all_equal = std::all_of(values.begin(), values.end(), is_first);
-    fields.push_back({field.name, all_equal ? first : detail::joined(values)});
+    fields.push_back({field.name, all_equal ? first : words::joined(values)});
   }
   for (const auto &field : scalar_fields)
-    fields.push_back({field.name, detail::words_of(scene.*field.value)});
-  fields.push_back({"stop", scene.stops.empty() ? "none" : detail::joined(scene.stops)});
+    fields.push_back({field.name, words::words_of(scene.*field.value)});
+  fields.push_back({"stop", scene.stops.empty() ? "none" : words::joined(scene.stops)});
   return fields;
 }
 

@@ -53,6 +53,17 @@ MotionState start_of(const Scene &scene) {
   return detail::first_motion(scene);
 }
 
+double stiffness_at(const Scene &scene, std::size_t i) {
+  const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+  return scene.stiffness[i] + right + detail::entry_of(scene.ground, i);
+}
+
+double spring_force(const Scene &scene, std::size_t i, const std::vector<double> &x) {
+  double force = scene.stiffness[i] * ((i > 0 ? x[i - 1] : 0.0) - x[i]);
+  if (i + 1 < x.size()) force += scene.stiffness[i + 1] * (x[i + 1] - x[i]);
+  return force - detail::entry_of(scene.ground, i) * x[i];
+}
+
 void check(const Scene &scene) {
   const std::size_t n = scene.mass.size();
   require(n > 0, "masses = 0: a chain has at least one mass");

@@ -248,7 +248,7 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
       stop_run(run, Ending::given_up,
                line("more than ", run.problem.options.max_steps, " steps, given up at t = ",
                     time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
-                    run.motion.mode->fastest));
+                    run.motion.mode->fastest, "; max_steps or --max-steps can allow more"));
   }
   // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty()) run.progress.last = state_of(run);

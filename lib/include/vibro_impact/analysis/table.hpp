@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -42,10 +41,5 @@ struct Table {
 // is replaced, and a symbolic link is written through. Throws std::runtime_error, with the path and
 // the reason, if that fails.
 void write(const Table &table, const std::string &path);
-
-// Writes a table likewise whose pieces are not in memory at one time: `give` calls its argument
-// with each of them. What `give` throws is passed on, and no file is left.
-using Add = std::function<void(std::string_view piece)>;
-void write_pieces(const std::function<void(const Add &add)> &give, const std::string &path);
 
 }  // namespace vibro_impact
