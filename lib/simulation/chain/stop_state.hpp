@@ -11,26 +11,22 @@ namespace vibro_impact::detail {
 
 // Nothing: the gap of a free mass, or the force on a held one, is evaluated from the motion.
 struct Evaluated {};
-// The gap is exactly 0, as at an impact, and this is its speed just after it.
-struct Leaving {
-  double speed = 0.0;
-};
 // The mass is free and at rest at the stop, and not yet decided.
 struct Resting {};
-// The decision of this instant. The derivatives of order 0, ..., zeros - 1 of what is evaluated at
-// the contact, the gap of a released mass or the force on a held one, are exactly zero. The next
-// one is `first` > 0.
-struct Decided {
+// The derivatives of order 0, ..., zeros - 1 of what is evaluated at the contact, the gap of a free
+// mass or the force on a held one, are exactly zero. The next one is `first`: the speed just after
+// an impact (zeros = 1), or by the decision of this instant.
+struct ExactZeros {
   int zeros = 0;
   double first = 0.0;
 };
 // No force acts on the mass, to all orders. It is free, and stays at rest at the stop.
 struct Forceless {};
 // A mass neither sticks nor is released at the instant of the latest of these events. The decision
-// is made again one rounding of the clock later.
+// is made again two roundings of the clock later.
 struct Postponed {};
 
-using AtStop = std::variant<Evaluated, Leaving, Resting, Decided, Forceless, Postponed>;
+using AtStop = std::variant<Evaluated, Resting, ExactZeros, Forceless, Postponed>;
 
 template <class State>
 bool is(const AtStop &at) {

@@ -57,6 +57,8 @@ constexpr double expected_flight_margin = 1.2;
 // Least length of a step, relative to the longest: a flight may be shorter than any bound (r =
 // 1e-300), but the product of a slope and a length must not underflow.
 constexpr double shortest_step = 0x1p-60;
+// Least time by which a decision is postponed, next to t = 0: a normal number.
+constexpr double least_delay = 1e-290;
 // Margin of a bound of the change of a gap over a step, for its rounding.
 constexpr double travel_margin = 1.001;
 // Orders up to which a coefficient is divided by the mass and the order. A product with a rounded

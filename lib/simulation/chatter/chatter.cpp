@@ -16,11 +16,11 @@ bool Chatter::hits(std::size_t stop) const {
 void Chatter::end() {
   stops_.clear();
   size_ = impacts_ = 0;
-  x_ = duration_ = 0.0;
+  flight_time_ = duration_ = 0.0;
 }
 
 // The predictions of successive nodes differ from the limit by the powers 2, 3, ... of the ratio of
-// their x. Each column of the scheme removes one of them.
+// their flight times. Each column of the scheme removes one of them.
 void Chatter::set_weights(double ratio) {
   std::array<Weights, most_chatter_nodes> column{};  // entry k ends with node k, the oldest first
   weights_ = {};
@@ -37,9 +37,9 @@ void Chatter::set_weights(double ratio) {
   }
 }
 
-bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, const Clock &clock,
-                  const Motion &motion, const std::vector<double> &jumps) {
-  if (!(stops == stops_ && x < x_)) {
+bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, double r,
+                  const Clock &clock, const Motion &motion, const std::vector<double> &jumps) {
+  if (!(stops == stops_ && flight_time < flight_time_)) {
     end();
     stops_ = stops;
     first_ = motion.now;
@@ -51,19 +51,18 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, con
       set_weights(ratio_);
     }
   }
-  x_ = x;
-  const double left = x / (1.0 - r);
+  flight_time_ = flight_time;
+  const double left = flight_time / (1.0 - r);
   duration_ = std::max(duration_, left);
   if (impacts_++ % stride_ != 0) return false;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
   if (size_ > 0 && std::abs(left / left_ - ratio_) > ratio_change * ratio_) size_ = 0;
   newest_ = (newest_ + 1) % most_chatter_nodes;
   size_ = std::min(size_ + 1, most_chatter_nodes);
-  latest_ = motion.now;
   left_ = left;
   jumps_ = jumps;
   ChatterNode &node = ring_[newest_];
-  node.time = elapsed(first_, latest_, clock) + left;
+  node.time = elapsed(first_, motion.now, clock) + left;
   node.x.resize(motion.x.size());
   node.v.resize(motion.x.size());
   node.largest_jump = 0.0;
@@ -77,22 +76,26 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double x, double r, con
   return true;
 }
 
-bool Chatter::find_limit(double tolerance, double rate, ChatterLimit &limit) const {
-  if (size_ < fewest_chatter_nodes) return false;
+// Differences from the latest node lose no digits. `oldest` is what the oldest node adds.
+std::optional<double> Chatter::time_left(double tolerance, double rate) const {
+  if (size_ < fewest_chatter_nodes) return std::nullopt;
   const Weights &all = weights_[size_], &fewer = weights_[size_ - 1];
-  const ChatterNode &latest = node(0);
-  // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.
+  const Real &latest = node(0).time;
   double change = 0.0, oldest = 0.0;
   for (std::size_t k = 1; k < size_; ++k) {
     const Real &time = node(k).time;
-    const double distance = (time.hi - latest.time.hi) + (time.lo - latest.time.lo);
+    const double distance = (time.hi - latest.hi) + (time.lo - latest.lo);
     change += all[k] * distance;
     oldest += (all[k] - fewer[k]) * distance;
   }
-  if (!(std::abs(oldest) <= tolerance * std::min(duration_, 1.0 / rate))) return false;
-  if (!(std::abs(change) < prediction_share * left_)) return false;
-  limit.x.resize(latest.x.size());
-  limit.v.resize(latest.x.size());
+  if (!(std::abs(oldest) <= tolerance * std::min(duration_, 1.0 / rate))) return std::nullopt;
+  if (!(std::abs(change) < prediction_share * left_)) return std::nullopt;
+  return left_ + change;
+}
+
+bool Chatter::extrapolate(double tolerance, Motion &motion) const {
+  const Weights &all = weights_[size_], &fewer = weights_[size_ - 1];
+  const ChatterNode &latest = node(0);
   for (std::size_t i = 0; i < latest.x.size(); i += 2) {
     const RealPair x = load(&latest.x[i]), v = load(&latest.v[i]);
     Pair x_change{}, v_change{}, v_oldest{};
@@ -105,10 +108,9 @@ bool Chatter::find_limit(double tolerance, double rate, ChatterLimit &limit) con
     }
     const double error = std::max(std::abs(v_oldest[0]), std::abs(v_oldest[1]));
     if (!(error <= tolerance * node(size_ - 1).largest_jump)) return false;
-    store(x + x_change, &limit.x[i]);
-    store(v + v_change, &limit.v[i]);
+    store(x + x_change, &motion.x[i]);
+    store(v + v_change, &motion.v[i]);
   }
-  limit.time_left = left_ + change;
   return true;
 }
 

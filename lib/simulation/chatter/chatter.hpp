@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "simulation/chain/motion.hpp"
@@ -18,30 +19,25 @@ struct ChatterNode {
   double largest_jump = 0.0;  // of a velocity, at all impacts to come
 };
 
-// The extrapolated motion at the limit.
-struct ChatterLimit {
-  double time_left = 0.0;  // after the latest node
-  std::vector<Real> x, v;
-};
-
 class Chatter {
  public:
-  // The impacts at these stops at one instant: x is the time of the flight after them, to leading
-  // order, `jumps` are the changes of v at all impacts to come, and r is the limit of the
-  // restitution. A new chatter begins unless this one continues. Returns whether they are a node.
-  bool add(const std::vector<std::size_t> &stops, double x, double r, const Clock &clock,
+  // The impacts at these stops at one instant: the time of the flight after them to leading order
+  // (x in (6)), the limit r of the restitution, and the changes of v at all impacts to come. A new
+  // chatter begins unless this one continues. Returns whether they are a node.
+  bool add(const std::vector<std::size_t> &stops, double flight_time, double r, const Clock &clock,
            const Motion &motion, const std::vector<double> &jumps);
   void end();
 
-  // True if the motion is just after the latest impact, and this is a node: a limit may be taken.
-  bool stands_at_node(const Motion &motion) const {
-    return size_ > 0 && (impacts_ - 1) % stride_ == 0 && latest_.cycle == motion.now.cycle &&
-           latest_.phase == motion.now.phase;
+  // True if the latest impact is a node: a limit may be taken.
+  bool is_at_node() const {
+    return size_ > 0 && (impacts_ - 1) % stride_ == 0;
   }
-  // Extrapolates the motion at the limit. Returns false until that has settled: the time within
-  // this tolerance of 1 / rate and of the duration of the chatter, and the velocities within it of
-  // their jumps.
-  bool find_limit(double tolerance, double rate, ChatterLimit &limit) const;
+  // The time from the latest node to the limit, extrapolated. It is known when it has settled
+  // within this tolerance of 1 / rate and of the duration of the chatter.
+  std::optional<double> time_left(double tolerance, double rate) const;
+  // Sets x and v to those at the limit, extrapolated. Returns false until the velocities have
+  // settled within this tolerance of their jumps.
+  bool extrapolate(double tolerance, Motion &motion) const;
 
   const std::vector<std::size_t> &stops() const {
     return stops_;
@@ -58,10 +54,10 @@ class Chatter {
   std::vector<std::size_t> stops_;
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
-  TwofoldInstant first_, latest_;  // the instants of the first and the latest node,
-  double left_ = 0.0;              // the time from the latest to the limit, to leading order,
-  std::vector<double> jumps_;      // and the jumps of the velocities at all impacts after it
-  double x_ = 0.0, duration_ = 0.0, restitution_ = -1.0, ratio_ = 0.0;
+  TwofoldInstant first_;       // the instant of the first node
+  double left_ = 0.0;          // the time from the latest to the limit, to leading order,
+  std::vector<double> jumps_;  // and the jumps of the velocities at all impacts after it
+  double flight_time_ = 0.0, duration_ = 0.0, restitution_ = -1.0, ratio_ = 0.0;
   std::array<Weights, most_chatter_nodes + 1> weights_{};  // for each number of nodes
 
   const ChatterNode &node(std::size_t before_latest) const;

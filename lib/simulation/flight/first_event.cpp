@@ -19,7 +19,7 @@ void insert_start(const Start &start, double unit, Polynomial &p) {
   const int zeros = std::min(start.zeros, p.order);
   std::fill_n(c.begin(), zeros, 0.0);
   if (zeros < 2) return;
-  double first = start.first;
+  double first = start.rate;
   for (int n = 1; n <= zeros; ++n) first *= unit / n;
   c[static_cast<std::size_t>(zeros)] = std::max(first, least_coefficient);
 }
@@ -47,11 +47,8 @@ bool only_touches(double slope, double second, double terms) {
 
 Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion) {
   if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
-  // A decision knows the first derivative that is not zero to twice the precision.
-  const auto *decided = std::get_if<Decided>(&at);
-  if (decided && decided->zeros > 1) return {.zeros = decided->zeros, .first = decided->first};
-  if (decided && decided->zeros == 1) return {.rate = decided->first, .zeros = 1};
-  if (const auto *leaving = std::get_if<Leaving>(&at)) return {.rate = leaving->speed, .zeros = 1};
+  if (const auto *known = std::get_if<ExactZeros>(&at); known && known->zeros > 0)
+    return {.rate = known->first, .zeros = known->zeros};
   const Value value = evaluate(chain, contact, motion);
   if (rounded(value.value) <= zero_threshold * value.terms)
     return {.rate = rounded(value.rate), .zeros = 1};

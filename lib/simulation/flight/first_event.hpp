@@ -11,10 +11,10 @@ namespace vibro_impact::detail {
 
 // The knowledge of a contact at the start of a flight.
 struct Start {
-  double value = 0.0, rate = 0.0;
-  int zeros = 0;       // the number of derivatives, from the value on, that are exactly zero
-  double first = 0.0;  // the next derivative, where two or more are zero
-  bool idle = false;   // the contact stays at zero
+  double value = 0.0;
+  double rate = 0.0;  // or the first derivative that is not zero
+  int zeros = 0;      // the number of derivatives, from the value on, that are exactly zero
+  bool idle = false;  // the contact stays at zero
 };
 
 // The place of a contact at the end of a flight. The first to come there are zero by definition;

@@ -152,14 +152,15 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
     return std::nullopt;
   }
   const double sum = jet.value + jet.slope + jet.second + jet.third + jet.fourth + fifth;
-  if (!std::isfinite(sum)) return std::nullopt;  // the run will be given up
+  if (!std::isfinite(sum)) return std::numeric_limits<double>::quiet_NaN();
   ++counters.roots_searched;
   double u = 0.0;
   // Away from roots u grows, unless a power of u leaves the range of double precision.
   for (int iteration = 0; iteration < most_root_iterations; ++iteration) {
     ++counters.root_iterations;
     // Kantorovich's condition with a margin of two: p' varies by less than half of itself over
-    // twice Newton's step, so that this interval has exactly one root.
+    // twice Newton's step, so that this interval has exactly one root, as far as it lies in the
+    // step. A root beyond the step is none.
     const double newton = -jet.value / jet.slope, distance = std::abs(newton);
     const double curvature = curvature_bound(jet, fifth, 2.0 * distance) * distance / -jet.slope;
     if (jet.slope < 0.0 && curvature <= 0.25)

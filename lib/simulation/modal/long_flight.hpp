@@ -25,9 +25,6 @@ class LongFlight {
   void end() {
     form_ = nullptr;
   }
-  const std::vector<Start> &starts() const {
-    return starts_;
-  }
 
   // The result of a search, which counts its steps: an event, the end of the call before any event,
   // or neither after `most_search_steps`, and then the flight may begin anew where it is.

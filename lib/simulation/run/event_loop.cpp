@@ -1,6 +1,7 @@
 // The event loop chooses a flight, finds the first event in it, moves there and handles the event.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "events_at_an_instant.hpp"
@@ -26,29 +27,27 @@ bool find_limit(Run &run) {
     speed = std::max(speed, std::abs(run.motion.v[chain.stops[k].mass].hi));
   // The closing speed of the next impact may be a little above the latest rebound speed.
   if (!(next_speed_factor * speed < options.limit_below_speed)) return false;
-  if (!chatter.find_limit(options.chatter_tolerance / error_share, run.motion.mode->fastest,
-                          scratch.limit))
-    return false;
+  const double tolerance = options.chatter_tolerance / error_share;
+  const std::optional<double> left = chatter.time_left(tolerance, run.motion.mode->fastest);
+  if (!left) return false;
   find_acceleration(chain, run.motion);
-  if (!others_stay_out_of_reach(chain, chatter, run.motion, run.stops, scratch.limit.time_left))
-    return false;
+  if (!others_stay_out_of_reach(chain, chatter, run.motion, run.stops, *left)) return false;
   Motion &motion = scratch.motion;
   motion = run.motion;
-  motion.x = scratch.limit.x;
-  motion.v = scratch.limit.v;
+  if (!chatter.extrapolate(tolerance, motion)) return false;
   motion.acceleration_known = false;
   motion.step_time = 0.0;
-  pass(scratch.limit.time_left, run.problem.clock, motion.now);
+  pass(*left, run.problem.clock, motion.now);
   set_turn(chain, motion);
   find_acceleration(chain, motion);
   return all_are_pressed(chain, chatter, motion);
 }
 
-// Moves the run to the limit of a chatter whose latest impact is a node of its table, if the limit
-// is found.
+// Moves the run to the limit of a chatter, if it stands just after an impact that is a node of the
+// extrapolation, and the limit is found.
 void take_limit(Run &run, Recorders recorders) {
-  if (run.progress.over || run.progress.inside_chatter || !run.chatter.stands_at_node(run.motion) ||
-      !find_limit(run))
+  if (run.progress.over || run.progress.inside_chatter || run.hint.quiet_steps > 0 ||
+      !run.chatter.is_at_node() || !find_limit(run))
     return;
   const Instant limit = run.scratch.motion.now.rounded();
   if (run.progress.end < limit || run.progress.next_sample <= time_of(limit, run.problem.clock)) {
@@ -75,7 +74,7 @@ Step plan_step(Run &run) {
       longest, std::max(expected_flight_margin * run.hint.flight_time, shortest_step * longest));
   if (run.hint.postponed) {  // the decision is made at the next instant of the clock
     const double phase = run.motion.now.rounded().phase;
-    step.length = 2.0 * (std::nextafter(phase, infinity) - phase);
+    step.length = std::max(2.0 * (std::nextafter(phase, infinity) - phase), least_delay);
   }
   step.unit = 2.0 * leading_power(step.length);
   step.u_max = step.length / step.unit;
@@ -101,18 +100,6 @@ void set_starts(Run &run) {
         start_of(run.chain(), contacts[k], run.stops[contacts[k].stop].at, run.motion);
 }
 
-// Lets time pass at the stops, after a flight.
-void forget_instant(Run &run) {
-  const std::vector<Contact> &contacts = run.motion.mode->contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (!run.scratch.starts[k].idle) run.stops[contacts[k].stop].at = Evaluated{};
-}
-
-bool any_forceless(const Run &run) {
-  return std::any_of(run.stops.begin(), run.stops.end(),
-                     [](const StopState &stop) { return is<Forceless>(stop.at); });
-}
-
 // True when a motion of the chain has come to a mass that no force acted on: it is decided again.
 bool any_force_begins(const Run &run) {
   return std::any_of(run.motion.mode->contacts.begin(), run.motion.mode->contacts.end(),
@@ -127,11 +114,11 @@ bool any_force_begins(const Run &run) {
 // Handles the end of a flight, to which the run has been moved.
 void end_flight(Run &run, const Real &tau, bool event, Recorders recorders) {
   forget_instant(run);
-  event = event || (any_forceless(run) && any_force_begins(run));
+  event = event || any_force_begins(run);
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
   run.hint = {.quiet_steps = quiet_steps, .time_passed = tau.hi > 0.0};
   if (!event) return;
-  handle_instant(run, recorders);
+  handle_instant(run, recorders, false);
   take_limit(run, recorders);
 }
 
@@ -181,7 +168,6 @@ void fly_far(Run &run, Recorders recorders) {
   if (run.progress.over) return;
   scratch.motion = run.long_flight.at(chain, clock, run.motion, result.tau);
   std::swap(run.motion, scratch.motion);
-  scratch.starts = run.long_flight.starts();
   run.flight_start = run.motion;
   run.long_flight.end();
   end_flight(run, result.tau, result.found == LongFlight::Found::event, recorders);
@@ -216,7 +202,7 @@ bool any_forceless_block_moves(const Run &run) {
 bool is_quiet(const Run &run) {
   const auto n = static_cast<long long>(run.chain().masses);
   if (run.hint.quiet_steps < fewest_short_steps + n * n / short_steps_divisor) return false;
-  return !any_forceless(run) || !any_forceless_block_moves(run);
+  return !any_forceless_block_moves(run);
 }
 
 // One flight of the loop.

@@ -40,15 +40,13 @@ bool is_pushed(const Run &run, std::size_t mass) {
 // The number of orders of the force on a held mass that count as exactly zero at this instant:
 //
 //   2  the force touches zero, with its slope
-//   1  it is at its root, or was decided to be zero at this instant before
+//   1  it is at its root
 //   1  it is zero but for rounding: next to a root, or at its root after the impact of a neighbour
 //   0  it has jumped elsewhere, or was never near zero
 int zero_orders_of(const Run &run, std::size_t k, const Value &force) {
   const Contact &contact = run.motion.mode->contacts[k];
   const Near near = run.scratch.near[k];
-  const auto *decided = std::get_if<Decided>(&run.stops[contact.stop].at);
-  const bool by_definition =
-      near == Near::zero || near == Near::touch || (decided && decided->zeros > 0);
+  const bool by_definition = near == Near::zero || near == Near::touch;
   if (by_definition && !is_pushed(run, contact.mass)) return near == Near::touch ? 2 : 1;
   return (by_definition || near == Near::perhaps) && force.is_zero() ? 1 : 0;
 }
@@ -75,7 +73,7 @@ void question_dead_bounces(Run &run) {
                reach = as_at_rest * (speed + chain.force_bound / rate) / rate;
   for (const Contact &contact : motion.mode->contacts) {
     const AtStop &at = run.stops[contact.stop].at;
-    if (contact.held || !(is<Evaluated>(at) || is<Leaving>(at))) continue;
+    if (contact.held || !(is<Evaluated>(at) || is<ExactZeros>(at))) continue;
     const Value value = evaluate(chain, contact, motion);
     if (rounded(value.value) <= reach && std::abs(value.rate.hi) <= reach * rate)
       add_resting(run, contact, 0);
@@ -101,7 +99,7 @@ void set_stops(Run &run, const RestingMass &mass) {
   if (mass.forceless)
     stop.at = Forceless{};
   else  // the gap of a released mass has two zeros more than its acceleration
-    stop.at = Decided{mass.zeros + (mass.held ? 0 : 2), mass.first};
+    stop.at = ExactZeros{mass.zeros + (mass.held ? 0 : 2), mass.first};
   if (mass.opposite) run.stops[*mass.opposite].at = Evaluated{};
   if (mass.held == mass.was_held) return;
   stop = {.at = stop.at, .changed = run.motion.now.rounded()};
@@ -112,7 +110,7 @@ void set_stops(Run &run, const RestingMass &mass) {
 
 // Decides which masses stick after this instant, for all masses in question together, and enters
 // the contact mode that follows.
-void hold_or_release(Run &run, Recorders recorders, bool at_start = false) {
+void hold_or_release(Run &run, Recorders recorders, bool at_start) {
   gather_resting(run, at_start);
   Scratch &scratch = run.scratch;
   Motion &motion = run.motion;
@@ -151,11 +149,16 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start = false) {
 
 }  // namespace
 
-void handle_instant(Run &run, Recorders recorders) {
+void forget_instant(Run &run) {
+  for (StopState &stop : run.stops)
+    if (!is<Forceless>(stop.at) && !is<Postponed>(stop.at)) stop.at = Evaluated{};
+}
+
+void handle_instant(Run &run, Recorders recorders, bool at_start) {
   const ContactMode *before = run.motion.mode;
   gather_hits(run);
   apply_hits(run, recorders);
-  hold_or_release(run, recorders);
+  hold_or_release(run, recorders, at_start);
   follow_chatter(run, before);
 }
 
@@ -166,7 +169,6 @@ void handle_start(Run &run, Recorders recorders) {
   bool built = false;
   motion.mode = &run.modes.enter(chain, state.held, built);
   if (built) ++run.counters.modes_built;
-  const ContactMode *before = motion.mode;
   clear(chain, motion);
   motion.now = TwofoldInstant(state.instant);
   for (std::size_t i = 0; i < chain.masses; ++i)
@@ -174,26 +176,18 @@ void handle_start(Run &run, Recorders recorders) {
   set_turn(chain, motion);
   run.stops.assign(chain.stops.size(), {});
   run.scratch.near.assign(chain.stops.size(), Near::perhaps);
-  gather_hits(run);
-  apply_hits(run, recorders);
-  hold_or_release(run, recorders, true);
-  follow_chatter(run, before);
+  handle_instant(run, recorders, true);
 }
 
 void enter_limit(Run &run, Recorders recorders) {
-  for (const Contact &contact : run.motion.mode->contacts) {
-    StopState &stop = run.stops[contact.stop];
-    if (run.chatter.hits(contact.stop))
-      stop.at = Resting{};
-    else if (!is<Forceless>(stop.at))
-      stop.at = Evaluated{};
-  }
+  forget_instant(run);
+  for (const std::size_t k : run.chatter.stops()) run.stops[k].at = Resting{};
   run.chatter.end();
   run.hint = {};
   ++run.counters.chatter_limits;
   run.scratch.hits.clear();
   run.scratch.near.assign(run.chain().stops.size(), Near::no);
-  hold_or_release(run, recorders);
+  hold_or_release(run, recorders, false);
 }
 
 }  // namespace vibro_impact::detail

@@ -82,7 +82,7 @@ void apply_hits(Run &run, Recorders recorders) {
     place(contact.mass, contact.position, scaled(after, -contact.sigma), motion);
     motion.v_terms[contact.mass] = closing;
     if (after.hi > 0.0)
-      stop.at = Leaving{after.hi};
+      stop.at = ExactZeros{1, after.hi};
     else
       stop.at = Resting{};
   }
@@ -99,9 +99,9 @@ void apply_hits(Run &run, Recorders recorders) {
   for (Hit &hit : hits) {
     const Contact &contact = contacts[hit.contact];
     StopState &stop = run.stops[contact.stop];
-    const auto *leaving = std::get_if<Leaving>(&stop.at);
+    const auto *leaving = std::get_if<ExactZeros>(&stop.at);
     if (!leaving) continue;
-    hit.flight_time = flight_after(motion, contact, leaving->speed);
+    hit.flight_time = flight_after(motion, contact, leaving->first);
     const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest());
     if (time_left < infinity) stop.duration = std::max(stop.duration, time_left);
     if (!(time_left < chatter_end * stop.duration)) continue;
@@ -121,14 +121,14 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
   double flight_time = 0.0, r = 0.0;
   for (const Hit &hit : scratch.hits) {
     const Contact &contact = motion.mode->contacts[hit.contact];
-    const auto *leaving = std::get_if<Leaving>(&run.stops[contact.stop].at);
-    if (!leaving) return chatter.end();
+    const auto *leaving = std::get_if<ExactZeros>(&run.stops[contact.stop].at);
+    if (!leaving || leaving->zeros > 1) return chatter.end();  // it has come to rest
     const double at_rest = chain.stops[contact.stop].law.at_rest();
     if (!scratch.stops.empty() && at_rest != r) return chatter.end();  // they part
     r = at_rest;
     scratch.stops.push_back(contact.stop);
     // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
-    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->speed;
+    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->first;
     flight_time = std::max(flight_time, hit.flight_time);
   }
   run.hint.flight_time = flight_time;

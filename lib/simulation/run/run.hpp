@@ -35,7 +35,7 @@ struct StepHint {
   double flight_time = infinity;  // expected until the next impact of a mass that was just hit
   long long quiet_steps = 0;      // steps since the latest event
   bool time_passed = true;        // in the latest flight
-  // A decision about a stop is postponed: the next step ends one rounding of the clock later.
+  // A decision about a stop is postponed: the next step ends two roundings of the clock later.
   bool postponed = false;
 };
 
@@ -52,7 +52,6 @@ struct Scratch {
   std::vector<Start> starts;
   std::vector<Near> near;
   Motion motion;  // at a limit, or at the end of a long flight
-  ChatterLimit limit;
   RestDecision rest;
   std::vector<RestingMass> resting;
   std::vector<Hit> hits;
