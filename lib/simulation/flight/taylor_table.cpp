@@ -231,21 +231,4 @@ void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table
   pass_time(chain, clock, tau, motion);
 }
 
-double displacement_at(const TaylorTable &table, const Motion &start, std::size_t mass,
-                       double tau) {
-  const double u = tau / table.step.unit;
-  double sum = 0.0;
-  for (int n = table.step.order + 1; n >= 2; --n) sum = sum * u + table.of_order(n)[mass];
-  const Real &x = start.x[mass];
-  return x.hi + (tau * start.v[mass].hi + (x.lo + sum * u * u));
-}
-
-double velocity_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau) {
-  const double unit = table.step.unit, u = tau / unit;
-  double sum = 0.0;
-  for (int n = table.step.order + 1; n >= 2; --n) sum = sum * u + n * table.of_order(n)[mass];
-  const Real &v = start.v[mass];
-  return v.hi + (v.lo + sum * (u / unit));
-}
-
 }  // namespace vibro_impact::detail

@@ -62,9 +62,4 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
 void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
                 Motion &motion);
 
-// The displacement and the velocity of a mass at the time tau of the step that begins at this
-// motion, in double precision.
-double displacement_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau);
-double velocity_at(const TaylorTable &table, const Motion &start, std::size_t mass, double tau);
-
 }  // namespace vibro_impact::detail

@@ -132,8 +132,8 @@ void fly_one_step(Run &run, double remaining, Recorders recorders) {
                                                         scratch.near, run.counters);
   const double tau = end.tau.hi;
   if (std::isnan(tau)) return give_up_beyond_range(run, run.motion.now.rounded());
-  if (tau > remaining || remaining == 0.0) return end_at_time(run, false, recorders);
-  sample(run, tau, false, recorders);
+  if (tau > remaining || remaining == 0.0) return end_at_time(run, recorders);
+  sample(run, tau, recorders);
   if (run.progress.over) return;
   if (!end.event && run.hint.quiet_steps == 0) run.flight_start = run.motion;
   if (tau > 0.0) {
@@ -163,8 +163,8 @@ void fly_far(Run &run, Recorders recorders) {
   const LongFlight::Result result =
       run.long_flight.search(chain, clock, run.motion, remaining, scratch.near, run.counters);
   if (result.found == LongFlight::Found::end_of_call || result.tau.hi > remaining)
-    return end_at_time(run, true, recorders);
-  sample(run, result.tau, true, recorders);
+    return end_at_time(run, recorders);
+  sample(run, result.tau, recorders);
   if (run.progress.over) return;
   scratch.motion = run.long_flight.at(chain, clock, run.motion, result.tau);
   std::swap(run.motion, scratch.motion);
@@ -211,7 +211,7 @@ void fly_on(Run &run, Recorders recorders) {
       elapsed(run.motion.now, TwofoldInstant(run.progress.end), run.problem.clock);
   const double remaining = std::max(0.0, rounded(until_end));
   if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
-  if (is_quiet(run))
+  if (run.long_flight.is_under_way() || is_quiet(run))
     fly_far(run, recorders);
   else
     fly_one_step(run, remaining, recorders);
@@ -237,7 +237,8 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
                     run.motion.mode->fastest, "; max_steps or --max-steps can allow more"));
   }
   // A call that ends at an event has its end state where the run stands.
-  if (run.progress.last.displacement.empty()) run.progress.last = state_of(run);
+  if (run.progress.last.displacement.empty())
+    run.progress.last = state_of(run, run.motion, run.motion.now.rounded());
 }
 
 }  // namespace vibro_impact::detail

@@ -18,23 +18,19 @@ void stop_run(Run &run, Ending ending, std::string reason = {});
 void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
                   bool by_a_jump, Recorders recorders);
 
-// A time `tau` after the motion of the run, which stands before this instant: on a step, whose
-// table is in scratch.flight, or on a long flight.
-struct TimeOfFlight {
-  Instant instant;
-  Real tau = 0.0;
-  bool in_long_flight = false;
-};
-
 // The next time at which a recorder asks for a sample; infinite when there is none.
 double next_sample(Recorders recorders);
 
-// Reports the sample at this time to the recorders that have asked for it. Returns true when one of
-// them is done.
-bool report_sample(Run &run, double time, const TimeOfFlight &at, Recorders recorders);
+// The motion at a time `tau` of the step, whose table is in scratch.flight, or of the long flight
+// of the run. It stands until the next call.
+const Motion &motion_at(Run &run, const Real &tau);
 
-// The state at this time, and that at which the run stands.
-MotionState state_at(Run &run, const TimeOfFlight &at);
-MotionState state_of(const Run &run);
+// Reports this motion as the sample at this time to the recorders that have asked for it. Returns
+// true when one of them is done.
+bool report_sample(Run &run, const Motion &motion, const Instant &at, double time,
+                   Recorders recorders);
+
+// The state of a motion of the run at an instant.
+MotionState state_of(const Run &run, const Motion &motion, const Instant &at);
 
 }  // namespace vibro_impact::detail

@@ -18,30 +18,30 @@ Real time_until(const Run &run, const Instant &instant) {
 
 }  // namespace
 
-void sample(Run &run, const Real &tau, bool in_long_flight, Recorders recorders) {
+void sample(Run &run, const Real &tau, Recorders recorders) {
   const Clock &clock = run.problem.clock;
   while (run.progress.next_sample < infinity) {
     const double next = run.progress.next_sample;
-    TimeOfFlight at{instant_at(next, clock), 0.0, in_long_flight};
-    const Real since = time_until(run, at.instant);
+    const Instant at = instant_at(next, clock);
+    const Real since = time_until(run, at);
     if (!(since <= tau) && since.hi > 0.0) return;
     require(since.hi >= -sample_rounding * next, "next_time = ", next,
             ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
-    if (since.hi > 0.0) at.tau = since;
     ++run.counters.states_computed;
-    if (!report_sample(run, next, at, recorders)) continue;
-    run.progress.last = state_at(run, at);
+    const Motion &motion = motion_at(run, since.hi > 0.0 ? since : Real(0.0));
+    if (!report_sample(run, motion, at, next, recorders)) continue;
+    run.progress.last = state_of(run, motion, at);
     return stop_run(run, Ending::stopped);
   }
 }
 
-void end_at_time(Run &run, bool in_long_flight, Recorders recorders) {
-  TimeOfFlight at{run.progress.end, time_until(run, run.progress.end), in_long_flight};
-  if (!(at.tau.hi > 0.0)) at.tau = 0.0;
-  sample(run, at.tau, in_long_flight, recorders);
+void end_at_time(Run &run, Recorders recorders) {
+  Real tau = time_until(run, run.progress.end);
+  if (!(tau.hi > 0.0)) tau = 0.0;
+  sample(run, tau, recorders);
   if (run.progress.over) return;
-  run.progress.last = state_at(run, at);
-  if (in_long_flight) ++run.counters.states_computed;
+  run.progress.last = state_of(run, motion_at(run, tau), run.progress.end);
+  if (run.long_flight.is_under_way()) ++run.counters.states_computed;
   for (const double x : run.progress.last.displacement)
     if (!std::isfinite(x)) give_up_beyond_range(run, run.progress.end);
   stop_run(run, Ending::reached);

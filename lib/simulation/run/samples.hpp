@@ -7,10 +7,10 @@
 namespace vibro_impact::detail {
 
 // Reports the samples up to `tau` after the motion of the run, on its step or long flight.
-void sample(Run &run, const Real &tau, bool in_long_flight, Recorders recorders);
+void sample(Run &run, const Real &tau, Recorders recorders);
 
 // Ends the call at its end, on the step or long flight of the run.
-void end_at_time(Run &run, bool in_long_flight, Recorders recorders);
+void end_at_time(Run &run, Recorders recorders);
 
 // Advances a copy of the run through the impacts before the limit of its chatter, for samples and
 // an end there. A run that ends there takes over the end state of the copy, and stays itself at the
