@@ -133,9 +133,7 @@ LongFlight::Parts LongFlight::parts_of(const Watch &w, const Coordinate &c,
 }
 
 Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
-  const std::size_t watch = form_->watch_of[k];
-  const Watch &w = form_->watches[watch];
-  const double sign = sign_of(k);
+  const Watch &w = form_->watches[k];
   Bound bound{.order = order, .length = l, .unit = leading_power(l)};
   find_derivatives(bound.unit, order + 2);
   bound.value = std::max(0.0, values_[k].value.hi);
@@ -144,7 +142,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     const Coordinate &c = coordinates_[j];
     const Oscillator<double> &o = form_->rounded[j];
-    const Real weight = scaled(w.row[j], sign);
+    const Real &weight = w.row[j];
     if (weight.hi == 0.0) continue;
     if (!(o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0))) {
       for (const Part &part : parts_of(w, c, o, weight.hi)) bound.add(part);
@@ -158,8 +156,8 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
                                               damping * derivative_bound(c, o, order + 2, l));
   }
   if (w.a == 0.0 && w.b == 0.0) return bound.polynomial();
-  const ModalForce<double> &f = watch_forces_[watch];
-  bound.add({sign * f.a, sign * omega_ * f.b, 0.0, omega_ * omega_, omega_, std::hypot(f.a, f.b)});
+  const ModalForce<double> &f = watch_forces_[k];
+  bound.add({f.a, omega_ * f.b, 0.0, omega_ * omega_, omega_, std::hypot(f.a, f.b)});
   return bound.polynomial();
 }
 
@@ -170,7 +168,7 @@ double LongFlight::longest_blind_step() const {
   double rate = 0.0;
   for (std::size_t k = 0; k < hidden_.size(); ++k) {
     if (!hidden_[k]) continue;
-    const Watch &w = form_->watches[form_->watch_of[k]];
+    const Watch &w = form_->watches[k];
     if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, omega_);
     for (std::size_t j = 0; j < coordinates_.size(); ++j)
       for (const Part &part : parts_of(w, coordinates_[j], form_->rounded[j], w.row[j].hi))

@@ -49,11 +49,6 @@ bool LongFlight::look_at_hidden() {
   return below;
 }
 
-double LongFlight::sign_of(std::size_t k) const {
-  const Contact &contact = motion_.mode->contacts[k];
-  return contact.held ? contact.sigma : -contact.sigma;
-}
-
 // Evaluates the motion and all contacts at the time u of the flight.
 void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u) {
   u_ = u;

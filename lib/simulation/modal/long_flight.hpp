@@ -91,7 +91,6 @@ class LongFlight {
   bool is_at_event_ = false;  // the search has found an event next to u
 
   void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u);
-  double sign_of(std::size_t contact) const;
   void find_derivatives(double unit, int order);
   double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
                           double length) const;

@@ -31,18 +31,19 @@ Real constant_force(const Chain &chain, const Held &held, std::size_t i) {
 
 Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact) {
   const std::size_t i = contact.mass;
+  const double sign = contact.held ? contact.sigma : -contact.sigma;
   Watch watch{.row = std::vector<Real>(form.size(), Real(0.0))};
   const auto add = [&](double weight, std::size_t mass) {
     for (std::size_t j = 0; j < form.size(); ++j)
-      watch.row[j] += weight * form.shape(as_index(mass), as_index(j));
+      watch.row[j] += sign * weight * form.shape(as_index(mass), as_index(j));
   };
   if (!contact.held) {
     add(1.0, i);
     return watch;
   }
   watch.damping = chain.beta;
-  watch.a = chain.a[i];
-  watch.b = chain.b[i];
+  watch.a = sign * chain.a[i];
+  watch.b = sign * chain.b[i];
   if (i > 0) add(chain.link[i], i - 1);
   if (i + 1 < chain.masses) add(chain.above(i), i + 1);
   return watch;
@@ -76,18 +77,8 @@ ModalForm build_modal_form(const Chain &chain, const ContactMode &mode,
     }
     first += n;
   }
-  for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    const auto same =
-        std::find_if(mode.contacts.begin(), mode.contacts.begin() + as_index(k),
-                     [&](const Contact &contact) { return contact.mass == mode.contacts[k].mass; });
-    const auto before = static_cast<std::size_t>(same - mode.contacts.begin());
-    if (before < k) {
-      form.watch_of.push_back(form.watch_of[before]);
-      continue;
-    }
-    form.watch_of.push_back(form.watches.size());
-    form.watches.push_back(watch_at(chain, form, mode.contacts[k]));
-  }
+  for (const Contact &contact : mode.contacts)
+    form.watches.push_back(watch_at(chain, form, contact));
   return form;
 }
 

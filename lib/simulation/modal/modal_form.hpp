@@ -13,8 +13,9 @@
 
 namespace vibro_impact::detail {
 
-// The moving part of a contact, as a sum over the coordinates: row . (y + damping y') + a cos + b
-// sin. It is the displacement of a free mass or the force on a held one, but for a constant.
+// A contact without its constant part, as a sum over the coordinates: row . (y + damping y') + a
+// cos
+// + b sin. It is -sigma x of a free mass, or sigma times the force on a held one.
 struct Watch {
   std::vector<Real> row;
   double damping = 0.0, a = 0.0, b = 0.0;
@@ -26,9 +27,8 @@ struct ModalForm {
   std::vector<Oscillator<Real>> exact;      // of each coordinate,
   std::vector<Oscillator<double>> rounded;  // and in double precision for searches
   RealVector a, b, c;                       // Psi^T A, Psi^T B, and P with the pull of held masses
-  std::vector<Watch> watches;
-  std::vector<std::size_t> watch_of;  // of each contact of the mode
-  double fastest = 0.0;               // the largest rate of a coordinate
+  std::vector<Watch> watches;               // one for each contact of the mode
+  double fastest = 0.0;                     // the largest rate of a coordinate
 
   std::size_t size() const {
     return exact.size();
