@@ -101,18 +101,19 @@ double LongFlight::derivative_bound(const Coordinate &c, const Oscillator<double
          c.modulus * unit_ * length * std::pow(omega_ * unit_, n - 1);
 }
 
-// The steady response, and one free oscillation or two decays about the static displacement.
-LongFlight::Parts LongFlight::parts_of(const Watch &w, const Coordinate &c,
-                                       const Oscillator<double> &o, double weight) const {
+// Calls `use` with each part: the steady response, and one free oscillation or two decays about the
+// static displacement.
+template <class Use>
+void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<double> &o,
+                           double weight, const Use &use) const {
   const double size = std::abs(weight), d = w.damping, square = omega_ * omega_;
-  Parts parts;
   double y = c.deviation, dy = c.velocity;  // of the free part
   if (c.modulus > 0.0) {
     const SteadyResponse s = steady_response(o, c.rounded_force, omega_);
     y -= s.y;
     dy -= s.dy;
-    parts.add({weight * (s.y + d * s.dy), weight * (s.dy - d * square * s.y), 0.0, square, omega_,
-               size * s.modulus * (1.0 + d * omega_)});
+    use(Part{weight * (s.y + d * s.dy), weight * (s.dy - d * square * s.y), 0.0, square, omega_,
+             size * s.modulus * (1.0 + d * omega_)});
   }
   if (!o.has_two_decays()) {
     // A coordinate without a spring has no static displacement, and its constant force drives it.
@@ -120,16 +121,15 @@ LongFlight::Parts LongFlight::parts_of(const Watch &w, const Coordinate &c,
     const double drive = is_tied ? 0.0 : c.rounded_force.c,
                  second = drive - o.kappa * dy - o.lambda * y,
                  amplitude = is_tied ? std::hypot(y, dy / std::sqrt(o.lambda)) : infinity;
-    parts.add({weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda, o.rate,
-               size * amplitude * (1.0 + d * o.rate), weight * drive});
-    return parts;
+    use(Part{weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda, o.rate,
+             size * amplitude * (1.0 + d * o.rate), weight * drive});
+    return;
   }
   const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
   for (const auto &[part, decay] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
     const double z = weight * part * (1.0 + d * decay);
-    parts.add({z, z * decay, -decay, 0.0, -decay, std::abs(z)});
+    use(Part{z, z * decay, -decay, 0.0, -decay, std::abs(z)});
   }
-  return parts;
 }
 
 Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
@@ -145,7 +145,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
     const Real &weight = w.row[j];
     if (weight.hi == 0.0) continue;
     if (!(o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0))) {
-      for (const Part &part : parts_of(w, c, o, weight.hi)) bound.add(part);
+      each_part(w, c, o, weight.hi, [&bound](const Part &part) { bound.add(part); });
       continue;
     }
     for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
@@ -170,9 +170,11 @@ double LongFlight::longest_blind_step() const {
     if (!hidden_[k]) continue;
     const Watch &w = form_->watches[k];
     if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, omega_);
+    const double threshold = zero_threshold * values_[k].terms;
     for (std::size_t j = 0; j < coordinates_.size(); ++j)
-      for (const Part &part : parts_of(w, coordinates_[j], form_->rounded[j], w.row[j].hi))
-        if (part.amplitude > zero_threshold * values_[k].terms) rate = std::max(rate, part.rate);
+      each_part(w, coordinates_[j], form_->rounded[j], w.row[j].hi, [&](const Part &part) {
+        if (part.amplitude > threshold) rate = std::max(rate, part.rate);
+      });
   }
   if (rate == 0.0) return longest_;
   return std::min({longest_, blind_radians / rate, std::max(u_, 1.0 / fastest_)});

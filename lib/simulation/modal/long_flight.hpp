@@ -54,19 +54,6 @@ class LongFlight {
   struct Part {
     double value, slope, damping, stiffness, rate, amplitude, drive = 0.0;
   };
-  struct Parts {
-    std::array<Part, 3> part{};
-    std::size_t size = 0;
-    void add(const Part &next) {
-      part[size++] = next;
-    }
-    const Part *begin() const {
-      return part.data();
-    }
-    const Part *end() const {
-      return part.data() + size;
-    }
-  };
   struct Bound;
 
   std::shared_ptr<const ModalForm> form_;
@@ -94,8 +81,9 @@ class LongFlight {
   void find_derivatives(double unit, int order);
   double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
                           double length) const;
-  Parts parts_of(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
-                 double weight) const;
+  template <class Use>
+  void each_part(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
+                 double weight, const Use &use) const;
   Polynomial bound_of(std::size_t contact, double l, int order);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
