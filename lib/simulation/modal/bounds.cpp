@@ -9,22 +9,6 @@
 
 namespace vibro_impact::detail {
 
-namespace {
-
-// The steady response a cos + b sin and its derivative, at the phase of the force.
-struct SteadyResponse {
-  double y, dy, modulus;
-};
-SteadyResponse steady_response(const Oscillator<double> &o, const ModalForce<double> &f,
-                               double omega) {
-  // y = Re((a - i b) / D) with D = lambda - Omega^2 + i kappa Omega.
-  const double re = o.lambda - omega * omega, im = o.kappa * omega, n = re * re + im * im;
-  const double y = (f.a * re - f.b * im) / n, z = (f.b * re + f.a * im) / n;
-  return {y, omega * z, std::hypot(y, z)};
-}
-
-}  // namespace
-
 // A contact is bounded from below by its value, its rate, its derivatives of order 2 to `order` and
 // a bound of the next one. Parts of the motion that turn within the time are taken out of these,
 // and are in `away` by their amplitude instead. Derivatives of order n are in units of unit^-n:
@@ -107,19 +91,22 @@ template <class Use>
 void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<double> &o,
                            double weight, const Use &use) const {
   const double size = std::abs(weight), d = w.damping, square = omega_ * omega_;
-  double y = c.deviation, dy = c.velocity;  // of the free part
+  double y = c.deviation, dy = c.dy.hi;  // of the free part
   if (c.modulus > 0.0) {
-    const SteadyResponse s = steady_response(o, c.rounded_force, omega_);
-    y -= s.y;
-    dy -= s.dy;
-    use(Part{weight * (s.y + d * s.dy), weight * (s.dy - d * square * s.y), 0.0, square, omega_,
-             size * s.modulus * (1.0 + d * omega_)});
+    // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
+    // s = (a - i b) / (lambda - Omega^2 + i kappa Omega).
+    const ComplexOf<double> s = ComplexOf<double>{c.force.a.hi, -c.force.b.hi} /
+                                ComplexOf<double>{o.lambda - square, o.kappa * omega_};
+    const double steady = s.re, slope = -omega_ * s.im;
+    y -= steady;
+    dy -= slope;
+    use(Part{weight * (steady + d * slope), weight * (slope - d * square * steady), 0.0, square,
+             omega_, size * std::hypot(s.re, s.im) * (1.0 + d * omega_)});
   }
   if (!o.has_two_decays()) {
     // A coordinate without a spring has no static displacement, and its constant force drives it.
     const bool is_tied = o.lambda > 0.0;
-    const double drive = is_tied ? 0.0 : c.rounded_force.c,
-                 second = drive - o.kappa * dy - o.lambda * y,
+    const double drive = is_tied ? 0.0 : c.force.c.hi, second = drive - o.kappa * dy - o.lambda * y,
                  amplitude = is_tied ? std::hypot(y, dy / std::sqrt(o.lambda)) : infinity;
     use(Part{weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda, o.rate,
              size * amplitude * (1.0 + d * o.rate), weight * drive});

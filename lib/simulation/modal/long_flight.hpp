@@ -40,15 +40,14 @@ class LongFlight {
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
 
  private:
-  // A coordinate at u, the derivatives that have been found of it, in units of unit_^-n, and in
-  // double precision its deviation from the static displacement and its velocity.
+  // A coordinate at u, the derivatives that have been found of it, in units of unit_^-n, and its
+  // deviation from the static displacement in double precision.
   struct Coordinate {
     Real y = 0.0, dy = 0.0;
     std::array<Real, max_order + 3> derivative{};
     ModalForce<Real> force{};
-    ModalForce<double> rounded_force{};
     double modulus = 0.0;  // of the forcing
-    double deviation = 0.0, velocity = 0.0;
+    double deviation = 0.0;
   };
   // A part of the share of a coordinate in a contact: x'' + damping x' + stiffness x = drive.
   struct Part {
