@@ -27,13 +27,13 @@ struct Motion {
   // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
   // passes x = 0 onto a stop at 0 has no terms at that instant.
   std::vector<double> x_terms, v_terms;
-  // The latest step has added this to x and v in double precision, in this time, a double.
-  // Both are 0 after a flight in closed form.
+  // The latest step has added these to x and v in double precision, in the time step_time. All
+  // three are 0 after a flight in closed form.
   std::vector<double> x_change, v_change;
   double step_time = 0.0;
 };
 
-// A motion of the chain at rest at zero.
+// Sets all masses to rest at zero. The time, the turn and the contact mode stay.
 void clear(const Chain &chain, Motion &motion);
 
 // Computes e^(i Omega t) from the phase.

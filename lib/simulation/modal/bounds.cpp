@@ -122,7 +122,9 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
 Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
   const Watch &w = form_->watches[k];
   Bound bound{.order = order, .length = l, .unit = leading_power(l)};
+  // The remainder needs order + 1, and its damper one order more.
   find_derivatives(bound.unit, order + 2);
+  // Before its event a contact lies below zero by rounding only.
   bound.value = std::max(0.0, values_[k].value.hi);
   bound.rate = values_[k].rate.hi;
   const double damping = w.damping / bound.unit;

@@ -46,7 +46,7 @@ Tensions tensions_of(const Chain &chain, std::size_t first, const RealVector &ro
   return tensions;
 }
 
-// Rotates columns p and q of the factor by the angle with tangent t.
+// Rotates columns p and q of a matrix by the angle with this cosine and sine.
 void rotate(RealMatrix &matrix, Index p, Index q, const Real &cosine, const Real &sine) {
   for (Index i = 0; i < matrix.rows(); ++i) {
     const Real old = matrix(i, p), other = matrix(i, q);

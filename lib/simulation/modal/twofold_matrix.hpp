@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 
 #include "simulation/chain/twofold.hpp"
 

@@ -1,5 +1,6 @@
 #include "vibro_impact/simulate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
