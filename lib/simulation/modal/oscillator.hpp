@@ -1,14 +1,14 @@
-// One modal coordinate in closed form, in either precision:
+// One modal coordinate in closed form:
 //
 //   y'' + kappa y' + lambda y = a cos(Omega t) + b sin(Omega t) + c,   kappa = beta lambda    (9)
 //
-// with t from the start of the flight. The change over any time is found without cancellation. The
-// paper prints the under-damped case only (Eqs. 6-7).
+// with t from the start of the flight. The change over any time is found without cancellation, in
+// twice the precision, and the response to an impulse in either precision. The paper prints the
+// under-damped case only (Eqs. 6-7).
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "simulation/chain/tolerances.hpp"
 #include "simulation/chain/twofold.hpp"
@@ -102,18 +102,18 @@ ModalChange<T> impulse_response(const Oscillator<T> &o, const T &tau) {
 }
 
 // The Taylor series, for times of at most a radian of the oscillator and of the forcing.
-template <class T>
-ModalChange<T> change_by_series(const Oscillator<T> &o, const T &y, const T &dy,
-                                const ModalForce<T> &f, double omega, const T &tau) {
-  const T square = tau * tau, stiff = o.lambda * square, damp = o.kappa * tau, turn = omega * tau;
-  const double radians = std::max(o.rate, omega) * std::abs(rounded(tau)),
-               last = std::is_same_v<T, double> ? 1e-17 : 1e-34;
+inline ModalChange<Real> change_by_series(const Oscillator<Real> &o, const Real &y, const Real &dy,
+                                          const ModalForce<Real> &f, double omega,
+                                          const Real &tau) {
+  const Real square = tau * tau, stiff = o.lambda * square, damp = o.kappa * tau,
+             turn = omega * tau;
+  const double radians = std::max(o.rate, omega) * std::abs(rounded(tau));
   // Terms n and n + 1 of y, and those of the forces. `slope` is tau times the derivative.
-  T term = y, next = tau * dy, a = square * f.a, b = square * f.b, force = a + square * f.c;
-  T sum = 0.0, slope = 0.0;
+  Real term = y, next = tau * dy, a = square * f.a, b = square * f.b, force = a + square * f.c;
+  Real sum = 0.0, slope = 0.0;
   double bound = 1.0;
-  for (double n = 0.0; n < 50.0 && bound > last; ++n) {
-    const T after = ((force - stiff * term) / (n + 1.0) - damp * next) / (n + 2.0), old = a;
+  for (double n = 0.0; n < 50.0 && bound > 1e-34; ++n) {
+    const Real after = ((force - stiff * term) / (n + 1.0) - damp * next) / (n + 2.0), old = a;
     sum += after;
     slope += after * (n + 2.0);
     term = next;
@@ -128,52 +128,51 @@ ModalChange<T> change_by_series(const Oscillator<T> &o, const T &y, const T &dy,
 
 // The response, from rest, to the force e^(i Omega t): its value, from that `h` of an impulse and
 // from e^(i Omega tau).
-template <class T>
-ComplexOf<T> forced_response(const Oscillator<T> &o, const ModalChange<T> &h, double omega,
-                             const T &tau, const ComplexOf<T> &wave) {
-  const T off = o.root - omega;
+inline ComplexOf<Real> forced_response(const Oscillator<Real> &o, const ModalChange<Real> &h,
+                                       double omega, const Real &tau, const ComplexOf<Real> &wave) {
+  const Real off = o.root - omega;
   const bool oscillates = rounded(o.square) < 0.0;
   if (oscillates && std::hypot(rounded(o.half), rounded(off)) * rounded(tau) < 1.0) {
     // Near resonance the usual form cancels. With q = -half + i root, the response is
     // (near - far) / (2 i root), near = (e^(q tau) - e^(i Omega tau)) / (q - i Omega) by its
     // series.
-    const ComplexOf<T> z{-o.half * tau, off * tau};
-    ComplexOf<T> sum{1.0, 0.0}, term{1.0, 0.0};
+    const ComplexOf<Real> z{-o.half * tau, off * tau};
+    ComplexOf<Real> sum{1.0, 0.0}, term{1.0, 0.0};
     for (double k = 2.0; k < 30.0; ++k) {
       term = term * z;
       term = {term.re / k, term.im / k};
       sum = {sum.re + term.re, sum.im + term.im};
     }
-    const ComplexOf<T> near = wave * ComplexOf<T>{sum.re * tau, sum.im * tau};
+    const ComplexOf<Real> near = wave * ComplexOf<Real>{sum.re * tau, sum.im * tau};
     // e^(q* tau) from the response to an impulse: h' + half h = e cos, root h = e sin.
-    const ComplexOf<T> mirror{h.dy + o.half * h.y, -(o.root * h.y)};
-    const ComplexOf<T> far = (mirror - wave) / ComplexOf<T>{-o.half, -(o.root + omega)};
-    return (near - far) / ComplexOf<T>{0.0, 2.0 * o.root};
+    const ComplexOf<Real> mirror{h.dy + o.half * h.y, -(o.root * h.y)};
+    const ComplexOf<Real> far = (mirror - wave) / ComplexOf<Real>{-o.half, -(o.root + omega)};
+    return (near - far) / ComplexOf<Real>{0.0, 2.0 * o.root};
   }
-  const T w = omega;
-  const ComplexOf<T> free{h.dy + o.kappa * h.y, w * h.y};
-  return (wave - free) / ComplexOf<T>{o.lambda - w * w, o.kappa * w};
+  const Real w = omega;
+  const ComplexOf<Real> free{h.dy + o.kappa * h.y, w * h.y};
+  return (wave - free) / ComplexOf<Real>{o.lambda - w * w, o.kappa * w};
 }
 
 // The change over the time tau, with wave = e^(i Omega tau).
-template <class T>
-ModalChange<T> change(const Oscillator<T> &o, const T &y, const T &dy, const ModalForce<T> &f,
-                      double omega, const T &tau, const ComplexOf<T> &wave) {
+inline ModalChange<Real> change(const Oscillator<Real> &o, const Real &y, const Real &dy,
+                                const ModalForce<Real> &f, double omega, const Real &tau,
+                                const ComplexOf<Real> &wave) {
   const bool forced = rounded(f.a) != 0.0 || rounded(f.b) != 0.0;
   const bool short_time = o.rate * rounded(tau) <= 1.0;
   if (short_time && (!forced || omega * rounded(tau) <= 1.0))
     return change_by_series(o, y, dy, f, forced ? omega : 0.0, tau);
-  const ModalChange<T> h = impulse_response(o, tau);
-  ModalChange<T> result;
+  const ModalChange<Real> h = impulse_response(o, tau);
+  ModalChange<Real> result;
   if (short_time) {
     result = change_by_series(o, y, dy, {0.0, 0.0, f.c}, 0.0, tau);
   } else {
-    const T left = h.dy + o.kappa * h.y;
-    result.y = y * left + dy * h.y + f.c * (T(1.0) - left) / o.lambda - y - tau * dy;
+    const Real left = h.dy + o.kappa * h.y;
+    result.y = y * left + dy * h.y + f.c * (Real(1.0) - left) / o.lambda - y - tau * dy;
     result.dy = (f.c - o.lambda * y) * h.y + dy * (h.dy - 1.0);
   }
   if (!forced) return result;
-  const ComplexOf<T> g = forced_response(o, h, omega, tau, wave);
+  const ComplexOf<Real> g = forced_response(o, h, omega, tau, wave);
   result.y += f.a * g.re + f.b * g.im;
   result.dy += f.a * (h.y - omega * g.im) + f.b * omega * g.re;
   return result;
