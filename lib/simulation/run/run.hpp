@@ -26,8 +26,6 @@ struct Problem {
   OrderTable orders;
 
   Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run);
-  // The same scene with other options.
-  Problem(const Problem &other, const RunOptions &other_options);
 };
 
 // Hints of the latest step and its events for the next step.

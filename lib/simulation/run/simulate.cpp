@@ -35,19 +35,6 @@ void check_options(const RunOptions &options) {
   require(options.max_steps > 0, "max_steps = ", options.max_steps, ": must be positive");
 }
 
-// The problem of a scene that has been checked.
-Problem problem_of(const Scene &scene, const RunOptions &options) {
-  check_options(options);
-  return {std::make_shared<const Scene>(scene), options};
-}
-
-// A run before its first step, from a motion that has been checked.
-std::unique_ptr<Run> start_run(Problem problem, MotionState start) {
-  auto run = std::make_unique<Run>(Run{.problem = std::move(problem), .start = std::move(start)});
-  run->motion.now = TwofoldInstant(run->start->instant);
-  return run;
-}
-
 }  // namespace
 
 Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run)
@@ -58,11 +45,6 @@ Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &op
       orders(options.flight_tolerance) {
 }
 
-Problem::Problem(const Problem &other, const RunOptions &other_options) : Problem(other) {
-  options = other_options;
-  orders = OrderTable(options.flight_tolerance);
-}
-
 }  // namespace detail
 
 Outcome require_complete(Outcome outcome) {
@@ -70,15 +52,16 @@ Outcome require_complete(Outcome outcome) {
   return outcome;
 }
 
-Simulation::Simulation(const Scene &scene, const RunOptions &options) {
-  MotionState start = start_of(scene);  // checks the scene
-  run_ = detail::start_run(detail::problem_of(scene, options), std::move(start));
+Simulation::Simulation(const Scene &scene, const RunOptions &options)
+    : Simulation(scene, detail::first_motion(scene), options) {
 }
 
 Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options) {
   check(scene);
   check(scene, start);
-  run_ = detail::start_run(detail::problem_of(scene, options), start);
+  detail::check_options(options);
+  run_ = std::make_unique<detail::Run>(
+      detail::Run{.problem = {std::make_shared<const Scene>(scene), options}, .start = start});
 }
 
 Simulation::Simulation(const Simulation &other) : run_(std::make_unique<detail::Run>(*other.run_)) {
@@ -99,7 +82,7 @@ const Scene &Simulation::scene() const {
 
 void Simulation::start_from(const MotionState &start) {
   check(scene(), start);
-  run_ = detail::start_run(run_->problem, start);
+  run_ = std::make_unique<detail::Run>(detail::Run{.problem = run_->problem, .start = start});
 }
 
 void Simulation::set_options(const RunOptions &options) {
@@ -112,7 +95,8 @@ void Simulation::set_options(const RunOptions &options) {
     run.progress.inside_chatter = false;
     run.ended_inside_chatter = false;
   }
-  run.problem = detail::Problem(run.problem, options);
+  run.problem.options = options;
+  run.problem.orders = detail::OrderTable(options.flight_tolerance);
 }
 
 Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) {
