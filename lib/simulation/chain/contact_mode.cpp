@@ -77,14 +77,14 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
   return mode;
 }
 
-const ContactMode &ContactModes::enter(const Chain &chain, const Held &held, bool &built) {
+const ContactMode &ContactModes::enter(const Chain &chain, const Held &held, Counters &counters) {
   const auto latest = std::find_if(recent_.rbegin(), recent_.rend(),
                                    [&held](const auto &mode) { return mode->held == held; });
-  built = latest == recent_.rend();
-  if (!built) {
+  if (latest != recent_.rend()) {
     std::rotate(latest.base() - 1, latest.base(), recent_.end());
     return *recent_.back();
   }
+  ++counters.modes_built;
   if (recent_.size() == most_contact_modes) recent_.erase(recent_.begin());
   recent_.push_back(std::make_shared<const ContactMode>(build_contact_mode(chain, held)));
   return *recent_.back();

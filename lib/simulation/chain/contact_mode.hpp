@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "chain.hpp"
+#include "vibro_impact/counters.hpp"
 
 namespace vibro_impact::detail {
 
@@ -38,9 +39,9 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held);
 // kept. Copies of a run share them.
 class ContactModes {
  public:
-  // `built` is set to whether the mode had to be built. The mode lives at least until
-  // `most_contact_modes` others have been entered.
-  const ContactMode &enter(const Chain &chain, const Held &held, bool &built);
+  // Counts a mode that had to be built. The mode lives at least until `most_contact_modes` others
+  // have been entered.
+  const ContactMode &enter(const Chain &chain, const Held &held, Counters &counters);
 
  private:
   std::vector<std::shared_ptr<const ContactMode>> recent_;  // the latest entered last

@@ -135,10 +135,8 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start) {
     motion.x[mass.mass] = chain.stops[mass.stop].position;
   }
   if (scratch.held == motion.mode->held) return;
-  bool built = false;
-  motion.mode = &run.modes.enter(chain, scratch.held, built);
+  motion.mode = &run.modes.enter(chain, scratch.held, run.counters);
   motion.acceleration_known = false;
-  if (built) ++run.counters.modes_built;
   for (const RestingMass &mass : scratch.resting) {
     if (mass.held == mass.was_held) continue;
     ++(mass.held ? run.counters.sticks : run.counters.releases);
@@ -166,9 +164,7 @@ void handle_start(Run &run, Recorders recorders) {
   const Chain &chain = run.chain();
   const MotionState state = *std::exchange(run.start, std::nullopt);
   Motion &motion = run.motion;
-  bool built = false;
-  motion.mode = &run.modes.enter(chain, state.held, built);
-  if (built) ++run.counters.modes_built;
+  motion.mode = &run.modes.enter(chain, state.held, run.counters);
   clear(chain, motion);
   motion.now = TwofoldInstant(state.instant);
   for (std::size_t i = 0; i < chain.masses; ++i)
