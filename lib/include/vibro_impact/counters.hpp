@@ -6,7 +6,6 @@ namespace vibro_impact {
 struct Counters {
   long long expansions = 0;          // Taylor expansions of the flow
   long long coefficients = 0;        // Taylor orders, summed over the expansions
-  long long products = 0;            // coefficients of masses, summed over the expansions
   long long search_steps = 0;        // evaluations of a long flight in search of its end
   long long out_of_reach = 0;        // gaps and hold forces out of reach of zero over a step
   long long roots_dismissed = 0;     // polynomials shown positive by one lower bound

@@ -85,8 +85,6 @@ Step plan_step(Run &run) {
   if (zeros > 1) step.order = std::max(step.order, std::min(max_order, zeros / 2 * 2 + 5));
   ++run.counters.expansions;
   run.counters.coefficients += step.order + 1;
-  run.counters.products +=
-      static_cast<long long>(step.order + 1) * static_cast<long long>(run.chain().padded);
   return step;
 }
 
