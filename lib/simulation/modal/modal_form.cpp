@@ -134,7 +134,6 @@ std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &m
 void fly(const ModalForm &form, double omega, const ModalState &start,
          const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to) {
   to = start;
-  if (rounded(tau) == 0.0) return;
   const ComplexOf<Real> wave = wave_at(tau * omega);
   for (std::size_t k = 0; k < form.size(); ++k) {
     const Index j = as_index(k);

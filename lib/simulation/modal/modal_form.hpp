@@ -56,7 +56,7 @@ ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &
 // The forces on the coordinates over a flight from this motion.
 std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &motion);
 
-// Sets `to` to the state at the time tau of the flight from `start`.
+// Sets `to` to the state at the time tau > 0 of the flight from `start`.
 void fly(const ModalForm &form, double omega, const ModalState &start,
          const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to);
 

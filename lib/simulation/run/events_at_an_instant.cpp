@@ -140,7 +140,7 @@ void hold_or_release(Run &run, Recorders recorders, bool at_start) {
   for (const RestingMass &mass : scratch.resting) {
     if (mass.held == mass.was_held) continue;
     ++(mass.held ? run.counters.sticks : run.counters.releases);
-    report_event(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, {},
+    report_event(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, 0.0, 0.0,
                  !mass.held && mass.zero_orders == 0, recorders);
   }
 }

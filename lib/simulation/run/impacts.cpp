@@ -89,10 +89,9 @@ void apply_hits(Run &run, Recorders recorders) {
   for (const Hit &hit : hits) {
     const Contact &contact = contacts[hit.contact];
     const double closing = rounded(hit.closing);
-    report_event(
-        run, EventKind::impact, contact.stop,
-        {contact.sigma * closing, -contact.sigma * chain.stops[contact.stop].law.after(closing)},
-        false, recorders);
+    const double leaving = chain.stops[contact.stop].law.after(closing);
+    report_event(run, EventKind::impact, contact.stop, contact.sigma * closing,
+                 -contact.sigma * leaving, false, recorders);
   }
   if (hits.empty()) return;
   find_acceleration(chain, motion);

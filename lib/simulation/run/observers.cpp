@@ -53,7 +53,7 @@ void stop_run(Run &run, Ending ending, std::string reason) {
   run.progress.reason = std::move(reason);
 }
 
-void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
+void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
                   bool by_a_jump, Recorders recorders) {
   if (run.progress.inside_chatter || recorders.empty()) return;
   const Stop &stop_of_event = run.scene().stops[stop];
@@ -63,8 +63,8 @@ void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities v
   event.mass = stop_of_event.mass;
   event.side = stop_of_event.side;
   event.instant = run.motion.now.rounded();
-  event.velocity_before = velocities.before;
-  event.velocity_after = velocities.after;
+  event.velocity_before = before;
+  event.velocity_after = after;
   event.falling = run.stops[stop].falling;
   event.by_a_jump = by_a_jump;
   event.held = run.motion.mode->held;

@@ -5,17 +5,13 @@
 
 namespace vibro_impact::detail {
 
-// The velocities of an impact, just before and just after it.
-struct ImpactVelocities {
-  double before = 0.0, after = 0.0;
-};
-
 // Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
-// Reports an event at a stop, and ends the call when a recorder is done. Events inside a chatter,
-// before the limit that the run takes, are not reported.
-void report_event(Run &run, EventKind kind, std::size_t stop, ImpactVelocities velocities,
+// Reports an event at a stop, and ends the call when a recorder is done. `before` and `after` are
+// the velocities of an impact, else 0. Events inside a chatter, before the limit that the run
+// takes, are not reported.
+void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
                   bool by_a_jump, Recorders recorders);
 
 // The next time at which a recorder asks for a sample; infinite when there is none.
