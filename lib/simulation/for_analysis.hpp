@@ -2,19 +2,17 @@
 // needs stands in the public headers.
 #pragma once
 
-#include "chain/rates.hpp"          // a bound of every rate
-#include "chain/require.hpp"        // the refusal of bad input
-#include "modal/free_response.hpp"  // the free motion of one mode in closed form
-#include "modal/modes.hpp"          // the natural modes of the free masses
+#include "chain/rates.hpp"       // a bound of every rate
+#include "chain/require.hpp"     // the refusal of bad input
+#include "modal/modes.hpp"       // the natural modes of the free masses
+#include "modal/oscillator.hpp"  // the free motion of one mode in closed form
 
 namespace vibro_impact {
 
 using detail::check_place;
 using detail::entry_of;
 using detail::first_motion;
-using detail::free_response;
 using detail::line;
-using detail::OscillatorState;
 using detail::rate_bound;
 using detail::require;
 using detail::require_mass;

@@ -29,7 +29,8 @@
 namespace vibro_impact {
 
 // Moves tangents through a flight in one contact mode. In modal coordinates they obey
-// y'' + beta lambda y' + lambda y = 0.
+// y'' + kappa y' + lambda y = 0 with kappa = beta lambda. With the response h to an impulse, y
+// after a time is (h' + kappa h) y + h y', and its slope is h' y' - lambda h y.
 class TangentFlow {
  public:
   TangentFlow(const Scene &scene, const Held &held)
@@ -42,12 +43,12 @@ class TangentFlow {
     Eigen::MatrixXd y = modes_.inverse * tangents.topRows(n),
                     dy = modes_.inverse * tangents.bottomRows(n);
     for (Eigen::Index j = 0; j < y.rows(); ++j) {
-      const double lambda = modes_.lambda(j);
-      const OscillatorState of_value = free_response(beta_ * lambda, lambda, {1.0, 0.0}, time);
-      const OscillatorState of_slope = free_response(beta_ * lambda, lambda, {0.0, 1.0}, time);
+      const double lambda = modes_.lambda(j), kappa = beta_ * lambda;
+      const auto [h, dh] =
+          detail::impulse_response(detail::Oscillator<double>(lambda, kappa), time);
       const Eigen::RowVectorXd value = y.row(j), slope = dy.row(j);
-      y.row(j) = of_value.value * value + of_slope.value * slope;
-      dy.row(j) = of_value.slope * value + of_slope.slope * slope;
+      y.row(j) = (dh + kappa * h) * value + h * slope;
+      dy.row(j) = -lambda * h * value + dh * slope;
     }
     tangents << modes_.shape * y, modes_.shape * dy;
   }
