@@ -156,7 +156,7 @@ constexpr int chatter_impacts = 5;
 
 // The memory of a run.
 
-// Contact modes, and the modal forms of those that long flights have asked for.
+// Contact modes that are kept.
 constexpr std::size_t most_contact_modes = 64;
 
 }  // namespace vibro_impact::detail

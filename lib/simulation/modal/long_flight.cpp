@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
 
-void LongFlight::begin(const Chain &chain, const Clock &clock,
-                       std::shared_ptr<const ModalForm> form, const Motion &motion,
+void LongFlight::begin(const Chain &chain, const Clock &clock, const Motion &motion,
                        const std::vector<Start> &starts, double flown) {
-  form_ = std::move(form);
+  form_ = std::make_shared<const ModalForm>(modal_form(chain, *motion.mode, blocks_));
   start_ = modal_state(chain, *form_, motion);
   forces_ = forces_from(*form_, motion);
   starts_ = starts;

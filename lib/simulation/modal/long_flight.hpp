@@ -20,8 +20,8 @@ class LongFlight {
     return form_ != nullptr;
   }
   // The flight from `motion` has no event in the time `flown`.
-  void begin(const Chain &chain, const Clock &clock, std::shared_ptr<const ModalForm> form,
-             const Motion &motion, const std::vector<Start> &starts, double flown);
+  void begin(const Chain &chain, const Clock &clock, const Motion &motion,
+             const std::vector<Start> &starts, double flown);
   void end() {
     form_ = nullptr;
   }
@@ -55,6 +55,7 @@ class LongFlight {
   };
   struct Bound;
 
+  Blocks blocks_;
   std::shared_ptr<const ModalForm> form_;
   ModalState start_, state_;  // at the start of the flight, and at u
   std::vector<ModalForce<Real>> forces_;

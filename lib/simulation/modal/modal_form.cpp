@@ -49,18 +49,23 @@ Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact
   return watch;
 }
 
-ModalForm build_modal_form(const Chain &chain, const ContactMode &mode,
-                           const std::vector<std::shared_ptr<const BlockModes>> &blocks) {
+}  // namespace
+
+ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks) {
   ModalForm form;
   form.held = mode.held;
-  Index size = 0;
-  for (const auto &block : blocks) size += block->lambda.size();
+  const Index size = std::count(mode.held.begin(), mode.held.end(), 0);
   form.shape = RealMatrix::Constant(as_index(chain.masses), size, Real(0.0));
   form.a = form.b = form.c = RealVector::Constant(size, Real(0.0));
-  Index first = 0;
-  for (const auto &block : blocks) {
+  Index column = 0;
+  for (std::size_t first = 0; first < chain.masses; ++first) {
+    if (mode.held[first] != 0) continue;
+    std::size_t last = first;
+    while (last + 1 < chain.masses && mode.held[last + 1] == 0) ++last;
+    std::shared_ptr<const BlockModes> &block = blocks[{first, last}];
+    if (!block) block = std::make_shared<const BlockModes>(modes_of_block(chain, first, last));
     const Index n = block->lambda.size();
-    form.shape.block(as_index(block->first), first, n, n) = block->shape;
+    form.shape.block(as_index(first), column, n, n) = block->shape;
     for (Index j = 0; j < n; ++j) {
       const Real &lambda = block->lambda(j);
       const Real kappa = chain.beta * lambda;
@@ -68,42 +73,19 @@ ModalForm build_modal_form(const Chain &chain, const ContactMode &mode,
       form.rounded.emplace_back(rounded(lambda), rounded(kappa));
       form.fastest = std::max(form.fastest, form.rounded.back().rate);
       for (Index row = 0; row < n; ++row) {
-        const std::size_t i = block->first + static_cast<std::size_t>(row);
+        const std::size_t i = first + static_cast<std::size_t>(row);
         const Real &s = block->shape(row, j);
-        form.a(first + j) += s * chain.a[i];
-        form.b(first + j) += s * chain.b[i];
-        form.c(first + j) += s * constant_force(chain, mode.held, i);
+        form.a(column + j) += s * chain.a[i];
+        form.b(column + j) += s * chain.b[i];
+        form.c(column + j) += s * constant_force(chain, mode.held, i);
       }
     }
-    first += n;
+    column += n;
+    first = last;
   }
   for (const Contact &contact : mode.contacts)
     form.watches.push_back(watch_at(chain, form, contact));
   return form;
-}
-
-}  // namespace
-
-std::shared_ptr<const ModalForm> ModalForms::enter(const Chain &chain, const ContactMode &mode) {
-  const auto latest = std::find_if(recent_.rbegin(), recent_.rend(),
-                                   [&mode](const auto &form) { return form->held == mode.held; });
-  if (latest != recent_.rend()) {
-    std::rotate(latest.base() - 1, latest.base(), recent_.end());
-    return recent_.back();
-  }
-  std::vector<std::shared_ptr<const BlockModes>> blocks;
-  for (std::size_t first = 0; first < chain.masses; ++first) {
-    if (mode.held[first] != 0) continue;
-    std::size_t last = first;
-    while (last + 1 < chain.masses && mode.held[last + 1] == 0) ++last;
-    std::shared_ptr<const BlockModes> &block = blocks_[{first, last}];
-    if (!block) block = std::make_shared<const BlockModes>(modes_of_block(chain, first, last));
-    blocks.push_back(block);
-    first = last;
-  }
-  if (recent_.size() == most_contact_modes) recent_.erase(recent_.begin());
-  recent_.push_back(std::make_shared<const ModalForm>(build_modal_form(chain, mode, blocks)));
-  return recent_.back();
 }
 
 ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &motion) {

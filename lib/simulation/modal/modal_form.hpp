@@ -35,15 +35,11 @@ struct ModalForm {
   }
 };
 
-// The modal forms of one run, and the blocks that they share. Copies of a run share them, too.
-class ModalForms {
- public:
-  std::shared_ptr<const ModalForm> enter(const Chain &chain, const ContactMode &mode);
+// The blocks of one run by their first and last masses. Copies of a run share them.
+using Blocks = std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<const BlockModes>>;
 
- private:
-  std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<const BlockModes>> blocks_;
-  std::vector<std::shared_ptr<const ModalForm>> recent_;  // the latest entered last
-};
+// The modal form of a contact mode of N masses, in O(N^2). A block that is new is added in O(N^3).
+ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks);
 
 // The modal coordinates and their velocities, y = shape^T M x, with the sums of the moduli of the
 // terms of each.

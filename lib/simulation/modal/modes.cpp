@@ -105,7 +105,7 @@ BlockModes modes_of_block(const Chain &chain, std::size_t first, std::size_t las
   const Tensions tensions = tensions_of(chain, first, root);
   RealMatrix vectors = start_of_modes(tensions.matrix), factor = tensions.matrix * vectors;
   make_orthogonal(factor, vectors);
-  BlockModes modes{first, {}, RealVector(n)};
+  BlockModes modes{{}, RealVector(n)};
   for (Index j = 0; j < n; ++j) modes.lambda(j) = factor.col(j).squaredNorm();
   if (!tensions.tied) {
     Index rigid = 0;

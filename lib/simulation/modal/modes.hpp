@@ -13,9 +13,8 @@ namespace vibro_impact::detail {
 
 // The modes of a block of neighbouring free masses, tied to each other, between masses held fixed.
 struct BlockModes {
-  std::size_t first = 0;  // its first mass
-  RealMatrix shape;       // of mass first + i in mode j
-  RealVector lambda;      // squares of the natural frequencies
+  RealMatrix shape;   // of the mass i of the block in mode j
+  RealVector lambda;  // squares of the natural frequencies
 };
 
 // The modes of the masses first to last, each relative to its own frequency accurate to 1e-25 and

@@ -150,11 +150,9 @@ void fly_far(Run &run, Recorders recorders) {
   Scratch &scratch = run.scratch;
   if (!run.long_flight.is_under_way()) {
     set_starts(run);
-    auto form = run.forms.enter(chain, *run.motion.mode);
     const Real flown = elapsed(run.flight_start.now, run.motion.now, clock);
     run.motion = run.flight_start;
-    run.long_flight.begin(chain, clock, std::move(form), run.motion, scratch.starts,
-                          rounded(flown));
+    run.long_flight.begin(chain, clock, run.motion, scratch.starts, rounded(flown));
   }
   const double remaining =
       rounded(elapsed(run.motion.now, TwofoldInstant(run.progress.end), clock));

@@ -77,7 +77,6 @@ struct Run {
   Problem problem;
   std::optional<MotionState> start;  // the initial state, until the run begins
   ContactModes modes = {};
-  ModalForms forms = {};
   Motion motion = {};
   std::vector<StopState> stops = {};  // one for each stop of the scene
   Chatter chatter = {};
