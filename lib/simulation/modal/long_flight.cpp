@@ -191,13 +191,13 @@ void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const M
   evaluate(chain, clock, start, after);
 }
 
-LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, const Motion &start,
-                                      double end, std::vector<Near> &near, Counters &counters) {
+FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motion &start,
+                             double end, std::vector<Near> &near, Counters &counters) {
   while (!is_at_event_) {
     const double l = l_, step = next_step(counters);
     if (u_ + step >= end) {
       l_ = l;  // the next call makes this step
-      return {Found::end_of_call};
+      return {infinity, false};
     }
     const double before = u_;
     evaluate(chain, clock, start, u_ + step);
@@ -207,10 +207,10 @@ LongFlight::Result LongFlight::search(const Chain &chain, const Clock &clock, co
     if (appears || is_root() || u_ == before)
       is_at_event_ = true;
     else if (++evaluations_ >= most_search_steps)
-      return {Found::nothing, u_};
+      return {u_, false};
   }
   // Also for a call that goes on after one that ended between u and the event.
-  return {Found::event, refined(chain, clock, start, near)};
+  return {refined(chain, clock, start, near), true};
 }
 
 }  // namespace vibro_impact::detail

@@ -26,15 +26,11 @@ class LongFlight {
     form_ = nullptr;
   }
 
-  // The result of a search, which counts its steps: an event, the end of the call before any event,
-  // or neither after `most_search_steps`, and then the flight may begin anew where it is.
-  enum class Found { event, end_of_call, nothing };
-  struct Result {
-    Found found;
-    Real tau = 0.0;
-  };
-  Result search(const Chain &chain, const Clock &clock, const Motion &start, double end,
-                std::vector<Near> &near, Counters &counters);
+  // Searches the first event, and counts the steps of the search. The time is infinite when the
+  // call ends before any event. Without an event the flight may begin anew where it is: it ends
+  // there after `most_search_steps`.
+  FlightEnd search(const Chain &chain, const Clock &clock, const Motion &start, double end,
+                   std::vector<Near> &near, Counters &counters);
 
   // The motion at the time tau of the flight.
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);

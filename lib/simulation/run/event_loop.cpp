@@ -120,53 +120,53 @@ void end_flight(Run &run, const Real &tau, bool event, Recorders recorders) {
   take_limit(run, recorders);
 }
 
-// Flies over one step of the Taylor table, or to the first event in it.
-void fly_one_step(Run &run, double remaining, Recorders recorders) {
-  const Chain &chain = run.chain();
+// The time from the motion of the run to the end of the call.
+double time_to_end(const Run &run) {
+  const TwofoldInstant end(run.progress.end);
+  return std::max(0.0, rounded(elapsed(run.motion.now, end, run.problem.clock)));
+}
+
+// Searches one step of the Taylor table.
+FlightEnd search_step(Run &run) {
   Scratch &scratch = run.scratch;
   set_starts(run);
   const Step step = plan_step(run);
-  const FlightEnd end = scratch.flight.find_first_event(chain, run.motion, step, scratch.starts,
-                                                        scratch.near, run.counters);
-  const double tau = end.tau.hi;
-  if (std::isnan(tau)) return give_up_beyond_range(run, run.motion.now.rounded());
-  if (tau > remaining || remaining == 0.0) return end_at_time(run, recorders);
-  sample(run, tau, recorders);
-  if (run.progress.over) return;
-  if (!end.event && run.hint.quiet_steps == 0) run.flight_start = run.motion;
-  if (tau > 0.0) {
-    move_along(chain, run.problem.clock, scratch.flight.table, tau, run.motion);
-    scratch.flight.place_released(scratch.starts, tau, run.motion);
-  }
-  end_flight(run, tau, end.event || run.hint.postponed, recorders);
+  return scratch.flight.find_first_event(run.chain(), run.motion, step, scratch.starts,
+                                         scratch.near, run.counters);
 }
 
-// Flies in closed form, to the first event or to the end of the call. The flight begins where that
-// of the steps before has begun: a slow coordinate has lost digits in them. Of the starts, which
-// are those of now, it takes only which contacts are idle.
-void fly_far(Run &run, Recorders recorders) {
+// Searches a flight in closed form, up to the end of the call. The flight begins where that of the
+// steps before has begun: a slow coordinate has lost digits in them. Of the starts, which are those
+// of now, it takes only which contacts are idle.
+FlightEnd search_far(Run &run) {
   const Chain &chain = run.chain();
   const Clock &clock = run.problem.clock;
-  Scratch &scratch = run.scratch;
   if (!run.long_flight.is_under_way()) {
     set_starts(run);
     const Real flown = elapsed(run.flight_start.now, run.motion.now, clock);
     run.motion = run.flight_start;
-    run.long_flight.begin(chain, clock, run.motion, scratch.starts, rounded(flown));
+    run.long_flight.begin(chain, clock, run.motion, run.scratch.starts, rounded(flown));
   }
-  const double remaining =
-      rounded(elapsed(run.motion.now, TwofoldInstant(run.progress.end), clock));
-  const LongFlight::Result result =
-      run.long_flight.search(chain, clock, run.motion, remaining, scratch.near, run.counters);
-  if (result.found == LongFlight::Found::end_of_call || result.tau.hi > remaining)
-    return end_at_time(run, recorders);
-  sample(run, result.tau, recorders);
-  if (run.progress.over) return;
-  scratch.motion = run.long_flight.at(chain, clock, run.motion, result.tau);
-  std::swap(run.motion, scratch.motion);
-  run.flight_start = run.motion;
-  run.long_flight.end();
-  end_flight(run, result.tau, result.found == LongFlight::Found::event, recorders);
+  return run.long_flight.search(chain, clock, run.motion, time_to_end(run), run.scratch.near,
+                                run.counters);
+}
+
+// Moves the run to the end of the flight that was searched.
+void move_to(Run &run, const FlightEnd &end) {
+  const Chain &chain = run.chain();
+  const Clock &clock = run.problem.clock;
+  Scratch &scratch = run.scratch;
+  if (run.long_flight.is_under_way()) {
+    scratch.motion = run.long_flight.at(chain, clock, run.motion, end.tau);
+    std::swap(run.motion, scratch.motion);
+    run.flight_start = run.motion;
+    return run.long_flight.end();
+  }
+  if (!end.event && run.hint.quiet_steps == 0) run.flight_start = run.motion;
+  const double tau = end.tau.hi;
+  if (!(tau > 0.0)) return;
+  move_along(chain, clock, scratch.flight.table, tau, run.motion);
+  scratch.flight.place_released(scratch.starts, tau, run.motion);
 }
 
 bool is_in_range(const Motion &motion) {
@@ -203,14 +203,16 @@ bool is_quiet(const Run &run) {
 
 // One flight of the loop.
 void fly_on(Run &run, Recorders recorders) {
-  const Real until_end =
-      elapsed(run.motion.now, TwofoldInstant(run.progress.end), run.problem.clock);
-  const double remaining = std::max(0.0, rounded(until_end));
   if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
-  if (run.long_flight.is_under_way() || is_quiet(run))
-    fly_far(run, recorders);
-  else
-    fly_one_step(run, remaining, recorders);
+  const bool far = run.long_flight.is_under_way() || is_quiet(run);
+  const FlightEnd end = far ? search_far(run) : search_step(run);
+  if (std::isnan(end.tau.hi)) return give_up_beyond_range(run, run.motion.now.rounded());
+  const double remaining = time_to_end(run);
+  if (end.tau.hi > remaining || remaining == 0.0) return end_at_time(run, recorders);
+  sample(run, end.tau, recorders);
+  if (run.progress.over) return;
+  move_to(run, end);
+  end_flight(run, end.tau, end.event || run.hint.postponed, recorders);
 }
 
 }  // namespace
