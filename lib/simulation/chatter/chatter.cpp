@@ -38,7 +38,7 @@ void Chatter::set_weights(double ratio) {
 }
 
 bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, double r,
-                  const Clock &clock, const Motion &motion, const std::vector<double> &jumps) {
+                  const Clock &clock, const Motion &motion, std::vector<double> &jumps) {
   if (!(stops == stops_ && flight_time < flight_time_)) {
     end();
     stops_ = stops;
@@ -60,7 +60,7 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
   newest_ = (newest_ + 1) % most_chatter_nodes;
   size_ = std::min(size_ + 1, most_chatter_nodes);
   left_ = left;
-  jumps_ = jumps;
+  jumps_.swap(jumps);
   ChatterNode &node = ring_[newest_];
   node.time = elapsed(first_, motion.now, clock) + left;
   node.x.resize(motion.x.size());
@@ -68,7 +68,7 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
   node.largest_jump = 0.0;
   for (std::size_t i = 0; i < motion.x.size(); i += 2) {
     const RealPair v = load(&motion.v[i]);
-    const Pair jump = pair(&jumps[i]), gain = left * pair(&motion.acceleration[i]) + jump;
+    const Pair jump = pair(&jumps_[i]), gain = left * pair(&motion.acceleration[i]) + jump;
     store(load(&motion.x[i]) + v * Pair{left, left}, &node.x[i]);
     store(v + gain, &node.v[i]);
     node.largest_jump = std::max({node.largest_jump, std::abs(jump[0]), std::abs(jump[1])});

@@ -23,9 +23,10 @@ class Chatter {
  public:
   // The impacts at these stops at one instant: the time of the flight after them to leading order
   // (x in (6)), the limit r of the restitution, and the changes of v at all impacts to come. A new
-  // chatter begins unless this one continues. Returns whether they are a node.
+  // chatter begins unless this one continues. Returns whether they are a node: it takes over the
+  // changes, in exchange for those of the node before.
   bool add(const std::vector<std::size_t> &stops, double flight_time, double r, const Clock &clock,
-           const Motion &motion, const std::vector<double> &jumps);
+           const Motion &motion, std::vector<double> &jumps);
   void end();
 
   // True if the latest impact is a node: a limit may be taken.
