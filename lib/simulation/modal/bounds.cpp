@@ -11,22 +11,21 @@ namespace vibro_impact::detail {
 
 // A contact is bounded from below by its value, its rate, its derivatives of order 2 to `order` and
 // a bound of the next one. Parts of the motion that turn within the time are taken out of these,
-// and are in `away` by their amplitude instead. Derivatives of order n are in units of unit^-n:
+// and lower the value by their amplitude instead. Derivatives of order n are in units of unit^-n:
 //
-//   g(s) >= value - away + rate s + sum_(n=2)^order g_n (s/unit)^n / n!
+//   g(s) >= value + rate s + sum_(n=2)^order g_n (s/unit)^n / n!
 //           - remainder (s/unit)^(order+1) / (order+1)!
 struct LongFlight::Bound {
   int order = 2;
   double length = 0.0, unit = 0.0;
-  double value = 0.0, rate = 0.0, away = 0.0, remainder = 0.0;
+  double value = 0.0, rate = 0.0, remainder = 0.0;
   std::array<Real, max_order + 1> derivative{};
 
   // A part that turns within the length is taken out of the value and of the rate; the others stay.
   void add(const Part &part) {
     if (part.rate * length > 1.0) {
-      value -= part.value;
+      value -= part.value + part.amplitude;
       rate -= part.slope;
-      away += part.amplitude;
       return;
     }
     const double root = std::sqrt(part.stiffness) * unit, d = part.damping * unit;
@@ -43,7 +42,7 @@ struct LongFlight::Bound {
   Polynomial polynomial() const {
     Polynomial p;
     p.order = order + 1;
-    p.coefficient[0] = value - away;
+    p.coefficient[0] = value;
     p.coefficient[1] = rate * length;
     double power = length / unit;
     for (int n = 2; n <= order + 1; ++n) {
