@@ -13,9 +13,9 @@
 
 namespace vibro_impact::detail {
 
-// A contact without its constant part, as a sum over the coordinates: row . (y + damping y') + a
-// cos
-// + b sin. It is -sigma x of a free mass, or sigma times the force on a held one.
+// A contact without its constant part, as a sum over the coordinates:
+// row . (y + damping y') + a cos + b sin. It is -sigma x of a free mass, or sigma times the force
+// on a held one.
 struct Watch {
   std::vector<Real> row;
   double damping = 0.0, a = 0.0, b = 0.0;
