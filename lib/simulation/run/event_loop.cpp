@@ -120,10 +120,8 @@ void end_flight(Run &run, const Real &tau, bool event, Recorders recorders) {
   take_limit(run, recorders);
 }
 
-// The time from the motion of the run to the end of the call.
 double time_to_end(const Run &run) {
-  const TwofoldInstant end(run.progress.end);
-  return std::max(0.0, rounded(elapsed(run.motion.now, end, run.problem.clock)));
+  return std::max(0.0, rounded(time_until(run, run.progress.end)));
 }
 
 // Searches one step of the Taylor table.

@@ -10,13 +10,9 @@
 
 namespace vibro_impact::detail {
 
-namespace {
-
 Real time_until(const Run &run, const Instant &instant) {
   return elapsed(run.motion.now, TwofoldInstant(instant), run.problem.clock);
 }
-
-}  // namespace
 
 void sample(Run &run, const Real &tau, Recorders recorders) {
   const Clock &clock = run.problem.clock;

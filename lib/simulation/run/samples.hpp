@@ -6,6 +6,9 @@
 
 namespace vibro_impact::detail {
 
+// The time from the motion of the run to an instant.
+Real time_until(const Run &run, const Instant &instant);
+
 // Reports the samples up to `tau` after the motion of the run, on its step or long flight.
 void sample(Run &run, const Real &tau, Recorders recorders);
 
