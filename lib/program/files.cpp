@@ -18,7 +18,7 @@ namespace {
 // The file that an output names, behind links.
 fs::path target_of(const Output &output) {
   std::error_code error;
-  const fs::path name = fs::weakly_canonical(fs::absolute(output.path), error);
+  fs::path name = fs::weakly_canonical(fs::absolute(output.path), error);
   const fs::file_status status = error ? fs::file_status() : fs::status(name, error);
   if (error && status.type() != fs::file_type::not_found)
     refuse("{}: {}", output.given(), error.message());

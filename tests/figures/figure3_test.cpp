@@ -119,7 +119,7 @@ TEST(Figure3, HasTheImpactVelocitiesAndTheSticking) {
 TEST(Figure3, EqualVelocitiesCountOnce) {
   EXPECT_EQ(figures::distinct({-0.1, -0.2, -0.1 * (1.0 + 1e-9), -0.2}),
             (std::vector{-0.2, -0.1 * (1.0 + 1e-9)}));
-  EXPECT_EQ(figures::distinct({1e-4, 1.001e-4}).size(), 2u);
+  EXPECT_EQ(figures::distinct({1e-4, 1.00001e-4}).size(), 2u);
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ using namespace vibro_impact::testing;
 using paper::AxisBox;
 
 // Each mass is said to do what the true events say. The last impacts of a chatter, slower than
-// 1e-4, are not resolved, so that only sticking is compared to the frame.
+// 1e-4, are not resolved, so that only sticking is compared to the frame, and the release that
+// stands for the time 2 after it, or until the next impact.
 TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
   const std::string folder = tables_of("figure1", "figure1");
   const Scene scene = paper::figure2();
@@ -39,6 +40,12 @@ TEST(Figure1, ItsTableSaysWhatTheMassesDo) {
       const std::string &action = row.cell("action" + std::to_string(mass));
       actions[i].insert(action);
       EXPECT_EQ(action == "sticks", holds(std::prev(next)->held, mass)) << time;
+      const auto is_of_mass = [mass](const Event &event) { return event.mass == mass; };
+      const auto latest = std::find_if(std::reverse_iterator(next), events.rend(), is_of_mass);
+      ASSERT_NE(latest, events.rend());
+      EXPECT_EQ(action == "released",
+                latest->kind == EventKind::release && time < latest->time + 2.0)
+          << time;
       if (action == "sticks") {
         EXPECT_EQ(row.number("x" + std::to_string(mass)), scene.stops[i].position) << time;
       }

@@ -38,7 +38,7 @@ Growth mean_growth(Simulation &simulation, const MotionState &start, const Growt
   MotionState state = start;
   // The perturbation is carried in units of its coordinates, in which its length is taken.
   const Eigen::VectorXd units = coordinate_units(scene, Held(scene.mass.size(), 0));
-  Eigen::VectorXd perturbation = Eigen::VectorXd::Zero(2 * scene.masses());
+  Eigen::VectorXd perturbation = Eigen::VectorXd::Zero(units.size());
   for (const std::size_t row : free_coordinates(start.held))
     perturbation[static_cast<Eigen::Index>(row)] = 1.0;
   perturbation.normalize();
