@@ -18,7 +18,7 @@ using Texts = std::array<std::string, 4>;
 // line.
 std::string journal_line(std::size_t row, const Texts &texts);
 
-// It begins with the head, which names the sweep. The lines stand in any order; if a row has
+// A journal begins with the head, which names the sweep. The lines stand in any order; if a row has
 // several, the last counts. A sweep that was killed may leave a last line without its end. Such a
 // line is removed, and its row is computed again. A lock on the file, which ends with the process,
 // keeps a second sweep away. The rows are in memory, too: whatever becomes of the file, the tables
@@ -36,7 +36,7 @@ class Journal {
   }
   // Adds a journal_line. Throws std::runtime_error when the file cannot be written.
   void add(const std::string &line);
-  // Those of a row that it has.
+  // The texts of a row that it has.
   Texts texts_of(std::size_t row) const;
   // Removes the file, unless another file has taken its name.
   void remove() const;

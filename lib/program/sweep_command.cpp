@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -158,17 +159,16 @@ MissingPoints write_tables(const SweepRequest &request, const Journal &journal) 
   const auto [records, impacts, section] = sweep_tables(request.grid, request.records);
   const std::string headers[] = {records.text, impacts.text, section.text};
   const std::size_t rows = number_of_rows(request);
-  for (std::size_t k = 0; k < request.tables.size(); ++k) {
-    if (!request.tables[k].wanted()) continue;
-    Table table;
-    table.text = request.head + headers[k];
-    for (std::size_t row = 0; row < rows; ++row) table.text += journal.texts_of(row)[k];
-    write(table, request.tables[k].path);
-  }
+  std::array<Table, 3> tables;
+  for (std::size_t k = 0; k < tables.size(); ++k) tables[k].text = request.head + headers[k];
   MissingPoints missing;
-  for (std::size_t row = 0; row < rows; ++row)
-    if (const std::string reason = journal.texts_of(row)[3]; !reason.empty())
-      add_missing(missing, request, row, reason);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const Texts texts = journal.texts_of(row);
+    for (std::size_t k = 0; k < tables.size(); ++k) tables[k].text += texts[k];
+    if (!texts[3].empty()) add_missing(missing, request, row, texts[3]);
+  }
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    if (request.tables[k].wanted()) write(tables[k], request.tables[k].path);
   return missing;
 }
 

@@ -12,7 +12,9 @@ namespace vibro_impact {
 using detail::check_place;
 using detail::entry_of;
 using detail::first_motion;
+using detail::impulse_response;
 using detail::line;
+using detail::Oscillator;
 using detail::rate_bound;
 using detail::require;
 using detail::require_mass;

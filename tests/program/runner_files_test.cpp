@@ -27,7 +27,7 @@ TEST_F(Runner, ARunOfTooManyStepsIsGivenUpAndLeavesNoFile) {
       run("run --max-steps 100 --events e.csv --samples s.csv --beta 0 --stiffness 1,1e6"),
       "more than 100 steps, given up at t = ", 1);
   for (const char *command : {"run --max-steps 100", "orbit --max-steps 100"})
-    expect_message(run(command), " --max-steps can allow more\n", 1);
+    expect_message(run(command), "; RunOptions::max_steps (--max-steps) can allow more\n", 1);
   EXPECT_TRUE(fs::is_empty(folder));
   // CLI11 writes a default as N=3000000 up to its version 2.3, and as N [3000000] after it.
   const std::regex of_a_run(R"(--max-steps N(=3000000| \[3000000\]) )"),

@@ -65,7 +65,7 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCellsAndItsReasonIsSaid) {
       {"displacement1=-0.6:0:2 --vary omega=1e-307:0.6:2",
        "first at displacement1 = -0.6, omega = 1e-307\n1 of 4 points: until = inf: ", 4, 3},
       {"omega=0.3:0.4:2 --vary beta=0.1:0.2:2 --max-steps 1",
-       " --max-steps can allow more; first at omega = 0.3, beta = 0.1\n"
+       " (--max-steps) can allow more; first at omega = 0.3, beta = 0.1\n"
        "vibro-impact: every point of the sweep was refused or given up\n",
        4, 4}};
   for (const auto &[vary, reason, points, missing] : cases) {

@@ -170,6 +170,13 @@ TEST(FirstRoot, OfASmallPolynomialIsFoundInFewSteps) {
   EXPECT_LE(counters.root_iterations, 64);
 }
 
+// A search whose bounds are no numbers must not pass for a search without a root.
+TEST(FirstRoot, OutOfTheRangeOfDoublesIsNoNumber) {
+  const auto root = first(rounded({1e308L, -1e308L, 1e308L, -1e308L, 1e308L, 1e308L}));
+  ASSERT_TRUE(root);
+  EXPECT_TRUE(std::isnan(*root));
+}
+
 // 1e-315 (1 - 3 u + u^2): the reciprocal of the slope is not a double.
 TEST(FirstRoot, OfCoefficientsBelowTheNormalNumbersIsFound) {
   const auto root = first(rounded({1e-315L, -3e-315L, 1e-315L}));

@@ -71,6 +71,18 @@ TEST(Resume, OtherOptionsReportNoEventOfThePast) {
     EXPECT_NEAR(recorder.events[k].time, expected[k].time, 1e-12);
 }
 
+// A looser flight tolerance needs fewer orders, also when it comes with other options.
+TEST(Resume, OtherOptionsSetTheOrdersOfTheSteps) {
+  Simulation simulation(paper::figure2());
+  const auto orders = [&](double until) {
+    const Counters counters = require_complete(simulation.advance(until)).counters;
+    return static_cast<double>(counters.coefficients) / static_cast<double>(counters.expansions);
+  };
+  const double tight = orders(100.0);
+  simulation.set_options({.flight_tolerance = 1e-3});
+  EXPECT_LT(orders(200.0), 0.7 * tight);
+}
+
 // Keeps the first sample from a time on, and asks for the end there.
 struct FirstSample : Recorder {
   double at;

@@ -44,8 +44,7 @@ class TangentFlow {
                     dy = modes_.inverse * tangents.bottomRows(n);
     for (Eigen::Index j = 0; j < y.rows(); ++j) {
       const double lambda = modes_.lambda(j), kappa = beta_ * lambda;
-      const auto [h, dh] =
-          detail::impulse_response(detail::Oscillator<double>(lambda, kappa), time);
+      const auto [h, dh] = impulse_response(Oscillator<double>(lambda, kappa), time);
       const Eigen::RowVectorXd value = y.row(j), slope = dy.row(j);
       y.row(j) = (dh + kappa * h) * value + h * slope;
       dy.row(j) = -lambda * h * value + dh * slope;

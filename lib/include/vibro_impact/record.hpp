@@ -12,8 +12,8 @@ namespace vibro_impact {
 
 // The motion at one time, while a run reports it to a recorder. At an event it is the motion just
 // after the event: impacts of several masses at one instant are all applied before the first is
-// reported. Event::velocity_before has the velocity before an impact. A moment cannot be
-// kept or copied; a recorder keeps the numbers. Masses count from 1. The functions throw
+// reported. Event::velocity_before has the velocity before an impact. A moment cannot be kept or
+// copied; a recorder keeps the numbers. Masses count from 1. The functions throw
 // std::invalid_argument for a mass that the chain does not have.
 class Moment {
  public:

@@ -60,7 +60,7 @@ double stiffness_at(const Scene &scene, std::size_t i) {
 
 double spring_force(const Scene &scene, std::size_t i, const std::vector<double> &x) {
   double force = scene.stiffness[i] * ((i > 0 ? x[i - 1] : 0.0) - x[i]);
-  if (i + 1 < x.size()) force += scene.stiffness[i + 1] * (x[i + 1] - x[i]);
+  if (i + 1 < scene.mass.size()) force += scene.stiffness[i + 1] * (x[i + 1] - x[i]);
   return force - detail::entry_of(scene.ground, i) * x[i];
 }
 

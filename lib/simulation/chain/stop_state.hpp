@@ -14,8 +14,8 @@ struct Evaluated {};
 // The mass is free and at rest at the stop, and not yet decided.
 struct Resting {};
 // The derivatives of order 0, ..., zeros - 1 of what is evaluated at the contact, the gap of a free
-// mass or the force on a held one, are exactly zero. The next one is `first`: the speed just after
-// an impact (zeros = 1), or by the decision of this instant.
+// mass or the force on a held one, are exactly zero. The next one is `first` > 0: after an impact
+// the speed (zeros = 1), after a decision the derivative that has decided.
 struct ExactZeros {
   int zeros = 0;
   double first = 0.0;

@@ -155,9 +155,8 @@ void move_to(Run &run, const FlightEnd &end) {
   const Clock &clock = run.problem.clock;
   Scratch &scratch = run.scratch;
   if (run.long_flight.is_under_way()) {
-    scratch.motion = run.long_flight.at(chain, clock, run.motion, end.tau);
-    std::swap(run.motion, scratch.motion);
-    run.flight_start = run.motion;
+    run.flight_start = run.long_flight.at(chain, clock, run.motion, end.tau);
+    run.motion = run.flight_start;
     return run.long_flight.end();
   }
   if (!end.event && run.hint.quiet_steps == 0) run.flight_start = run.motion;
@@ -227,10 +226,11 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
     const long long steps = run.counters.expansions + run.counters.search_steps +
                             run.counters.rest_orders / orders_as_a_step;
     if (!run.progress.over && steps >= run.problem.options.max_steps)
-      stop_run(run, Ending::given_up,
-               line("more than ", run.problem.options.max_steps, " steps, given up at t = ",
-                    time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
-                    run.motion.mode->fastest, "; max_steps or --max-steps can allow more"));
+      stop_run(
+          run, Ending::given_up,
+          line("more than ", run.problem.options.max_steps, " steps, given up at t = ",
+               time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
+               run.motion.mode->fastest, "; RunOptions::max_steps (--max-steps) can allow more"));
   }
   // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty())

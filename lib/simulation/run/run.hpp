@@ -33,7 +33,8 @@ struct StepHint {
   double flight_time = infinity;  // expected until the next impact of a mass that was just hit
   long long quiet_steps = 0;      // steps since the latest event
   bool time_passed = true;        // in the latest flight
-  // A decision about a stop is postponed: the next step ends two roundings of the clock later.
+  // A decision about a stop is postponed: the next step ends two roundings of the clock later, or
+  // `least_delay` after t = 0.
   bool postponed = false;
 };
 
@@ -49,7 +50,7 @@ struct Scratch {
   Flight flight;
   std::vector<Start> starts;
   std::vector<Near> near;
-  Motion motion;  // at a limit, or at the end of a long flight
+  Motion motion;  // at a limit or a sample, or at the end of a call on a step
   RestDecision rest;
   std::vector<RestingMass> resting;
   std::vector<Hit> hits;
