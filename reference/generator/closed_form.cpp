@@ -125,7 +125,7 @@ Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector 
       q += shapes[i][j] * scene[&Field::mass][p] * x[p];
       dq += shapes[i][j] * scene[&Field::mass][p] * v[p];
     }
-    const Real omega = scene[&Field::omega];
+    const Real &omega = scene[&Field::omega];
     const Real detuning = mode.lambda - omega * omega;
     const Real drag = 2 * mode.decay * omega;
     const Real denominator = detuning * detuning + drag * drag;
