@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "program/files.hpp"
+#include "program/journal.hpp"
 #include "program/processes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/table_reader.hpp"
