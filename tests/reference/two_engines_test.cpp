@@ -85,28 +85,6 @@ Real end_of_chatter(const char *speed) {
   return 0;
 }
 
-// Two equal masses move together, and their link has no force: whatever happens to one of them
-// happens to the other at the same instant.
-TEST(Generator, TakesEventsOfOneInstantTogether) {
-  const Scene pair{.mass = {1.0, 1.0},
-                   .stiffness = {1.0, 1.0},
-                   .amplitude = {0.5, 0.5},
-                   .ground = {0.0, 1.0},
-                   .omega = 0.3,
-                   .restitution = 0.5,
-                   .stops = {{1, Side::upper, 0.4}, {2, Side::upper, 0.4}}};
-  const auto scene = reference::in_digits(pair, 100.0);
-  const auto events =
-      reference::simulate(scene, reference::resolution_down_to(Real("1e-6"))).events;
-  ASSERT_GT(events.size(), 10u);
-  ASSERT_EQ(events.size() % 2, 0u);
-  for (std::size_t k = 0; k < events.size(); k += 2) {
-    EXPECT_EQ(events[k].time, events[k + 1].time) << k;
-    EXPECT_NE(events[k].mass, events[k + 1].mass) << k;
-    EXPECT_EQ(events[k].kind, events[k + 1].kind) << k;
-  }
-}
-
 // The flights that are left out below a speed of 1e-18 last as long. Of such a speed some ten
 // digits are known (event_driven.hpp).
 TEST(Generator, KnowsTheTimeOfTheFlightsThatItLeavesOut) {
