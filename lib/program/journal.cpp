@@ -46,15 +46,15 @@ Journal::Journal(const std::string &path, const std::string &head, std::size_t r
   if (!file_) refuse("{}: cannot be written: {}", path, std::strerror(errno));
   if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 || !is_at_path())
     refuse("{}: another sweep is writing it", path);
-  const std::string text = contents(path);
-  if (!head.starts_with(text.substr(0, head.size())))
+  const std::string bytes = contents(path);
+  if (!head.starts_with(bytes.substr(0, head.size())))
     refuse("{}: not the rows of this sweep: its options and its program must be the same", path);
   // The end of the last whole line; 0 in a new file, or if the sweep was killed at once.
-  std::size_t end = text.starts_with(head) ? head.size() : 0;
-  for (std::size_t next; end > 0 && (next = text.find('\n', end)) < text.size(); end = next + 1) {
-    const std::string line = text.substr(end, next - end),
-                      row = line.substr(std::min(line.size(), before_text));
-    if (line != checked(row) || row_of(line) >= rows)
+  std::size_t end = bytes.starts_with(head) ? head.size() : 0;
+  for (std::size_t next; end > 0 && (next = bytes.find('\n', end)) < bytes.size(); end = next + 1) {
+    const std::string line = bytes.substr(end, next - end),
+                      text = line.substr(std::min(line.size(), before_text));
+    if (line != checked(text) || row_of(line) >= rows)
       refuse("{}: byte {}: a row that does not fit its checksum; remove the file", path, end);
     lines_[row_of(line)] = line;
   }

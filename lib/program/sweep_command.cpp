@@ -164,7 +164,8 @@ MissingPoints write_tables(const SweepRequest &request, const Journal &journal) 
   MissingPoints missing;
   for (std::size_t row = 0; row < rows; ++row) {
     const Texts texts = journal.texts_of(row);
-    for (std::size_t k = 0; k < tables.size(); ++k) tables[k].text += texts[k];
+    for (std::size_t k = 0; k < tables.size(); ++k)
+      if (request.tables[k].wanted()) tables[k].text += texts[k];
     if (!texts[3].empty()) add_missing(missing, request, row, texts[3]);
   }
   for (std::size_t k = 0; k < tables.size(); ++k)

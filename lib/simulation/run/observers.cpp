@@ -11,6 +11,7 @@ namespace vibro_impact::detail {
 
 namespace {
 
+// The moment of a motion, whose hold forces are evaluated when they are asked for.
 class MomentOfMotion final : public Moment {
  public:
   MomentOfMotion(const Run &run, const Motion &motion, const Instant &at)
@@ -94,7 +95,8 @@ const Motion &motion_at(Run &run, const Real &tau) {
   if (!(tau.hi > 0.0)) return run.motion;
   Motion &motion = run.scratch.motion;
   if (motion.x.empty()) clear(run.chain(), motion);
-  motion.now = run.motion.now;  // the step sets all else
+  // The step sets all else but the acceleration, of which nothing is reported.
+  motion.now = run.motion.now;
   motion.turn = run.motion.turn;
   motion.turned = run.motion.turned;
   motion.mode = run.motion.mode;
