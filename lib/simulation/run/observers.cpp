@@ -88,8 +88,9 @@ double next_sample(Recorders recorders) {
   return next;
 }
 
-const Motion &motion_at(Run &run, const Real &tau) {
+const Motion &motion_at(Run &run, Real tau) {
   const Clock &clock = run.problem.clock;
+  if (!(tau.hi > 0.0)) tau = 0.0;
   if (run.long_flight.is_under_way())
     return run.long_flight.at(run.chain(), clock, run.motion, tau);
   if (!(tau.hi > 0.0)) return run.motion;

@@ -24,7 +24,7 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
     require(since.hi >= -sample_rounding * next, "next_time = ", next,
             ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
     ++run.counters.states_computed;
-    const Motion &motion = motion_at(run, since.hi > 0.0 ? since : Real(0.0));
+    const Motion &motion = motion_at(run, since);
     if (!report_sample(run, motion, at, next, recorders)) continue;
     run.progress.last = state_of(run, motion, at);
     return stop_run(run, Ending::stopped);
@@ -32,8 +32,7 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
 }
 
 void end_at_time(Run &run, Recorders recorders) {
-  Real tau = time_until(run, run.progress.end);
-  if (!(tau.hi > 0.0)) tau = 0.0;
+  const Real tau = time_until(run, run.progress.end);
   sample(run, tau, recorders);
   if (run.progress.over) return;
   run.progress.last = state_of(run, motion_at(run, tau), run.progress.end);
