@@ -54,11 +54,7 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
   mode.held = held;
   mode.mass.assign(chain.padded, infinity);
   mode.inverse_mass.assign(chain.padded, 0.0);
-  mode.within.assign(chain.padded, 0.0);
-  mode.outside.assign(chain.padded, 0.0);
   for (std::size_t i = 0; i < chain.masses; ++i) {
-    (i % 2 == 0 ? mode.outside : mode.within)[i] = chain.link[i];
-    (i % 2 == 0 ? mode.within : mode.outside)[i] = chain.above(i);
     mode.grounded = mode.grounded || chain.ground[i] != 0.0;
     if (chain.lowest[i] > -infinity || chain.highest[i] < infinity) add(i, mode.stopped_pairs);
     if (held[i] != 0) continue;

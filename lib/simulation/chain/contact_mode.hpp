@@ -23,11 +23,9 @@ struct ContactMode {
   Held held;
   // m of a free mass, infinity of a held one, which has no acceleration. And its reciprocal.
   std::vector<double> mass, inverse_mass;
-  // The masses are taken two at a time. A link lies within such a pair of masses or outside, to
-  // the next pair. Both lists have for each mass the link of its kind.
-  std::vector<double> within, outside;
   bool grounded = false;  // some mass has a spring to the ground
-  // The first masses of pairs with a free mass that is forced, and with a mass that has a stop.
+  // Masses are taken two at a time: the first masses of pairs with a free mass that is forced, and
+  // with a mass that has a stop.
   std::vector<std::size_t> forced_pairs, stopped_pairs;
   std::vector<Contact> contacts;
   double fastest = 0.0;  // the largest rate of the free masses and of the forcing

@@ -45,20 +45,27 @@ void find_acceleration(const Chain &chain, Motion &motion) {
   const ContactMode &mode = *motion.mode;
   const RealPair cosine = both(motion.turn.cosine), sine = both(motion.turn.sine);
   const Pair beta{chain.beta, chain.beta};
-  // Spring and damper of a link together pull with k (z_i - z_j), z = x + beta v. Differences come
-  // first: a neighbour at the same place exerts no force at all.
   const auto z_of = [&](std::size_t i) { return load(&motion.x[i]) + load(&motion.v[i]) * beta; };
-  RealPair before{}, z = z_of(0);
+  // The tension k (z_i - z_(i-1)) of the spring and the damper of a link, z = x + beta v. The
+  // difference comes first: a neighbour at the same place exerts no force at all.
+  const auto tension_of = [&](std::size_t i, const RealPair &before, const RealPair &z) {
+    return (z - middle(before, z)) * pair(&chain.link[i]);
+  };
+  RealPair z = z_of(0), tension = tension_of(0, {}, z);
   for (std::size_t i = 0; i < chain.padded; i += 2) {
-    const RealPair after = i + 2 < chain.padded ? z_of(i + 2) : RealPair{};
-    RealPair force = cosine * pair(&chain.a[i]) + pair(&chain.p[i]);
+    RealPair after, next;
+    if (i + 2 < chain.padded) {
+      after = z_of(i + 2);
+      next = tension_of(i + 2, z, after);
+    }
+    RealPair force = pair(&chain.p[i]);
+    if (chain.a[i] != 0.0 || chain.a[i + 1] != 0.0) force += cosine * pair(&chain.a[i]);
     if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
-    force -= (z - exchanged(z)) * pair(&mode.within[i]);
-    force -= (z - middle(before, after)) * pair(&mode.outside[i]);
+    force += middle(tension, next) - tension;
     if (mode.grounded) force -= z * pair(&chain.ground[i]);
     put(force.hi / pair(&mode.mass[i]), &motion.acceleration[i]);
-    before = z;
     z = after;
+    tension = next;
   }
 }
 

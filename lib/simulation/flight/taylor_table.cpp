@@ -29,12 +29,6 @@ const OrderFactors &factors(int n) {
   return factors_of[static_cast<std::size_t>(n)];
 }
 
-// A force of order n - 2 over the mass and n (n - 1).
-Pair coefficient(Pair force, Pair mass, Pair inverse_mass, int n) {
-  if (n > last_divided_order) return force * (inverse_mass * factors(n).inverse);
-  return force / mass / factors(n).product;
-}
-
 // a cos(Omega t) + b sin(Omega t) and its rate over Omega, at the start of the step.
 template <class T>
 struct Parts {
@@ -71,8 +65,8 @@ void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table
 void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit;
   const Pair mass = pair(mode.mass.data()), inverse = pair(mode.inverse_mass.data()),
-             within = square * pair(mode.within.data()),
-             own = square * (pair(mode.outside.data()) + pair(chain.ground.data())),
+             within = square * Pair{chain.link[1], chain.link[1]},
+             own = square * (Pair{chain.link[0], 0.0} + pair(chain.ground.data())),
              damping = chain.beta / unit * Pair{1.0, 1.0};
   const bool forced = !mode.forced_pairs.empty();
   const Pair even = forced ? pair(table.even.data()) : Pair{},
@@ -103,24 +97,34 @@ void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table
 template <bool grounded>
 void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit;
-  const Pair damping = chain.beta / unit * factors(n - 1).order;
+  const Pair damping = chain.beta / unit * factors(n - 1).order,
+             scale = square * factors(n).inverse;
   const std::size_t stride = table.stride;
   const double *before = table.of_order(n - 2), *latest = table.of_order(n - 1),
-               *within = mode.within.data(), *outside = mode.outside.data(),
-               *ground = chain.ground.data(), *mass = mode.mass.data(),
+               *link = chain.link.data(), *ground = chain.ground.data(), *mass = mode.mass.data(),
                *inverse = mode.inverse_mass.data();
   double *to = table.of_order(n);
   const auto z_of = [&](std::size_t i) { return pair(before + i) + damping * pair(latest + i); };
-  Pair left{}, own = z_of(0);
-  for (std::size_t i = 0; i < stride; i += 2) {
-    const Pair right = i + 2 < stride ? z_of(i + 2) : Pair{};
-    Pair sum =
-        pair(within + i) * (own - exchanged(own)) + pair(outside + i) * (own - middle(left, right));
-    if constexpr (grounded) sum += pair(ground + i) * own;
-    put(coefficient(-square * sum, pair(mass + i), pair(inverse + i), n), to + i);
-    left = own;
-    own = right;
+  const auto tension_of = [&](std::size_t i, const Pair &left, const Pair &z) {
+    return pair(link + i) * (z - middle(left, z));
+  };
+  // The force of order n - 2 over the mass and n (n - 1).
+  const auto set = [&](std::size_t i, const Pair &z, const Pair &tension, const Pair &next) {
+    Pair force = middle(tension, next) - tension;
+    if constexpr (grounded) force -= pair(ground + i) * z;
+    if (n > last_divided_order)
+      put(force * (pair(inverse + i) * scale), to + i);
+    else
+      put(square * force / pair(mass + i) / factors(n).product, to + i);
+  };
+  Pair z = z_of(0), tension = tension_of(0, Pair{}, z);
+  for (std::size_t i = 2; i < stride; i += 2) {
+    const Pair right = z_of(i), next = tension_of(i, z, right);
+    set(i - 2, z, tension, next);
+    z = right;
+    tension = next;
   }
+  set(stride - 2, z, tension, Pair{});
   const double wave = table.wave[static_cast<std::size_t>(n)];
   const std::vector<double> &part = n % 2 == 0 ? table.even : table.odd;
   for (const std::size_t i : mode.forced_pairs) put(pair(to + i) + wave * pair(&part[i]), to + i);

@@ -116,7 +116,8 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
   Chatter &chatter = run.chatter;
   if (scratch.hits.empty() || motion.mode != mode_before) return chatter.end();
   scratch.stops.clear();
-  scratch.jumps.assign(chain.padded, 0.0);
+  scratch.jumps.resize(chain.padded);
+  std::ranges::fill(scratch.jumps, 0.0);
   double flight_time = 0.0, r = 0.0;
   for (const Hit &hit : scratch.hits) {
     const Contact &contact = motion.mode->contacts[hit.contact];

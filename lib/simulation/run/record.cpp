@@ -12,7 +12,10 @@ using detail::require_mass;
 
 MotionState state_at(const Moment &moment, const Held &held) {
   MotionState state{moment.instant, {}, {}, held};
-  for (int mass = 1; mass <= moment.masses(); ++mass) {
+  const int masses = moment.masses();
+  for (std::vector<double> *list : {&state.displacement, &state.velocity})
+    list->reserve(static_cast<std::size_t>(masses));
+  for (int mass = 1; mass <= masses; ++mass) {
     state.displacement.push_back(moment.displacement(mass));
     state.velocity.push_back(moment.velocity(mass));
   }

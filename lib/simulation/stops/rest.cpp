@@ -15,7 +15,7 @@
 namespace vibro_impact::detail {
 
 // The force of springs and dampers on a mass at order n, over rate^n.
-RestDecision::Term RestDecision::force_on(const Chain &chain, std::size_t i) const {
+RestDecision::Term RestDecision::springs_on(const Chain &chain, std::size_t i) const {
   const double damping = chain.beta * rate_;
   Term force;
   const auto add_spring = [&](double stiffness, bool has_neighbour, std::size_t other) {
@@ -53,49 +53,53 @@ int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
   const double rate = rate_;
   bool underflown = false;
   kind_.resize(n);
-  resting_.assign(n, nullptr);
   for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_}) order->resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     kind_[i] = motion.mode->held[i] != 0 ? Kind::held : Kind::moving;
     order_n_[i] = {motion.x[i], motion.x_terms[i]};
     order_n_plus_1_[i] = {motion.v[i] * (1.0 / rate), motion.v_terms[i] / rate};
   }
-  for (RestingMass &mass : masses) {
-    kind_[mass.mass] = Kind::undecided;
-    resting_[mass.mass] = &mass;
-  }
+  for (const RestingMass &mass : masses) kind_[mass.mass] = Kind::undecided;
   Real cosine = motion.turn.cosine, sine = motion.turn.sine;
   double power = 1.0;  // (Omega / rate)^order
-  std::size_t left = masses.size();
+  const int most_orders = 2 * static_cast<int>(n) + 4;
   int order = 0;
-  for (; left > 0 && order < 2 * static_cast<int>(n) + 4; ++order) {
+  const auto force_at = [&](std::size_t i) {
+    Term force = springs_on(chain, i);
+    force.value += chain.a[i] * cosine + chain.b[i] * sine;
+    force.terms += (std::abs(chain.a[i]) + std::abs(chain.b[i])) * power;
+    if (order == 0) {
+      force.value += chain.p[i];
+      force.terms += std::abs(chain.p[i]);
+    }
+    return force;
+  };
+  std::size_t left = masses.size();
+  for (; order < most_orders; ++order) {
+    for (RestingMass &mass : masses) {
+      const std::size_t i = mass.mass;
+      if (kind_[i] != Kind::undecided) continue;
+      mass.zeros = order;
+      const Term force = force_at(i);
+      const bool is_zero =
+          order < mass.zero_orders || !(abs(force.value) > zero_threshold * force.terms);
+      if (is_zero) continue;
+      --left;
+      double push = mass.sigma * force.value.hi;
+      if (mass.opposite && push < 0.0) {
+        std::swap(mass.stop, *mass.opposite);
+        mass.sigma = -mass.sigma;
+        push = -push;
+      }
+      mass.held = push > 0.0;
+      kind_[i] = mass.held ? Kind::held : Kind::moving;
+      mass.first = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
+    }
+    if (left == 0) break;
     for (std::size_t i = 0; i < n; ++i) {
       order_n_plus_2_[i] = {};
-      if (kind_[i] == Kind::held) continue;
-      Term force = force_on(chain, i);
-      force.value += chain.a[i] * cosine + chain.b[i] * sine;
-      force.terms += (std::abs(chain.a[i]) + std::abs(chain.b[i])) * power;
-      if (order == 0) {
-        force.value += chain.p[i];
-        force.terms += std::abs(chain.p[i]);
-      }
-      if (kind_[i] == Kind::undecided) {
-        RestingMass &mass = *resting_[i];
-        mass.zeros = order;
-        const bool zero = order < mass.zero_orders;
-        if (zero || !(abs(force.value) > zero_threshold * force.terms)) continue;
-        --left;
-        double push = mass.sigma * force.value.hi;
-        if (mass.opposite && push < 0.0) {
-          std::swap(mass.stop, *mass.opposite);
-          mass.sigma = -mass.sigma;
-          push = -push;
-        }
-        mass.held = push > 0.0;
-        kind_[i] = mass.held ? Kind::held : Kind::moving;
-        mass.first = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
-        if (mass.held) continue;
-      }
+      if (kind_[i] != Kind::moving) continue;
+      const Term force = force_at(i);
       underflown = underflown || (force.terms > 0.0 && force.terms < least_term);
       const double inertia = chain.mass[i] * rate * rate;
       order_n_plus_2_[i] = {force.value / Real(inertia), force.terms / inertia};
@@ -112,7 +116,7 @@ int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
     if (mass.forceless) mass.held = false;
   }
   underflown_ = underflown && left > 0;
-  return order;
+  return std::min(order + 1, most_orders);
 }
 
 }  // namespace vibro_impact::detail

@@ -44,12 +44,11 @@ class RestDecision {
   // Derivatives of order n, n + 1 and n + 2 of the displacements.
   std::vector<Term> order_n_, order_n_plus_1_, order_n_plus_2_;
   std::vector<Kind> kind_;
-  std::vector<RestingMass *> resting_;  // of each mass
 
   double rate_ = 1.0;        // the unit of time is 1 / rate
   bool underflown_ = false;  // some derivative, with masses left undecided
 
-  Term force_on(const Chain &chain, std::size_t i) const;
+  Term springs_on(const Chain &chain, std::size_t i) const;
   int decide_by_order(const Chain &chain, const Motion &motion, std::vector<RestingMass> &masses);
 };
 
