@@ -52,21 +52,6 @@ TEST(SettleNextToAGraze, AMassThatComesNearItsSteadyMotion) {
       }
 }
 
-// Free motion turns 1.9e-9 of its amplitude beyond the stop. So every orbit has impacts, and 100
-// periods of the run have one every eight periods, to the rounding of its time. The sections of the
-// period before an impact lie within 1e-9 of each other.
-TEST(SettleNextToAGraze, AnImpactEveryEightPeriodsIsFound) {
-  Scene scene = next_to_a_graze(2.2013570520538277, 0.8, 0.0);
-  scene.stops[0].position = 0.148940786883;
-  const double period = Clock(scene.omega).period;
-  const auto events = vibro_impact::testing::events_of(scene, 1000.0 * period, 1100.0 * period);
-  for (std::size_t k = 1; k < events.size(); ++k)
-    ASSERT_NEAR(events[k].time - events[k - 1].time, 8.0 * period, 1e-8);
-  const SettledMotion motion = settle(scene, start_of(scene), {.longest = 1000});
-  EXPECT_EQ(motion.period, 8);
-  EXPECT_EQ(motion.counts.impacts, std::vector{1});
-}
-
 // A chain with other impacts and sticks. Mass 1 has a second stop next to the largest displacement
 // of its settled motion.
 TEST(SettleNextToAGraze, AChainWithOtherImpacts) {

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "figures/frequency_diagram.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -29,27 +28,6 @@ int period_of_states(const Scene &scene, const MotionState &state) {
     if (same) return n;
   }
   return 0;
-}
-
-// Settling saves most of the 400 periods that Figure 3 would otherwise be followed for at each
-// frequency. Of 901 frequencies some 850 settled, half of them within 23 periods, after 57,000
-// periods in all, of 360,400. Motions at the edge of settling depend on rounding: the bounds have a
-// margin of at least one part in ten for what does.
-TEST(Settle, MostOfFigure3SettlesSoon) {
-  std::vector<long long> periods_run;  // of the motions that settle
-  long long all = 0;
-  const Grid grid = figures::grid_of_figure3(181);
-  for (std::size_t k = 0; k < grid.points(); ++k) {
-    const double omega = grid.values(k).front();
-    const Scene scene = paper::figure3(omega);
-    const SettledMotion motion = settle(scene, start_of(scene));
-    all += motion.periods_run;
-    if (motion.period > 0) periods_run.push_back(motion.periods_run);
-  }
-  EXPECT_GE(periods_run.size(), 160u);
-  EXPECT_LE(all, 181 * 400 / 5);
-  std::sort(periods_run.begin(), periods_run.end());
-  EXPECT_LE(periods_run[periods_run.size() / 2], 30);
 }
 
 // The events of whole periods far out, counted going forward. The impacts of a chatter are
