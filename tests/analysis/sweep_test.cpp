@@ -119,33 +119,6 @@ TEST(Grid, TheLastAxisIsInnermost) {
   EXPECT_EQ(ratios.value(2), -0.04);
 }
 
-// A start beyond a stop has no record, and the others have theirs. Other points fail for a reason
-// that is the same but for its numbers.
-TEST(Sweep, APointWithoutARecordHasAReason) {
-  Scene scene = paper::figure2();
-  scene.displacement = {0.0, 0.0};
-  const Grid grid{scene, {{"displacement1", -0.5, 0.1, 3}, {"stop2", -0.1, 0.1, 2}}};
-  check(grid);
-  std::vector<PointRecord> points;
-  for (std::size_t k = 0; k < grid.points(); ++k)
-    points.push_back(point_record(grid.scene_at(k), {}));
-  std::map<std::string, int> kinds;
-  for (const PointRecord &point : points) {
-    EXPECT_NE(point.record.has_value(), point.reason != "");
-    if (!point.record) ++kinds[kind_of_reason(point.reason)];
-  }
-  EXPECT_EQ(points[0].reason, "start: mass 1 at -0.5, beyond its lower stop at -0.3");
-  const std::map<std::string, int> expected{{"start: mass # at #, beyond its lower stop at #", 2},
-                                            {"start: mass # at #, beyond its upper stop at #", 2}};
-  EXPECT_EQ(kinds, expected);
-  EXPECT_TRUE(points[3].record.has_value());
-  const PointRecord followed = point_record(scene, {}, points[3].record);
-  EXPECT_EQ(followed.record->period, 1);
-  RecordOptions few;
-  few.settle.run.max_steps = 10;
-  EXPECT_EQ(point_record(scene, few).reason.substr(0, 18), "more than 10 steps");
-}
-
 // The two orbits of a symmetric oscillator have equal counts and exponents, and other marks. Two
 // starts of one orbit have one mark. The mark of the rest of an unforced mass is zero.
 TEST(Sweep, MirrorOrbitsHaveOtherMarks) {

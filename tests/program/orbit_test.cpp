@@ -80,31 +80,4 @@ TEST_F(Runner, ABranchHasARowForEachPointAndEndsAtTheGrazeInClosedForm) {
   }
 }
 
-// Both ends of the branch of Figure 3 at 0.6, its fold, and the rows between them are those of the
-// library, that is, one branch in both directions.
-TEST_F(Runner, ABranchOfFigureThreeHasItsFoldAndTheKindsOfItsEnds) {
-  const Scene scene = paper::figure3(0.6);
-  const MotionState start = at_quiet_phase(scene, record_of(scene).state);
-  const auto up = follow_orbit(scene, start, {"omega", 0.5, 0.7, 101}),
-             down = follow_orbit(scene, start, {"omega", 0.7, 0.5, 101});
-  const Result result = run("orbit --omega 0.6 --vary omega=0.5:0.7:101 --table t.csv");
-  ASSERT_EQ(result.status, 0) << result.err;
-  const truth::Rows rows = table("t.csv");
-  ASSERT_EQ(rows.size() + 1, up.size() + down.size());
-  std::vector<OrbitPoint> branch(down.rbegin(), down.rend());
-  branch.insert(branch.end(), up.begin() + 1, up.end());
-  int folds = 0;
-  for (std::size_t row = 0; row < branch.size(); ++row) {
-    EXPECT_EQ(rows.at(row).cell("kind"), name(branch[row].kind));
-    EXPECT_NEAR(rows.at(row).number("omega"), branch[row].parameter, 1e-12);
-    EXPECT_EQ(rows.at(row).cell("impacts1"), std::to_string(branch[row].counts.impacts[0]));
-    if (branch[row].kind != BranchPoint::fold) continue;
-    ++folds;
-    EXPECT_NE(result.out.find("\nfold at omega = 0.578747472"), std::string::npos) << result.out;
-  }
-  EXPECT_EQ(folds, 1);
-  EXPECT_EQ(branch.front().kind, BranchPoint::graze);
-  EXPECT_EQ(branch.back().kind, BranchPoint::graze);
-}
-
 }  // namespace
