@@ -1,5 +1,4 @@
 // The diagrams of the program: impacts, sections, branches, and their pictures.
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -71,24 +70,6 @@ TEST_F(Runner, ABranchIsFollowedUpAndDown) {
     EXPECT_EQ(down.at(k).number("impacts1") > 0.0, rows.at(81 + k).number("impacts1") > 0.0) << k;
 }
 
-// Chains are shared out whole, and a sweep that goes on begins at the start of one.
-TEST_F(Runner, BranchesAreTheSameOnThreadsAndProcesses) {
-  const std::string command =
-      "sweep --vary restitution=0.5:0.8:5 --vary omega=1.1:1.2:9 --back --impacts i.csv --section "
-      "s.csv --table t.csv" +
-      oscillator;
-  std::string expected;
-  for (const std::string &by : {std::string(), std::string("OMP_NUM_THREADS=3 "), mpirun(3)}) {
-    if (by == mpirun(3) && !with_mpi) continue;
-    ASSERT_EQ(run(command, "true", by).status, 0);
-    std::string tables;
-    for (const char *table : {"i.csv", "s.csv", "t.csv"}) tables += contents(folder / table);
-    EXPECT_EQ(lines(contents(folder / "t.csv")).size(), 91u);
-    if (expected.empty()) expected = tables;
-    EXPECT_EQ(lines(tables), lines(expected)) << by;
-  }
-}
-
 // The states of --section are those of a run at whole forcing periods, and every tenth period is
 // every 10P. The impacts of --impacts are those of the run, with the impulse m (1 + r) v. The
 // motion counts as settled at 1e-10.
@@ -123,14 +104,6 @@ TEST_F(Runner, ASweepHasTheStatesAndImpactsOfARun) {
   }
 }
 
-TEST_F(Runner, ALogarithmicRangeHasEqualRatios) {
-  ASSERT_EQ(run("sweep --vary omega=0.2:0.8:3:log --table t.csv").status, 0);
-  const truth::Rows rows = table("t.csv");
-  ASSERT_EQ(rows.size(), 3u);
-  for (const std::size_t k : {0u, 1u, 2u})
-    EXPECT_NEAR(rows.at(k).number("omega"), 0.2 * std::exp2(k), 1e-15);
-}
-
 // Each picture has the panels of the masses that it shall show, by the names of their ordinates,
 // and no others. Masses without a stop have none in a diagram, and a panel without points has its
 // axes. The digests of tests/pictures show what every kind of picture draws.
@@ -144,7 +117,6 @@ TEST_F(Runner, APictureHasThePanelsOfItsMasses) {
     std::vector<std::string> shown = {};
   } pictures[] = {
       {"run --until 50 --panels 1,10 --plot p.svg" + run_files + ten, ">x<", 2},
-      {"sweep --vary omega=0.3:0.3:1 --impacts i.csv --plot p.svg", impacts, 2},
       {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg" + ten, impacts, 1, {"10"}},
       {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --stop 1:lower:-0.3",
        impacts,
@@ -156,11 +128,6 @@ TEST_F(Runner, APictureHasThePanelsOfItsMasses) {
        {"2"}},
       {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --max-steps 1", impacts, 2},
       {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --panels 2", impacts, 1, {"2"}},
-      {"sweep --vary omega=0.3:0.5:3:log --section s.csv --plot p.svg --panels 2", ">x", 1, {"2"}},
-      {"sweep --vary omega=0.3:0.5:3 --section s.csv --plot p.svg --max-steps 1", ">x", 2},
-      {"sweep --vary omega=0.3:0.5:3 --table t.csv --column sticks1 --plot p.svg", ">sticks1<", 1},
-      {"sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2:log --table t.csv --plot p.svg",
-       ">period<", 1},
       {"orbit --plot p.svg" + run_files, ">x<", 2},
       {"sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot p.svg "
        "--max-steps 1",
