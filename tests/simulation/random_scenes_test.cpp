@@ -59,7 +59,6 @@ constexpr Distribution distributions[] = {
     {"standing", standing_chain, 20000, 2e-13, scenes / 6},
     {"any links", any_links, 400000, 1e-8, scenes / 6},
     {"any frequency", any_frequency, 20000, 2e-13, scenes / 6},
-    {"other units", in_other_units, 50000, 2e-13, scenes / 6},
     {"hit after a release", hit_after_a_release, 2000, 2e-13, scenes / 20, broken_by_digits},
     {"slow forcing", slow_forcing, 20000, 2e-13, scenes / 6},
     {"narrow slot", narrow_slot, 20000, 2e-13, scenes / 6},

@@ -201,11 +201,6 @@ inline Scene chattering_scene(unsigned seed) {
   return scene;
 }
 
-// The rate of the fastest mode is at most this (Gershgorin).
-inline double frequency_bound(const Scene &scene) {
-  return std::sqrt(largest_eigenvalue_bound(scene));
-}
-
 // Eight forcing periods, or as long as the fastest mode takes for `radians`; one free mass under a
 // constant force knows no time, and gets that many of ours.
 inline double run_length(const Scene &scene, double radians) {
@@ -249,13 +244,12 @@ Scene with_all_forces(unsigned seed) {
   return scene;
 }
 
-// Kinetic and elastic, in springs between the masses.
+// Kinetic and elastic energy.
 inline double energy_of(const Scene &scene, const MotionState &state) {
-  double sum = 0.0, left = 0.0;
+  double sum = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double stretch = state.displacement[i] - left, v = state.velocity[i];
-    sum += 0.5 * (scene.mass[i] * v * v + scene.stiffness[i] * stretch * stretch);
-    left = state.displacement[i];
+    const double x = state.displacement[i], v = state.velocity[i];
+    sum += 0.5 * (scene.mass[i] * v * v - x * spring_force(scene, i, state.displacement));
   }
   return sum;
 }

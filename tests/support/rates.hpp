@@ -19,6 +19,11 @@ inline double largest_eigenvalue_bound(const Scene &scene) {
   return bound;
 }
 
+// The rate of the fastest mode is at most this.
+inline double frequency_bound(const Scene &scene) {
+  return std::sqrt(largest_eigenvalue_bound(scene));
+}
+
 // Largest modulus of a root of z^2 + kappa z + lambda: the rate of a damped mode.
 inline double root_modulus(double kappa, double lambda) {
   const double alpha = kappa / 2, discriminant = alpha * alpha - lambda;

@@ -193,18 +193,6 @@ inline Trial any_frequency(unsigned seed) {
   return {scene, std::min(300.0 / frequency_bound(scene), 200.0 / scene.omega), {1.0, 1.0, force}};
 }
 
-// Masses of about one unit of mass, links of about one unit of stiffness, and forces that move them
-// by about one unit of length. The units are anything from 1e-8 to 1e8, 1e-12 to 1e12, and 1e-10 to
-// 1e10.
-inline Trial in_other_units(unsigned seed) {
-  Draw draw{std::mt19937(~seed)};
-  Scene scene = random_scene(seed);
-  const double mass = draw.spread(1e-8, 1e8), stiffness = draw.spread(1e-12, 1e12),
-               length = draw.spread(1e-10, 1e10), time = std::sqrt(mass / stiffness);
-  scene = in_units(scene, mass, stiffness, length, time);
-  return {scene, run_length(scene, 300.0), {length, time, stiffness * length}};
-}
-
 // One to three masses on links that no spring ties to the ground, driven towards the stop of the
 // first by a constant force beside the forcing. They come from far away.
 inline Trial free_chain(unsigned seed) {

@@ -95,7 +95,7 @@ class Witness : public Recorder {
   const Scene &scene_;
   Real radians_;
   Clock clock_{scene_.omega};
-  Real rate_ = std::max(std::sqrt(largest_eigenvalue_bound(scene_)), scene_.omega);
+  Real rate_ = std::max(frequency_bound(scene_), scene_.omega);
   std::map<Held, FreeModes> modes_;
   Instant since_ = {};
   Held held_ = Held(scene_.mass.size());
