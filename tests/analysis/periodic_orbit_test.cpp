@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "reference/scenes/extreme_scenes.hpp"
@@ -65,11 +66,32 @@ TEST(Newton, SaysWhyItDidNotConverge) {
   MotionState moving = start_of(free);
   moving.velocity = {0.1};
   starts(why_not(free, moving), "iterate 0: a Floquet multiplier is 1");
+  // Of the undamped oscillator at its resonance, where rounding alone keeps a multiplier from 1.
+  Scene resonant{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.5}, .omega = 1.0};
+  starts(why_not(resonant, at_quiet_phase(resonant, start_of(resonant))),
+         "iterate 0: a Floquet multiplier is 1");
   // Far below its stop a mass on a spring moves, for a short period, as if there were none: that
   // orbit, rest at 0, is beyond the stop.
   const Scene below = extremes::one_mass(0.0, 0.0, 50.0, 1.0, -1.0, -2.0);
   starts(why_not(below, start_of(below)), "iterate 1: a mass is beyond its stop");
   EXPECT_TRUE(find_periodic_orbit(scene, section_after(scene, 30)).why_not.empty());
+}
+
+// Next to the resonance the amplitude is A / (1 - omega^2), to the rounding of the map over the
+// distance of the multipliers from 1.
+TEST(Newton, FindsTheOrbitNextToAResonance) {
+  for (const double distance : {1e-3, 1e-6, 1e-9}) {
+    const Scene scene{
+        .mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.5}, .omega = 1.0 - distance};
+    const PeriodicOrbit orbit = find_periodic_orbit(scene, at_quiet_phase(scene, start_of(scene)));
+    ASSERT_TRUE(orbit.converged) << orbit.why_not;
+    const double size =
+                     std::hypot(orbit.state.displacement[0], orbit.state.velocity[0] / scene.omega),
+                 amplitude = 0.5 / (distance * (2.0 - distance));
+    EXPECT_NEAR(size / amplitude, 1.0, 1e-14 / distance);
+    const MotionState after = stroboscopic_map(scene, orbit.state, 1);
+    EXPECT_NEAR(after.displacement[0], orbit.state.displacement[0], 2e-13 * amplitude);
+  }
 }
 
 }  // namespace

@@ -19,10 +19,20 @@ namespace {
 struct Iterate {
   StroboscopicImage image;
   Eigen::VectorXd step = {};
-  double residual = 0.0, size = 0.0;  // the distance of P(z) from z, and of z from zero
+  // The distance of P(z) from z, of z from zero, and of the next iterate from z.
+  double residual = 0.0, size = 0.0, length_of_step = 0.0;
   std::string why_not_usable =
       {};  // empty: it returns in its own contact mode, with finite numbers
 };
+
+// The state with its free coordinates moved by a step.
+MotionState moved_by(const Eigen::VectorXd &step, MotionState at) {
+  const std::size_t n = at.held.size();
+  Eigen::Index k = 0;
+  for (const std::size_t row : free_coordinates(at.held))
+    (row < n ? at.displacement[row] : at.velocity[row - n]) += step(k++);
+  return at;
+}
 
 Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
   Iterate iterate{.image = stroboscopic_map_and_derivative(simulation, at, periods)};
@@ -49,15 +59,9 @@ Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
                                      .partialPivLu()
                                      .solve(residual.cwiseQuotient(units));
     iterate.step = step.cwiseProduct(units);
+    iterate.length_of_step = amplitude(frequencies, moved_by(iterate.step, at), at);
   }
   return iterate;
-}
-
-void take_step(const Eigen::VectorXd &step, MotionState &at) {
-  const std::size_t n = at.held.size();
-  Eigen::Index k = 0;
-  for (const std::size_t row : free_coordinates(at.held))
-    (row < n ? at.displacement[row] : at.velocity[row - n]) += step(k++);
 }
 
 // True when every free mass stands clear of its stops.
@@ -189,20 +193,22 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
     if (!iterate.why_not_usable.empty())
       return ended(line("iterate ", iteration, ": ", iterate.why_not_usable));
     orbit.residuals.push_back(iterate.residual);
-    if (iterate.residual < best) {
+    const double allowed = newton_tolerance * iterate.size;
+    orbit.converged = iterate.residual <= allowed;
+    if (orbit.converged || iterate.residual < best) {
       best = iterate.residual;
       orbit.state = at;
       orbit.multipliers = floquet_multipliers(iterate.image.derivative, at.held);
       orbit.events = iterate.image.events;
     }
-    const double allowed = newton_tolerance * iterate.size;
-    orbit.converged = iterate.residual <= allowed;
     if (orbit.converged) return orbit;
     if (iteration == most_iterations)
       return ended(line("residual = ", best, " after ", iteration, " iterations: above ", allowed));
-    if (!iterate.step.allFinite())
+    // A multiplier that rounding keeps from 1 leads so far away that any state there would count.
+    if (!iterate.step.allFinite() ||
+        newton_tolerance * iterate.length_of_step >= std::max(iterate.size, iterate.residual))
       return ended(line("iterate ", iteration, ": a Floquet multiplier is 1, no step leads on"));
-    take_step(iterate.step, at);
+    at = moved_by(iterate.step, at);
     if (!admissible(scene, at))
       return ended(line("iterate ", iteration + 1, ": a mass is beyond its stop"));
   }
