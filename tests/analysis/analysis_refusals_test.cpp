@@ -116,6 +116,7 @@ TEST(Refusals, OfBranches) {
   expect_refused({{follow({"omega", 0.1, 0.3, 1}), "1 values: must have a finite width"},
                   {follow({"omega", 0.2, 0.2, 5}), "omega from 0.2 to 0.2"},
                   {follow({"omega", 0.3, 0.4, 5}), "omega = 0.2: must lie in the range from 0.3"},
+                  {follow({"velocity2", -1.0, 1.0, 5}), "velocity2: is an initial state"},
                   {follow({"omega", 0.1, 0.3, 5}, {.most_points = 0}), "most_points = 0"},
                   {follow({"omega", 0.1, 0.3, 5}, {.periods = 0}), "periods = 0"},
                   {[] { name(BranchPoint{11}); }, "kind of a point = 11"}});

@@ -14,7 +14,7 @@ constexpr double newton_tolerance = 1e-13;
 // Following an orbit. All are relative: lengths to the amplitude of the orbit and to the range of
 // the parameter, steps to the longest one.
 constexpr int most_corrections = 10;         // Newton steps from a guess to an orbit
-constexpr double difference_step = 1e-7;     // of the parameter, for a derivative
+constexpr double difference_step = 1e-6;     // of the parameter, in steps of the branch
 constexpr double rounding_of_orbit = 1e-10;  // residual of an orbit that rounding keeps away
 constexpr double least_distance = 0.02;      // of an event from the section, in forcing periods
 constexpr double least_cosine = 0.8;         // of the angle between two chords

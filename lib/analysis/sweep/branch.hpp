@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <complex>
 #include <optional>
 #include <vector>
 
@@ -14,13 +13,9 @@ namespace vibro_impact {
 // An orbit of the branch, with what Newton's method and the search for special points need.
 struct Orbit {
   Eigen::VectorXd u;  // (z, q), each in its unit
-  MotionState state = {};
+  OrbitPoint point = {};
   Eigen::MatrixXd derivative = {};  // of the map, by the free coordinates in their units
-  std::vector<std::complex<double>> multipliers = {};
-  double residual = infinity;
-  std::vector<Event> all_events = {};  // of one period
-  std::vector<Event> events = {};      // likewise, without the impacts that lead to sticks
-  EventCounts counts = {};
+  std::vector<Event> events = {};   // of one period, without the impacts that lead to sticks
 };
 
 // The free coordinates at a section, whose phase is a part of the forcing period, and a parameter.
@@ -35,9 +30,11 @@ class Branch {
   // Moves the section away from an event that has come near, and the latest two orbits to it.
   bool move_section(Orbit &last, Orbit &before);
 
-  // The orbit on the plane through `guess` with this normal. Nothing if Newton's method does not
-  // find it, and outside of what the scene allows.
-  std::optional<Orbit> orbit_at(const Eigen::VectorXd &guess, const Eigen::VectorXd &normal) const;
+  // The orbit on the plane through `guess` with this normal, a step of this length away from orbits
+  // that are known. Nothing if Newton's method does not find it, and outside of what the scene
+  // allows.
+  std::optional<Orbit> orbit_at(const Eigen::VectorXd &guess, const Eigen::VectorXd &normal,
+                                double length) const;
 
   Eigen::VectorXd vector_of(const MotionState &state, double q) const;
   double width() const {
@@ -67,7 +64,8 @@ class Branch {
   Eigen::VectorXd unit_ = {};
 
   MotionState state_of(const Scene &scene, const Eigen::VectorXd &u) const;
-  std::optional<Orbit> correct(const Eigen::VectorXd &guess, const Eigen::VectorXd &normal) const;
+  std::optional<Orbit> correct(const Eigen::VectorXd &guess, const Eigen::VectorXd &normal,
+                               double length) const;
 };
 
 }  // namespace vibro_impact

@@ -6,8 +6,10 @@
 // then Newton's method with z and q on the plane normal to the chord. All lengths are relative,
 // those of z to the amplitude of the first orbit and those of q to its range. The derivative by z
 // is that of stroboscopic_map_and_derivative. The derivative by q is a difference of two maps: it
-// decides how fast Newton's method converges, and not to which orbit. The section keeps its part of
-// the period while omega changes, and moves away from events that come near it.
+// decides how fast Newton's method converges, and not to which orbit. A state counts as an orbit
+// when the map returns to it within 1e-13 of the amplitude, or within 1e-10 where rounding keeps
+// the distance from falling further, as next to a graze. The section keeps its part of the period
+// while omega changes, and moves away from events that come near it.
 //
 // An orbit is smooth in q as long as its events are the same. A branch ends where they change. The
 // kind of the end is that of which the last orbit comes nearest to the condition: an impact without
@@ -62,8 +64,8 @@ OrbitPoint find_orbit(const Scene &scene, const MotionState &guess, int periods 
 // towards `range.to`, and as far as the orbit leads between the ends of the range. A step is at
 // most as long as the distance of two values of the range. The first point is the orbit itself; the
 // last one ends the branch. Throws std::invalid_argument for what find_periodic_orbit refuses, for
-// a range that has fewer than two values or no width or does not contain the value of the scene,
-// and for options out of range.
+// an initial state as the parameter, on which no orbit depends, for a range that has fewer than two
+// values or no width or does not contain the value of the scene, and for options out of range.
 std::vector<OrbitPoint> follow_orbit(const Scene &scene, const MotionState &guess,
                                      const Axis &range, const FollowOptions &options = {});
 
