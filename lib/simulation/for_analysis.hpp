@@ -11,7 +11,6 @@ namespace vibro_impact {
 
 using detail::check_place;
 using detail::entry_of;
-using detail::first_motion;
 using detail::impulse_response;
 using detail::line;
 using detail::Oscillator;

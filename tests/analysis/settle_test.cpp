@@ -188,7 +188,7 @@ TEST(Settle, AnyPhaseMayBeTheSection) {
 // The record of a motion has counts of its events, and only what is asked for.
 TEST(Record, HasOnlyWhatIsAskedFor) {
   const Scene settling = paper::figure3(0.55);
-  const OrbitRecord bare = record_of(settling);
+  const OrbitRecord bare = record_of(settling, {});
   EXPECT_GT(bare.period, 0);
   EXPECT_FALSE(bare.lyapunov.has_value());
   EXPECT_TRUE(bare.impacts.empty());

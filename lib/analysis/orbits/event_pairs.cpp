@@ -23,23 +23,6 @@ struct StopContact {
   double from, to;
 };
 
-// The phases under way as the record begins: those of the masses released at the first instant, and
-// of the masses held after it. One of the latter may have stuck at that instant (contacts_of).
-std::vector<StopContact> phases_under_way(const std::vector<PressedEvent> &events) {
-  std::vector<StopContact> phases;
-  if (events.empty()) return phases;
-  const Event &first = events.front().event;
-  for (const PressedEvent &pressed : events) {
-    const Event &event = pressed.event;
-    if (event.time == first.time && event.kind == EventKind::release)
-      phases.push_back({ContactKind::sticking, event.mass, -infinity, infinity});
-  }
-  for (std::size_t i = 0; i < first.held.size(); ++i)
-    if (first.held[i] != 0)
-      phases.push_back({ContactKind::sticking, static_cast<int>(i) + 1, -infinity, infinity});
-  return phases;
-}
-
 // A slow contact is grazing only when the mass is pulled off the stop. In the slow impacts of a
 // late chatter the mass is pressed into it; in those about an equilibrium at the stop (Figure 5(c))
 // the force is zero to rounding.
@@ -48,8 +31,14 @@ bool grazes(const PressedEvent &impact) {
          impact.press < -pulled_off * impact.force_scale;
 }
 
+// The phases under way as the record begins are those of the masses held after its first event, of
+// which one may have stuck at that instant, and those of which the release comes without a stick.
 std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
-  std::vector<StopContact> contacts = phases_under_way(events);
+  std::vector<StopContact> contacts;
+  const Held held_at_first = events.empty() ? Held{} : events.front().event.held;
+  for (std::size_t i = 0; i < held_at_first.size(); ++i)
+    if (held_at_first[i] != 0)
+      contacts.push_back({ContactKind::sticking, static_cast<int>(i) + 1, -infinity, infinity});
   for (const PressedEvent &pressed : events) {
     const Event &event = pressed.event;
     const auto phase =
@@ -69,7 +58,10 @@ std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
           phase->from = event.time;
         break;
       case EventKind::release:
-        if (phase != contacts.end()) phase->to = event.time;
+        if (phase == contacts.end())
+          contacts.push_back({ContactKind::sticking, event.mass, -infinity, event.time});
+        else
+          phase->to = event.time;
         break;
     }
   }

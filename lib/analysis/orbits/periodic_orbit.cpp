@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "motion_state.hpp"
-#include "orbit_runs.hpp"
 #include "orbit_tolerances.hpp"
 #include "tangent.hpp"
 
@@ -34,8 +33,8 @@ MotionState moved_by(const Eigen::VectorXd &step, MotionState at) {
   return at;
 }
 
-Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
-  Iterate iterate{.image = stroboscopic_map_and_derivative(simulation, at, periods)};
+Iterate evaluate(const Scene &scene, const MotionState &at, int periods) {
+  Iterate iterate{.image = stroboscopic_map_and_derivative(scene, at, periods)};
   if (iterate.image.state.held != at.held) {
     iterate.why_not_usable =
         line("returns with other masses held (", contact_mode_name(iterate.image.state.held),
@@ -46,14 +45,14 @@ Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
   const auto unknowns = static_cast<Eigen::Index>(free.size());
   const Eigen::VectorXd residual =
       (view(coordinates(iterate.image.state)) - view(coordinates(at)))(free);
-  const std::vector<double> frequencies = local_frequencies(simulation.scene());
+  const std::vector<double> frequencies = local_frequencies(scene);
   iterate.residual = amplitude(frequencies, iterate.image.state, at);
   iterate.size = amplitude(frequencies, at);
   const Eigen::MatrixXd derivative = view(iterate.image.derivative)(free, free);
   if (!residual.allFinite() || !derivative.allFinite())
     iterate.why_not_usable = "the map or its derivative is not finite";
   else if (unknowns > 0) {
-    const Eigen::VectorXd units = coordinate_units(simulation.scene(), at.held);
+    const Eigen::VectorXd units = coordinate_units(scene, at.held);
     const Eigen::MatrixXd in_units = units.asDiagonal().inverse() * derivative * units.asDiagonal();
     const Eigen::VectorXd step = (Eigen::MatrixXd::Identity(unknowns, unknowns) - in_units)
                                      .partialPivLu()
@@ -64,11 +63,9 @@ Iterate evaluate(Simulation &simulation, const MotionState &at, int periods) {
   return iterate;
 }
 
-// True when every free mass stands clear of its stops.
-bool admissible(const Scene &scene, const MotionState &at) {
-  return std::all_of(scene.stops.begin(), scene.stops.end(), [&at](const Stop &stop) {
-    const auto i = static_cast<std::size_t>(stop.mass - 1);
-    return at.held[i] != 0 || sign(stop.side) * (stop.position - at.displacement[i]) > 0.0;
+bool any_is_beyond_its_stop(const Scene &scene, const MotionState &at) {
+  return std::ranges::any_of(scene.stops, [&at](const Stop &stop) {
+    return is_beyond(stop, at.displacement[static_cast<std::size_t>(stop.mass - 1)]);
   });
 }
 
@@ -98,14 +95,7 @@ double time_after(const Scene &scene, const MotionState &start, int periods) {
 
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options) {
-  Simulation simulation(scene, options);
-  return stroboscopic_map_and_derivative(simulation, start, periods);
-}
-
-StroboscopicImage stroboscopic_map_and_derivative(Simulation &simulation, const MotionState &start,
-                                                  int periods) {
-  simulation.start_from(start);
-  const Scene &scene = simulation.scene();
+  Simulation simulation(scene, start, options);
   TangentRecorder recorder(scene, start);
   EventRecorder events(-infinity);
   const Outcome end = simulation.advance(time_after(scene, start, periods), recorder, events);
@@ -117,14 +107,9 @@ StroboscopicImage stroboscopic_map_and_derivative(Simulation &simulation, const 
 
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options) {
-  Simulation simulation(scene, options);
-  return at_quiet_phase(simulation, start);
-}
-
-MotionState at_quiet_phase(Simulation &simulation, const MotionState &start) {
-  const Clock clock(simulation.scene().omega);
+  const Clock clock(scene.omega);
   EventRecorder recorder(-infinity);
-  stroboscopic_map(simulation, start, 1, recorder);
+  stroboscopic_map(scene, start, 1, options, recorder);
   double after = 0.0, widest = 0.0, last = 0.0;
   const auto end_interval = [&](double time) {
     if (time - last > widest) {
@@ -137,8 +122,7 @@ MotionState at_quiet_phase(Simulation &simulation, const MotionState &start) {
     end_interval(elapsed(start.instant, event.instant, clock));
   end_interval(clock.period);  // the motion need not be periodic: the period ends the last interval
   const double until = time_of(start.instant, clock) + after;
-  simulation.start_from(start);
-  MotionState state = require_complete(simulation.advance(until)).state;
+  MotionState state = require_complete(Simulation(scene, start, options).advance(until)).state;
   state.instant.cycle = 0;
   return state;
 }
@@ -180,7 +164,6 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods,
                                   int most_iterations) {
   require(most_iterations >= 0, "most_iterations = ", most_iterations, ": must be non-negative");
-  Simulation simulation(scene);
   PeriodicOrbit orbit;
   MotionState at = orbit.state = moved_into(scene, guess);
   double best = infinity;
@@ -189,7 +172,7 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
     return orbit;
   };
   for (int iteration = 0;; ++iteration) {
-    const Iterate iterate = evaluate(simulation, at, periods);
+    const Iterate iterate = evaluate(scene, at, periods);
     if (!iterate.why_not_usable.empty())
       return ended(line("iterate ", iteration, ": ", iterate.why_not_usable));
     orbit.residuals.push_back(iterate.residual);
@@ -209,7 +192,7 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
         newton_tolerance * iterate.length_of_step >= std::max(iterate.size, iterate.residual))
       return ended(line("iterate ", iteration, ": a Floquet multiplier is 1, no step leads on"));
     at = moved_by(iterate.step, at);
-    if (!admissible(scene, at))
+    if (any_is_beyond_its_stop(scene, at))
       return ended(line("iterate ", iteration + 1, ": a mass is beyond its stop"));
   }
 }

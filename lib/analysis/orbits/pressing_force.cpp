@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "motion_state.hpp"
-#include "orbit_runs.hpp"
 #include "orbit_tolerances.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -57,10 +58,6 @@ class TangentFlow {
   detail::ModalBasis modes_;
 };
 
-inline double largest(const Eigen::MatrixXd &matrix) {
-  return matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff();
-}
-
 // The value at x = 0 of the polynomial without x and x^2 through the values from `first` on. Its
 // weights are those of Lagrange for 1/x^2 times the polynomial, divided by their sum.
 inline Eigen::MatrixXd polynomial_at_zero(const std::vector<Eigen::MatrixXd> &values,
@@ -85,10 +82,10 @@ inline Eigen::MatrixXd polynomial_at_zero(const std::vector<Eigen::MatrixXd> &va
 inline Eigen::MatrixXd extrapolate_chatter(const std::vector<Eigen::MatrixXd> &values,
                                            const std::vector<double> &x, double error) {
   Eigen::MatrixXd best = values.back(), previous = best;
-  double least = error * largest(best);
+  double least = error * best.lpNorm<Eigen::Infinity>();
   for (std::size_t first = values.size() - 1; first-- > 0;) {
     Eigen::MatrixXd limit = polynomial_at_zero(values, x, first);
-    const double difference = largest(limit - previous);
+    const double difference = (limit - previous).lpNorm<Eigen::Infinity>();
     if (difference < least) {
       best = limit;
       least = difference;
@@ -113,10 +110,8 @@ class TangentRecorder : public Recorder {
         held_(start.held) {
     const auto size = static_cast<Eigen::Index>(2 * start.held.size());
     tangents_ = Eigen::MatrixXd::Zero(size, size);
-    for (const std::size_t coordinate : free_coordinates(start.held)) {
-      const auto k = static_cast<Eigen::Index>(coordinate);
-      tangents_(k, k) = 1.0;
-    }
+    const std::vector<std::size_t> free = free_coordinates(start.held);
+    tangents_(free, free).setIdentity();
   }
 
   void event(const Event &event, const Moment &moment) override {
@@ -182,34 +177,25 @@ class TangentRecorder : public Recorder {
 
   void apply_group() {
     const Held after = group_.back().held;
-    std::vector<Event> impacts;
-    bool sticks = false, releases = false;
-    for (const Event &event : group_) {
-      switch (event.kind) {
-        case EventKind::impact:
-          impacts.push_back(event);
-          break;
-        case EventKind::stick:
-          sticks = true;
-          break;
-        case EventKind::release:
-          releases = true;
-          break;
-      }
-    }
+    const auto has = [this](EventKind kind) {
+      return std::ranges::find(group_, kind, &Event::kind) != group_.end();
+    };
     const int stop = group_.front().stop;
-    if (group_.size() > 1 || releases || stop != nodes_stop_) nodes_.clear();
+    if (group_.size() > 1 || has(EventKind::release) || stop != nodes_stop_) nodes_.clear();
     nodes_stop_ = stop;
-    if (!impacts.empty())
-      apply_impacts(impacts, after);
-    else if (sticks)
+    if (has(EventKind::impact))
+      apply_impacts(after);
+    else if (has(EventKind::stick))
       apply_stick(after);
     // A release at a root of the hold force changes nothing: state and vector field are continuous.
     held_ = after;
     group_.clear();
   }
 
-  void apply_impacts(const std::vector<Event> &impacts, const Held &after) {
+  void apply_impacts(const Held &after) {
+    std::vector<Event> impacts;
+    std::ranges::copy_if(group_, std::back_inserter(impacts),
+                         [](const Event &event) { return event.kind == EventKind::impact; });
     if (impacts.size() > 1) differentiable_ = false;  // it depends on which mass is first
     std::vector<double> velocity = velocity_before_;
     for (std::size_t k = 0; k < impacts.size(); ++k) {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "analysis/orbits/orbit_tolerances.hpp"
-#include "settled_runs.hpp"
 
 namespace vibro_impact {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "settled_runs.hpp"
+#include "vibro_impact/analysis/settle.hpp"
 
 namespace vibro_impact {
 
@@ -65,16 +65,8 @@ EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int 
   EventCounts counts{periods, none, none, dual_sticking(held)};
   for (const Event &event : without_chatters(scene, events)) {
     const auto mass = static_cast<std::size_t>(event.mass - 1);
-    switch (event.kind) {
-      case EventKind::impact:
-        ++counts.impacts[mass];
-        break;
-      case EventKind::stick:
-        ++counts.sticks[mass];
-        break;
-      case EventKind::release:
-        break;
-    }
+    if (event.kind == EventKind::impact) ++counts.impacts[mass];
+    if (event.kind == EventKind::stick) ++counts.sticks[mass];
     counts.dual_sticking = counts.dual_sticking || dual_sticking(event.held);
   }
   return counts;

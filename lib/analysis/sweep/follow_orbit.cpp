@@ -9,7 +9,6 @@
 
 #include "analysis/orbits/orbit_tolerances.hpp"
 #include "branch.hpp"
-#include "settled_runs.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/pressing_force.hpp"
 

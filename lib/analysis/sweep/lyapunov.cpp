@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "analysis/orbits/orbit_runs.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
-#include "settled_runs.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
@@ -25,12 +24,7 @@ double standard_error(const std::vector<double> &blocks) {
 
 Growth mean_growth(const Scene &scene, const MotionState &start, const GrowthOptions &options,
                    const RunOptions &run) {
-  Simulation simulation(scene, run);
-  return mean_growth(simulation, start, options);
-}
-
-Growth mean_growth(Simulation &simulation, const MotionState &start, const GrowthOptions &options) {
-  const Scene &scene = simulation.scene();
+  check(scene);
   check(scene, start);
   require(options.longest >= 1, "longest = ", options.longest, ": must be positive");
   require(options.error >= 0.0, "error = ", options.error, ": must be non-negative");
@@ -39,8 +33,7 @@ Growth mean_growth(Simulation &simulation, const MotionState &start, const Growt
   // The perturbation is carried in units of its coordinates, in which its length is taken.
   const Eigen::VectorXd units = coordinate_units(scene, Held(scene.mass.size(), 0));
   Eigen::VectorXd perturbation = Eigen::VectorXd::Zero(units.size());
-  for (const std::size_t row : free_coordinates(start.held))
-    perturbation[static_cast<Eigen::Index>(row)] = 1.0;
+  perturbation(free_coordinates(start.held)).setOnes();
   perturbation.normalize();
   double logarithm = 0.0, before_block = 0.0;  // of the length, had it never been brought back to 1
   std::vector<double> blocks;                  // growth per time in each block
@@ -48,7 +41,7 @@ Growth mean_growth(Simulation &simulation, const MotionState &start, const Growt
   Growth growth;
   while (done < options.longest && !(growth.error <= options.error)) {
     const int periods = std::min(rescaled_after, options.longest - done);
-    const StroboscopicImage image = stroboscopic_map_and_derivative(simulation, state, periods);
+    const StroboscopicImage image = stroboscopic_map_and_derivative(scene, state, periods, run);
     perturbation = (view(image.derivative) * perturbation.cwiseProduct(units)).cwiseQuotient(units);
     const double length = perturbation.stableNorm();  // neither overflows nor underflows
     state = image.state;

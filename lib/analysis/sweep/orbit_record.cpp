@@ -4,13 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <regex>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "analysis/orbits/motion_state.hpp"
-#include "analysis/orbits/orbit_runs.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
-#include "settled_runs.hpp"
 
 namespace vibro_impact {
 
@@ -39,35 +38,38 @@ void record_on(const Scene &scene, const SettledMotion &motion, int periods,
       record.impacts[static_cast<std::size_t>(event.mass - 1)].push_back(event);
 }
 
-Growth exponent_of(Simulation &simulation, const OrbitRecord &record,
-                   const GrowthOptions &options) {
-  const MotionState start = at_quiet_phase(simulation, record.state);
-  if (record.period == 0) return mean_growth(simulation, start, options);
-  const StroboscopicImage image = stroboscopic_map_and_derivative(simulation, start, record.period);
+Growth exponent_of(const Scene &scene, const OrbitRecord &record, const RecordOptions &options) {
+  const RunOptions &run = options.settle.run;
+  const MotionState start = at_quiet_phase(scene, record.state, run);
+  if (record.period == 0) return mean_growth(scene, start, options.growth, run);
+  const StroboscopicImage image = stroboscopic_map_and_derivative(scene, start, record.period, run);
   const auto multipliers = floquet_multipliers(image.derivative, start.held);
   const double modulus = multipliers.empty() ? 0.0 : std::abs(multipliers.front()),
-               time = record.period * Clock(simulation.scene().omega).period;
+               time = record.period * Clock(scene.omega).period;
   return {std::log(modulus) / time, modulus > 0.0 ? exponent_error / time : 0.0};
 }
 
-std::vector<EventPair> pairs_of(Simulation &simulation, const OrbitRecord &record) {
+// Each kind of pair once, in the order of Table I.
+std::vector<EventPair> pairs_of(const Scene &scene, const OrbitRecord &record,
+                                const RunOptions &run) {
   const int periods = 2 * (record.period > 0 ? record.period : periods_counted);
-  PressedEventRecorder recorder(simulation.scene());
-  stroboscopic_map(simulation, record.state, periods, recorder);
-  const std::vector<PairedEvents> pairs = event_pairs(recorder.events);
-  std::vector<EventPair> found;
-  for (const EventPair kind : all_event_pairs)
-    if (std::any_of(pairs.begin(), pairs.end(), [kind](auto &pair) { return pair.kind == kind; }))
-      found.push_back(kind);
-  return found;
+  PressedEventRecorder recorder(scene);
+  stroboscopic_map(scene, record.state, periods, run, recorder);
+  std::set<EventPair> kinds;
+  for (const PairedEvents &pair : event_pairs(recorder.events)) kinds.insert(pair.kind);
+  return {kinds.begin(), kinds.end()};
 }
 
-OrbitRecord record_of(Simulation simulation, const MotionState &start,
-                      const RecordOptions &options) {
+}  // namespace
+
+OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
+  return record_of(scene, start_of(scene), options);
+}
+
+OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
   const double slowest = options.slowest.value_or(0.0);
   require(slowest >= 0.0, "slowest = ", slowest, ": must be non-negative");
-  SettledMotion motion = settle(std::move(simulation), start, options.settle);
-  const Scene &scene = motion.simulation.scene();
+  SettledMotion motion = settle(scene, start, options.settle);
   OrbitRecord record;
   record.period = motion.period;
   record.approached = motion.approached;
@@ -79,19 +81,9 @@ OrbitRecord record_of(Simulation simulation, const MotionState &start,
     record.counts = std::move(motion.counts);
   record.state = std::move(motion.state);
   record.state.instant.cycle = 0;
-  if (options.lyapunov) record.lyapunov = exponent_of(motion.simulation, record, options.growth);
-  if (options.pairs) record.pairs = pairs_of(motion.simulation, record);
+  if (options.lyapunov) record.lyapunov = exponent_of(scene, record, options);
+  if (options.pairs) record.pairs = pairs_of(scene, record, options.settle.run);
   return record;
-}
-
-}  // namespace
-
-OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
-  return record_of(Simulation(scene, start, options.settle.run), start, options);
-}
-
-OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
-  return record_of(Simulation(scene, options.settle.run), first_motion(scene), options);
 }
 
 double attractor_mark(const Scene &scene, const std::vector<MotionState> &section) {

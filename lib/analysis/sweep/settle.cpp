@@ -8,7 +8,6 @@
 #include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
 #include "contraction.hpp"
-#include "settled_runs.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
@@ -229,18 +228,12 @@ class Sections : public Recorder {
 }  // namespace
 
 SettledMotion settle(const Scene &scene, const MotionState &start, const SettleOptions &options) {
-  return settle(Simulation(scene, start, options.run), start, options);
-}
-
-SettledMotion settle(Simulation simulation, const MotionState &start,
-                     const SettleOptions &options) {
+  SettledMotion motion{.simulation = Simulation(scene, start, options.run)};
   require(options.longest >= 1 && options.longest <= most_periods_run,
           "longest = ", options.longest, ": must lie from 1 to ", most_periods_run);
   require(options.largest_period >= 1 && options.largest_period <= most_periods_of_orbit,
           "largest_period = ", options.largest_period, ": must lie from 1 to ",
           most_periods_of_orbit);
-  SettledMotion motion{.simulation = std::move(simulation)};
-  const Scene &scene = motion.simulation.scene();
   const double until = time_after(scene, start, options.longest + 1);
   Sections sections(scene, start, options);
   require_complete(motion.simulation.advance(until, sections));

@@ -14,10 +14,6 @@
 
 namespace vibro_impact {
 
-void Table::cell(double value) {
-  cell(value, 0.0);
-}
-
 void Table::cell(double value, double error) {
   int significant = 17;
   if (error > 0.0 && value != 0.0 && std::isfinite(value)) {

@@ -23,9 +23,8 @@ struct Table {
     (cell(cells), ...);
     end_row();
   }
-  void cell(double value);
   // The value to the second digit of its error. An error of 0 asks for 17 digits.
-  void cell(double value, double error);
+  void cell(double value, double error = 0.0);
   void cell(std::string_view value);
   void cell(std::integral auto value) {
     cell(std::string_view(std::to_string(value)));
