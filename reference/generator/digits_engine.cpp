@@ -92,11 +92,10 @@ MotionAt extrapolated(const MotionAt &one, const MotionAt &other, const Real &fr
   return motion;
 }
 
-/// Throws std::logic_error if the counts at the two frequencies agree.
-void require_change(const Real &near, const Real &far, std::ptrdiff_t count_near,
-                    std::ptrdiff_t count_far) {
-  if (count_near == count_far)
-    throw std::logic_error("the counts at " + near.str(10) + " and " + far.str(10) + " agree");
+/// Throws std::logic_error, naming the two frequencies, unless `holds` is true.
+void require(bool holds, const Real &one, const Real &other, const char *fault) {
+  if (!holds)
+    throw std::logic_error("the counts at " + one.str(10) + " and " + other.str(10) + ' ' + fault);
 }
 
 /// The extremes of the motion of a mass over [from, to]: at zeros of the velocity (sampled, then
@@ -153,17 +152,20 @@ Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const 
 /// The frequency between `near` and `far` at which the count changes. The settled motion is
 /// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
 /// known to have the same count as `near`, so that the unsettled part of a trial is small beside
-/// the bracket. Throws std::logic_error if the counts at the ends agree.
+/// the bracket. Throws std::logic_error if the counts at the ends agree, or if the motion of `near`
+/// does not reach to 2 near - far, where the first extrapolation begins.
 Real changing_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
   const auto settled_count = [&](MotionAt &motion) {
     carry_on(scene, motion, settling_from_near);
     return count(carry_on(scene, motion, counted));
   };
-  MotionAt before = from_rest(scene, 2 * near - far, settling_from_rest),
+  const Real first = 2 * near - far;
+  MotionAt before = from_rest(scene, first, settling_from_rest), tried = before,
            last = from_rest(scene, near, settling_from_rest),
            beyond = from_rest(scene, far, settling_from_rest);
   const std::ptrdiff_t count_near = settled_count(last);
-  require_change(near, far, count_near, settled_count(beyond));
+  require(settled_count(beyond) != count_near, near, far, "agree");
+  require(settled_count(tried) == count_near, first, near, "differ");
   const auto as_near = [&](const Real &frequency) {
     MotionAt trial = extrapolated(before, last, frequency);
     if (settled_count(trial) != count_near) return false;
@@ -182,7 +184,7 @@ Real jumping_frequency(const Scene &scene, const Real &near, const Real &far, co
     return count(carry_on(scene, motion, counted));
   };
   const std::ptrdiff_t count_near = count_at(near);
-  require_change(near, far, count_near, count_at(far));
+  require(count_at(far) != count_near, near, far, "agree");
   return bisect([&](const Real &frequency) { return count_at(frequency) == count_near; }, near, far,
                 bracket_width / far);
 }

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "figures/check/library_engine.hpp"
 #include "reference/generator/tables.hpp"
@@ -105,6 +106,17 @@ TEST(Generator, FindsAGrazingFrequencyToAllStoredDigits) {
   const auto near = static_cast<double>(sqrt(square));  // few steps of the bisection are left
   const Real found = DigitsEngine{}.grazing_frequency(scene, 1, near + 1e-14, near - 1e-14);
   EXPECT_LE(abs(found - sqrt(square)), Real("1e-18"));
+}
+
+// The same mass reaches a stop at 1.1 between the frequencies 0.473 and 0.881. The motion of 0.6
+// does not reach down to 0.3, where the extrapolation to the upper one would begin.
+TEST(Generator, RefusesAFrequencyThatIsNotFollowedFromOneMotion) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {1.0},
+                    .beta = 1.0,
+                    .amplitude = {1.0},
+                    .stops = {{1, Side::upper, 1.1}}};
+  EXPECT_THROW(DigitsEngine{}.grazing_frequency(scene, 1, 0.6, 0.9), std::logic_error);
 }
 
 // Formulas, and all that is read off the run of Figure 5(c), the shortest one. Two versions of
