@@ -1,4 +1,5 @@
-// Zeros of what is sampled along a motion: brackets and bisection, nothing else.
+// Zeros of a signal that is sampled along a motion: brackets, narrowed down by bisection or by
+// Newton's method.
 #pragma once
 
 #include "in_digits.hpp"
@@ -33,6 +34,8 @@ struct RootSearch {
 };
 
 /// The signal falls through zero between a, where `before` holds of it, and b, where it does not.
+/// Bisection returns the end of the last bracket at b. Newton's method may return a time on either
+/// side of the zero: where its step is shorter than the width, or the signal smaller than 1e-49.
 template <class SignalAt, class Before>
 Real fall_between(const SignalAt &signal_at, const Before &before, Real a, Real b,
                   const RootSearch &search) {
