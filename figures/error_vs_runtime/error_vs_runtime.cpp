@@ -26,7 +26,6 @@ struct Trial {
   Result result = {};
   Error error = {};
   long long runs_per_sample = 1;
-  bool repeated = true;
   std::vector<double> microseconds = {};  // one entry per sample
 };
 
@@ -59,18 +58,11 @@ void add_sample(Trial &trial, double seconds) {
                                runs_counted(*trial.problem));
 }
 
-// The first run of a trial gives its errors; further ones give how many runs make a sample. A run
-// of more than `long_run` seconds is not repeated, and is its own sample.
-constexpr double long_run = 0.1;
-
+// The first run of a trial gives its errors; further ones give how many runs make a sample.
 void run_first(Trial &trial) {
-  const double begin = processor_seconds();
   trial.result = trial.method->run(*trial.problem, trial.setting);
-  double seconds = processor_seconds() - begin;
   trial.error = error_of(trial.result, *trial.problem);
-  trial.repeated = seconds <= long_run;
-  if (!trial.repeated) return add_sample(trial, seconds);
-  seconds = seconds_of(trial);
+  double seconds = seconds_of(trial);
   while (seconds < shortest_sample) {
     trial.runs_per_sample *= 2;
     seconds = seconds_of(trial);
@@ -108,7 +100,7 @@ std::vector<Trial> measured(const std::vector<Problem> &cases, const std::vector
   // The methods take turns, so that a busy machine disturbs all of them alike.
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (Trial &trial : trials) {
-      if (trial.repeated) add_sample(trial, seconds_of(trial));
+      add_sample(trial, seconds_of(trial));
       progress.advance();
     }
   return trials;
