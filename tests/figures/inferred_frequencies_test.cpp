@@ -61,7 +61,7 @@ std::vector<Listed> listed() {
   const std::vector<InferredFigure> figures = inferred_figures();
   return {
       {figures[0], {0.1825, 0.1912, 0.2, 0.2088, 0.2354, 0.2531, 0.2797, 0.3499, 0.3586}},
-      {figures[1], {0.1702, 0.1769, 0.1778, 0.1843, 0.1902, 0.2561}},
+      {figures[1], {0.1451, 0.1702, 0.1769, 0.1778, 0.1843, 0.1902, 0.2561}},
       {figures[2], {0.2995}},
   };
 }
