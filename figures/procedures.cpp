@@ -10,7 +10,6 @@
 #include <string>
 
 #include "driver.hpp"
-#include "frequency_diagram.hpp"
 #include "measures/runs.hpp"
 
 namespace {

@@ -1,15 +1,16 @@
-// Figures read these off runs: events, counts, extremes, displacements across a window, and
-// sticking phases.
+// Figures read these off runs: events, counts, extremes, displacements across a window, sticking
+// phases, and the records of Figure 3.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "reference/numbers/panels.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "vibro_impact/analysis/table.hpp"
+#include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace vibro_impact::figures {
@@ -38,6 +39,27 @@ std::vector<std::pair<std::size_t, std::size_t>> runs_where(const Predicate &hol
   }
   return runs;
 }
+
+// The distinct ones among `values`, sorted: those that agree to 1e-6 of their size, as the impacts
+// of a periodic motion do from period to period, count as one.
+inline std::vector<double> distinct(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(a); };
+  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+  return values;
+}
+
+// Frequencies from 0.25 to 0.7, both included, at equal distances.
+inline Grid grid_of_figure3(std::size_t count) {
+  const paper::AxisBox box = paper::panel("figure3a");
+  return {paper::figure3(box.from), {{"omega", box.from, box.to, count}}};
+}
+
+// Each motion from rest, with its chatter impacts down to slowest_impact_shown.
+inline const RecordOptions recorded_of_figure3{
+    .settle = {.longest = paper::figure3_settling_periods},
+    .impacts = true,
+    .slowest = paper::slowest_impact_shown};
 
 // The displacement of one of two masses at a sample.
 double displacement(const SampleRecorder &samples, std::size_t sample, int mass);
