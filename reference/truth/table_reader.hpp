@@ -34,11 +34,6 @@ inline Cells cells_of(const std::string &line) {
   return {cells.begin(), cells.end()};
 }
 
-// A cell of text that may hold commas.
-inline std::string in_quotes(const std::string &text) {
-  return '"' + text + '"';
-}
-
 // A whole cell as a number; nothing for other text.
 inline std::optional<double> as_number(const std::string &cell) {
   double value = 0.0;

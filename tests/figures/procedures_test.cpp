@@ -130,8 +130,10 @@ std::ptrdiff_t sticks(double omega, const Procedure &procedure) {
 TEST(Procedures, ACutOffBySpeedIsThatOfThePlainScheme) {
   const comparison::Method plain = comparison::plain_event_driven().front();
   for (const double omega : {0.328, 0.329, 0.400, 0.401}) {
-    const auto result =
-        plain.run({"", paper::figure3(omega), {}, 70 * Clock(omega).period}, 0.7 * 1e-3);
+    const Scene scene = paper::figure3(omega);
+    const auto result = plain.run(
+        {.name = "", .scene = scene, .start = start_of(scene), .until = 70 * Clock(omega).period},
+        0.7 * 1e-3);
     ASSERT_EQ(result.failure, "");
     const auto count = late_sticks(result.events, omega);
     EXPECT_EQ(count, sticks(omega, {.slowest_impact = 1e-3})) << omega;

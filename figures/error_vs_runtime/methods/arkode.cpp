@@ -30,7 +30,6 @@ std::shared_ptr<std::remove_pointer_t<Pointer>> owned(Pointer pointer, Free free
 
 int derivative(double tau, N_Vector y, N_Vector dydt, void *user) {
   const System &system = *static_cast<System *>(user);
-  ++system.evaluations;
   double *slope = NV_DATA_S(dydt);
   right_hand_side(system.chain, system.now.held, NV_DATA_S(y), slope, system.now.time + tau);
   return 0;
@@ -92,10 +91,9 @@ struct RungeKutta {
 };
 
 Result run_erkstep(const Problem &problem, double tolerance) {
-  return with_events(problem, stick_below(tolerance),
-                     [&](const TwoMasses &chain, const GapState &now, long long &work) {
-                       return RungeKutta{{chain, now, work}, tolerance};
-                     });
+  return with_events(problem, stick_below(tolerance), [&](const System &system) {
+    return RungeKutta{system, tolerance};
+  });
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ struct Program {
         beta(problem.scene.beta),
         tolerance(its_tolerance),
         until(problem.until),
-        now{gap_state(of, problem.start)} {
+        now{gap_state(of, problem.from, problem.start)} {
     double largest = chain.omega * chain.omega;
     for (std::size_t i = 0; i < 2; ++i) {
       const GapEquation &e = chain.equation[i];
@@ -131,8 +131,7 @@ struct Program {
     for (Chatter &chatter : chatters) chatter.nodes.clear();
   }
   void record(std::size_t i, EventKind kind, double velocity = 0.0) {
-    result.events.push_back(
-        event_at(now.time + now.time_rest, static_cast<int>(i) + 1, kind, velocity));
+    result.record(now.time + now.time_rest, i, kind, velocity);
   }
   void release(std::size_t i) {
     now.held[i] = false;
@@ -168,10 +167,10 @@ struct Program {
   }
 
   void impact(std::size_t i) {
-    ++result.impacts;
     const std::size_t j = 1 - i;
     now.y[2 * i] = 0.0;
     double &speed = now.y[2 * i + 1];
+    result.count_impact(now.time, i, speed);
     record(i, EventKind::impact, -chain.side[i] * speed);
     speed = std::abs(chain.restitution * speed);
     chatters[j].nodes.clear();
@@ -235,12 +234,7 @@ struct Program {
 Result run_by_hand(const Problem &problem, double tolerance) {
   const TwoMasses chain = two_masses(problem.scene);
   Program program(chain, problem, tolerance);
-  while (program.now.time < problem.until && program.result.failure.empty()) {
-    program.step();
-    ++program.result.work;
-    if (program.result.impacts > impacts_at_most)
-      program.result.failure = lost_in_impacts(program.now.time, 1, 0.0);
-  }
+  while (program.now.time < problem.until && program.result.failure.empty()) program.step();
   return program.result;
 }
 

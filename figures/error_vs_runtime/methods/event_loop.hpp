@@ -83,14 +83,25 @@ void advance(Steps &steps, Now &now, double until, double longest_first, std::si
 // flights are not jumped over.
 constexpr double beyond_the_flight = 1.1;
 
+// The right-hand side at the time tau after the last event, as Odeint calls it.
+struct System {
+  const TwoMasses &chain;
+  const GapState &now;
+
+  template <class Derivative>
+  void operator()(const Vec &y, Derivative &&dydt, double tau) const {
+    right_hand_side(chain, now.held, y, dydt, now.time + tau);
+  }
+};
+
 // The motion with its impacts, sticks and releases; a pressed mass sticks when it is slower than
-// `slowest`. steps_of(chain, now, work) makes the method.
+// `slowest`. steps_of(system) makes the method.
 template <class StepsOf>
 Result with_events(const Problem &problem, double slowest, const StepsOf &steps_of) {
   const TwoMasses chain = two_masses(problem.scene);
-  GapState now = gap_state(chain, problem.start);
+  GapState now = gap_state(chain, problem.from, problem.start);
   Result result;
-  auto steps = steps_of(chain, now, result.work);
+  auto steps = steps_of(System{chain, now});
   advance(
       steps, now, problem.until, flight_ahead(chain, now), 2,
       [&](std::size_t i, const auto &y, double t) { return guard(chain, now.held, i, y, t); },
@@ -101,19 +112,6 @@ Result with_events(const Problem &problem, double slowest, const StepsOf &steps_
       result.failure);
   return result;
 }
-
-// The right-hand side at the time tau after the last event, as Odeint calls it.
-struct System {
-  const TwoMasses &chain;
-  const GapState &now;
-  long long &evaluations;
-
-  template <class Derivative>
-  void operator()(const Vec &y, Derivative &&dydt, double tau) const {
-    ++evaluations;
-    right_hand_side(chain, now.held, y, dydt, now.time + tau);
-  }
-};
 
 // The length of the next step of a stepper that controls its own. The first step behind an event
 // may be shorter than usual, and does not make the usual length shorter.
@@ -132,18 +130,18 @@ struct StepLength {
 };
 
 // A dense-output stepper of Odeint as a method.
-template <class Stepper, class System>
+template <class Stepper, class RightHandSide>
 struct DenseOutput {
   const GapState &now;
   Stepper stepper;
-  System system;
+  RightHandSide right_hand_side;
   StepLength length = {};
 
   void restart(double longest_first) {
     stepper.initialize(now.y, 0.0, length.first(longest_first));
   }
   std::pair<double, double> next() {
-    const auto ends = stepper.do_step(system);
+    const auto ends = stepper.do_step(right_hand_side);
     length.chosen(stepper.current_time_step());
     return ends;
   }

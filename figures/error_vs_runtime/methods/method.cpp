@@ -1,5 +1,7 @@
 #include "method.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "reference/scenes/paper_scenes.hpp"
@@ -18,10 +20,14 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
     Problem &problem = all.emplace_back();
     problem.name = name;
     problem.scene = paper::scene_named(scene).scene;
-    problem.start = {row.number("from"),
+    problem.from = row.number("from");
+    problem.start = {instant_at(problem.from, Clock(problem.scene.omega)),
                      {row.number("x1"), row.number("x2")},
                      {row.number("v1"), row.number("v2")},
-                     {row.cell("held1") == "1", row.cell("held2") == "1"}};
+                     Held(2, 0)};
+    for (const std::size_t i : {0u, 1u})
+      if (row.cell("held" + std::to_string(i + 1)) == "1")
+        problem.start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
     problem.until = row.number("until");
     if (const auto its_events = events.find(name); its_events != events.end()) {
       problem.reference_events = its_events->second;
@@ -34,6 +40,17 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
   return all;
 }
 
+void Result::record(double time, std::size_t i, EventKind kind, double velocity) {
+  events.push_back(event_at(time, static_cast<int>(i) + 1, kind, velocity));
+}
+
+void Result::count_impact(double time, std::size_t i, double speed) {
+  constexpr long long at_most = 20'000;
+  if (++impacts > at_most)
+    failure = fmt::format("more than {} impacts up to t = {:.6f} (mass {}, speed {:.2g})", at_most,
+                          time, i + 1, speed);
+}
+
 Error error_of(const Result &result, const Problem &problem) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (!result.failure.empty()) return {nan, result.failure};
@@ -44,10 +61,10 @@ Error error_of(const Result &result, const Problem &problem) {
   return {differences.first.empty() ? differences.time : nan, differences.first};
 }
 
-Methods all_methods() {
-  Methods all;
+std::vector<Method> all_methods() {
+  std::vector<Method> all;
   const auto add = [&](const std::vector<Method> &family) {
-    all.methods.insert(all.methods.end(), family.begin(), family.end());
+    all.insert(all.end(), family.begin(), family.end());
   };
   add(this_library());
   add(by_hand());
@@ -56,8 +73,6 @@ Methods all_methods() {
   add(odeint());
 #ifdef WITH_ARKODE
   add(arkode());
-#else
-  all.left_out.emplace_back("ARKODE");
 #endif
   add(stiff_spring());
   return all;

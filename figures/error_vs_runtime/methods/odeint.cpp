@@ -18,10 +18,9 @@ using namespace boost::numeric::odeint;
 Result dormand_prince(const Problem &problem, double tolerance) {
   const auto stepper = make_dense_output(tolerance, tolerance, runge_kutta_dopri5<Vec>());
   using Steps = DenseOutput<std::decay_t<decltype(stepper)>, System>;
-  return with_events(problem, stick_below(tolerance),
-                     [&](const TwoMasses &chain, const GapState &now, long long &work) {
-                       return Steps{now, stepper, {chain, now, work}};
-                     });
+  return with_events(problem, stick_below(tolerance), [&](const System &system) {
+    return Steps{system.now, stepper, system};
+  });
 }
 
 // An event within a step is located by repeating the step from its beginning with the trial length.
@@ -61,11 +60,9 @@ struct Fehlberg {
 };
 
 Result fehlberg(const Problem &problem, double tolerance) {
-  return with_events(problem, stick_below(tolerance),
-                     [&](const TwoMasses &chain, const GapState &now, long long &work) {
-                       return Fehlberg{make_controlled(tolerance, tolerance, Fehlberg::Stepper()),
-                                       {chain, now, work}};
-                     });
+  return with_events(problem, stick_below(tolerance), [&](const System &system) {
+    return Fehlberg{make_controlled(tolerance, tolerance, Fehlberg::Stepper()), system};
+  });
 }
 
 }  // namespace

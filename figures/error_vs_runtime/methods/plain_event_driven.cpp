@@ -72,9 +72,9 @@ ClosedForm closed_form(const Scene &scene, const std::array<bool, 2> &held) {
 // The samples of the motion from one event to the next.
 struct Samples {
   const Scene &scene;
-  const TwoMasses &chain;
-  const GapState &now;
-  long long &evaluations;
+  System system;
+  const TwoMasses &chain = system.chain;
+  const GapState &now = system.now;
   std::map<std::array<bool, 2>, ClosedForm> forms = {};  // of the contact modes met
   const ClosedForm *form = nullptr;
   double time = 0.0, step = 0.0;
@@ -86,15 +86,15 @@ struct Samples {
     form = &known->second;
     time = 0.0;
     step = std::min(longest_sample, longest_first / samples_per_flight);
-    const TwoMassState state = physical_state(chain, now);
     const Complex turn = std::polar(1.0, chain.omega * now.time);
     for (std::size_t j = 0; j < form->modes.size(); ++j) {
       const auto &[shape, exponent] = form->modes[j];
       double q = 0.0, rate = 0.0;  // of the free motion in this mode
       for (std::size_t i = 0; i < 2; ++i) {
         const Complex steady = form->steady[i] * turn;
-        const double x = state.displacement[i] - form->equilibrium[i] - steady.real();
-        const double v = state.velocity[i] + chain.omega * steady.imag();
+        const double x =
+            chain.stop[i] - chain.side[i] * now.y[2 * i] - form->equilibrium[i] - steady.real();
+        const double v = chain.omega * steady.imag() - chain.side[i] * now.y[2 * i + 1];
         q += shape[i] * scene.mass[i] * x;
         rate += shape[i] * scene.mass[i] * v;
       }
@@ -111,7 +111,6 @@ struct Samples {
   }
 
   Vec at(double tau) {
-    ++evaluations;
     const Complex turn = std::polar(1.0, chain.omega * (now.time + tau));
     std::array<double, 2> x{}, v{};
     for (std::size_t j = 0; j < form->modes.size(); ++j) {
@@ -134,10 +133,9 @@ struct Samples {
 };
 
 Result plain_scheme(const Problem &problem, double threshold) {
-  return with_events(problem, threshold,
-                     [&](const TwoMasses &chain, const GapState &now, long long &work) {
-                       return Samples{problem.scene, chain, now, work};
-                     });
+  return with_events(problem, threshold, [&](const System &system) {
+    return Samples{problem.scene, system};
+  });
 }
 
 }  // namespace

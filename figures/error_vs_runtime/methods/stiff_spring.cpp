@@ -36,8 +36,8 @@ struct Springs {
 
   Springs(const Problem &problem, double kappa)
       : chain(two_masses(problem.scene)),
-        now(gap_state(chain, problem.start)),
-        contact(problem.start.held) {
+        now(gap_state(chain, problem.from, problem.start)),
+        contact(now.held) {
     const double log_r = std::log(problem.scene.restitution);
     const double zeta = -log_r / std::hypot(std::numbers::pi, log_r);
     const double cosine = std::cos(chain.omega * now.time);
@@ -52,7 +52,6 @@ struct Springs {
   }
 
   void operator()(const Vec &y, Vec &dydt, double tau) {
-    ++result.work;
     right_hand_side(chain, {false, false}, y, dydt, now.time + tau);
     for (std::size_t i = 0; i < 2; ++i)
       if (contact[i]) dydt[2 * i + 1] -= stiffness[i] * y[2 * i] + damping[i] * y[2 * i + 1];
@@ -61,21 +60,19 @@ struct Springs {
   // A contact that has lasted counts as a stick from its beginning, unless the run began in it.
   void record_stick(std::size_t i) {
     if (contact[i] && now.time - since[i] > stick[i] && std::isfinite(since[i]))
-      result.events.push_back(event_at(since[i], static_cast<int>(i) + 1, EventKind::stick));
+      result.record(since[i], i, EventKind::stick);
   }
 
   // Begins or ends the contact of mass i + 1.
   void toggle(std::size_t i) {
-    const int mass = static_cast<int>(i) + 1;
     now.y[2 * i] = 0.0;
     if (!contact[i]) {
-      result.events.push_back(event_at(now.time, mass, EventKind::impact));
+      result.record(now.time, i, EventKind::impact);
+      result.count_impact(now.time, i, now.y[2 * i + 1]);
       since[i] = now.time;
-      if (++result.impacts > impacts_at_most)
-        result.failure = lost_in_impacts(now.time, mass, now.y[2 * i + 1]);
     } else if (now.time - since[i] > stick[i]) {
       record_stick(i);
-      result.events.push_back(event_at(now.time, mass, EventKind::release));
+      result.record(now.time, i, EventKind::release);
     }
     contact[i] = !contact[i];
   }

@@ -21,22 +21,11 @@ struct ComparedEventRecorder : Recorder {
 
 Result run_with(const Problem &problem, const RunOptions &options) {
   Result result;
-  const Clock clock(problem.scene.omega);
-  const std::size_t masses = problem.scene.mass.size();
-  MotionState start{instant_at(problem.start.time, clock), std::vector<double>(masses),
-                    std::vector<double>(masses), Held(masses, 0)};
-  for (std::size_t i = 0; i < 2; ++i) {
-    start.displacement[i] = problem.start.displacement[i];
-    start.velocity[i] = problem.start.velocity[i];
-    if (problem.start.held[i])
-      start.held[i] = static_cast<signed char>(problem.scene.stops[i].side);
-  }
   ComparedEventRecorder recorder;
   const Outcome outcome =
-      Simulation(problem.scene, start, options).advance(problem.until, recorder);
+      Simulation(problem.scene, problem.start, options).advance(problem.until, recorder);
   result.events = std::move(recorder.events);
   result.failure = outcome.reason;
-  result.work = outcome.counters.expansions;
   result.impacts = outcome.counters.impacts;
   return result;
 }

@@ -42,57 +42,42 @@ TwoMasses two_masses(const Scene &scene) {
   return chain;
 }
 
-GapState gap_state(const TwoMasses &chain, const TwoMassState &state) {
-  GapState gaps{state.time, {}, state.held};
+GapState gap_state(const TwoMasses &chain, double time, const MotionState &state) {
+  GapState gaps{.time = time};
   for (std::size_t i = 0; i < 2; ++i) {
-    gaps.y[2 * i] = state.held[i] ? 0.0 : chain.side[i] * (chain.stop[i] - state.displacement[i]);
-    gaps.y[2 * i + 1] = state.held[i] ? 0.0 : -chain.side[i] * state.velocity[i];
+    gaps.held[i] = state.held[i] != 0;
+    if (gaps.held[i]) continue;
+    gaps.y[2 * i] = chain.side[i] * (chain.stop[i] - state.displacement[i]);
+    gaps.y[2 * i + 1] = -chain.side[i] * state.velocity[i];
   }
   return gaps;
-}
-
-TwoMassState physical_state(const TwoMasses &chain, const GapState &state) {
-  TwoMassState physical{state.time, {}, {}, state.held};
-  for (std::size_t i = 0; i < 2; ++i) {
-    physical.displacement[i] = chain.stop[i] - chain.side[i] * state.y[2 * i];
-    physical.velocity[i] = -chain.side[i] * state.y[2 * i + 1];
-  }
-  return physical;
-}
-
-std::string lost_in_impacts(double time, int mass, double speed) {
-  return fmt::format("more than {} impacts up to t = {:.6f} (mass {}, speed {:.2g})",
-                     impacts_at_most, time, mass, speed);
 }
 
 void apply_event(const TwoMasses &chain, GapState &state, std::size_t i, double slowest,
                  Result &result) {
   const double cosine = std::cos(chain.omega * state.time);
-  const int mass = static_cast<int>(i) + 1;
   double &gap = state.y[2 * i], &speed = state.y[2 * i + 1];
   gap = 0.0;
   if (state.held[i]) {
     state.held[i] = false;
     speed = 0.0;
-    result.events.push_back(event_at(state.time, mass, EventKind::release));
-    return;
+    return result.record(state.time, i, EventKind::release);
   }
-  ++result.impacts;
-  result.events.push_back(event_at(state.time, mass, EventKind::impact, -chain.side[i] * speed));
+  result.record(state.time, i, EventKind::impact, -chain.side[i] * speed);
+  result.count_impact(state.time, i, speed);
   speed = std::abs(chain.restitution * speed);
   const double pressing = -chain.acceleration(i, state.y, cosine);
   if (speed < slowest && pressing > 0.0) {
     const double time_left = 2.0 * speed / (pressing * (1.0 - chain.restitution));
     speed = 0.0;
     state.held[i] = true;
-    result.events.push_back(event_at(state.time + time_left, mass, EventKind::stick));
+    result.record(state.time + time_left, i, EventKind::stick);
   }
   const std::size_t j = 1 - i;
   if (state.held[j] && chain.acceleration(j, state.y, cosine) > 0.0) {
     state.held[j] = false;
-    result.events.push_back(event_at(state.time, static_cast<int>(j) + 1, EventKind::release));
+    result.record(state.time, j, EventKind::release);
   }
-  if (result.impacts > impacts_at_most) result.failure = lost_in_impacts(state.time, mass, speed);
 }
 
 double flight_ahead(const TwoMasses &chain, const GapState &state) {

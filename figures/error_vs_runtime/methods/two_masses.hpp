@@ -27,7 +27,7 @@ struct TwoMasses {
   std::array<double, 2> side, stop;  // +1 for an upper stop
   double omega, restitution;
 
-  template <class State>  // Vec, or the numbers of a vector of CVODE
+  template <class State>  // Vec, or the numbers of a vector of ARKODE
   double acceleration(std::size_t i, const State &y, double cosine) const {
     const GapEquation &e = equation[i];
     return e.gap[0] * y[0] + e.speed[0] * y[1] + e.gap[1] * y[2] + e.speed[1] * y[3] + e.constant +
@@ -39,14 +39,13 @@ struct TwoMasses {
 // force but A cos(Omega t). Throws std::invalid_argument for any other scene.
 TwoMasses two_masses(const Scene &scene);
 
-// The state of a run in gap coordinates.
+// The state of a run in gap coordinates. A held mass has the gap and the gap speed zero.
 struct GapState {
   double time = 0.0;
   Vec y = {};
   std::array<bool, 2> held = {};
 };
-GapState gap_state(const TwoMasses &chain, const TwoMassState &state);
-TwoMassState physical_state(const TwoMasses &chain, const GapState &state);
+GapState gap_state(const TwoMasses &chain, double time, const MotionState &state);
 
 template <class State, class Derivative>
 void right_hand_side(const TwoMasses &chain, const std::array<bool, 2> &held, const State &y,
@@ -85,10 +84,6 @@ inline double stick_below(double tolerance) {
 // leaves at once.
 void apply_event(const TwoMasses &chain, GapState &state, std::size_t i, double slowest,
                  Result &result);
-
-// A method that resolves a chatter impact by impact fails after so many impacts.
-constexpr long long impacts_at_most = 20'000;
-std::string lost_in_impacts(double time, int mass, double speed);
 
 // Duration 2 u / a of the flight that begins at the present state with speed u and acceleration -a,
 // which decides on the length of a first step. Infinite when no mass has just hit.
