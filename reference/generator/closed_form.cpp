@@ -220,4 +220,58 @@ Motion motion_at(const Flow &flow, const Real &tau) {
   return motion;
 }
 
+OneImpactOrbit one_impact_orbit(const Scene &scene, const Stop &stop, int periods, int branch) {
+  const std::size_t n = scene.masses(), hit = stop.mass;
+  const Real two_pi = 2 * acos(Real(-1)), omega = scene[&Field::omega], r = stop.restitution;
+  const Real period = two_pi * periods / omega, m = scene[&Field::mass][hit];
+  Eigensystems known;
+  const Flow flow = flow_from(scene, 0, Vector(n), Vector(n), std::vector<bool>(n), known);
+  const Matrix &shapes = flow.eigen->vectors;
+  Vector c(n), s(n), kick(n), kick_rate(n);  // c, s: damped cosine and sine / nu over the period
+  Real g, b, x_cos, x_sin;                   // X = x_cos - i x_sin
+  for (std::size_t j = 0; j < n; ++j) {
+    const Mode &mode = flow.modes[j];
+    const Real envelope = exp(-mode.decay * period), w = shapes[hit][j];
+    c[j] = envelope * cos(mode.nu * period);
+    s[j] = envelope * sin(mode.nu * period) / mode.nu;
+    kick[j] = w * s[j] / (1 - 2 * c[j] + envelope * envelope);
+    kick_rate[j] = w * (1 - c[j] - mode.decay * s[j]) / (1 - 2 * c[j] + envelope * envelope);
+    g += w * kick[j];
+    b += w * kick_rate[j];
+    x_cos += w * mode.forced_cos;
+    x_sin += w * mode.forced_sin;
+  }
+
+  const Real h = (b - r / (m * (1 + r))) / omega, forced = x_cos * x_cos + x_sin * x_sin;  // |X|^2
+  Real d = stop.position, root = 0;
+  if (branch == 0 && forced > 0) d = sqrt(forced * (1 + g * g / (h * h)));
+  if (branch != 0) root = branch * sqrt(forced * (g * g + h * h) - h * h * d * d);
+  const Real p = (d * g - root) / (g * g + h * h), velocity = -p / (m * (1 + r));
+  Real angle = 0;  // Omega t; any without forcing
+  if (forced > 0) angle = atan2(p * h, d - p * g) + atan2(x_sin, x_cos);
+  if (angle < 0) angle += two_pi;
+
+  // A displacement xi before the impact delays it by -xi / v. The derivative of the return map is
+  // the transition of the modes, then the impact law and this delay.
+  OneImpactOrbit orbit{d, angle / omega, velocity, 0, Vector(n), Vector(n)};
+  Real acceleration, by_delay;  // of the mass before the impact; its share in the trace
+  for (std::size_t j = 0; j < n; ++j) {
+    const Mode &mode = flow.modes[j];
+    const Real w = shapes[hit][j], jump = (1 + r) * m * w * w;
+    const Real q = p * kick[j] + mode.forced_cos * cos(angle) + mode.forced_sin * sin(angle);
+    const Real dq =
+        p * kick_rate[j] + omega * (mode.forced_sin * cos(angle) - mode.forced_cos * sin(angle));
+    for (std::size_t i = 0; i < n; ++i) {
+      orbit.x[i] += shapes[i][j] * q;
+      orbit.v[i] += shapes[i][j] * dq;
+    }
+    acceleration +=
+        w * (mode.forcing * cos(angle) - 2 * mode.decay * (dq - p * w) - mode.lambda * q);
+    by_delay += jump * s[j];
+    orbit.trace += 2 * (c[j] * (1 - jump) + mode.decay * jump * s[j]);
+  }
+  orbit.trace += by_delay * acceleration / velocity;
+  return orbit;
+}
+
 }  // namespace vibro_impact_reference

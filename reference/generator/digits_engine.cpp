@@ -126,29 +126,6 @@ Extremes extremes(const Run &run, std::size_t mass, const Real &from, const Real
   return *found;
 }
 
-/// How hard a mass is pressed into its stop where that is least inside its sticking phases that
-/// begin after `from`: the local minimum nearest to zero. Throws std::runtime_error if there is
-/// none.
-Real least_pressing(const Scene &scene, const Run &run, std::size_t stop, const Real &from) {
-  std::optional<Real> least;
-  for (const Piece &piece : run.pieces) {
-    const Flow &flow = piece.flow;
-    if (moves(scene.stops[stop].mass, flow) || flow.start_time < from) continue;
-    const auto pressing = [&](const Real &tau) {
-      return pressing_signal(scene, scene.stops[stop], motion_at(flow, tau));
-    };
-    each_turn(
-        flow, Real(0), piece.duration, [&](const Real &tau) { return pressing(tau).rate; },
-        [&](const Real &tau) {
-          const Signal at_turn = pressing(tau);
-          if (at_turn.curvature > 0 && (!least || abs(at_turn.value) < abs(*least)))
-            least = at_turn.value;
-        });
-  }
-  if (!least) throw std::runtime_error("no least force in a sticking phase");
-  return *least;
-}
-
 /// The frequency between `near` and `far` at which the count changes. The settled motion is
 /// followed from `near`: every trial begins at the state extrapolated from the last two frequencies
 /// known to have the same count as `near`, so that the unsettled part of a trial is small beside
@@ -223,8 +200,25 @@ numbers::TurningPoint<Real> DigitsEngine::turning_point(const NamedScene &asked,
 }
 
 Real DigitsEngine::least_pressing(const NamedScene &asked, std::size_t stop) {
-  return vibro_impact_reference::least_pressing(in_digits(asked.scene, asked.until), run(asked),
-                                                stop, Real(asked.until) - 2 * period(asked.scene));
+  const Scene scene = in_digits(asked.scene, asked.until);
+  const Real from = scene.end_time - 2 * period(asked.scene);
+  std::optional<Real> least;
+  for (const Piece &piece : run(asked).pieces) {
+    const Flow &flow = piece.flow;
+    if (moves(scene.stops[stop].mass, flow) || flow.start_time < from) continue;
+    const auto pressing = [&](const Real &tau) {
+      return pressing_signal(scene, scene.stops[stop], motion_at(flow, tau));
+    };
+    each_turn(
+        flow, Real(0), piece.duration, [&](const Real &tau) { return pressing(tau).rate; },
+        [&](const Real &tau) {
+          const Signal at_turn = pressing(tau);
+          if (at_turn.curvature > 0 && (!least || abs(at_turn.value) < abs(*least)))
+            least = at_turn.value;
+        });
+  }
+  if (!least) throw std::runtime_error("no least force in a sticking phase");
+  return *least;
 }
 
 Real DigitsEngine::changing_frequency(const vibro_impact::Scene &scene, int mass, double near,
@@ -250,11 +244,6 @@ Real DigitsEngine::grazing_frequency(vibro_impact::Scene scene, int mass, double
   };
   return vibro_impact_reference::changing_frequency(in_digits(scene, 0.0), Real(near), Real(far),
                                                     reaches);
-}
-
-const numbers::Quantities<DigitsEngine> &quantities_in_digits() {
-  static const auto quantities = numbers::common_quantities<DigitsEngine>();
-  return quantities;
 }
 
 }  // namespace vibro_impact_reference

@@ -29,7 +29,8 @@ class DigitsEngine {
   Extremes range(const NamedScene &asked, int mass, const numbers::Interval<double> &window);
   numbers::TurningPoint<Real> turning_point(const NamedScene &asked, int mass,
                                             const numbers::Interval<double> &window);
-  /// In the last two forcing periods.
+  /// The local minimum nearest to zero, inside the sticking phases that begin in the last two
+  /// forcing periods. Throws std::runtime_error if there is none.
   Real least_pressing(const NamedScene &asked, std::size_t stop);
   /// The settled motion and the one followed from `near` are found in the same way.
   Real changing_frequency(const vibro_impact::Scene &scene, int mass, double near, double far,
@@ -43,8 +44,5 @@ class DigitsEngine {
   // Its entries stay where they are when another one is added.
   std::list<std::pair<NamedScene, Run>> runs_;
 };
-
-/// All quantities that this engine answers by a run, compiled once.
-const numbers::Quantities<DigitsEngine> &quantities_in_digits();
 
 }  // namespace vibro_impact_reference

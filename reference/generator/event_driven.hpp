@@ -1,5 +1,5 @@
-// Event-driven simulation with plain means: sample the closed form, bracket, bisect, and resolve
-// every single impact.
+// Event-driven simulation with plain means: sample the closed form, bracket each zero, narrow the
+// bracket down, and resolve every single impact.
 //
 // Nothing but scenes and kinds of events is shared with the library on purpose, neither code nor
 // method. In particular a chatter sequence is not taken to its limit here: its impacts are computed

@@ -1,6 +1,5 @@
 // Writes the reference tables: the events of the paper's scenes and its key numbers. See
 // reference/README.md.
-#include "one_impact.hpp"
 #include "reference/truth/extreme_cases.hpp"
 #include "tables.hpp"
 
@@ -48,7 +47,7 @@ struct Excerpt {
 std::vector<Excerpt> excerpts() {
   const auto ten_periods = [](const char *scene) {
     const double two_pi = 6.283185307179586477;
-    return 10.0 * two_pi / static_cast<double>(scene_named(scene)[&Field::omega]);
+    return 10.0 * two_pi / vibro_impact::paper::scene_named(scene).scene.omega;
   };
   return {{"figure2", "figure2", 0.0, ten_periods("figure2")},
           {"figure4", "figure4a", 0.0, ten_periods("figure4a")},
@@ -65,10 +64,9 @@ struct ExcerptRun {
 /// The state at the start is rounded to double before the 50-digit run goes on from it, so that a
 /// run in double starts from exactly the same numbers.
 ExcerptRun run_of(const Excerpt &excerpt) {
-  Scene scene = scene_named(excerpt.scene);
+  Scene scene = in_digits(vibro_impact::paper::scene_named(excerpt.scene).scene, excerpt.from);
   Run run;
   State state = initial_state(scene, {}, run);
-  scene.end_time = Real(excerpt.from);
   advance(scene, state, run);
   run.events.clear();
   for (Real &x : state.x) x = Real(static_cast<double>(x));
@@ -107,8 +105,7 @@ std::string work_precision_events() {
 
 constexpr const char *tables =
     "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, checked_numbers, extremes, "
-    "one_impact, work_precision_states, work_precision_events, number:<id of a key "
-    "number>";
+    "one_impact, work_precision_states, work_precision_events, number:<id of a key number>";
 
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
@@ -129,8 +126,7 @@ std::string table_named(const std::string &name) {
 int main(int argc, char **argv) try {
   if (argc != 3)
     throw std::invalid_argument(
-        std::string("usage: reference-generate <table> <out.csv or ->, with "
-                    "table one of ") +
+        std::string("usage: reference-generate <table> <out.csv or ->, with table one of ") +
         tables);
   const std::string table = table_named(argv[1]);
   if (std::string(argv[2]) == "-") {

@@ -9,7 +9,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <vector>
 
 namespace vibro_impact_reference {
@@ -28,7 +27,7 @@ struct Stop {
   std::size_t mass;  // counted from 0; tables count from 1
   Side side;
   Real position;
-  Real restitution;  // r of Eq. 8
+  Real restitution;  // r of Eq. 8 (rebuilt)
 };
 
 /// Names the fields of a scene: `scene[&Field::mass]` are the masses.
@@ -83,12 +82,6 @@ inline Scene in_digits(const vibro_impact::Scene &given, double until) {
     scene.stops.push_back({static_cast<std::size_t>(stop.mass - 1), stop.side, Real(stop.position),
                            Real(stop.restitution.value_or(given.restitution))});
   return scene;
-}
-
-/// The named scene of the paper; throws std::invalid_argument if there is none of that name.
-inline Scene scene_named(const std::string &name) {
-  const auto [its_name, scene, until] = vibro_impact::paper::scene_named(name);
-  return in_digits(scene, until);
 }
 
 }  // namespace vibro_impact_reference

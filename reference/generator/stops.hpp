@@ -12,8 +12,8 @@
 namespace vibro_impact_reference {
 
 /// How hard the springs, dampers and the forcing push a mass that rests on its stop into it: F_p of
-/// Eqs. 12 and 13 times the sign of the side, for a general chain, and its derivatives. The mass's
-/// own motion does not enter.
+/// Eqs. 12 (rebuilt) and 13 times the sign of the side, for a general chain, and its derivatives.
+/// The mass's own motion does not enter.
 Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motion);
 
 /// The numbers known exactly at the start of a piece of motion. Evaluated, they would be noise.

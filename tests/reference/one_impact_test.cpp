@@ -1,5 +1,5 @@
 // The library against orbits of one impact in closed form (reference/tables/one_impact_orbits.csv).
-#include "reference/generator/one_impact.hpp"
+#include "reference/generator/tables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -41,14 +41,15 @@ const std::vector<Question> questions{
 TEST(TwoEngines, GiveTheSameAnswers) {
   figures::LibraryEngine library;
   DigitsEngine digits;
+  const auto in_digits = numbers::common_quantities<DigitsEngine>();
   std::set<std::string> left;
-  for (const auto &[name, quantity] : reference::quantities_in_digits()) left.insert(name);
+  for (const auto &[name, quantity] : in_digits) left.insert(name);
   for (const auto &[quantity, given, tolerance] : questions) {
     numbers::CheckedNumber asked;
     asked.quantity = quantity;
     asked.arguments = numbers::read_arguments("questions", given);
     const auto ours = answer(library, figures::library_quantities(), asked);
-    const auto exact = answer(digits, reference::quantities_in_digits(), asked);
+    const auto exact = answer(digits, in_digits, asked);
     EXPECT_NEAR(ours, static_cast<double>(exact), tolerance) << quantity << ' ' << given;
     left.erase(quantity);
   }
@@ -61,8 +62,9 @@ TEST(TwoEngines, GiveTheSameAnswers) {
 // one: Boost 1.74 and 1.83 differ there by 2e-32, of which fifty times as much is allowed.
 TEST(Generator, ComputesTheStoredEventsOfFigure5cAgain) {
   const std::string name = REFERENCE_DIR "/figure5c_events.csv";
+  const auto [its_name, scene, until] = paper::scene_named("figure5c");
   std::istringstream table(
-      reference::events_table(reference::simulate(reference::scene_named("figure5c")).events, 2));
+      reference::events_table(reference::simulate(reference::in_digits(scene, until)).events, 2));
   const truth::Rows computed = truth::read_rows(table, "the computed table"),
                     stored = truth::read_rows(name);
   ASSERT_EQ(computed.size(), stored.size());
