@@ -42,40 +42,14 @@ TEST(AxisRule, AnImpactReachesTheStop) {
   EXPECT_LT(shown(scene, {2}, samples, {}).highest, 0.1 - 1e-4);
 }
 
-// The frequencies of four decimals between the given ones that fit.
-std::vector<double> fitting(double from, double to, Trial (*attempt)(double omega)) {
-  std::vector<double> left;
-  for (const Trial &trial : scan(from, to, attempt))
-    if (trial.fits()) left.push_back(trial.omega);
-  return left;
-}
-
-// The frequencies that figures/README.md lists, searched for around each of them in place of all
-// 4,001 values (`make inferred_frequencies`).
-struct Listed {
-  InferredFigure figure;
-  std::vector<double> frequencies;
-};
-
-std::vector<Listed> listed() {
-  const std::vector<InferredFigure> figures = inferred_figures();
-  return {
-      {figures[0], {0.1825, 0.1912, 0.2, 0.2088, 0.2354, 0.2531, 0.2797, 0.3499, 0.3586}},
-      {figures[1], {0.1451, 0.1702, 0.1769, 0.1778, 0.1843, 0.1902, 0.2561}},
-      {figures[2], {0.2995}},
-  };
-}
-
-TEST(InferredFrequencies, AxesAndTextLeaveThoseOfTheList) {
-  for (const Listed &list : listed())
-    for (const double omega : list.frequencies)
-      EXPECT_EQ(fitting(omega - 4e-4, omega + 4e-4, list.figure.attempt), std::vector{omega})
-          << list.figure.name;
-}
-
+// The frequencies that figures/README.md lists are those of all 4,001 values that fit
+// (key_numbers).
 TEST(InferredFrequencies, TheRuleOfChoiceLeavesTheOneThatIsDrawn) {
-  for (const Listed &list : listed())
-    EXPECT_EQ(choice_among(list.frequencies), list.figure.drawn.omega) << list.figure.name;
+  EXPECT_EQ(choice_among({0.1825, 0.1912, 0.2, 0.2088, 0.2354, 0.2531, 0.2797, 0.3499, 0.3586}),
+            paper::figure2().omega);
+  EXPECT_EQ(choice_among({0.1451, 0.1702, 0.1769, 0.1778, 0.1843, 0.1902, 0.2561}),
+            paper::figure5a().omega);
+  EXPECT_EQ(choice_among({0.2995}), paper::figure5b().omega);
   EXPECT_EQ(choice_among({0.2, 0.2561}), 0.2561) << "printed comes before few decimals";
   EXPECT_EQ(choice_among({0.2531, 0.25}), 0.25);
   EXPECT_THROW(choice_among({0.2531, 0.2088}), std::runtime_error) << "no choice is left";

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -22,24 +21,17 @@ using namespace vibro_impact::testing;
 using figures::follow, figures::Procedure, truth::Rows, vibro_impact::testing::events_of;
 
 // No procedure gives 0.35 as the end of a window, and no cut-off moves that of the first one up.
-// The second window of a cut-off by speed has gaps.
+// The page quotes the windows themselves (key_numbers).
 void expect_no_end_at_0_35(const Rows &windows) {
-  std::map<std::string, std::vector<std::string>> ranges;
+  ASSERT_FALSE(windows.empty());
   for (const auto &row : windows) {
     const std::string &procedure = row.cell("procedure");
-    ranges[procedure].push_back(row.cell("from") + "-" + row.cell("to"));
     const double end = row.number("to");
     EXPECT_TRUE(end < 0.3395 || end > 0.3675) << procedure;
     if (procedure.starts_with("cut off") && end < 0.36) {
       EXPECT_LE(end, 0.33) << procedure;
     }
   }
-  EXPECT_EQ(ranges.size(), 7u);
-  using Ranges = std::vector<std::string>;
-  EXPECT_EQ(ranges["the exact motion from rest"], (Ranges{"0.297-0.330", "0.368-0.403"}));
-  EXPECT_EQ(ranges["period 1 alone"], (Ranges{"0.282-0.379"}));
-  EXPECT_EQ(ranges["cut off: speed < 0.001"],
-            (Ranges{"0.299-0.328", "0.372-0.372", "0.374-0.398", "0.400-0.400"}));
 }
 
 // Below 0.47 every random start leads to one motion, from 0.645 to 0.67 every one to sticking of
@@ -76,30 +68,6 @@ void expect_dual_sticks(const Rows &dual) {
   EXPECT_NEAR(found.highest, 0.295, 1e-9);
 }
 
-// Figure 5(c): how close the stops must be for mass 2 to be "still chattering" at the release, and
-// how slow it is then. The speed falls by the same ratio at every bounce of the interval 3.1455.
-void expect_figure5c(const Rows &rows) {
-  const double zeta = 0.05, interval = std::acos(-1.0) / std::sqrt(1 - zeta * zeta);
-  int chattering = 0;
-  for (const auto &row : rows) {
-    const double restitution = row.number("r"), difference = row.number("difference");
-    const bool sticks = std::isfinite(truth::as_number(row.cell("stick")).value_or(NAN));
-    EXPECT_EQ(sticks, difference > 5e-9) << difference;
-    if (difference != 0.0) continue;
-    ++chattering;
-    // From the first bounce with mass 1 at rest to the last.
-    Scene scene = paper::figure5c();
-    scene.omega = row.number("omega");
-    scene.restitution = restitution;
-    const double release = row.number("release"), ratio = restitution * std::exp(-zeta * interval);
-    const auto bounces = select(events_of(scene, release - 60.0, release), EventKind::impact, 2);
-    EXPECT_NEAR(bounces.front().velocity_before *
-                    std::pow(ratio, static_cast<double>(bounces.size() - 1)) / row.number("speed"),
-                1.0, 1e-6);
-  }
-  EXPECT_EQ(chattering, 3);
-}
-
 TEST(Procedures, TheTablesOfTheDriverSayWhatThePageSays) {
   const std::string folder = tables_of("procedures", "procedures");
   const auto table = [&](const char *name) {
@@ -108,7 +76,6 @@ TEST(Procedures, TheTablesOfTheDriverSayWhatThePageSays) {
   expect_no_end_at_0_35(table("windows"));
   expect_starts(table("starts"));
   expect_dual_sticks(table("dual"));
-  expect_figure5c(table("figure5c"));
 }
 
 // Counts the sticks of mass 1 after period 60.

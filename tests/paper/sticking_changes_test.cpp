@@ -1,5 +1,6 @@
 // The list of frequencies at which the sticking phases of the motion from rest change is complete:
-// between neighbours of the list the number of phases stays the same, and at each it changes.
+// between neighbours of the list the number of phases stays the same, and at each it changes. Where
+// the page says that attractors coexist, two are found.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,6 +102,32 @@ TEST(StickingChanges, AtTheJumpBothMotionsAreStableOnBothSides) {
   // Beyond the border orbit of the first one, only the second one is left.
   EXPECT_EQ(figures::followed_sticking_phases(paper::figure3(0.36782298), 1, settled_at(below)), 2);
   EXPECT_EQ(figures::followed_sticking_phases(paper::figure3(0.367823), 1, settled_at(below)), 0);
+}
+
+// Between 0.47 and 0.5 the start matters: both masses then have other numbers of impacts a period.
+TEST(Attractors, CoexistBetween047And05) {
+  Scene scene = paper::figure3(0.493);
+  const auto impacts_from = [&](double x1) {
+    scene.displacement = {x1, 0.0};
+    const OrbitRecord record = record_of(scene);
+    EXPECT_EQ(record.period, 1) << x1;
+    return record.counts.impacts;
+  };
+  EXPECT_EQ(impacts_from(0.2), (std::vector{4, 5}));
+  EXPECT_EQ(impacts_from(0.6), (std::vector{5, 4}));
+}
+
+// Figure 5(b), 2e-7 below the frequency at which the settled motion without hits grazes: from rest
+// mass 2 hits its stop, and the motion without hits is that with the stop put back.
+TEST(Attractors, CoexistNextToTheGrazeOfFigure5b) {
+  const Scene scene = with(paper::figure5b(), "omega", 0.2995198);
+  EXPECT_GT(record_of(scene).counts.impacts[1], 0);
+  Scene without_stop = scene;
+  without_stop.stops.pop_back();
+  const MotionState start = state_after_periods(without_stop, paper::figure4_settling_periods);
+  const OrbitRecord record = record_of(scene, start);
+  EXPECT_EQ(record.period, 1);
+  EXPECT_EQ(record.counts.impacts[1], 0);
 }
 
 }  // namespace
