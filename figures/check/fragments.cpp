@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -50,12 +51,16 @@ std::string with_blanks(std::string words) {
   return words;
 }
 
-// The words of a class, with the name of a file in tests.
-std::string class_of_claim(const std::string &words, const std::string &test) {
-  numbers::word_in("claim", words, numbers::verdict_words);
-  for (const auto &folder : std::filesystem::directory_iterator(SOURCE_DIR "/tests"))
-    if (std::filesystem::exists(folder.path() / (test + ".cpp")))
-      return fmt::format("{} (`{}`)", words, test);
+// The words of a class, with the name of a file in tests, which has the test named behind a dot.
+std::string class_of_claim(const std::string &words, const std::string &named) {
+  truth::word_in("claim", words, numbers::verdict_words);
+  const std::vector<std::string> test = split(named, '.');
+  for (const auto &folder : std::filesystem::directory_iterator(SOURCE_DIR "/tests")) {
+    std::ostringstream text;
+    text << std::ifstream(folder.path() / (test.at(0) + ".cpp")).rdbuf();
+    if (text.str().find(", " + test.at(1) + ") {") != std::string::npos)
+      return fmt::format("{} (`{}`)", words, test[0]);
+  }
   throw std::runtime_error("no such test");
 }
 

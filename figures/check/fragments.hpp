@@ -4,9 +4,9 @@
 // The names are
 //   border_mass_1_2:.5f            a key number in this format; without one, in that of its row
 //   class:border_mass_1_2          its class
-//   claim:agrees_otherwise:table1_test
-//                                  the class of a claim without a key number, and a test that shows
-//                                  it
+//   claim:agrees:corrections_test.AGrazeBeginsNoStickingPhase
+//                                  the class of a claim without a key number, and the file of a
+//                                  test that shows it
 //   count:border_mass_+formula     how many numbers begin with one of these, or are of such a class
 //   procedures_windows:period 1 alone:from+to:.3f
 //                                  the cells in these columns of a table in the folder of tables,

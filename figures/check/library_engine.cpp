@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/statistics/linear_regression.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "published_results.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
@@ -121,23 +122,28 @@ std::pair<double, double> exit_boundary(const Arguments &given) {
 const numbers::Quantities<LibraryEngine> &library_quantities() {
   static const auto quantities = [] {
     auto all = numbers::common_quantities<LibraryEngine>();
-    const auto add = [&](const char *quantity, const char *names, auto answer) {
-      all[quantity] = {numbers::run_names + std::string(names),
-                       [answer](LibraryEngine &, const Arguments &given) { return answer(given); }};
-    };
-    add("eigenvalue", " mode", [](const Arguments &given) {
+    const std::string run = numbers::run_names;
+    add(all, "eigenvalue", run + " mode", [](const Arguments &given) {
       return free_modes(given).lambda.at(index(given.mass("mode")));
     });
-    add("mode_shape", " mode mass", [](const Arguments &given) {
+    add(all, "mode_shape", run + " mode mass", [](const Arguments &given) {
       return free_modes(given).shape(index(given.mass("mass")), index(given.mass("mode")));
     });
-    add("exit_slope", " mass", [](const Arguments &given) { return exit_boundary(given).second; });
-    add("exit_intercept", " mass",
+    add(all, "exit_slope", run + " mass",
+        [](const Arguments &given) { return exit_boundary(given).second; });
+    add(all, "exit_intercept", run + " mass",
         [](const Arguments &given) { return exit_boundary(given).first; });
-    all.merge(published::quantities());
+    published::add_quantities(all);
     return all;
   }();
   return quantities;
+}
+
+void add(numbers::Quantities<LibraryEngine> &all, const std::string &quantity,
+         const std::string &names, std::function<double(const Arguments &)> answer) {
+  all[quantity] = {names, [answer = std::move(answer)](LibraryEngine &, const Arguments &given) {
+                     return answer(given);
+                   }};
 }
 
 double computed(const numbers::CheckedNumber &number) {

@@ -2,6 +2,8 @@
 // the library.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "figures/measures/runs.hpp"
@@ -30,6 +32,10 @@ struct LibraryEngine {
 // All that the library computes: the quantities of both engines, those that have a formula in 50
 // digits, and those of other authors.
 const numbers::Quantities<LibraryEngine> &library_quantities();
+
+// Adds a quantity that is answered without the engine.
+void add(numbers::Quantities<LibraryEngine> &all, const std::string &quantity,
+         const std::string &names, std::function<double(const numbers::Arguments &)> answer);
 
 // The library's value of a row. Throws std::runtime_error naming a row of which it cannot be
 // computed.

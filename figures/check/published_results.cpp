@@ -116,39 +116,36 @@ Scene bar(int elements, int per_length) {
 
 // --- The table -----------------------------------------------------------------------------------
 
-numbers::Quantities<figures::LibraryEngine> quantities() {
+void add_quantities(numbers::Quantities<figures::LibraryEngine> &all) {
+  using figures::add;
   using P = const Arguments &;
   const std::string orbit = "c A omega r stop wall g n time speed",
                     ball = "mass k force r height velocity ceiling velocity_before";
-  numbers::Quantities<figures::LibraryEngine> all;
-  const auto add = [&](const char *quantity, const std::string &names, auto answer) {
-    all[quantity] = {names, [answer](figures::LibraryEngine &, P p) { return answer(p); }};
-  };
-  add("impact_speed", orbit,
+  add(all, "impact_speed", orbit,
       [](P p) { return std::abs(one_impact_orbit(p).impact.velocity_before); });
-  add("impact_phase", orbit, [](P p) { return one_impact_orbit(p).impact.instant.phase; });
-  add("velocity_after", orbit, [](P p) { return one_impact_orbit(p).impact.velocity_after; });
-  add("doubling_multiplier", orbit,
+  add(all, "impact_phase", orbit, [](P p) { return one_impact_orbit(p).impact.instant.phase; });
+  add(all, "velocity_after", orbit, [](P p) { return one_impact_orbit(p).impact.velocity_after; });
+  add(all, "doubling_multiplier", orbit,
       [](P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); });
   // The orbit is given: at a fold two orbits meet, so that Newton's method fails.
-  add("fold_multiplier", orbit, [](P p) {
+  add(all, "fold_multiplier", orbit, [](P p) {
     const auto [scene, start] = after_impact(p);
     const auto map = stroboscopic_map_and_derivative(scene, start, static_cast<int>(p.at("n")));
     return multiplier_near(1.0, floquet_multipliers(map.derivative, start.held));
   });
-  add("release_time", "omega stop", [](P p) {
+  add(all, "release_time", "omega stop", [](P p) {
     const Scene scene = one_mass(0.0, 1.0, p.at("omega"), 0.5, p.at("stop"), p.at("stop"));
     return event_of(scene, Clock(p.at("omega")).period, EventKind::release).time;
   });
-  add("chatter_limit", ball, [](P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; });
-  add("impact_time", ball + " impact",
+  add(all, "chatter_limit", ball,
+      [](P p) { return event_of(ball_of(p), 10.0, EventKind::stick).time; });
+  add(all, "impact_time", ball + " impact",
       [](P p) { return event_of(ball_of(p), 10.0, EventKind::impact, p.at("impact"), true).time; });
-  add("bar_end_of_contact", "elements per_length start", [](P p) {
+  add(all, "bar_end_of_contact", "elements per_length start", [](P p) {
     const Scene scene =
         bar(static_cast<int>(p.at("elements")), static_cast<int>(p.at("per_length")));
     return p.at("start") + event_of(scene, 0.0015, EventKind::release).time;
   });
-  return all;
 }
 
 }  // namespace vibro_impact::published

@@ -32,6 +32,6 @@ struct OneImpactOrbit {
 // `speed`. Throws std::runtime_error if there is no such orbit.
 OneImpactOrbit one_impact_orbit(const Arguments &p);
 
-numbers::Quantities<figures::LibraryEngine> quantities();
+void add_quantities(numbers::Quantities<figures::LibraryEngine> &all);
 
 }  // namespace vibro_impact::published

@@ -1,14 +1,8 @@
 // The forcing frequencies of Figures 2, 5(a) and 5(b), which the paper's text does not give.
 //
-// The rule of choice. A value of at most four decimals fits if the motion from rest fills the
-// printed axes and does what the text says in the window shown. Among the values that fit, one that
-// the paper prints of another figure comes first, then the one with the fewest decimals. The rule
-// makes a value the most likely one. It does not make it known.
-//
-// The paper's plots are autoscaled: an axis ends at the first tick beyond the data. So each end of
-// a printed axis says between which two ticks the extreme of the data lies. We assume that data
-// which reach a stop exceed it a little, by the tolerance of the paper's simulation: an axis ends
-// at 0.12 above a stop at 0.1, ticks 0.02 apart. A mass reaches its stop in every impact.
+// figures/README.md, What is inferred, has the rule of choice and what it assumes of the axes. Each
+// end of a printed axis says between which two ticks the extreme of the data lies. A mass reaches
+// its stop in every impact.
 #pragma once
 
 #include <algorithm>

@@ -4,18 +4,13 @@
 // generator, or of another author. A key number also has the paper's words and the verdict on a
 // computed number.
 //
-// A printed decimal number is known to half a unit of its last digit. An extreme of a plot is known
-// to lie between the two ticks where the printed axis ends. A count must be equal. The statement
-// that something happens holds for every count from one on.
-//
-// The text reads the edges of two windows off Figure 3 ("0.3 <~ Omega <~ 0.35"). The readings have
-// two decimals. A computed edge is close to a reading if it is that number to two decimals.
+// The bounds of the values of which the paper's words are true follow from figures/README.md,
+// Classes. A count must be equal. The statement that something happens holds for every count from
+// one on.
 #pragma once
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -23,17 +18,6 @@
 #include "arguments.hpp"
 
 namespace vibro_impact::numbers {
-
-// The place of a cell among words. Throws std::runtime_error naming the table for any other cell.
-template <std::size_t n>
-std::size_t word_in(const std::string &path, const std::string &cell,
-                    const char *const (&words)[n]) {
-  const auto found = std::find(words, words + n, cell);
-  if (found == words + n)
-    throw std::runtime_error(
-        fmt::format("{}: '{}' is none of: {}", path, cell, fmt::join(words, words + n, ", ")));
-  return static_cast<std::size_t>(found - words);
-}
 
 // The classes of figures/README.md. A claim that is no number may have the last two.
 enum class Verdict {
@@ -117,21 +101,22 @@ inline std::vector<CheckedNumber> checked_numbers(const std::string &folder) {
                                       : row.number(column);
     };
     const std::string &given = row.cell("arguments");
-    numbers.push_back({.id = row.cell("id"),
-                       .digits = row.cell("value"),
-                       .value = row.number("value"),
-                       .kind = Kind{word_in(row.place(), row.cell("kind"), kind_words)},
-                       .source = row.cell("source"),
-                       .quantity = row.cell("quantity"),
-                       .given = given,
-                       .arguments = read_arguments(row.place(), given),
-                       .meaning = row.cell("meaning"),
-                       .printed = {row.cell("the_paper_says"),
-                                   Claim{word_in(row.place(), row.cell("claim"), claim_words)},
-                                   bound("from"), bound("to")},
-                       .format = row.cell("format"),
-                       .tolerance = row.number("tolerance"),
-                       .why = row.cell("why")});
+    numbers.push_back(
+        {.id = row.cell("id"),
+         .digits = row.cell("value"),
+         .value = row.number("value"),
+         .kind = Kind{truth::word_in(row.place(), row.cell("kind"), kind_words)},
+         .source = row.cell("source"),
+         .quantity = row.cell("quantity"),
+         .given = given,
+         .arguments = read_arguments(row.place(), given),
+         .meaning = row.cell("meaning"),
+         .printed = {row.cell("the_paper_says"),
+                     Claim{truth::word_in(row.place(), row.cell("claim"), claim_words)},
+                     bound("from"), bound("to")},
+         .format = row.cell("format"),
+         .tolerance = row.number("tolerance"),
+         .why = row.cell("why")});
   }
   return numbers;
 }

@@ -59,15 +59,13 @@ struct TurningPoint {
 //   settled    the motion from rest changes where the settled motion ends
 //   from_rest  the motion from rest jumps to another one, and both are stable on both sides
 //   followed   the motion that settles at `near` ends; from rest another one is reached before
-enum class Change { settled, from_rest, followed };
+enum class Change : std::size_t { settled, from_rest, followed };
+constexpr const char *change_words[] = {"settled", "from_rest", "followed"};
 
 // Throws std::runtime_error for any other word.
 inline Change change_in(const Arguments &arguments) {
-  const std::string word = arguments.contains("motion") ? arguments.text("motion") : "settled";
-  if (word == "settled") return Change::settled;
-  if (word == "from_rest") return Change::from_rest;
-  if (word == "followed") return Change::followed;
-  throw std::runtime_error("motion '" + word + "': must be settled, from_rest or followed");
+  if (!arguments.contains("motion")) return Change::settled;
+  return Change{truth::word_in("motion", arguments.text("motion"), change_words)};
 }
 
 // The run of a scene of the paper (`scene`), with another Omega (`omega`), coefficient of

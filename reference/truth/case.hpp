@@ -27,24 +27,12 @@ inline EventKind kind_in(const std::string &place, const std::string &word) {
 }
 
 // The truth that a case is compared with.
-enum class Truth {
+enum class Truth : std::size_t {
   digits,   // the events of the 50-digit generator, reference/tables/extreme_events.csv
   exact,    // a closed formula, `events`
   grazing,  // a closed formula whose event lies within rounding of not happening, `events`
 };
-
-inline const char *name(Truth truth) {
-  constexpr const char *names[] = {"digits", "exact", "grazing"};
-  return names[static_cast<int>(truth)];
-}
-
-// The truth of this name. Throws std::runtime_error, with the place where it stands, for a word
-// that is none.
-inline Truth truth_named(const std::string &place, const std::string &word) {
-  for (const Truth truth : {Truth::digits, Truth::exact, Truth::grazing})
-    if (word == name(truth)) return truth;
-  throw std::runtime_error(place + ": truth = '" + word + "': must be digits, exact or grazing");
-}
+constexpr const char *truth_words[] = {"digits", "exact", "grazing"};
 
 struct Case {
   std::string name, group;

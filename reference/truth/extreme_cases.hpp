@@ -46,7 +46,7 @@ inline std::vector<Case> extreme_cases() {
     one.until = row.number("until");
     one.slowest_impact = row.number("slowest_impact");
     one.scene = scene_in(row);
-    one.truth = truth_named(row.place(), row.cell("truth"));
+    one.truth = Truth{word_in(row.place(), row.cell("truth"), truth_words)};
     if (one.truth != Truth::digits) one.events = detail::exact_events(row.cell("formula"), one);
   }
   return cases;

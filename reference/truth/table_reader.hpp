@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/tokenizer.hpp>
@@ -49,6 +50,17 @@ inline double number_in(const std::string &name, const std::string &cell) {
   if (!value || !std::isfinite(*value))
     throw std::runtime_error(fmt::format("{}: '{}' is not a number", name, cell));
   return *value;
+}
+
+// The place of a cell among words. Throws std::runtime_error naming `place` for any other cell.
+template <std::size_t n>
+std::size_t word_in(const std::string &place, const std::string &cell,
+                    const char *const (&words)[n]) {
+  const auto found = std::find(words, words + n, cell);
+  if (found == words + n)
+    throw std::runtime_error(
+        fmt::format("{}: '{}' is none of: {}", place, cell, fmt::join(words, words + n, ", ")));
+  return static_cast<std::size_t>(found - words);
 }
 
 // A row of a table, with its cells by the names of their columns, and its place for messages.
@@ -111,14 +123,6 @@ inline Rows read_rows(std::istream &file, const std::string &name) {
 inline Rows read_rows(const std::string &path) {
   std::ifstream file = opened(path);
   return read_rows(file, path);
-}
-
-// The cells of a column that are numbers, infinities and NaN among them.
-inline std::vector<double> numbers_of(const Rows &rows, const std::string &column) {
-  std::vector<double> numbers;
-  for (const Row &row : rows)
-    if (const auto value = as_number(row.cell(column))) numbers.push_back(*value);
-  return numbers;
 }
 
 }  // namespace vibro_impact::truth

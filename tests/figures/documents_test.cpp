@@ -46,13 +46,14 @@ TEST(Documents, AFragmentShowsWhatItsNameSays) {
   EXPECT_EQ(text("gap"), "8e-5") << "the format of its row";
   EXPECT_EQ(text("gap:.3e") + " " + text("start:.5f"), "7.538e-5 715.56156");
   EXPECT_EQ(text("class:start") + ", " + text("class:gap"), "agrees, differs");
-  EXPECT_EQ(text("claim:cannot_be_judged:corrections_test"),
+  EXPECT_EQ(text("claim:cannot_be_judged:corrections_test.AGrazeBeginsNoStickingPhase"),
             "cannot be judged (`corrections_test`)");
   EXPECT_EQ(text("count:g") + text("count:g+agrees") + text("count:not_in_the_paper"), "120");
   EXPECT_EQ(text("speeds:at rest:from+to:g"), "1.5, 2.5e-12 to 3.5");
   EXPECT_EQ(text("speeds:at rest,0.7:from:.2f"), "1.50");
   for (const char *unknown :
-       {"nothing", "class:nothing", "claim:agree:corrections_test", "claim:agrees:no_test",
+       {"nothing", "class:nothing", "claim:agree:corrections_test.AGrazeBeginsNoStickingPhase",
+        "claim:agrees:corrections_test.AGrazeBeginsASticking", "claim:agrees:corrections_test",
         "speeds:moving:from:g", "speeds:at rest:time:g", "no_table:1:to:g", "start:x"})
     EXPECT_NE(vibro_impact::testing::refusal<std::exception>([&] { text(unknown); }), "accepted")
         << unknown;
@@ -67,7 +68,9 @@ TEST(Documents, AFaultOfAFragmentIsFoundAndItsTextIsWrittenAgain) {
   EXPECT_EQ(faults(right), Lines{});
   EXPECT_EQ(faults(wrong), Lines{"a: start:.1f: must be '715.6', not '715.7'"});
   EXPECT_EQ(renewed("a", wrong, sources()).text, right);
-  EXPECT_EQ(faults("It <!--=claim:agrees_otherwise:corrections_test-->agrees\notherwise  "
+  EXPECT_EQ(faults("It "
+                   "<!--=claim:agrees_otherwise:corrections_test.AGrazeBeginsNoStickingPhase-->"
+                   "agrees\notherwise "
                    "(`corrections_test`)<!--/-->."),
             Lines{});
   EXPECT_EQ(faults("at <!--=start-->7"), Lines{"a: start: has no end"});

@@ -17,6 +17,13 @@ using namespace vibro_impact;
 using namespace vibro_impact::testing;
 using paper::AxisBox;
 
+// The cells of a column, all of which are numbers.
+std::vector<double> numbers_of(const truth::Rows &rows, const std::string &column) {
+  std::vector<double> numbers;
+  for (const truth::Row &row : rows) numbers.push_back(row.number(column));
+  return numbers;
+}
+
 // The samples of both masses in a window are the motion with the true events: at an impact a mass
 // is where its stop is, to within how far it moves between samples, and while it sticks, exactly.
 // The displacements of `shown` masses fill the printed ordinate.
@@ -141,6 +148,30 @@ TEST(Figure3, ThePhasesChangeWhereItsLinesStand) {
                                              line < rows[i].number("omega");
                                     }))
           << "mass " << mass << " at " << rows[i].number("omega");
+  }
+}
+
+// At the frequency of Figure 4(a), the velocities are those of the 50 digits in their last periods.
+// 1e-8 is the distance at which a motion counts as settled.
+TEST(Figure3, HasTheVelocitiesOf50Digits) {
+  const Scene scene = paper::figure4a();
+  const std::vector<Event> events = true_events("figure4a");
+  const double last = events.back().time - 2 * Clock(scene.omega).period;
+  const truth::Rows impacts =
+      truth::read_rows(tables_of("figure3", "figure3_velocities") + "/figure3_impacts.csv");
+  for (const int mass : {1, 2}) {
+    std::vector<double> expected, found;
+    for (const Event &event : select(events, EventKind::impact, mass))
+      if (event.time > last && std::abs(event.velocity_before) > paper::slowest_impact_shown)
+        expected.push_back(event.velocity_before);
+    for (const truth::Row &impact : impacts)
+      if (std::abs(impact.number("omega") - scene.omega) < 1e-9 && impact.number("mass") == mass &&
+          std::abs(impact.number("velocity")) > paper::slowest_impact_shown)
+        found.push_back(impact.number("velocity"));
+    expected = figures::distinct(expected);
+    found = figures::distinct(found);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-8);
   }
 }
 

@@ -1,8 +1,7 @@
-// The extreme scenes, group by group: every event against its truth, no penetration, bounded work.
+// The extreme scenes: every event against its truth, no penetration, bounded work.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "figures/measures/extreme_verdict.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
@@ -10,7 +9,6 @@
 #include "reference/truth/event_comparison.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/rates.hpp"
-#include "tests/support/refusals.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -52,19 +50,9 @@ void expect_bounded_work(const Case &extreme, const Counters &counters) {
   EXPECT_LE(counters.root_iterations, 12 * counters.roots_searched) << extreme.name;
 }
 
-std::vector<std::string> groups() {
-  std::vector<std::string> names;
-  for (const Case &extreme : extreme_cases())
-    if (names.empty() || names.back() != extreme.group) names.push_back(extreme.group);
-  return names;
-}
-
-class Group : public ::testing::TestWithParam<std::string> {};
-
 // The verdict is that of figures/measures/extreme_verdict.hpp, which says what it allows.
-TEST_P(Group, AgreesWithTheTruthWithinRounding) {
+TEST(Extremes, AgreeWithTheTruthWithinRounding) {
   for (const Case &extreme : extreme_cases()) {
-    if (extreme.group != GetParam()) continue;
     const ExtremeErrors measured = measure(extreme, reference());
     EXPECT_TRUE(passes(measured, extreme.truth))
         << extreme.name << ": " << measured.difference << " time " << measured.error.time
@@ -78,13 +66,6 @@ TEST_P(Group, AgreesWithTheTruthWithinRounding) {
     }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Extremes, Group, ::testing::ValuesIn(groups()), [](const auto &group) {
-  std::string name;
-  for (const char c : group.param)
-    if (std::isalnum(static_cast<unsigned char>(c))) name.push_back(c);
-  return name;
-});
 
 // The chains with all forces, and those whose hold forces are zero together, to bounds of their
 // own, with limits of chatter and with every impact. 1e-12 is some hundred roundings of a time
@@ -171,17 +152,6 @@ TEST(Verdict, MeasuresAPenetration) {
   EXPECT_NEAR(samples.penetration, 0.01, 5e-3);  // half a spacing of the samples at speed 0.87
 }
 
-// x = -cos t meets a stop at s = 1/2. A start at -1 + d meets it d s / sqrt(1 - s^2) later and
-// d / sqrt(1 - s^2) slower. The perturbation of 1e-10 leaves six digits.
-TEST(Verdict, MeasuresTheSensitivityOfAFlight) {
-  const Scene scene = one_mass(0.0, 0.0, 1.0, 0.0, 0.5, -1.0);
-  Samples motion(scene, 3.0);
-  require_complete(simulate(scene, 3.0, motion));
-  const Relative sensitivity = sensitivity_of(scene, 3.0, 1.0, motion);
-  EXPECT_NEAR(sensitivity.time, 0.5 / std::sqrt(0.75), 1e-5);
-  EXPECT_NEAR(sensitivity.velocity, 1.0 / std::sqrt(0.75), 1e-5);
-}
-
 // A field that a scene gains must be in a case: its truth is one that the library did not make.
 TEST(Forces, AndAllOtherFieldsOfASceneAreInACase) {
   const auto some_case = [](const auto &holds) {
@@ -223,14 +193,6 @@ TEST(EndlessImpacts, EndAtTheLimitWithTheState) {
   EXPECT_EQ(outcome.state.displacement[0], -1.0);
   EXPECT_EQ(outcome.state.velocity[0], recorder.events.back().velocity_after);
   EXPECT_THROW(require_complete(outcome), std::runtime_error);
-}
-
-TEST(Truths, AWordThatNamesNoneIsRefused) {
-  for (const Truth truth : {Truth::digits, Truth::exact, Truth::grazing})
-    EXPECT_EQ(truth_named("t.csv", name(truth)), truth);
-  EXPECT_EQ(vibro_impact::testing::refusal<std::runtime_error>(
-                [] { truth_named("t.csv: line 2", "digit"); }),
-            "t.csv: line 2: truth = 'digit': must be digits, exact or grazing");
 }
 
 }  // namespace

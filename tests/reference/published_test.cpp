@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "figures/check/library_engine.hpp"
@@ -14,15 +16,36 @@ namespace {
 using namespace vibro_impact;
 using numbers::CheckedNumber;
 
-TEST(CheckedNumbers, EveryRowHasItsOwnNameAToleranceAndWhatLimitsIt) {
+// The tolerance of a key number is an error of the library and not a distance to the paper's
+// number: at most 1e-10 for times and frequencies. An extreme is read off samples every 1e-4, which
+// miss it by 1e-8. The exit boundary is a quotient of differences of forces.
+double largest_tolerance(const CheckedNumber &row) {
+  if (!row.of_the_paper()) return infinity;
+  if (row.quantity == "lowest" || row.quantity == "highest") return 1e-8;
+  return row.quantity.starts_with("exit") ? 1e-9 : 1e-10;
+}
+
+// Key numbers and event tables are two outputs of the generator. 20 digits agree, so that a wrong
+// one is seen even where it lies below the tolerance of the library. The tables follow a chatter
+// down to a speed of 1e-20 only, which is the error of the time at its end.
+TEST(CheckedNumbers, EveryRowIsWhole) {
   std::set<std::string> ids, asked;
+  int times = 0;
   for (const CheckedNumber &row : numbers::checked_numbers(REFERENCE_DIR)) {
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;
     asked.insert(row.quantity);
-    if (row.of_the_paper()) continue;
-    EXPECT_GT(row.tolerance, 0.0) << row.id;
-    EXPECT_NE(row.why, "") << row.id;
+    EXPECT_LE(row.tolerance, largest_tolerance(row)) << row.id;
+    if (!row.of_the_paper()) {
+      EXPECT_GT(row.tolerance, 0.0) << row.id;
+      EXPECT_NE(row.why, "") << row.id;
+    } else if (row.quantity == "time") {
+      std::ifstream table(REFERENCE_DIR "/" + row.arguments.text("scene") + "_events.csv");
+      const std::string text{std::istreambuf_iterator<char>(table), {}};
+      EXPECT_NE(text.find("\n" + row.digits.substr(0, 21)), std::string::npos) << row.id;
+      ++times;
+    }
   }
+  EXPECT_GE(times, 6);
   for (const auto &[name, quantity] : figures::library_quantities())
     EXPECT_TRUE(asked.contains(name)) << name << ": no row asks for it";
 }
@@ -38,8 +61,6 @@ TEST(Vivid, TimeOfTheImpactIsThePrintedOne) {
     const double period = Clock(found.scene.omega).period;
     EXPECT_NEAR(std::remainder(found.impact.time - point.arguments.at("time"), period), 0.0, 1e-9)
         << point.id;
-    // The source guarantees its bisection's tolerance, 1e-5.
-    EXPECT_NEAR(point.value, -1.0, 1e-5) << point.id;
   }
   EXPECT_GT(points, 0);
 }
@@ -58,18 +79,18 @@ TEST(CheckedNumbers, AnErrorOfAMillionthInTheRestitutionIsSeen) {
   }
 }
 
-// Each fault is named in one line, with the row where a row is computed.
 TEST(CheckedNumbers, ANumberThatIsNoneDiffersFromThePaper) {
   const numbers::Printed value{"0.382", numbers::Claim::stated, 0.3815, 0.3825};
   EXPECT_EQ(value.verdict(0.38197), numbers::Verdict::agrees);
   EXPECT_EQ(value.verdict(std::nan("")), numbers::Verdict::differs);
 }
 
+// Each fault is named in one line, with the row where a row is computed.
 TEST(CheckedNumbers, UnknownQuantitiesClaimsAndArgumentsAreNamed) {
   using numbers::read_arguments;
   EXPECT_THROW(read_arguments("t.csv", "omega"), std::runtime_error);
   EXPECT_THROW(read_arguments("t.csv", "omega=1 omega=2"), std::runtime_error);
-  EXPECT_THROW(numbers::word_in("t.csv", "reads", numbers::claim_words), std::runtime_error);
+  EXPECT_THROW(truth::word_in("t.csv", "reads", numbers::claim_words), std::runtime_error);
   const auto message = [](const std::string &quantity, const std::string &given) {
     CheckedNumber number;
     number.id = "row";
@@ -86,7 +107,7 @@ TEST(CheckedNumbers, UnknownQuantitiesClaimsAndArgumentsAreNamed) {
             start + "kind: 'bounce' must be impact, stick or release");
   EXPECT_EQ(message("time", count + "impact from=9.9"), "row, time : the run has no such event");
   EXPECT_EQ(message("changing_frequency", "scene=figure2 mass=1 near=0.3 far=0.4 motion=up"),
-            "row, changing_frequency : motion 'up': must be settled, from_rest or followed");
+            "row, changing_frequency : motion: 'up' is none of: settled, from_rest, followed");
   EXPECT_EQ(message("lowest", "scene=figure6 mass=1 from=0 to=1").substr(0, 33),
             "row, lowest : scene 'figure6': mu");
 }

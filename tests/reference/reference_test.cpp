@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 
-#include "reference/numbers/checked_number.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
 #include "reference/truth/event_reader.hpp"
@@ -123,35 +121,6 @@ TEST(EventTables, AWrongLineIsRefusedWithItsNumber) {
   std::ofstream(path) << "time,mass,event,velocity_before,contact_mode\n1,1,impact,1,-\n";
   EXPECT_EQ(testing::refusal<std::runtime_error>([&] { truth::read_event_table(path); }),
             path + ": line 2: there is no column 'velocity_after'");
-}
-
-// Key numbers and event tables are two outputs of the generator. 20 digits agree, so that a wrong
-// one is seen even where it lies below the tolerance of the library. The tables follow a chatter
-// down to a speed of 1e-20 only, which is the error of the time at its end.
-TEST(CheckedNumbers, ThatAreTimesOfEventsStandInTheEventTables) {
-  int times = 0;
-  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
-    if (number.quantity != "time" || !number.of_the_paper()) continue;
-    std::ifstream table(REFERENCE_DIR "/" + number.arguments.text("scene") + "_events.csv");
-    const std::string text{std::istreambuf_iterator<char>(table), {}};
-    EXPECT_NE(text.find("\n" + number.digits.substr(0, 21)), std::string::npos) << number.id;
-    ++times;
-  }
-  EXPECT_GE(times, 6);
-}
-
-// A tolerance is an error of the library and not a distance to the paper's number: at most 1e-10
-// for times and frequencies. An extreme is read off samples every 1e-4, which miss it by 1e-8. The
-// exit boundary is a quotient of differences of forces.
-TEST(CheckedNumbers, OfThePaperHaveTolerancesOfRounding) {
-  for (const auto &number : numbers::checked_numbers(REFERENCE_DIR)) {
-    if (!number.of_the_paper()) continue;
-    const std::string &asked = number.quantity;
-    double largest = 1e-10;
-    if (asked == "lowest" || asked == "highest") largest = 1e-8;
-    if (asked.starts_with("exit")) largest = 1e-9;
-    EXPECT_LE(number.tolerance, largest) << number.id;
-  }
 }
 
 }  // namespace
