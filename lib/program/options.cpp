@@ -132,7 +132,9 @@ void add_orbit_options(CLI::App &orbit, OrbitRequest &request, Words &words) {
   request.settle.run.max_steps = default_steps(false, 2);
   add_scene_options(orbit, words);
   option(orbit, "--period", request.period, "N",
-         "Forcing periods of the orbit; default: those of the settled motion", 1000)
+         "Forcing periods of the orbit, or a multiple of them; default: those of the settled\n"
+         "motion",
+         1000)
       ->default_str("");
   flag(orbit, "--near-start", request.near_start,
        "Look near --displacement and --velocity at once, not where their motion settles");
@@ -147,8 +149,8 @@ void add_orbit_options(CLI::App &orbit, OrbitRequest &request, Words &words) {
   option(orbit, "--every", words.every_in_orbit, "TIME", "Interval between samples of the orbit");
   add_files_of_run(orbit, request);
   option(orbit, request.table,
-         "The orbit in one row, or those of --vary: period, residual, state, counts per mass,\n"
-         "multipliers re1,...,im1,...");
+         "The orbit in one row, or those of --vary: period, residual, state, counts and\n"
+         "fastest impact of each mass, multipliers re1,...,im1,...");
 }
 
 void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
@@ -170,7 +172,9 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
   flag(sweep, "--lyapunov", records.lyapunov,
        "Add the greatest Lyapunov exponent and its standard error to --table");
   option(sweep, "--exponent-periods", records.growth.longest, "N",
-         "Forcing periods over which the exponent of an irregular motion is averaged", 1'000'000);
+         "Forcing periods over which the exponent of an irregular motion is averaged; its\n"
+         "error is known from 640 on",
+         1'000'000);
   flag(sweep, "--attractor", records.attractor,
        "Add a number that attractors of one scene differ in, also mirror images");
   flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");

@@ -53,6 +53,17 @@ std::vector<OrbitPoint> branch_of(const OrbitRequest &request, const OrbitPoint 
   return branch;
 }
 
+// The velocity before the fastest impact of a mass, which --impacts of a sweep has as well; 0
+// without impacts.
+double fastest_impact(const PeriodicOrbit &orbit, std::size_t mass) {
+  double fastest = 0.0;
+  for (const Event &event : orbit.events)
+    if (event.kind == EventKind::impact && event.mass == static_cast<int>(mass) + 1 &&
+        std::abs(event.velocity_before) > std::abs(fastest))
+      fastest = event.velocity_before;
+  return fastest;
+}
+
 // A row for each orbit of a branch, with the parameter along it, if there is one. Multipliers of
 // held masses have empty cells.
 Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> &range) {
@@ -60,8 +71,8 @@ Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> 
   Table table((range ? range->parameter + "," : "") +
               "kind,period,residual,stable,phase,contact_mode" + numbered_columns("x", n) +
               numbered_columns("v", n) + numbered_columns("impacts", n) +
-              numbered_columns("sticks", n) + numbered_columns("re", 2 * n) +
-              numbered_columns("im", 2 * n));
+              numbered_columns("sticks", n) + numbered_columns("fastest", n) +
+              numbered_columns("re", 2 * n) + numbered_columns("im", 2 * n));
   for (const auto &[parameter, orbit, counts, kind] : branch) {
     if (range) table.cell(parameter);
     table.cell(name(kind));
@@ -73,6 +84,7 @@ Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> 
     for (const double coordinate : coordinates(orbit.state)) table.cell(coordinate);
     for (const std::vector<int> &events : {counts.impacts, counts.sticks})
       for (const int count : events) table.cell(count);
+    for (std::size_t i = 0; i < n; ++i) table.cell(fastest_impact(orbit, i));
     for (const bool imaginary : {false, true})
       for (std::size_t k = 0; k < 2 * n; ++k)
         if (k < orbit.multipliers.size())

@@ -11,6 +11,7 @@ namespace vibro_impact::runner {
 namespace {
 
 constexpr double most_numbers = 5e7;  // in a table of samples, which then has about 1 GB
+constexpr double most_rows = 1e8;     // of a sweep, which are kept in some 30 GB
 
 // The values of a parameter, given as parameter=from:to:count or parameter=from:to:count:log.
 Axis axis_of(std::string_view text) {
@@ -53,6 +54,28 @@ std::string given(const CLI::App &app) {
   return text;
 }
 
+bool has(const CLI::App &app, const char *name) {
+  const CLI::Option *option = app.get_option_no_throw(name);
+  return option != nullptr && !option->empty();
+}
+
+// Refuses options that would do nothing.
+void check_combinations(const CLI::App &app) {
+  for (const auto &[option, needed] : {std::pair{"--lyapunov", "--table"},
+                                       {"--pairs", "--table"},
+                                       {"--attractor", "--table"},
+                                       {"--exponent-periods", "--lyapunov"},
+                                       {"--slowest", "--impacts"},
+                                       {"--column", "--plot"},
+                                       {"--velocities", "--samples"}})
+    if (has(app, option) && !has(app, needed)) refuse("{}: needs {}", option, needed);
+  if (has(app, "--panels") && !has(app, "--plot") && !has(app, "--portrait"))
+    refuse("--panels: needs a picture");
+  for (const char *option : {"--longest", "--largest-period"})
+    if (has(app, option) && has(app, "--near-start"))
+      refuse("{}: is of a motion that settles, and --near-start looks for none", option);
+}
+
 // The file of a scene, whose lines may begin with a mark.
 std::string file_of(const Scene &scene, const char *mark = "") {
   std::string text;
@@ -66,9 +89,13 @@ std::vector<int> panels_of(const Scene &scene, const std::string &words, bool al
   std::vector<int> panels;
   all = all || scene.stops.empty();
   if (!words.empty())
-    for (const std::string_view word : parts_of(words, ','))
-      panels.push_back(
-          static_cast<int>(read_at("--panels", [&] { return count_of(word, scene.masses()); })));
+    for (const std::string_view word : parts_of(words, ',')) {
+      const auto mass =
+          static_cast<int>(read_at("--panels", [&] { return count_of(word, scene.masses()); }));
+      if (std::ranges::find(panels, mass) != panels.end())
+        refuse("--panels {}: has mass {} twice", words, mass);
+      panels.push_back(mass);
+    }
   for (int mass = 1; mass <= scene.masses() && words.empty(); ++mass)
     if (all || std::ranges::find(scene.stops, mass, &Stop::mass) != scene.stops.end())
       panels.push_back(mass);
@@ -135,6 +162,10 @@ void complete(OrbitRequest &request, const Words &words) {
 void complete(SweepRequest &request, const Words &words) {
   for (const std::string &range : words.ranges) request.grid.axes.push_back(axis_of(range));
   check(request.grid);
+  const double rows = static_cast<double>(request.grid.points()) * (request.back ? 2.0 : 1.0);
+  if (rows > most_rows) refuse("--vary: {} points, and a sweep has at most {}", rows, most_rows);
+  if (!words.panels.empty() && (request.grid.axes.size() > 1 || !request.column.empty()))
+    refuse("--panels {}: a picture of a column has one panel", words.panels);
   request.follow = request.follow || request.back;
   request.records.impacts = request.tables[1].wanted();
   request.records.section = request.tables[2].wanted();
@@ -180,6 +211,7 @@ Request parse(int argc, const char *const *argv) {
   const std::string definition =
       fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
                   given(command), file_of(scene, "# "));
+  check_combinations(command);
   const Common common{words.scene_file, words.header ? definition : "",
                       panels_of(scene, words.panels, !sweep.parsed())};
   const bool default_bound = command.count("--max-steps") == 0;

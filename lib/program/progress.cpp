@@ -35,7 +35,6 @@ Progress::Progress(std::string name, double total, double before)
 
 void Progress::advance(double by) {
   if (!terminal_) return;
-  const std::lock_guard lock(mutex_);
   done_ = std::min(total_, done_ + by);
   const auto elapsed = std::chrono::steady_clock::now() - start_;
   const double seconds = std::chrono::duration<double>(elapsed).count();

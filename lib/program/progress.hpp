@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <mutex>
 #include <string>
 
 namespace vibro_impact {
@@ -17,7 +16,6 @@ std::string progress_line(const std::string &name, double before, double done, d
 // `last_shown`: not in the first two seconds, and at most five times a second.
 bool is_progress_due(double seconds, double last_shown);
 
-// May be advanced from several threads.
 class Progress {
  public:
   // `before`: how much of `total` was done before the computation began.
@@ -32,7 +30,6 @@ class Progress {
   bool terminal_;
   double last_shown_ = 0.0;  // seconds after the start; 0: never
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::mutex mutex_ = {};
 };
 
 }  // namespace vibro_impact

@@ -96,12 +96,13 @@ void print_summary(const Scene &scene, const Outcome &outcome) {
   for (int mass = 1; mass <= scene.masses(); ++mass) forced += scene.forced(mass);
   const Counters &counters = outcome.counters;
   fmt::print(stderr,
-             "masses: {}, forced: {}, stops: {}; t = {:.17g}: since t = 0, {} impacts "
+             "masses: {}, forced: {}, stops: {}, restitution: {}, beta: {}; t = {:.17g}: since t = "
+             "0, {} impacts "
              "resolved, {} sticks, {} releases; chatter {} times carried to its limit, {} times "
              "incomplete\n",
-             scene.masses(), forced, scene.stops.size(), outcome.time, counters.impacts,
-             counters.sticks, counters.releases, counters.chatter_limits,
-             counters.chatter_incomplete);
+             scene.masses(), forced, scene.stops.size(), scene.restitution, scene.beta,
+             outcome.time, counters.impacts, counters.sticks, counters.releases,
+             counters.chatter_limits, counters.chatter_incomplete);
 }
 
 }  // namespace

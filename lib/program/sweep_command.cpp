@@ -74,20 +74,11 @@ void check_outputs_of(const SweepRequest &request) {
     if (output.path == "-")
       refuse("{}: must be a file, beside which the rows are kept", output.given());
   check_outputs(outputs, request.scene_file);
-  const RecordOptions &records = request.records;
-  for (const auto &[asked, option] : {std::pair{records.lyapunov, "--lyapunov"},
-                                      {records.pairs, "--pairs"},
-                                      {records.attractor, "--attractor"}})
-    if (asked && !request.tables[0].wanted())
-      refuse("{}: adds to --table, which is not asked for", option);
-  if (!request.plot.wanted()) {
-    if (!request.column.empty()) refuse("--column {}: needs --plot", request.column);
-    return;
-  }
+  if (!request.plot.wanted()) return;
   const std::size_t ranges = request.grid.axes.size();
   if (ranges > 2) refuse("{}: draws one or two ranges, not {}", request.plot.given(), ranges);
   check_picture(request.plot, request.tables[table_of_plot(request)]);
-  const auto columns = record_columns(request.grid.scene.masses(), records);
+  const auto columns = record_columns(request.grid.scene.masses(), request.records);
   if (request.column.empty()) return;
   if (std::ranges::find(columns, request.column, &Column::name) == columns.end())
     refuse("--column {}: is no column of the table", request.column);
@@ -133,40 +124,33 @@ void draw_plot(const SweepRequest &request) {
        {request.follow ? "branches" : "points", words_of(axes[0])});
 }
 
-// Points without a record for reasons that differ in numbers only.
-struct Missing {
-  std::size_t points = 0;
-  std::string first = {};  // the reason and the values of the first of them
-};
+// The rows of the points without a record, by the kind of the reason: those of one kind differ in
+// numbers only.
+using MissingRows = std::map<std::string, std::vector<std::size_t>>;
 
-// By the kind of reason.
-using MissingPoints = std::map<std::string, Missing>;
-
-// Adds the point of a row that has no record for this reason.
-void add_missing(MissingPoints &missing, const SweepRequest &request, std::size_t row,
-                 const std::string &reason) {
-  Missing &kind = missing[kind_of_reason(reason)];
-  if (kind.points++ > 0) return;
-  kind.first = reason + "; first at";
+// The values of the point of a row, "omega = 0.3, beta = 0.1".
+std::string values_of(const SweepRequest &request, std::size_t row) {
+  std::string words;
   const std::vector<double> values = request.grid.values(point_of(request, row));
   for (std::size_t axis = 0; axis < values.size(); ++axis)
-    kind.first += fmt::format("{} {} = {}", axis == 0 ? "" : ",", request.grid.axes[axis].parameter,
-                              values[axis]);
+    words += fmt::format("{}{} = {}", axis == 0 ? "" : ", ", request.grid.axes[axis].parameter,
+                         values[axis]);
+  return words;
 }
 
 // Writes the tables, and returns the points without a record.
-MissingPoints write_tables(const SweepRequest &request, const Journal &journal) {
+MissingRows write_tables(const SweepRequest &request, const Journal &journal) {
   const auto [records, impacts, section] = sweep_tables(request.grid, request.records);
   const std::string headers[] = {records.text, impacts.text, section.text};
   const std::size_t rows = number_of_rows(request);
   std::array<Table, 3> tables;
   for (std::size_t k = 0; k < tables.size(); ++k) tables[k].text = request.head + headers[k];
-  MissingPoints missing;
+  MissingRows missing;
   for (std::size_t row = 0; row < rows; ++row) {
     const Texts texts = journal.texts_of(row);
     for (std::size_t k = 0; k < tables.size(); ++k)
       if (request.tables[k].wanted()) tables[k].text += texts[k];
-    if (!texts[3].empty()) add_missing(missing, request, row, texts[3]);
+    if (!texts[3].empty()) missing[kind_of_reason(texts[3])].push_back(row);
   }
   for (std::size_t k = 0; k < tables.size(); ++k)
     if (request.tables[k].wanted()) write(tables[k], request.tables[k].path);
@@ -174,7 +158,7 @@ MissingPoints write_tables(const SweepRequest &request, const Journal &journal) 
 }
 
 void finish(const SweepRequest &request, const Journal &journal, std::size_t computed) {
-  const MissingPoints missing = write_tables(request, journal);
+  const MissingRows missing = write_tables(request, journal);
   journal.remove();
   try {
     if (request.plot.wanted()) draw_plot(request);
@@ -182,13 +166,14 @@ void finish(const SweepRequest &request, const Journal &journal, std::size_t com
     throw std::runtime_error(fmt::format("{}; the tables are complete", failure.what()));
   }
   std::size_t without_record = 0;
-  for (const auto &[kind, points] : missing) without_record += points.points;
+  for (const auto &[kind, of_kind] : missing) without_record += of_kind.size();
   fmt::print(stderr, "{} points, {} computed now; {} were refused or given up, and have {}\n",
              number_of_rows(request), computed, without_record,
              request.tables[0].wanted() ? "empty cells" : "no rows");
-  for (const auto &[kind, points] : missing)
-    fmt::print(stderr, "{} of {} points: {}\n", points.points, number_of_rows(request),
-               points.first);
+  for (const auto &[kind, of_kind] : missing)
+    fmt::print(stderr, "{} of {} points: {}; first at {}\n", of_kind.size(),
+               number_of_rows(request), journal.texts_of(of_kind.front())[3],
+               values_of(request, of_kind.front()));
   if (without_record == number_of_rows(request))
     throw std::runtime_error("every point of the sweep was refused or given up");
 }

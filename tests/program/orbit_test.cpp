@@ -1,5 +1,6 @@
 // Orbits of the program: the row of the table is that of the library, the samples of one period
 // close, and an unstable orbit is found from a start near it.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -35,6 +36,10 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
   EXPECT_EQ(row.number("re1"), orbit.multipliers[0].real());
   EXPECT_EQ(row.number("im4"), orbit.multipliers[3].imag());
   EXPECT_EQ(row.cell("impacts1"), "6");
+  double fastest = 0.0;  // of mass 1, whose stop is the lower one
+  for (const Event &event : orbit.events)
+    if (event.mass == 1) fastest = std::min(fastest, event.velocity_before);
+  EXPECT_EQ(row.number("fastest1"), fastest);
   const truth::Rows samples = table("s.csv");
   ASSERT_EQ(samples.size(), 9u);
   for (const char *coordinate : {"x1", "x2", "v1", "v2"})  // the orbit is known to 1e-13

@@ -93,13 +93,14 @@ TEST_F(Runner, OptionsOfTheSceneMeanWhatTheHelpSays) {
 TEST_F(Runner, ASingleAmplitudeForcesAllMasses) {
   const struct {
     std::string options, summary;
-  } cases[] = {{"", "masses: 2, forced: 1, stops: 2; "},
-               {"--masses 1", "masses: 1, forced: 1, stops: 1; "},
-               {"--masses 3", "masses: 3, forced: 1, stops: 2; "},
-               {"--masses 3 --amplitude 0.5", "masses: 3, forced: 3, stops: 2; "},
+  } cases[] = {{"", "masses: 2, forced: 1, stops: 2, restitution: 0.7, beta: 0.1; "},
+               {"--masses 1", "masses: 1, forced: 1, stops: 1, restitution: 0.7, beta: 0.1; "},
+               {"--masses 3", "masses: 3, forced: 1, stops: 2, restitution: 0.7, beta: 0.1; "},
+               {"--masses 3 --amplitude 0.5",
+                "masses: 3, forced: 3, stops: 2, restitution: 0.7, beta: 0.1; "},
                {"--masses 3 --amplitude 0.5,0.5,0 --sine 0,0.1,0 --stop none",
-                "masses: 3, forced: 2, stops: 0; "},
-               {"--amplitude 0", "masses: 2, forced: 0, stops: 2; "}};
+                "masses: 3, forced: 2, stops: 0, restitution: 0.7, beta: 0.1; "},
+               {"--amplitude 0", "masses: 2, forced: 0, stops: 2, restitution: 0.7, beta: 0.1; "}};
   for (const auto &[options, summary] : cases)
     EXPECT_TRUE(run("run --until 10 " + options).err.starts_with(summary)) << options;
   const std::string masses = "run --masses 3 --print-scene ";

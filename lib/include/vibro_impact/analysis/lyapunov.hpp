@@ -11,7 +11,7 @@ namespace vibro_impact {
 
 // An exponent with its standard error, both per unit of time.
 struct Growth {
-  double exponent = 0.0;    // ln of the growth over the time followed
+  double exponent = 0.0;    // ln(growth) / time
   double error = infinity;  // infinite: not known
 
   // True if the exponent exceeds four times its error.
@@ -31,8 +31,8 @@ struct GrowthOptions {
 // only one, so that orthonormalising is scaling.
 //
 // In chaos the growth varies from period to period, so that the sign of a short mean may be chance.
-// With the mean growths of n >= 16 blocks of equal length, of standard deviation s, the error of
-// their mean is s / n^(1/2). The choice of the norm changes ln of the length by about 1 in all: the
+// With the mean growths of n blocks of 40 forcing periods, of standard deviation s, the error of
+// their mean is s / n^(1/2). It is infinite below n = 16, which takes 640 periods. The choice of the norm changes ln of the length by about 1 in all: the
 // error is no less than 1/4 over the time followed, so that rounding has no certain sign. A motion
 // whose transient is chaotic for much longer counts as chaos.
 //
