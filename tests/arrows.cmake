@@ -78,6 +78,17 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
+# Another impact law is a change of impact_law.hpp alone: no file of the library takes the coefficient
+# of a law but those that check it and that give it a name.
+file(GLOB_RECURSE files ${source}/lib/simulation/*.?pp ${source}/lib/analysis/*.?pp)
+list(FILTER files EXCLUDE REGEX "/(scene|parameter)\\.cpp$")
+foreach(file IN LISTS files)
+  file(STRINGS ${file} wrong REGEX "(\\.|->)restitution")
+  if(wrong)
+    message(SEND_ERROR "${file} must ask the impact law: ${wrong}")
+  endif()
+endforeach()
+
 set(later ${folders})
 foreach(folder IN LISTS folders)
   list(REMOVE_ITEM later ${folder})

@@ -71,7 +71,8 @@ TEST(ChatterLimit, NeedsFewImpacts) {
 
 // A chain of three masses that is its own mirror image moves as its half: masses 1 and 3 together.
 // Roots that only rounding parts are one instant: both masses have their events at the same bits of
-// time, and chatter together to the limit. Resolved in turn, they would never end in one.
+// time, and chatter together to the limit. Resolved in turn, they would never end in one. Both
+// impacts are applied before the first is reported: the speeds then differ by rounding alone.
 TEST(SymmetricChain, HasTheEventsOfItsHalvesAtOneInstant) {
   for (const double r : {0.3, 0.5, 0.7})
     for (const double link : {0.25, 1.0, 2.7}) {
@@ -83,7 +84,13 @@ TEST(SymmetricChain, HasTheEventsOfItsHalvesAtOneInstant) {
                         .omega = 0.3,
                         .restitution = r,
                         .stops = {{1, Side::upper, 0.1}, {3, Side::upper, 0.1}}};
-      const std::vector<Event> events = events_of(scene, 0.0, 40.0);
+      EventRecorder recorder;
+      AtEvents equal_speeds([](const Event &, const Moment &moment) {
+        EXPECT_NEAR(moment.velocity(1), moment.velocity(3), 1e-13);
+        return false;
+      });
+      require_complete(simulate(scene, 40.0, recorder, equal_speeds));
+      const std::vector<Event> &events = recorder.events;
       EXPECT_GE(select(events, EventKind::stick).size(), 4u);
       ASSERT_EQ(events.size() % 2, 0u);
       for (std::size_t i = 0; i < events.size(); i += 2) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
@@ -57,6 +58,37 @@ TEST(Economy, AContactModeIsBuiltWhenItIsFirstEntered) {
     const Outcome outcome = simulate(scene, 300.0, events, samples);
     EXPECT_EQ(outcome.counters.modes_built, modes_entered(events.events, scene.masses()));
   }
+}
+
+// Eight heavy masses swing, each at a rate of its own. The links press the light masses between
+// them onto their stops, and the contact modes are nearly all of 2^7. The 64 latest are kept, and
+// others are built again when the run comes back to them.
+TEST(Economy, TheLatestContactModesAreKept) {
+  Scene scene{.restitution = 0.0};
+  for (int i = 1; i <= 15; ++i) {
+    const bool heavy = i % 2 == 1;
+    const double rate = 0.1 + 0.01 * i;
+    scene.mass.push_back(heavy ? 1e4 : 1.0);
+    scene.stiffness.push_back(1.0);
+    scene.ground.push_back(heavy ? 1e4 * rate * rate : 0.0);
+    scene.displacement.push_back(heavy ? 1.0 : 0.0);
+    if (!heavy) scene.stops.push_back({i, Side::upper, 0.0});
+  }
+  EventRecorder recorder;
+  const Counters counters = require_complete(simulate(scene, 1000.0, recorder)).counters;
+  std::vector<Held> kept{Held(15)};
+  long long built = 1;
+  for (const Event &event : recorder.events) {
+    const auto known = std::ranges::find(kept, event.held);
+    if (known == kept.end())
+      ++built;
+    else
+      kept.erase(known);
+    kept.push_back(event.held);
+    if (kept.size() > 64) kept.erase(kept.begin());
+  }
+  EXPECT_EQ(counters.modes_built, built);
+  EXPECT_GT(built, modes_entered(recorder.events, 15));
 }
 
 // A mass pressed onto its stop: an impact takes one expansion of its flight, as long as it lasts,

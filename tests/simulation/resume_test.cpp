@@ -2,6 +2,7 @@
 // bit for bit is tested by random_scenes_test.)
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,8 @@ TEST(Resume, ARunEndsAtTheEventThatARecorderNamesAndGoesOnFromThere) {
   }
 }
 
-// The copy is made inside the chatter of Figure 2(b).
+// The copy is made inside the chatter of Figure 2(b). A simulation that was moved from can be
+// assigned to.
 TEST(Resume, ACopyGoesOnAsTheOriginalAndDoesNotMoveIt) {
   Simulation original(paper::figure2());
   require_complete(original.advance(716.0));
@@ -49,6 +51,9 @@ TEST(Resume, ACopyGoesOnAsTheOriginalAndDoesNotMoveIt) {
   EXPECT_EQ(other.state.velocity, end.state.velocity);
   expect_refused({{[&] { require_complete(copy.advance(700.0)); },
                    "until = 700: lies before the start at 750"}});
+  Simulation moved = std::move(original);
+  original = copy;
+  EXPECT_EQ(moved.advance(760.0).state, original.advance(760.0).state);
 }
 
 // A call that ends at 7.98 ends inside a chatter, whose limit is at 7.9939. Without a limit, the
@@ -120,6 +125,16 @@ TEST(Resume, ASampleAtAnImpactHasTheVelocityBeforeAndAStartTheVelocityAfter) {
   scene.velocity = {-1.0};
   EXPECT_EQ(simulate(scene, 0.5, starting).ending, Ending::stopped);
   EXPECT_EQ(starting.velocity, std::vector{0.5});
+}
+
+// Next to an impact, rounding does not put the end of a run beyond the stop: a run can start there.
+TEST(Resume, ARunThatEndsAtAnImpactEndsBeforeTheStop) {
+  const Scene scene = paper::figure2();
+  for (const Event &impact : select(events_of(scene, 0.0, 60.0), EventKind::impact))
+    for (const double until : {std::nextafter(impact.time, 0.0), impact.time}) {
+      const MotionState end = simulate(scene, until).state;
+      EXPECT_NO_THROW(check(scene, end)) << impact.time;
+    }
 }
 
 // The simulation leaves the chatter that it was in. A start that does not fit leaves it as it was.
