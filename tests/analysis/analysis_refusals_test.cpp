@@ -204,6 +204,14 @@ TEST(Bisection, FindsWhereTheCountFirstDiffers) {
   EXPECT_EQ(jump.count_above, 1);
 }
 
+// Down to a width, halving the interval; and a zero to within four roundings of it (TOMS 748).
+TEST(Bisection, StopsAtItsWidth) {
+  const CountJump jump = bisect([](double x) { return x > 0.3 ? 1 : 0; }, 0.0, 1.0, 0.1);
+  EXPECT_EQ(jump.below, 0.25);
+  EXPECT_EQ(jump.above, 0.3125);
+  EXPECT_NEAR(zero([](double x) { return x * x * x - 2.0; }, 1.0, 2.0), std::cbrt(2.0), 0x1p-50);
+}
+
 // The middle of two numbers next to the largest double does not overflow.
 TEST(Bisection, WorksNextToTheLargestNumber) {
   const auto huge = [](double x) { return x > 1.5e308 ? 1 : 0; };

@@ -62,7 +62,8 @@ TEST(LeastGap, IsTheLeastOfSeveralMinima) {
   EXPECT_NEAR(least->at.instant.phase, std::atan(frequency / decay) / frequency, 1e-14);
   const Scene impacting = paper::figure3(0.6);
   const auto other = least_gap(impacting, state_after_periods(impacting, 60), impacting.stops[1]);
-  EXPECT_GT(other ? other->value : 1.0, 1e-3);
+  ASSERT_TRUE(other.has_value());
+  EXPECT_GT(other->value, 1e-3);
 }
 
 // K phi = lambda M phi and phi^T M phi = 1, where mass 3 is held.

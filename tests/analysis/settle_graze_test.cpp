@@ -84,7 +84,9 @@ TEST(SettleNextToAGraze, AnImpactMayLieAtTheSection) {
   for (const double earlier : {0.0, 1e-14, 1e-13, 1e-12, 1e-11}) {
     MotionState start = begin;
     start.instant.phase -= earlier;
-    EXPECT_EQ(settle(scene, start).period, 1) << earlier;
+    const SettledMotion motion = settle(scene, start);
+    EXPECT_EQ(motion.period, 1) << earlier;
+    EXPECT_EQ(motion.counts.impacts, std::vector{1}) << earlier;
   }
 }
 

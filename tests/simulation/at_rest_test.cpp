@@ -232,9 +232,9 @@ TEST(AtRest, ForcesThatCancelButForRoundingHoldNoMass) {
 }
 
 // The rate of the force on mass 2, at its stop without force, is the sum of those of a sine and of
-// both neighbours, zero but for rounding. Its next derivative, by the forces -1 and 1 on the
-// neighbours, decides. With a damper the accelerations enter the rate, too, and cancel there.
-TEST(AtRest, ARateThatCancelsButForRoundingEndsNoRun) {
+// both neighbours. It is zero but for the rounding of v3, which decides whether mass 2 sticks. With
+// a damper the accelerations enter the rate, too. 1e-18: some ten roundings of extended precision.
+TEST(AtRest, TheRoundingOfARateDecides) {
   std::mt19937_64 generator(7);
   const auto between = [&](double a, double b) {
     return std::uniform_real_distribution<>(a, b)(generator);
@@ -257,6 +257,10 @@ TEST(AtRest, ARateThatCancelsButForRoundingEndsNoRun) {
                           .velocity = {v1, 0.0, v3}};
         const Outcome outcome = simulate(scene, 0.5, {.max_steps = 2000});
         EXPECT_EQ(outcome.ending, Ending::reached) << draw << " " << beta << " " << force;
+        const Real change = static_cast<Real>(beta) * force / m,
+                   rate = static_cast<Real>(omega) * sine + k2 * (v1 + change) + k3 * (v3 + change);
+        if (std::abs(rate) < 1e-18L) continue;
+        EXPECT_EQ(simulate(scene, 0.0).state.held[1], rate > 0 ? 1 : 0) << draw << " " << beta;
       }
   }
 }

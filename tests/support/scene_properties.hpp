@@ -119,15 +119,11 @@ inline std::string broken_by_a_split(const Run &run, double split, const SampleR
   Simulation simulation(run.scene, run.options);
   if (simulation.advance(split, events, others).ending != Ending::reached) return "";
   const Outcome outcome = simulation.advance(run.until, events, others);
-  std::vector<Event> whole = run.events;
   const bool given_up = run.outcome.ending == Ending::given_up;
-  if (given_up) {  // each call has its own steps, so that two calls may end at another event
-    const std::size_t common = std::min(whole.size(), events.events.size());
-    whole.resize(common);
-    events.events.resize(common);
-  }
+  // Each call has its own steps, so that two calls may go on for longer.
+  if (given_up && events.events.size() > run.events.size()) events.events.resize(run.events.size());
   const std::string differs =
-      difference(whole, run.outcome, events.events, given_up ? run.outcome : outcome);
+      difference(run.events, run.outcome, events.events, given_up ? run.outcome : outcome);
   if (!differs.empty()) return fmt::format("resumed at {}: {}", split, differs);
   if (given_up) return "";
   if (others.times != samples.times || others.displacements != samples.displacements)
