@@ -74,8 +74,8 @@ TEST(Lyapunov, ScalingThePerturbationDoesNotChangeItsGrowth) {
 // Points of the plane of frequency and amplitude that have not settled within 200 periods: chaotic
 // motions, slow ones, which have settled within 4,000 periods, and motions on a torus, which never
 // settle and have the exponent zero. Over the first 40 periods the growth has the wrong sign at
-// half of the first six. The sign of a zero is never certain, although the mean over the first four
-// blocks has one.
+// half of the first six. An exponent zero has no certain sign, although the mean over the first
+// four blocks has one.
 TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
   enum Kind { chaotic, slow, torus };
   for (const auto &[kind, omega, amplitude] : {std::tuple{chaotic, 0.69, 0.5},

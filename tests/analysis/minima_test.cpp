@@ -52,7 +52,8 @@ TEST(LeastGap, OfASteadyMotionIsTheDistanceToItsTurningPoint) {
 }
 
 // A damped oscillation turns at ever smaller displacements, so the first turning point is nearest
-// to the stop. An impact is no turning point.
+// to the stop. At Omega = 0.6 mass 2 of Figure 3 hits its stop whenever it comes near, and an
+// impact is no turning point.
 TEST(LeastGap, IsTheLeastOfSeveralMinima) {
   const Scene scene{
       .mass = {1.0}, .stiffness = {9.0}, .beta = 0.02, .omega = 1.0, .velocity = {1.0}};
@@ -61,9 +62,8 @@ TEST(LeastGap, IsTheLeastOfSeveralMinima) {
   const double decay = 0.09, frequency = std::sqrt(9.0 - decay * decay);
   EXPECT_NEAR(least->at.instant.phase, std::atan(frequency / decay) / frequency, 1e-14);
   const Scene impacting = paper::figure3(0.6);
-  const auto other = least_gap(impacting, state_after_periods(impacting, 60), impacting.stops[1]);
-  ASSERT_TRUE(other.has_value());
-  EXPECT_GT(other->value, 1e-3);
+  const MotionState start = state_after_periods(impacting, 60);
+  EXPECT_FALSE(least_gap(impacting, start, impacting.stops[1]).has_value());
 }
 
 // K phi = lambda M phi and phi^T M phi = 1, where mass 3 is held.

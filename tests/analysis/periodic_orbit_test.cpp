@@ -20,7 +20,7 @@ MotionState section_after(const Scene &scene, int periods) {
 
 // From five periods, or from farther away: each residual is bounded by a constant times the square
 // of the one before, until rounding. The constant is the curvature of the map, some tens. The
-// rounding of a settled run over 400 periods is that of one: the motion forgets.
+// rounding of a settled run over 400 periods is that of one, because the motion contracts.
 TEST(Newton, ConvergesQuadraticallyToTheSettledMotion) {
   for (const auto &[omega, periods, share, least] :
        {std::tuple{0.2, 5, 1.0, 1e-13}, {0.28, 150, 0.99, 1e-4}, {0.6, 150, 0.99, 1e-4}}) {
