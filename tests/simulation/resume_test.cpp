@@ -2,13 +2,13 @@
 // bit for bit is tested by random_scenes_test.)
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/events.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "tests/support/refusals.hpp"
 
 namespace {
@@ -127,14 +127,14 @@ TEST(Resume, ASampleAtAnImpactHasTheVelocityBeforeAndAStartTheVelocityAfter) {
   EXPECT_EQ(starting.velocity, std::vector{0.5});
 }
 
-// Next to an impact, rounding does not put the end of a run beyond the stop: a run can start there.
-TEST(Resume, ARunThatEndsAtAnImpactEndsBeforeTheStop) {
-  const Scene scene = paper::figure2();
-  for (const Event &impact : select(events_of(scene, 0.0, 60.0), EventKind::impact))
-    for (const double until : {std::nextafter(impact.time, 0.0), impact.time}) {
-      const MotionState end = simulate(scene, until).state;
-      EXPECT_NO_THROW(check(scene, end)) << impact.time;
-    }
+// A flight that ends at the time of an impact passes the stop by a rounding in one of a thousand
+// cases. The state at its end lies on the stop, so that a run can start from it.
+TEST(Resume, ARunThatEndsAtAnImpactEndsNoFurtherThanTheStop) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const Scene scene = random_scene(seed);
+    for (const Event &impact : select(events_of(scene, 0.0, 3.0), EventKind::impact))
+      EXPECT_NO_THROW(check(scene, simulate(scene, impact.time).state)) << seed;
+  }
 }
 
 // The simulation leaves the chatter that it was in. A start that does not fit leaves it as it was.
