@@ -119,7 +119,8 @@ TEST(Economy, AnExpansionOfALongChainHasNoMoreOrdersThanThatOfAShortOne) {
   }
 }
 
-// r = 0 stops a mass at once; r = 1 bounces for ever at the same speed, however hard it is pressed.
+// r = 0 stops a mass at once; With r = 1 it rebounds for ever at the same speed, however hard it is
+// pressed.
 TEST(Economy, AChatterTableOnlyWhereChatterCanBe) {
   const auto counters_of = [](double r) {
     const Scene scene = extremes::one_mass(0.0, 0.0, 1.0, r, -0.5, -0.51);  // flights of 0.4
@@ -158,10 +159,10 @@ TEST(Economy, AMassThatRestsWithoutForceRefusesNoLimit) {
 // evaluation per sample and one for the state at the end. Expansions come before it, as many as
 // cost what the modes do. With stops nothing is evaluated that nobody asked for.
 TEST(Economy, ASampleIsOneEvaluation) {
-  Scene clear = extremes::one_mass(0.0, 0.5, 0.0, 0.7, 1.25);  // swings about 0.5
-  clear.stops.push_back({1, Side::lower, -0.25});
+  Scene swings = extremes::one_mass(0.0, 0.5, 0.0, 0.7, 1.25);  // swings about 0.5
+  swings.stops.push_back({1, Side::lower, -0.25});
   for (const Scene &scene :
-       {without_stops(long_chain(2, 0.7)), without_stops(long_chain(50, 0.7)), clear}) {
+       {without_stops(long_chain(2, 0.7)), without_stops(long_chain(50, 0.7)), swings}) {
     const double begin = 2.0 * scene.masses() * scene.masses();
     SampleRecorder samples(begin, begin + 89.0, 0.37);
     const Counters counters = simulate(scene, 1e6, samples).counters;
@@ -188,7 +189,7 @@ void expect_the_same_work(const Scene &scene, double soon, double late, long lon
 // The steady motion A / (k - m Omega^2 + i c Omega) of one mass, after a million periods from any
 // start; also in resonance, where what is left of it is the damping. The time is a whole number of
 // periods and a phase, and is not rounded.
-TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreFewSteps) {
+TEST(WithoutEvents, AMillionForcingPeriodsAreFewSteps) {
   const double force = 0.5;
   for (const auto &[beta, omega] :
        {std::pair{0.1, 0.28}, {0.1, 1.0}, {0.01, 0.28}, {0.01, 1.001}, {0.01, 1.0}}) {
@@ -213,9 +214,10 @@ TEST(Undisturbed, AMillionForcingPeriodsClearOfTheStopsAreFewSteps) {
   }
 }
 
-// A chain whose swing has died down between its stops, one that rests on them, and one that has
-// left them for good (not tied to the ground). After an event come some sixteen steps.
-TEST(Undisturbed, WhatHappensBeforeIsAllThatIsPaidFor) {
+// A chain whose swing has died down between its stops, one that rests on them, one that has left
+// them for good (not tied to the ground), and a mode next to resonance whose stop is out of its
+// reach. After an event come some sixteen steps.
+TEST(WithoutEvents, TheStepsAreThoseAfterTheLastEvent) {
   Scene dying = paper::figure2();
   dying.amplitude.clear();
   dying.velocity = {-1.0, 1.0};
@@ -232,6 +234,10 @@ TEST(Undisturbed, WhatHappensBeforeIsAllThatIsPaidFor) {
   const MotionState end = simulate(leaving, 1e9).state;
   EXPECT_DOUBLE_EQ(end.displacement[0], 1.0 - 0.35 * (1e9 - 2.0));
   EXPECT_DOUBLE_EQ(end.velocity[0], -0.35);
+
+  const double steady = 0.01 / (1.0 - 1.0 / 1.025);  // and twice that until it has settled
+  const Scene resonant = extremes::one_mass(1e-5, 0.01, std::sqrt(1.0 / 1.025), 1.0, 2.2 * steady);
+  EXPECT_LT(simulate(resonant, 1e5).counters.expansions, 100);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Long phases, resonance, tolerances and energy of flights. modes_test and random_scenes_test
+// Resonance, damping and tolerances of flights. modes_test and random_scenes_test
 // compare the motion with 50 digits and with a witness in extended precision.
 #include <gtest/gtest.h>
 
@@ -6,10 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
-#include "tests/support/contact_scenes.hpp"
-#include "tests/support/scene_properties.hpp"
+#include "tests/support/witness.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
@@ -57,19 +55,6 @@ double largest_difference(const std::vector<double> &a, const std::vector<double
   return largest;
 }
 
-// A mode next to resonance, hardly damped, swings up to twice its steady response before it
-// settles. A stop beyond the steady response can therefore be hit.
-TEST(Flow, AStopBeyondTheSteadyResponseOfAModeNearResonanceIsHit) {
-  const double steady = 0.01 / (1.0 - 1.0 / 1.025);
-  const auto before_stop = [](double stop) {
-    return extremes::one_mass(1e-5, 0.01, std::sqrt(1.0 / 1.025), 1.0, stop);
-  };
-  EXPECT_GT(simulate(before_stop(1.6 * steady), 600.0).counters.impacts, 0);
-  const Counters far = simulate(before_stop(2.2 * steady), 1e5).counters;
-  EXPECT_EQ(far.impacts, 0);
-  EXPECT_LT(far.expansions, 100);  // out of reach for ever
-}
-
 // 0.3 is not 3 times 0.1 in double precision: the end of a range is in it to within rounding.
 TEST(Samples, TakeTheEndOfTheirRange) {
   for (int n = 1; n <= 1000; ++n) {
@@ -103,24 +88,6 @@ TEST(Flow, OfTheLeastToleranceIsTheClosedForm) {
   const Outcome outcome = simulate(scene, 13.0, {.flight_tolerance = 1e-21});
   EXPECT_NEAR(outcome.state.displacement[0], std::cos(13.0), 1e-15);
   EXPECT_EQ(outcome.counters.coefficients, 28 * outcome.counters.expansions) << "order 27";
-}
-
-// A step rounds the energy by at most some 2^-53 of it. Roundings of either sign add up to the root
-// of the number of steps, of which eight times as much is allowed. A rounding that is the same at
-// every impact adds up to a million times itself.
-TEST(Flow, KeepsTheEnergyOfAMillionElasticImpacts) {
-  for (const int masses : {1, 2, 3, 10}) {
-    Draw draw{std::mt19937(0)};
-    const Scene scene = elastic_scene(draw, masses);
-    AtEvents impacts(
-        [met = 0LL](const Event &, const Moment &) mutable { return ++met == 1'000'000; });
-    const RunOptions options{.max_steps = 100'000'000};
-    const Outcome end = simulate(scene, 1e9, options, impacts);
-    ASSERT_EQ(end.ending, Ending::stopped);
-    const double gained = energy_of(scene, end.state) / energy_of(scene, start_of(scene)) - 1.0,
-                 steps = static_cast<double>(end.counters.expansions);
-    EXPECT_LE(std::abs(gained), 8.0 * 0x1p-53 * std::sqrt(steps)) << masses;
-  }
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ inline Trial falling_masses(unsigned seed) {
 // Two to five masses on equal links with stops at zero, where they rest. Some bounce there, each
 // time r times as fast, while the slow forcing of the first ones holds those. At a quarter of its
 // period the forcing releases them beside masses whose bounces have died down together.
-inline Trial dying_bounces(unsigned seed) {
+inline Trial decayed_chatter(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
   const int masses = draw.between(2, 5);
@@ -139,7 +139,7 @@ inline Trial dying_bounces(unsigned seed) {
 
 // A damped chain that a constant force brings to rest before its stops, or on one of them. Its
 // links are soft and stiff. It runs for long after that.
-inline Trial standing_chain(unsigned seed) {
+inline Trial chain_at_equilibrium(unsigned seed) {
   Draw draw{std::mt19937(seed)};
   Scene scene;
   const int masses = draw.between(1, 4);
