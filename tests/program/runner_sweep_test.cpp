@@ -183,7 +183,7 @@ TEST_F(Runner, TheJobOfTheHelpRuns) {
   for (const bool first : {true, false}) {  // the second finds its tables
     const Result result = run("", "export HOME='" + folder.string() + "'", "sh ", "job");
     EXPECT_EQ(result.status, 0) << result.err;
-    // mpirun may say of the network what it likes.
+    // mpirun may add lines about the network.
     const bool computed = result.err.find("9 points, 9 computed now") != std::string::npos;
     EXPECT_EQ(computed, first) << result.err;
     EXPECT_EQ(lines(contents(folder / "atlas" / "atlas.csv")).size(), 10u);
@@ -205,7 +205,7 @@ TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
 }
 
 // Of 1,800 tasks, the last but 800 to 710 take ten times as long as the others. Three equal parts
-// of consecutive tasks would have an efficiency of 0.7.
+// of consecutive tasks would have an efficiency of 0.6.
 TEST(Processes, HardlyWaitForEachOther) {
   for (const std::size_t processes : {3u, 16u}) {
     std::vector<double> ends(processes, 0.0);

@@ -41,7 +41,7 @@ double distance(const Scene &scene, std::vector<double> a, const std::vector<dou
 // undamped chain move it by epsilon t of the velocity. A strongly damped mode is the sum of two
 // decays, each as large as its velocity over the faster rate, which is at least 7.8 / beta: the sum
 // loses epsilon beta of the velocity.
-TEST(Modes, TheMotionOfAQuietChainAgreesWith50Digits) {
+TEST(Modes, TheMotionOfAChainWithoutStopsAgreesWith50Digits) {
   using namespace vibro_impact_reference;
   constexpr double radians = 1000.0;
   double worst = 0.0;

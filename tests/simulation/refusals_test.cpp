@@ -21,11 +21,12 @@ using vibro_impact::testing::expect_refused;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr long long most = std::numeric_limits<long long>::max();
 
-// Starts from the scene of Figure 2 (mass 1 above -0.3, mass 2 below 0.1) and spoils it.
-BadCall spoilt_scene(void (*spoil)(Scene &), const char *says) {
-  return {[spoil] {
+// Starts from the scene of Figure 2 (mass 1 above -0.3, mass 2 below 0.1) and makes one number of
+// it wrong.
+BadCall bad_scene(void (*change)(Scene &), const char *says) {
+  return {[change] {
             Scene scene = paper::figure2();
-            spoil(scene);
+            change(scene);
             require_complete(simulate(scene, 1.0));
           },
           says};
@@ -35,33 +36,33 @@ TEST(Refusals, OfScenes) {
   const Scene without_links{.mass = {1.0, 1.0}},
       two_starts{.mass = {1.0}, .stiffness = {1.0}, .displacement = {1.0, 2.0}};
   expect_refused({
-      spoilt_scene([](Scene &s) { s = {}; }, "masses = 0: a chain has at least one mass"),
-      spoilt_scene([](Scene &s) { s.mass[1] = -2.5; }, "mass = -2.5: must be positive and finite"),
-      spoilt_scene([](Scene &s) { s.stiffness = {1.0}; }, "1 values given, the chain has 2 masses"),
-      spoilt_scene([](Scene &s) { s.stiffness[0] = -1.0; }, "link 1 = -1: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.stiffness[1] = 0.0; }, "link 2 = 0: must be positive"),
-      spoilt_scene([](Scene &s) { s.beta = -0.1; }, "beta = -0.1: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.omega = -0.1; }, "omega = -0.1: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.stops[1].restitution = -0.1; }, "restitution = -0.1: must lie"),
-      spoilt_scene([](Scene &s) { s.amplitude = {1.0}; }, "amplitude: 1 values given"),
-      spoilt_scene([](Scene &s) { s.sine = {1.0}; }, "sine: 1 values given, the chain has 2"),
-      spoilt_scene([](Scene &s) { s.ground.assign(2, -1.0); }, "ground = -1: must be non-negative"),
-      spoilt_scene([](Scene &s) { s.displacement.assign(2, 0.2); }, "beyond its upper stop at 0.1"),
-      spoilt_scene([](Scene &s) { s.stops[0].mass = 0; }, "stop on mass 0: the chain has masses 1"),
-      spoilt_scene([](Scene &s) { s.stops[0].side = Side{9}; }, "side = 9: must be lower (-1) or"),
-      spoilt_scene([](Scene &s) { s.stops.push_back(s.stops[0]); }, "two stops on the same side"),
-      spoilt_scene(
+      bad_scene([](Scene &s) { s = {}; }, "masses = 0: a chain has at least one mass"),
+      bad_scene([](Scene &s) { s.mass[1] = -2.5; }, "mass = -2.5: must be positive and finite"),
+      bad_scene([](Scene &s) { s.stiffness = {1.0}; }, "1 values given, the chain has 2 masses"),
+      bad_scene([](Scene &s) { s.stiffness[0] = -1.0; }, "link 1 = -1: must be non-negative"),
+      bad_scene([](Scene &s) { s.stiffness[1] = 0.0; }, "link 2 = 0: must be positive"),
+      bad_scene([](Scene &s) { s.beta = -0.1; }, "beta = -0.1: must be non-negative"),
+      bad_scene([](Scene &s) { s.omega = -0.1; }, "omega = -0.1: must be non-negative"),
+      bad_scene([](Scene &s) { s.stops[1].restitution = -0.1; }, "restitution = -0.1: must lie"),
+      bad_scene([](Scene &s) { s.amplitude = {1.0}; }, "amplitude: 1 values given"),
+      bad_scene([](Scene &s) { s.sine = {1.0}; }, "sine: 1 values given, the chain has 2"),
+      bad_scene([](Scene &s) { s.ground.assign(2, -1.0); }, "ground = -1: must be non-negative"),
+      bad_scene([](Scene &s) { s.displacement.assign(2, 0.2); }, "beyond its upper stop at 0.1"),
+      bad_scene([](Scene &s) { s.stops[0].mass = 0; }, "stop on mass 0: the chain has masses 1"),
+      bad_scene([](Scene &s) { s.stops[0].side = Side{9}; }, "side = 9: must be lower (-1) or"),
+      bad_scene([](Scene &s) { s.stops.push_back(s.stops[0]); }, "two stops on the same side"),
+      bad_scene(
           [](Scene &s) {
             s.stops[1] = {1, Side::upper, -0.4};
           },
           "the lower must lie below"),
-      spoilt_scene(
+      bad_scene(
           [](Scene &s) {
             s.stops[1] = {1, Side::upper, -0.3};  // where the lower one is
           },
           "the lower must lie below"),
-      spoilt_scene([](Scene &s) { s.mass[0] = 1e-310; }, "rate = inf"),
-      spoilt_scene([](Scene &s) { s.beta = 1e200; }, "and its square, must be finite"),
+      bad_scene([](Scene &s) { s.mass[0] = 1e-310; }, "rate = inf"),
+      bad_scene([](Scene &s) { s.beta = 1e200; }, "and its square, must be finite"),
       {[&] { check(without_links); }, "0 values given, the chain has 2"},
       {[&] { start_of(two_starts); }, "displacement: 2 values given"},
   });
@@ -71,10 +72,10 @@ TEST(Refusals, OfScenes) {
   EXPECT_NO_THROW(check(free_chain));
 }
 
-BadCall spoilt_start(void (*spoil)(MotionState &), const char *says) {
-  return {[spoil] {
+BadCall bad_start(void (*change)(MotionState &), const char *says) {
+  return {[change] {
             MotionState start = start_of(paper::figure2());
-            spoil(start);
+            change(start);
             require_complete(Simulation(paper::figure2(), start).advance(10.0));
           },
           says};
@@ -82,26 +83,25 @@ BadCall spoilt_start(void (*spoil)(MotionState &), const char *says) {
 
 TEST(Refusals, OfStarts) {
   expect_refused({
-      spoilt_start([](MotionState &s) { s.displacement.pop_back(); },
-                   "displacement: 1 values given"),
-      spoilt_start([](MotionState &s) { s.velocity.push_back(0.0); }, "velocity: 3 values given"),
-      spoilt_start([](MotionState &s) { s.velocity[1] = nan; }, "velocity = nan: must be finite"),
-      spoilt_start([](MotionState &s) { s.displacement[0] = -0.31; },
-                   "mass 1 at -0.31, beyond its lower stop"),
-      spoilt_start([](MotionState &s) { s.held[0] = 1; }, "mass 1 held as 1: it has no such stop"),
-      spoilt_start([](MotionState &s) { s.held.pop_back(); }, "contact mode of 1 masses given"),
-      spoilt_start([](MotionState &s) { s.held[0] = -1; }, "held at its lower stop at -0.3, and"),
-      spoilt_start(
+      bad_start([](MotionState &s) { s.displacement.pop_back(); }, "displacement: 1 values given"),
+      bad_start([](MotionState &s) { s.velocity.push_back(0.0); }, "velocity: 3 values given"),
+      bad_start([](MotionState &s) { s.velocity[1] = nan; }, "velocity = nan: must be finite"),
+      bad_start([](MotionState &s) { s.displacement[0] = -0.31; },
+                "mass 1 at -0.31, beyond its lower stop"),
+      bad_start([](MotionState &s) { s.held[0] = 1; }, "mass 1 held as 1: it has no such stop"),
+      bad_start([](MotionState &s) { s.held.pop_back(); }, "contact mode of 1 masses given"),
+      bad_start([](MotionState &s) { s.held[0] = -1; }, "held at its lower stop at -0.3, and"),
+      bad_start(
           [](MotionState &s) {
             s.displacement[0] = -0.3;
             s.velocity[0] = 1.0;
             s.held[0] = -1;
           },
           "held at its lower stop at -0.3, and stands at -0.3 with velocity 1"),
-      spoilt_start([](MotionState &s) { s.instant.phase = 1e3; }, "phase = 1000 in period 0: must"),
-      spoilt_start([](MotionState &s) { s.instant.phase = nan; }, "phase = nan in period 0: must"),
-      spoilt_start([](MotionState &s) { s.instant.cycle = -1; }, "in period -1: must lie in"),
-      spoilt_start([](MotionState &s) { s.instant.cycle = most; }, "more forcing periods than"),
+      bad_start([](MotionState &s) { s.instant.phase = 1e3; }, "phase = 1000 in period 0: must"),
+      bad_start([](MotionState &s) { s.instant.phase = nan; }, "phase = nan in period 0: must"),
+      bad_start([](MotionState &s) { s.instant.cycle = -1; }, "in period -1: must lie in"),
+      bad_start([](MotionState &s) { s.instant.cycle = most; }, "more forcing periods than"),
   });
 }
 

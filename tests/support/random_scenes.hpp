@@ -201,8 +201,8 @@ inline Scene chattering_scene(unsigned seed) {
   return scene;
 }
 
-// Eight forcing periods, or as long as the fastest mode takes for `radians`; one free mass under a
-// constant force knows no time, and gets that many of ours.
+// Eight forcing periods, or as long as the fastest mode takes for `radians`. One free mass under a
+// constant force has no time of its own: its run is `radians` long.
 inline double run_length(const Scene &scene, double radians) {
   const double length =
       std::min(8.0 * 2.0 * std::acos(-1.0) / scene.omega, radians / frequency_bound(scene));

@@ -45,11 +45,11 @@ inline std::string seen_by_a_witness(const Trial &trial, double share, Witness &
     const char *what;
     double found, bound;
   } bounds[] = {
-      {"flown elsewhere by", witness.apart(), apart},
-      {"passed a stop by", static_cast<double>(witness.deepest), displaced},
-      {"hit off the stop by", static_cast<double>(witness.off_the_stop), displaced},
-      {"pulled into a stop by", static_cast<double>(witness.weakest), pulled},
-      {"let go by a force of", static_cast<double>(witness.not_zero), pulled},
+      {"state at the end of a flight off by", witness.apart(), apart},
+      {"beyond a stop by", static_cast<double>(witness.deepest), displaced},
+      {"gap at an impact or a stick", static_cast<double>(witness.off_the_stop), displaced},
+      {"hold force of the wrong sign", static_cast<double>(witness.weakest), pulled},
+      {"hold force at a release", static_cast<double>(witness.not_zero), pulled},
   };
   for (const auto &[what, found, bound] : bounds)
     if (!(found <= bound)) return fmt::format("{} {:.3g} > {:.3g}", what, found, bound);
