@@ -14,7 +14,7 @@ using namespace vibro_impact;
 Table orbit_of(const figures::StickingPhaseRecorder &phases) {
   Table table("phase,kind,t,x,v");
   for (const auto &row : phases.rows)
-    if (row.kind != "gap") table.row(row.phase, row.kind, row.time, row.x, row.v);
+    if (row.kind != "free") table.row(row.phase, row.kind, row.time, row.x, row.v);
   return table;
 }
 

@@ -32,9 +32,9 @@ Table hold_force(const figures::StickingPhaseRecorder &phases) {
 // c x2' + k x2 + A1 cos(Omega t) - 2 k s1.
 Table force_between(const figures::StickingPhaseRecorder &phases, const Scene &scene) {
   const double k = scene.stiffness[0], c = scene.beta * k, s1 = scene.stops[0].position;
-  Table table("gap,t,F2");
+  Table table("phase,t,F2");
   for (const auto &[phase, kind, time, force, x2, v2] : phases.rows) {
-    if (kind != "gap" || phase == 0 || phase == phases.phase) continue;
+    if (kind != "free" || phase == 0 || phase == phases.phase) continue;
     const double forcing = scene.amplitude[0] * std::cos(scene.omega * time);
     table.row(phase, time, c * v2 + k * x2 + forcing - 2.0 * k * s1);
   }

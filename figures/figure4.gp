@@ -28,8 +28,8 @@ do for [n = 1:2] {
   }
   plot 0 lt 3, for [phase = 1:phases[n]] table(letter) \
     using 't':(column('phase') == phase ? column('F2') : NaN) with lines lt 1, \
-    for [gap = 1:phases[n] - 1] table('b_free') \
-    using 't':(n == 2 && column('gap') == gap ? column('F2') : NaN) with lines lt 2 lw 2 dashtype (2, 3)
+    for [phase = 1:phases[n] - 1] table('b_free') \
+    using 't':(n == 2 && column('phase') == phase ? column('F2') : NaN) with lines lt 2 lw 2 dashtype (2, 3)
 }
 
 stats [13.5:14.8] [*:*] table('a') using 't':'F2' nooutput name 'turn'
@@ -48,4 +48,4 @@ set xrange [14:14.36]; set xtics 0.1
 set yrange [-1:1]; set ytics 0.5
 set label 1 'pulls mass 1 off its stop' at 14.18, 0.17 center font ',20'
 plot 0 lt 3, table('b') using 't':(column('phase') == 1 ? 1e3 * column('F2') : NaN) with lines lt 1, \
-  table('b_free') using 't':(column('gap') == 1 ? 1e3 * column('F2') : NaN) with lines lt 2 lw 2 dashtype (2, 3)
+  table('b_free') using 't':(column('phase') == 1 ? 1e3 * column('F2') : NaN) with lines lt 2 lw 2 dashtype (2, 3)

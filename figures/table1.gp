@@ -1,5 +1,5 @@
-# Table I: a motion for each pair of events. Open circles: a mass
-# grazes. Dots: a mass impacts. Bars: a mass sticks.
+# Table I: a motion for each pair of events. Open circles: a mass grazes. Dots: a mass impacts. Bars: a
+# mass sticks.
 load 'figures/style.gp'
 set xlabel time
 set ylabel 'Displacement' offset 0.8, 0

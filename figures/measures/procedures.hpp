@@ -1,5 +1,5 @@
-// The ways in which the author's program may have followed the motion, and what
-// they make of the statements of the paper that differ from ours.
+// The ways in which the author's program may have followed the motion, and what they make of the
+// statements of the paper that differ from ours.
 //
 // The library computes the motion. A procedure only changes when a mass is held, or the equation of
 // motion while mass 2 sticks. All quantities are non-dimensional.

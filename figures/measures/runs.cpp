@@ -72,7 +72,7 @@ Table parameters(const std::vector<Scene> &scenes) {
 void StickingPhaseRecorder::sample(const Moment &moment) {
   ++asked;
   const double force = moment.hold_force(mass);
-  add(std::isnan(force) ? "gap" : "orbit", force, moment);
+  add(std::isnan(force) ? "free" : "orbit", force, moment);
 }
 
 void StickingPhaseRecorder::event(const Event &event, const Moment &moment) {

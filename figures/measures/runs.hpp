@@ -95,15 +95,15 @@ Table impacts(const Scene &scene, const paper::AxisBox &box);
 // The parameters of the scenes that a figure shows, one row per panel.
 Table parameters(const std::vector<Scene> &scenes);
 
-// The sticking phases of one mass, counted from 1, and the gaps between them: at uniform times, at
-// the stick and at the release the hold force on it (F_p of Eqs. 12-13) and the motion of another
-// mass.
+// The sticking phases of one mass, counted from 1, and the times between them: at uniform times, at
+// the stick and at the release the hold force on it (F_p of Eq. 12, rebuilt, and Eq. 13) and the
+// motion of another mass.
 struct StickingPhaseRecorder : Recorder {
   struct Row {
-    int phase;              // in a gap, that before it; 0 before the first
-    std::string_view kind;  // stick, release, orbit between them, or gap
+    int phase;              // between two phases, the earlier one; 0 before the first
+    std::string_view kind;  // stick, release, orbit from one to the other, or free between phases
     double time;            // within the forcing period
-    double force;           // zero at a release at a root of the force; NaN at any other, in a gap
+    double force;  // zero at a release at a root of the force; NaN at any other, and if free
     double x = 0.0, v = 0.0;  // of the other mass
   };
   int mass, other;  // other = 0: none

@@ -16,7 +16,7 @@ using Vec = std::array<double, 4>;  // g1, u1, g2, u2
 
 // u_i' = gap[0] g_1 + speed[0] u_1 + gap[1] g_2 + speed[1] u_2 + constant + drive cos(Omega t)
 // (Eqs. 1 and 2 in gap coordinates). The same expression for a held mass is minus the force that
-// presses it into its stop, per mass (Eqs. 12 and 13).
+// presses it into its stop, per mass (Eq. 12, rebuilt, and Eq. 13).
 struct GapEquation {
   std::array<double, 2> gap, speed;
   double constant, drive;
@@ -64,8 +64,8 @@ double guard(const TwoMasses &chain, const std::array<bool, 2> &held, std::size_
   return held[i] ? -chain.acceleration(i, y, std::cos(chain.omega * t)) : y[2 * i];
 }
 
-// Two zeros of a guard closer than this, a sixteenth of a cycle of the fastest mode (w = 1.618),
-// may be jumped over.
+// Two zeros of a guard closer than this, a sixteenth of a cycle of the fastest mode of two masses
+// (w = 1.618), may be jumped over. In a chain of many masses w is below 2.
 constexpr double longest_unseen = 0.25;
 
 // Speed below which a chattering mass is held, for a run of the given tolerance. The error in the
