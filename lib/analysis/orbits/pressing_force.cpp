@@ -8,6 +8,7 @@
 #include "motion_state.hpp"
 #include "orbit_tolerances.hpp"
 #include "vibro_impact/analysis/locate.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 

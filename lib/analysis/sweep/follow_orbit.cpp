@@ -23,7 +23,9 @@ bool same_events(const std::vector<Event> &a, const std::vector<Event> &b) {
   if (a.size() != b.size()) return false;
   std::vector<Event> twice = b;
   twice.insert(twice.end(), b.begin(), b.end());
-  return a.empty() || !std::ranges::search(twice, a, same_kind).empty();
+  // clang 14 does not compile std::ranges::search of libstdc++ 12.
+  return a.empty() ||
+         std::search(twice.begin(), twice.end(), a.begin(), a.end(), same_kind) != twice.end();
 }
 
 // A function of an orbit that changes its sign at a special point of the branch.
