@@ -174,6 +174,28 @@ TEST(Settle, WhatIsStillToComeIsKnownOfAMotionThatTurns) {
   }
 }
 
+// Two masses that hit at the same instants, x_2 = 2 x_1, settle alike in whatever order their stops
+// are listed.
+TEST(Settle, DoesNotDependOnTheOrderOfTheStops) {
+  for (const double r : {0.5, 0.7})
+    for (const double omega : {0.6, 0.9, 1.1}) {
+      Scene scene{.mass = {1.0, 1.0},
+                  .stiffness = {3.0, 2.0},
+                  .beta = 0.1,
+                  .amplitude = {0.5, 1.0},
+                  .omega = omega,
+                  .restitution = r,
+                  .stops = {{1, Side::upper, 0.25}, {2, Side::upper, 0.5}}};
+      const OrbitRecord record = record_of(scene);
+      std::swap(scene.stops[0], scene.stops[1]);
+      const OrbitRecord swapped = record_of(scene);
+      SCOPED_TRACE(::testing::Message() << r << " " << omega);
+      EXPECT_GT(record.period, 0);
+      EXPECT_EQ(swapped.period, record.period);
+      EXPECT_EQ(swapped.counts.impacts, record.counts.impacts);
+    }
+}
+
 // The section is the phase of the start.
 TEST(Settle, AnyPhaseMayBeTheSection) {
   const Scene scene = paper::figure2();

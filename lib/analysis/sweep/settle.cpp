@@ -181,8 +181,8 @@ class Sections : public Recorder {
     }
   }
 
-  // The events of some periods without complete chatters and without events at a section, which may
-  // lie in the period before.
+  // The events of some periods, stop by stop, without complete chatters and without events at a
+  // section, which may lie in the period before. Impacts of several masses at one instant commute.
   std::vector<Event> inside(const std::vector<Event> &events) const {
     std::vector<Event> kept = without_chatters(scene_, events);
     std::erase_if(kept, [this](const Event &event) {
@@ -191,6 +191,7 @@ class Sections : public Recorder {
           clock_.period;
       return std::abs(part - std::round(part)) < at_section;
     });
+    std::ranges::stable_sort(kept, {}, &Event::stop);
     return kept;
   }
 
