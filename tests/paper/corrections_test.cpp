@@ -212,9 +212,9 @@ TEST(GrazingSliding, AGrazeBeginsNoStickingPhase) {
 // from rest, which has no stop in reach, a minimum of the velocity is zero at this frequency, and
 // the stop stands at the displacement there.
 TEST(GrazingSliding, AContactAtZeroVelocityAndAccelerationBeginsAStickingPhase) {
-  const auto [touch, omega] = paper::non_generic_contact;
+  const double touch = paper::non_generic_contact.time, omega = paper::non_generic_contact.omega;
   const Stop far{2, Side::upper, 10.0};
-  const auto with_stop = [&, omega = omega](double position) {
+  const auto with_stop = [&](double position) {
     return paper::two_masses({1, Side::upper, position}, far, 0.7, omega);
   };
   const Scene free = with_stop(5.0);
