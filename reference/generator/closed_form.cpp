@@ -8,10 +8,10 @@ namespace vibro_impact_reference {
 
 Matrix stiffness_matrix(const Scene &scene) {
   const std::size_t n = scene.masses();
-  const Vector &link = scene[&Field::stiffness];
+  const Vector &link = scene.stiffness;
   Matrix k(n, Vector(n));
   for (std::size_t i = 0; i < n; ++i) {
-    k[i][i] += link[i] + scene[&Field::ground][i];
+    k[i][i] += link[i] + scene.ground[i];
     if (i == 0) continue;
     k[i - 1][i - 1] += link[i];
     k[i - 1][i] -= link[i];
@@ -61,7 +61,7 @@ Eigensystem jacobi_eigensystem(Matrix a) {
 
 Eigensystem free_eigensystem(const Scene &scene, const Matrix &k,
                              const std::vector<std::size_t> &free) {
-  const Vector &m = scene[&Field::mass];
+  const Vector &m = scene.mass;
   const std::size_t size = free.size();
   Matrix scaled(size, Vector(size));
   for (std::size_t i = 0; i < size; ++i) {
@@ -79,7 +79,7 @@ Eigensystem free_eigensystem(const Scene &scene, const Matrix &k,
 Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector &v,
                const std::vector<bool> &resting, Eigensystems &known) {
   const std::size_t n = scene.masses();
-  Flow flow{t, scene[&Field::omega], x, {}, {}, {}};
+  Flow flow{t, scene.omega, x, {}, {}, {}};
   for (std::size_t p = 0; p < n; ++p) {
     if (!resting[p]) flow.free.push_back(p);
   }
@@ -90,7 +90,7 @@ Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector 
   Vector load(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t p = flow.free[i];
-    load[i] = scene[&Field::constant][p];
+    load[i] = scene.constant[p];
     for (std::size_t s = 0; s < n; ++s) {
       if (resting[s]) load[i] -= k[p][s] * x[s];
     }
@@ -101,14 +101,14 @@ Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector 
         std::make_shared<Eigensystem>(free_eigensystem(scene, k, flow.free));
   const Matrix &shapes = flow.eigen->vectors;
 
-  const Real phase = scene[&Field::omega] * t;
+  const Real phase = scene.omega * t;
   const Real cosine = cos(phase);
   const Real sine = sin(phase);
   const Real critical = Real("1e-40");
   for (std::size_t j = 0; j < size; ++j) {
     Mode mode;
     mode.lambda = flow.eigen->values[j];
-    mode.decay = scene[&Field::beta] * mode.lambda / 2;
+    mode.decay = scene.beta * mode.lambda / 2;
     const Real discriminant = mode.lambda - mode.decay * mode.decay;
     // Within 1e-40 of critical the two forms differ from the critical one by less than the working
     // precision.
@@ -119,13 +119,13 @@ Flow flow_from(const Scene &scene, const Real &t, const Vector &x, const Vector 
     Real q, dq, constant;
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t p = flow.free[i];
-      mode.forcing += shapes[i][j] * scene[&Field::amplitude][p];
-      mode.sine_forcing += shapes[i][j] * scene[&Field::sine][p];
+      mode.forcing += shapes[i][j] * scene.amplitude[p];
+      mode.sine_forcing += shapes[i][j] * scene.sine[p];
       constant += shapes[i][j] * load[i];
-      q += shapes[i][j] * scene[&Field::mass][p] * x[p];
-      dq += shapes[i][j] * scene[&Field::mass][p] * v[p];
+      q += shapes[i][j] * scene.mass[p] * x[p];
+      dq += shapes[i][j] * scene.mass[p] * v[p];
     }
-    const Real &omega = scene[&Field::omega];
+    const Real &omega = scene.omega;
     const Real detuning = mode.lambda - omega * omega;
     const Real drag = 2 * mode.decay * omega;
     const Real denominator = detuning * detuning + drag * drag;
@@ -222,8 +222,8 @@ Motion motion_at(const Flow &flow, const Real &tau) {
 
 OneImpactOrbit one_impact_orbit(const Scene &scene, const Stop &stop, int periods, int branch) {
   const std::size_t n = scene.masses(), hit = stop.mass;
-  const Real two_pi = 2 * acos(Real(-1)), omega = scene[&Field::omega], r = stop.restitution;
-  const Real period = two_pi * periods / omega, m = scene[&Field::mass][hit];
+  const Real two_pi = 2 * acos(Real(-1)), omega = scene.omega, r = stop.restitution;
+  const Real period = two_pi * periods / omega, m = scene.mass[hit];
   Eigensystems known;
   const Flow flow = flow_from(scene, 0, Vector(n), Vector(n), std::vector<bool>(n), known);
   const Matrix &shapes = flow.eigen->vectors;

@@ -64,7 +64,7 @@ struct MotionAt {
 /// zero again and the time is counted anew.
 Run carry_on(Scene scene, MotionAt &motion, int periods) {
   Run run;
-  scene[&Field::omega] = motion.frequency;
+  scene.omega = motion.frequency;
   scene.end_time = periods * 2 * acos(Real(-1)) / motion.frequency;
   advance(scene, motion.state, run, resolution_of_frequencies);
   motion.state.time = 0;
@@ -74,7 +74,7 @@ Run carry_on(Scene scene, MotionAt &motion, int periods) {
 /// The motion from rest after some forcing periods.
 MotionAt from_rest(Scene scene, const Real &frequency, int periods) {
   Run run;
-  scene[&Field::omega] = frequency;
+  scene.omega = frequency;
   MotionAt motion{frequency, initial_state(scene, resolution_of_frequencies, run)};
   carry_on(scene, motion, periods);
   return motion;

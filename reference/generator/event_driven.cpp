@@ -136,7 +136,7 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
       const Real before = state.v[p];
       state.v[p] = 0;
       state.stuck_on[p] = i;
-      const Real acceleration = pressing / scene[&Field::mass][p];
+      const Real acceleration = pressing / scene.mass[p];
       record(p, EventKind::stick, before, Real(0),
              before == 0
                  ? Real(0)
@@ -179,8 +179,8 @@ void apply_events(const Scene &scene, State &state, const std::vector<std::size_
 
 State initial_state(const Scene &scene, const Resolution &resolution, Run &run) {
   State state{.time = 0,
-              .x = scene[&Field::displacement],
-              .v = scene[&Field::velocity],
+              .x = scene.displacement,
+              .v = scene.velocity,
               .stuck_on = std::vector<std::optional<std::size_t>>(scene.masses()),
               .stop_start = std::vector<Start>(scene.stops.size(), Start::apart)};
   std::vector<std::size_t> hit, at_rest, in_question;

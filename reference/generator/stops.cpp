@@ -8,14 +8,13 @@ namespace vibro_impact_reference {
 
 Signal pressing_signal(const Scene &scene, const Stop &stop, const Motion &motion) {
   const std::size_t p = stop.mass;
-  const Vector &link = scene[&Field::stiffness];
-  const Real &beta = scene[&Field::beta];
-  const Real &omega = scene[&Field::omega];
-  const Real &amplitude = scene[&Field::amplitude][p];
-  const Real &sine = scene[&Field::sine][p];
+  const Vector &link = scene.stiffness;
+  const Real &beta = scene.beta;
+  const Real &omega = scene.omega;
+  const Real &amplitude = scene.amplitude[p];
+  const Real &sine = scene.sine[p];
   const Real turning = amplitude * motion.cosine + sine * motion.sine;
-  Real force =
-      turning + scene[&Field::constant][p] - (link[p] + scene[&Field::ground][p]) * stop.position;
+  Real force = turning + scene.constant[p] - (link[p] + scene.ground[p]) * stop.position;
   Real rate = omega * (sine * motion.cosine - amplitude * motion.sine);
   Real curvature = -omega * omega * turning;
   const auto add_neighbour = [&](std::size_t q, const Real &k) {
@@ -50,7 +49,7 @@ std::optional<Signal> stop_signal(const Scene &scene, const State &state, std::s
 
 Real pressing_now(const Scene &scene, const State &state, std::size_t stop) {
   const std::size_t n = state.x.size();
-  const Real phase = scene[&Field::omega] * state.time;
+  const Real phase = scene.omega * state.time;
   const Motion now{state.x, state.v, Vector(n), Vector(n), cos(phase), sin(phase)};
   return pressing_signal(scene, scene.stops[stop], now).value;
 }

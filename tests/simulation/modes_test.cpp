@@ -55,7 +55,7 @@ TEST(Modes, TheMotionOfAChainWithoutStopsAgreesWith50Digits) {
         scene.beta > 0.0 ? std::min(fastest * until, std::sqrt(until / longest)) : fastest * until;
     const auto exact = in_digits(scene, until);
     Eigensystems known;
-    const Flow flow = flow_from(exact, 0, exact[&Field::displacement], exact[&Field::velocity],
+    const Flow flow = flow_from(exact, 0, exact.displacement, exact.velocity,
                                 std::vector<bool>(scene.mass.size()), known);
     double size = 0.0, speed = 0.0, error = 0.0;
     for (const double time : {0.0, until / 3.0, until / 2.0, until}) {

@@ -28,7 +28,7 @@ struct FreeModes {
 };
 
 inline FreeModes free_modes(const Scene &scene, const Held &held) {
-  using Eigen::Index, vibro_impact_reference::Field;
+  using Eigen::Index;
   const auto digits = vibro_impact_reference::in_digits(scene, 0.0);
   const vibro_impact_reference::Matrix k = vibro_impact_reference::stiffness_matrix(digits);
   std::vector<std::size_t> free;
@@ -37,7 +37,7 @@ inline FreeModes free_modes(const Scene &scene, const Held &held) {
   const auto n = static_cast<Index>(held.size()), modes = static_cast<Index>(free.size());
   RealVector pull = RealVector::Zero(n);
   for (const std::size_t i : free)
-    pull(static_cast<Index>(i)) = static_cast<Real>(digits[&Field::constant][i]);
+    pull(static_cast<Index>(i)) = static_cast<Real>(digits.constant[i]);
   for (const Stop &stop : scene.stops) {
     const auto s = static_cast<std::size_t>(stop.mass - 1);
     if (held[s] != static_cast<signed char>(stop.side)) continue;
@@ -66,8 +66,8 @@ inline FreeModes free_modes(const Scene &scene, const Held &held) {
       basis.shape(row, j) = static_cast<Real>(eigen.vectors[a][mode]);
       basis.inverse(j, row) = basis.shape(row, j) * scene.mass[i];
       basis.pull(j) += basis.shape(row, j) * pull(row);
-      basis.cosine(j) += basis.shape(row, j) * static_cast<Real>(digits[&Field::amplitude][i]);
-      basis.sine(j) += basis.shape(row, j) * static_cast<Real>(digits[&Field::sine][i]);
+      basis.cosine(j) += basis.shape(row, j) * static_cast<Real>(digits.amplitude[i]);
+      basis.sine(j) += basis.shape(row, j) * static_cast<Real>(digits.sine[i]);
     }
   }
   return basis;
