@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/frequency_diagram.hpp"
+#include "figures/measures/runs.hpp"
 #include "tests/support/runner_program.hpp"
 
 namespace {
@@ -10,7 +10,7 @@ namespace {
 using namespace vibro_impact::testing;
 using namespace vibro_impact;
 
-// Figure 3 by one command: the points of the driver, to the bit, on every twentieth of its
+// Figure 3 by one command: the impacts of the driver, to the bit, on every twentieth of its
 // frequencies.
 TEST_F(Runner, FigureThreeIsOneCommand) {
   const Grid grid = figures::grid_of_figure3(91);
@@ -19,21 +19,13 @@ TEST_F(Runner, FigureThreeIsOneCommand) {
   const Result result = run(command);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(contents(folder / "f.png").empty(), !there_is_gnuplot());
-  const truth::Rows impacts = table("i.csv");
-  const auto records = sweep(grid, figures::recorded_in_figure3);
-  for (const int mass : {1, 2}) {
-    Table of_program("omega,v" + std::to_string(mass));
-    for (std::size_t point = 0; point < grid.points(); ++point) {
-      const double omega = grid.values(point).front();
-      std::vector<double> velocities;
-      for (std::size_t k = 0; k < impacts.size(); ++k)
-        if (impacts.at(k).number("omega") == omega && impacts.at(k).number("mass") == mass)
-          velocities.push_back(impacts.at(k).number("velocity"));
-      for (const double v : figures::distinct(velocities)) of_program.row(omega, v);
-    }
-    EXPECT_GT(lines(of_program.text).size(), 400u);
-    EXPECT_EQ(lines(of_program.text), lines(figures::impact_velocities(grid, records, mass).text));
-  }
+  const RecordOptions &options = figures::recorded_of_figure3;
+  const auto records = sweep(grid, [&](const Scene &scene) { return record_of(scene, options); });
+  SweepTables tables = sweep_tables(grid, options);
+  for (std::size_t point = 0; point < records.size(); ++point)
+    add_rows(tables, grid, options, point, records[point]);
+  EXPECT_GT(lines(tables.impacts.text).size(), 800u);
+  EXPECT_EQ(lines(contents(folder / "i.csv")), lines(tables.impacts.text));
 }
 
 // The oscillator whose free motion grazes its stop at omega = 0.822788525650785 and
