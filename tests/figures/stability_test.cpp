@@ -177,22 +177,4 @@ TEST(Forces, OfZeroChangeNothing) {
   EXPECT_NEAR(without.state.displacement[0], with.state.displacement[0], 1e-13);
 }
 
-// r = 1 and a stop that presses: the flights shorten without limit towards none, each as fast as
-// the one before. The run ends at the stated number of steps, and says where it was.
-TEST(EndlessImpacts, EndAtTheLimitWithTheState) {
-  Scene scene = one_mass(0.0, 1.0, 0.0, 1.0, -1.0, -1.0 - 1e-9);
-  EventRecorder recorder;
-  const Outcome outcome = simulate(scene, 1e3, {.max_steps = 5000}, recorder);
-  EXPECT_EQ(outcome.ending, Ending::given_up);
-  EXPECT_NE(outcome.reason.find("more than 5000 steps"), std::string::npos) << outcome.reason;
-  EXPECT_NE(outcome.reason.find("t = "), std::string::npos) << outcome.reason;
-  EXPECT_EQ(outcome.reason.find('\n'), std::string::npos) << outcome.reason;
-  EXPECT_EQ(outcome.counters.expansions, 5000);
-  ASSERT_GT(recorder.events.size(), 4990u);
-  EXPECT_EQ(outcome.time, recorder.events.back().time);
-  EXPECT_EQ(outcome.state.displacement[0], -1.0);
-  EXPECT_EQ(outcome.state.velocity[0], recorder.events.back().velocity_after);
-  EXPECT_THROW(require_complete(outcome), std::runtime_error);
-}
-
 }  // namespace
