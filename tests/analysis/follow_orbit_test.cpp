@@ -158,6 +158,29 @@ TEST(FollowOrbit, EndsAtTheMultiSlidingAndAtTheEndOfItsRange) {
   EXPECT_EQ(down.back().parameter, 0.15);
 }
 
+// The start of the scene, at 0, is beyond stops that the branch moves across it.
+TEST(FollowOrbit, GoesOnWhereAStopPassesTheStartOfTheScene) {
+  EXPECT_EQ(settled_branch(paper::figure2(), {"stop1", -0.5, 0.05, 56}).back().kind,
+            BranchPoint::end_of_range);
+}
+
+// With A_1 the phases of the events change. The section moves to where other masses are held, and
+// then has fewer coordinates. At the end of the branch the settled motion loses a sticking phase.
+TEST(FollowOrbit, MovesItsSectionToAnotherContactMode) {
+  const Scene scene = paper::figure3(0.28);
+  const auto up = settled_branch(scene, {"amplitude1", 0.1, 1.0, 101});
+  EXPECT_EQ(up.back().kind, BranchPoint::end_of_range);
+  EXPECT_EQ(up.back().parameter, 1.0);
+  EXPECT_NE(up.back().orbit.state.held, up.front().orbit.state.held);
+  const auto down = settled_branch(scene, {"amplitude1", 1.0, 0.1, 101});
+  EXPECT_EQ(down.back().kind, BranchPoint::border_orbit);
+  const auto sticks_at = [&](double amplitude) {
+    return record_of(with(scene, "amplitude1", amplitude)).counts.sticks;
+  };
+  const double end = down.back().parameter;
+  EXPECT_NE(sticks_at(end - 1e-7), sticks_at(end + 1e-7));
+}
+
 // A parameter that an orbit does not depend on grows by equal steps, which end at the end of the
 // range but for rounding.
 TEST(FollowOrbit, TakesTheEndOfItsRangeOnce) {

@@ -115,15 +115,6 @@ inline void undo_jump(const Event &event, std::vector<double> &velocity) {
     velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
 }
 
-// True of two events of one kind at one stop.
-inline bool same_kind(const Event &a, const Event &b) {
-  return a.kind == b.kind && a.stop == b.stop;
-}
-
-// The events of whole periods without the impacts of complete chatters (event_counts.cpp).
-std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event> &events,
-                                    bool all_before_sticks = false);
-
 // The functions of pressing_force.hpp, of a scene, a stop and a state that have been checked.
 std::vector<double> acceleration_of(const Scene &scene, const MotionState &state);
 double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/orbits/orbit_tolerances.hpp"
+#include "event_counts.hpp"
 
 namespace vibro_impact {
 
@@ -19,6 +20,16 @@ MotionState Branch::state_of(const Scene &scene, const Vector &u) const {
   state.displacement.assign(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(n));
   state.velocity.assign(z.begin() + static_cast<std::ptrdiff_t>(n), z.end());
   return moved_into(scene, std::move(state));
+}
+
+Scene Branch::scene_at(const Vector &u) const {
+  Scene scene = with(scene_, range_.parameter, parameter(u));
+  scene.displacement.resize(scene.mass.size(), 0.0);
+  for (const Stop &stop : scene.stops) {
+    double &x = scene.displacement[static_cast<std::size_t>(stop.mass - 1)];
+    if (is_beyond(stop, x)) x = stop.position;
+  }
+  return scene;
 }
 
 Vector Branch::vector_of(const MotionState &state, double q) const {

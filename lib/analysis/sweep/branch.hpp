@@ -43,9 +43,9 @@ class Branch {
   double parameter(const Eigen::VectorXd &u) const {
     return u(u.size() - 1) * width();
   }
-  Scene scene_at(const Eigen::VectorXd &u) const {
-    return with(scene_, range_.parameter, parameter(u));
-  }
+  // The scene at a point. A stop that moves takes the start of the scene along: no orbit depends on
+  // it, and beyond a stop the scene would be refused.
+  Scene scene_at(const Eigen::VectorXd &u) const;
   // The number of free coordinates, which is the index of the parameter.
   Eigen::Index coordinates_free() const {
     return unit_.size();

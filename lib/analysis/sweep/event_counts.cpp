@@ -1,4 +1,5 @@
-// The events of whole forcing periods, counted.
+#include "event_counts.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -9,6 +9,7 @@
 
 #include "analysis/orbits/orbit_tolerances.hpp"
 #include "branch.hpp"
+#include "event_counts.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/pressing_force.hpp"
 
@@ -140,7 +141,7 @@ std::vector<OrbitPoint> follow(Branch &branch, const OrbitPoint &first, const Ax
     return points;
   };
   branch.set_section(first.orbit.state, first.parameter);
-  const Eigen::Index q_row = branch.coordinates_free();
+  Eigen::Index q_row = branch.coordinates_free();
   const double longest = 1.0 / static_cast<double>(range.count - 1);
   Vector direction = Vector::Unit(q_row + 1, q_row) * (range.to > range.from ? 1.0 : -1.0);
   std::optional<Orbit> last =
@@ -173,6 +174,7 @@ std::vector<OrbitPoint> follow(Branch &branch, const OrbitPoint &first, const Ax
     if (at_end) return ended(BranchPoint::end_of_range);
     Orbit before = std::exchange(*last, *next);
     if (!branch.move_section(*last, before)) return ended(BranchPoint::lost);
+    q_row = branch.coordinates_free();  // other masses may be held at the new section
     direction = (last->u - before.u).normalized();
     step = std::min(longest, 1.5 * step);
   }
