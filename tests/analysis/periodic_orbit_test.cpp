@@ -68,8 +68,13 @@ TEST(Newton, SaysWhyItDidNotConverge) {
   starts(why_not(free, moving), "iterate 0: a Floquet multiplier is 1");
   // Of the undamped oscillator at its resonance, where rounding alone keeps a multiplier from 1.
   Scene resonant{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.5}, .omega = 1.0};
-  starts(why_not(resonant, at_quiet_phase(resonant, start_of(resonant))),
-         "iterate 0: a Floquet multiplier is 1");
+  for (const double start : {0.0, 1.0, 1e4})  // small and large beside the forced part
+    for (const double amplitude : {0.5, 1e-4}) {
+      resonant.displacement = {start};
+      resonant.amplitude = {amplitude};
+      starts(why_not(resonant, at_quiet_phase(resonant, start_of(resonant))),
+             "iterate 0: a Floquet multiplier is 1");
+    }
   // Far below its stop a mass on a spring moves, for a short period, as if there were none: that
   // orbit, rest at 0, is beyond the stop.
   const Scene below = extremes::one_mass(0.0, 0.0, 50.0, 1.0, -1.0, -2.0);

@@ -188,8 +188,7 @@ PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, 
     if (iteration == most_iterations)
       return ended(line("residual = ", best, " after ", iteration, " iterations: above ", allowed));
     // A multiplier that rounding keeps from 1 leads so far away that any state there would count.
-    if (!iterate.step.allFinite() ||
-        newton_tolerance * iterate.length_of_step >= std::max(iterate.size, iterate.residual))
+    if (!iterate.step.allFinite() || newton_tolerance * iterate.length_of_step >= iterate.residual)
       return ended(line("iterate ", iteration, ": a Floquet multiplier is 1, no step leads on"));
     at = moved_by(iterate.step, at);
     if (any_is_beyond_its_stop(scene, at))

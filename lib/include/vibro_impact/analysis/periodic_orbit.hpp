@@ -103,9 +103,10 @@ std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, 
 // Newton's method for the fixed point of the `periods`-fold stroboscopic map near `guess`, whose
 // phase is the section. The contact mode at the section is that of the guess. The search ends
 // without convergence, and says so in `why_not`, when an iterate returns in another contact mode or
-// has a mass beyond its stop, when a multiplier is 1, and after `most_iterations`. An iterate z
-// counts as a fixed point when the distance of P(z) from z, the length of settle.hpp, is at most
-// 1e-13 of that of z from zero.
+// has a mass beyond its stop, when a multiplier is so near to 1 that 1e-13 of the next step is no
+// less than the distance of P(z) from z, and after `most_iterations`. An iterate z counts as a
+// fixed point when the distance of P(z) from z, the length of settle.hpp, is at most 1e-13 of that
+// of z from zero.
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods = 1,
                                   int most_iterations = 20);
 
