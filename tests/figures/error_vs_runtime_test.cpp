@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "figures/error_vs_runtime/methods/dop853.hpp"
 #include "figures/error_vs_runtime/methods/method.hpp"
 #include "figures/measures/measured.hpp"
 #include "tests/support/refusals.hpp"
@@ -78,6 +80,18 @@ TEST(ErrorAgainstRunTime, AMethodThatDoesNotKnowTheRestitutionOfAStopRefusesTheS
       EXPECT_THROW(method.run(problem, method.settings.front()), std::invalid_argument)
           << method.name;
     }
+}
+
+// The estimators of orders 3 and 5 give no error for polynomials of these degrees. The rounded
+// coefficients are as large as 528, so that sums of them are off by 1e-13.
+TEST(Dop853, EstimatesNoErrorOfPolynomials) {
+  for (int degree = 1; degree <= 5; ++degree) {
+    const auto slope = [&](std::size_t stage) { return std::pow(dop::C[0][stage], degree - 1); };
+    EXPECT_NEAR((dop::sum<dop::E5, 0>(slope)), 0.0, 1e-13) << degree;
+    if (degree <= 3) {
+      EXPECT_NEAR((dop::sum<dop::E3, 0>(slope)), 0.0, 1e-13) << degree;
+    }
+  }
 }
 
 // DOP853 in `long double` gives the true events of a chain. It shares no code with the library, and

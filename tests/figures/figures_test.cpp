@@ -181,4 +181,52 @@ TEST(Figure3, EqualVelocitiesCountOnce) {
   EXPECT_EQ(figures::distinct({1e-4, 1.00001e-4}).size(), 2u);
 }
 
+// Between the two phases of (b), the force as if held goes on where the hold force ends, and ends
+// where the next hold force begins: at a release at a root and at the end of a chatter of mass 1,
+// the motion of mass 2 does not jump. In between it pulls mass 1 off its lower stop.
+TEST(Figure4, TheForceAsIfHeldJoinsTheStickingPhases) {
+  const std::string folder = tables_of("figure4", "figure4_free");
+  const truth::Rows free = truth::read_rows(folder + "/figure4b_free.csv"),
+                    held = truth::read_rows(folder + "/figure4b.csv");
+  const std::vector<double> t = numbers_of(free, "t"), force = numbers_of(free, "F2");
+  ASSERT_GT(t.size(), 600u);
+  const auto second =
+      std::ranges::find_if(held, [](const truth::Row &row) { return row.cell("phase") == "2"; });
+  ASSERT_NE(second, held.end());
+  ASSERT_NE(second, held.begin());
+  const truth::Row &last_of_first = *std::prev(second);
+  // The samples are 0.001 apart, and the force changes by at most 0.05 per unit of time there.
+  EXPECT_NEAR(t.front(), last_of_first.number("t"), 0.001);
+  EXPECT_NEAR(force.front(), last_of_first.number("F2"), 5e-5);
+  EXPECT_NEAR(t.back(), second->number("t"), 0.001);
+  EXPECT_NEAR(force.back(), second->number("F2"), 5e-5);
+  const auto highest = std::max_element(force.begin(), force.end());
+  EXPECT_NEAR(t[static_cast<std::size_t>(highest - force.begin())], 14.173, 0.01)
+      << "where the force of (a) turns back";
+  EXPECT_GT(*highest, 6e-4) << "it grows by 7 per unit of the frequency";
+}
+
+// A sticking mass is released where the force on it is zero (Eqs. 20 and 23), which is what the
+// boundaries are. The force on mass 1 is A1 cos(omega t) + k (x2 - 2 s1) + c x2', that on mass 2 is
+// k (x1 - s2) + c x1'.
+TEST(ExitBoundary, EveryReleaseLiesOnIt) {
+  const std::string folder = tables_of("exit_boundary", "exit_boundary");
+  const truth::Row numbers = truth::read_rows(folder + "/exit_boundary.csv").at(0);
+  const auto number = [&](const char *name) { return numbers.number(name); };
+  for (const int mass : {1, 2}) {
+    int releases = 0;
+    for (const truth::Row &row :
+         truth::read_rows(folder + "/exit_boundary" + std::to_string(mass) + ".csv")) {
+      if (row.cell("kind") != "release") continue;
+      ++releases;
+      const double t = row.number("t"), x = row.number("x"), v = row.number("v");
+      const double boundary = mass == 2 ? -number("rate") * (x - number("s2"))
+                                        : -number("rate") * (x - 2 * number("s1")) -
+                                              number("forcing") * std::cos(number("omega") * t);
+      EXPECT_NEAR(v, boundary, 1e-9) << "mass " << mass << " at " << t;  // rounding, times k / c
+    }
+    EXPECT_GT(releases, 5);
+  }
+}
+
 }  // namespace
