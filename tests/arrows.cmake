@@ -60,34 +60,29 @@ foreach(folder / /check /measures /stability)
 endforeach()
 refuse(figures/measures "figures/")
 
+# No line of these files may match the expression.
+function(refuse_lines expression rule)
+  foreach(file IN LISTS ARGN)
+    file(STRINGS ${file} wrong REGEX "${expression}")
+    if(wrong)
+      message(SEND_ERROR "${file}: ${wrong}: ${rule}")
+    endif()
+  endforeach()
+endfunction()
+
 # Tests of two users, or of two builds, share no file.
 file(GLOB_RECURSE files ${source}/tests/*.?pp)
-foreach(file IN LISTS files)
-  file(STRINGS ${file} wrong REGEX "TempDir|\"/tmp")
-  if(wrong)
-    message(SEND_ERROR "${file}: ${wrong}: must be a folder of the build, or one of mkdtemp")
-  endif()
-endforeach()
+refuse_lines("TempDir|\"/tmp" "must be a folder of the build, or one of mkdtemp" ${files})
 
 # A public header of the simulation includes none of the analysis.
-file(GLOB headers ${source}/lib/include/vibro_impact/*.hpp)
-foreach(header IN LISTS headers)
-  file(STRINGS ${header} wrong REGEX "^#include [\"<](vibro_impact/)?analysis/")
-  if(wrong)
-    message(SEND_ERROR "${header} must not include ${wrong}")
-  endif()
-endforeach()
+file(GLOB files ${source}/lib/include/vibro_impact/*.hpp)
+refuse_lines("^#include [\"<](vibro_impact/)?analysis/" "is of the analysis" ${files})
 
 # Another impact law is a change of impact_law.hpp alone: no file of the library takes the coefficient
 # of a law but those that check it and that give it a name.
 file(GLOB_RECURSE files ${source}/lib/simulation/*.?pp ${source}/lib/analysis/*.?pp)
 list(FILTER files EXCLUDE REGEX "/(scene|parameter)\\.cpp$")
-foreach(file IN LISTS files)
-  file(STRINGS ${file} wrong REGEX "(\\.|->)restitution")
-  if(wrong)
-    message(SEND_ERROR "${file} must ask the impact law: ${wrong}")
-  endif()
-endforeach()
+refuse_lines("(\\.|->)restitution" "must ask the impact law" ${files})
 
 set(later ${folders})
 foreach(folder IN LISTS folders)

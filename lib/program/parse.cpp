@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scene_text.hpp"
 #include "words.hpp"
@@ -59,7 +60,7 @@ bool has(const CLI::App &app, const char *name) {
   return option != nullptr && !option->empty();
 }
 
-// Refuses options that would do nothing.
+// Refuses options that add to what is not asked for.
 void check_combinations(const CLI::App &app) {
   for (const auto &[option, needed] : {std::pair{"--lyapunov", "--table"},
                                        {"--pairs", "--table"},
@@ -73,7 +74,7 @@ void check_combinations(const CLI::App &app) {
     refuse("--panels: needs a picture");
   for (const char *option : {"--longest", "--largest-period"})
     if (has(app, option) && has(app, "--near-start"))
-      refuse("{}: is of a motion that settles, and --near-start looks for none", option);
+      refuse("{}: bounds the settling, which --near-start omits", option);
 }
 
 // The file of a scene, whose lines may begin with a mark.
@@ -163,7 +164,7 @@ void complete(SweepRequest &request, const Words &words) {
   for (const std::string &range : words.ranges) request.grid.axes.push_back(axis_of(range));
   check(request.grid);
   const double rows = static_cast<double>(request.grid.points()) * (request.back ? 2.0 : 1.0);
-  if (rows > most_rows) refuse("--vary: {} points, and a sweep has at most {}", rows, most_rows);
+  if (rows > most_rows) refuse("--vary: {} rows, and a sweep has at most {}", rows, most_rows);
   if (!words.panels.empty() && (request.grid.axes.size() > 1 || !request.column.empty()))
     refuse("--panels {}: a picture of a column has one panel", words.panels);
   request.follow = request.follow || request.back;

@@ -84,7 +84,8 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCellsAndItsReasonIsSaid) {
        "1 of 2 points: more than 400 steps, given up at t = ", 2, 1},
       {"displacement1=-0.6:0:4",
        "2 of 4 points: start: mass 1 at -0.6, beyond its lower stop at -0.3; "
-       "Scene::displacement (--displacement) places it elsewhere; first at displacement1 = -0.6\n",
+       "its displacement (--displacement) must lie within its stops; first at displacement1 = "
+       "-0.6\n",
        4, 2},
       {"displacement1=-0.6:0:2 --vary omega=1e-307:0.6:2",
        "first at displacement1 = -0.6, omega = 1e-307\n1 of 4 points: until = inf: ", 4, 3},

@@ -119,8 +119,8 @@ TEST(Economy, AnExpansionOfALongChainHasNoMoreOrdersThanThatOfAShortOne) {
   }
 }
 
-// r = 0 stops a mass at once; With r = 1 it rebounds for ever at the same speed, however hard it is
-// pressed.
+// With r = 0 a mass stops at once. With r = 1 it rebounds at the same speed for ever, however hard
+// a force presses it.
 TEST(Economy, AChatterTableOnlyWhereChatterCanBe) {
   const auto counters_of = [](double r) {
     const Scene scene = extremes::one_mass(0.0, 0.0, 1.0, r, -0.5, -0.51);  // flights of 0.4

@@ -31,8 +31,9 @@ bool grazes(const PressedEvent &impact) {
          impact.press < -pulled_off * impact.force_scale;
 }
 
-// The phases under way as the record begins are those of the masses held after its first event, of
-// which one may have stuck at that instant, and those of which the release comes without a stick.
+// A sticking phase is under way as the record begins if its mass is held after the first event, and
+// if a release comes without a stick before it. A mass held after the first event may have stuck at
+// that instant.
 std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
   std::vector<StopContact> contacts;
   const Held held_at_first = events.empty() ? Held{} : events.front().event.held;

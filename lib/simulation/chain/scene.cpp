@@ -99,7 +99,7 @@ void check(const Scene &scene, const MotionState &start) {
     const double x = start.displacement[i], v = start.velocity[i];
     require(sign(stop.side) * (stop.position - x) >= 0.0, "start: mass ", stop.mass, " at ", x,
             ", beyond its ", name(stop.side), " stop at ", stop.position,
-            "; Scene::displacement (--displacement) places it elsewhere");
+            "; its displacement (--displacement) must lie within its stops");
     if (start.held[i] == static_cast<signed char>(stop.side))
       require(x == stop.position && v == 0.0, "start: mass ", stop.mass, " is held at its ",
               name(stop.side), " stop at ", stop.position, ", and stands at ", x, " with velocity ",

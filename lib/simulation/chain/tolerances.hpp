@@ -136,8 +136,8 @@ constexpr double node_ratio = 0.75;
 // Largest change of this ratio from one node to the next, relative to it. Where it changes more,
 // the extrapolation begins anew. Without this, limits at r = 0.3 were off by eight tolerances.
 constexpr double ratio_change = 1.0 / 16.0;
-// Error of a limit, relative to the difference that its oldest node makes. One limit of Figure 4(a)
-// has 19.
+// Error of a limit, relative to the difference that its oldest node makes. The error of one limit
+// of Figure 4(a) is 19 times this difference.
 constexpr double error_share = 24.0;
 // Largest difference of the extrapolated and the predicted time left, relative to the latter. Near
 // a border orbit the two differ until late.

@@ -174,9 +174,6 @@ inline void store(const RealPair &two, Real *to) {
   to[0] = {two.hi[0], two.lo[0]};
   to[1] = {two.hi[1], two.lo[1]};
 }
-inline RealPair exchanged(const RealPair &two) {
-  return {exchanged(two.hi), exchanged(two.lo)};
-}
 inline RealPair middle(const RealPair &first, const RealPair &last) {
   return {middle(first.hi, last.hi), middle(first.lo, last.lo)};
 }

@@ -18,7 +18,8 @@ void report_event(Run &run, EventKind kind, std::size_t stop, double before, dou
 double next_sample(Recorders recorders);
 
 // The motion at a time `tau` of the step, whose table is in scratch.flight, or of the long flight
-// of the run; below 0, by the rounding of a sample, at its start. It stands until the next call.
+// of the run. The rounding of a sample may put `tau` below 0, which is the start. The reference is
+// valid until the next call.
 const Motion &motion_at(Run &run, Real tau);
 
 // Reports this motion as the sample at this time to the recorders that have asked for it. Returns

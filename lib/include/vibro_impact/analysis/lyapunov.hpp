@@ -32,9 +32,10 @@ struct GrowthOptions {
 //
 // In chaos the growth varies from period to period, so that the sign of a short mean may be chance.
 // With the mean growths of n blocks of 40 forcing periods, of standard deviation s, the error of
-// their mean is s / n^(1/2). It is infinite below n = 16, which takes 640 periods. The choice of the norm changes ln of the length by about 1 in all: the
-// error is no less than 1/4 over the time followed, so that rounding has no certain sign. A motion
-// whose transient is chaotic for much longer counts as chaos.
+// their mean is s / n^(1/2). It is infinite below n = 16, which takes 640 periods. The choice of
+// the norm changes ln of the length by about 1 in all: the error is no less than 1/4 over the time
+// followed, so that rounding has no certain sign. A motion whose transient is chaotic for much
+// longer counts as chaos.
 //
 // `start` should lie away from events (`at_quiet_phase`). Throws std::invalid_argument for a start
 // that does not fit the scene, for a scene without a forcing period and for options out of range,
