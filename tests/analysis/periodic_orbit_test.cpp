@@ -66,7 +66,7 @@ TEST(Newton, SaysWhyItDidNotConverge) {
   MotionState moving = start_of(free);
   moving.velocity = {0.1};
   starts(why_not(free, moving), "iterate 0: a Floquet multiplier is 1");
-  // Of the undamped oscillator at its resonance, where rounding alone keeps a multiplier from 1.
+  // An undamped oscillator at its resonance: rounding alone keeps a multiplier from 1.
   Scene resonant{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.5}, .omega = 1.0};
   for (const double start : {0.0, 1.0, 1e4})  // small and large beside the forced part
     for (const double amplitude : {0.5, 1e-4}) {

@@ -205,7 +205,7 @@ TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
   EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole));
 }
 
-// Of 1,800 tasks, the last but 800 to 710 take ten times as long as the others. Three equal parts
+// The last but 800 to 710 of 1,800 tasks take ten times as long as the others. Three equal parts
 // of consecutive tasks would have an efficiency of 0.6.
 TEST(Processes, HardlyWaitForEachOther) {
   for (const std::size_t processes : {3u, 16u}) {

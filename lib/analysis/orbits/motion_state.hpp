@@ -129,6 +129,14 @@ inline bool is_beyond(const Stop &stop, double x) {
   return sign(stop.side) * (x - stop.position) > 0.0;
 }
 
+// Moves masses that are beyond a stop of the scene to this stop.
+inline void move_inside(const Scene &scene, std::vector<double> &displacement) {
+  for (const Stop &stop : scene.stops) {
+    double &x = displacement[static_cast<std::size_t>(stop.mass - 1)];
+    if (is_beyond(stop, x)) x = stop.position;
+  }
+}
+
 // The state in this scene, which may not be quite the one it was found in: its phase lies within
 // the period, and held masses are at rest at their stops. The scene has been checked.
 inline MotionState moved_into(const Scene &scene, MotionState state) {

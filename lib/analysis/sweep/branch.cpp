@@ -25,10 +25,7 @@ MotionState Branch::state_of(const Scene &scene, const Vector &u) const {
 Scene Branch::scene_at(const Vector &u) const {
   Scene scene = with(scene_, range_.parameter, parameter(u));
   scene.displacement.resize(scene.mass.size(), 0.0);
-  for (const Stop &stop : scene.stops) {
-    double &x = scene.displacement[static_cast<std::size_t>(stop.mass - 1)];
-    if (is_beyond(stop, x)) x = stop.position;
-  }
+  move_inside(scene, scene.displacement);
   return scene;
 }
 

@@ -126,10 +126,7 @@ std::string kind_of_reason(const std::string &reason) {
 MotionState start_near(const Scene &scene, MotionState state) {
   check(scene);
   state = moved_into(scene, std::move(state));
-  for (const Stop &stop : scene.stops) {
-    double &x = state.displacement[static_cast<std::size_t>(stop.mass - 1)];
-    if (is_beyond(stop, x)) x = stop.position;
-  }
+  move_inside(scene, state.displacement);
   check(scene, state);
   return state;
 }

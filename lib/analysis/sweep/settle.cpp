@@ -211,11 +211,8 @@ class Sections : public Recorder {
   bool same_events_with_nearer_stops(int period, double shift) const {
     Scene scene = scene_;
     MotionState start = latest(period).state;
-    for (Stop &stop : scene.stops) {
-      stop.position -= sign(stop.side) * shift;
-      double &x = start.displacement[index(stop.mass - 1)];
-      if (holds(stop, start.held) || is_beyond(stop, x)) x = stop.position;
-    }
+    for (Stop &stop : scene.stops) stop.position -= sign(stop.side) * shift;
+    move_inside(scene, start.displacement);   // a mass that is held, too
     scene.displacement = start.displacement;  // the scene's own start may lie beyond a stop
     try {
       EventRecorder nearer(-infinity);
