@@ -75,10 +75,10 @@ constexpr int most_turns = 50;
 
 // Largest number of iterations of the search for a root. Searches of ordinary scenes need some ten.
 constexpr int most_root_iterations = 10000;
-// Newton's steps that polish a root, and the change, relative to the way from where they began, at
-// which the next one would lie below rounding. Two or three are ordinary.
+// Steps that polish a root, and the largest, relative to the way from where they began, after which
+// none follows: a step leaves out its fifth power. One is ordinary.
 constexpr int most_newton_steps = 8;
-constexpr double newton_accuracy = 1e-9;
+constexpr double newton_accuracy = 1e-3;
 // Rounding of a polynomial, relative to the sum of the moduli of its terms.
 constexpr double polynomial_rounding = 0x1p-53;
 // Depth to which a hold force may fall below zero without a release, relative to the sum of the

@@ -1,10 +1,10 @@
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "polynomial.hpp"
 #include "simulation/chain/tolerances.hpp"
+#include "simulation/chain/twofold.hpp"
 #include "vibro_impact/instant.hpp"
 
 namespace vibro_impact::detail {
@@ -13,7 +13,22 @@ namespace {
 
 // Sums run over packets of four terms c_n u^n, because a chain of dependent operations as long as
 // the polynomial would be slower.
-using Packet = Eigen::Array<double, 4, 1>;
+struct Packet {
+  Pair first{}, last{};
+
+  friend Packet operator*(const Packet &a, const Packet &b) {
+    return {a.first * b.first, a.last * b.last};
+  }
+  Packet &operator+=(const Packet &other) {
+    first += other.first;
+    last += other.last;
+    return *this;
+  }
+  double sum() const {
+    const Pair both = first + last;
+    return both[0] + both[1];
+  }
+};
 
 // binomial[k][n] = n! / (k! (n - k)!). The k-th derivative of u^n is k! binomial[k][n] u^(n - k).
 const auto binomial = [] {
@@ -27,25 +42,56 @@ const auto binomial = [] {
 }();
 
 Packet packet(const double *numbers) {
-  return Eigen::Map<const Packet>(numbers);
+  return {pair(numbers), pair(numbers + 2)};
+}
+
+Packet moduli(const Packet &a) {
+  return {modulus(a.first), modulus(a.last)};
 }
 
 // 1, x, x^2, x^3.
 Packet powers_of(double x) {
-  return Packet(1.0, x, x * x, x * x * x);
+  return {Pair{1.0, x}, Pair{x * x, x * x * x}};
 }
 
 Packet binomials(int k, int n) {
   return packet(binomial[static_cast<std::size_t>(k)].data() + n);
 }
 
-// An upper bound on [0, u] of |q^(5)| / 5!, q(u) = p(u) / u^zeros.
-inline double fifth_bound(const Polynomial &p, int zeros, double u) {
-  const double *c = p.coefficient.data() + zeros + 5, quartic = u * u * u * u;
-  Packet sum = Packet::Zero(), power = powers_of(u);
-  for (int n = 0; n <= p.order - zeros - 5; n += 4) {
-    sum += binomials(5, n + 5) * packet(c + n).abs() * power;
-    power *= quartic;
+}  // namespace
+
+Jet jet_at(const Polynomial &p, int zeros, double u) {
+  const double *c = p.coefficient.data() + zeros;
+  const double fourth_power = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
+  const Packet next = {Pair{fourth_power, fourth_power}, Pair{fourth_power, fourth_power}};
+  Packet power = powers_of(u);
+  Packet value, slope, second, third, fourth;
+  for (int n = 0; n <= p.order - zeros; n += 4) {
+    const Packet term = packet(c + n) * power;
+    value += term;
+    slope += binomials(1, n) * term;
+    second += binomials(2, n) * term;
+    third += binomials(3, n) * term;
+    fourth += binomials(4, n) * term;
+    power = power * next;
+  }
+  // The products run from left to right: a sum that has underflown stays zero.
+  return {value.sum(), slope.sum() * inverse, second.sum() * inverse * inverse,
+          third.sum() * inverse * inverse * inverse,
+          fourth.sum() * inverse * inverse * inverse * inverse};
+}
+
+namespace {
+
+// The sum of the moduli of the terms of q^(k) / k! at u, q(u) = p(u) / u^zeros. It bounds q^(k) /
+// k! on [0, u].
+inline double sum_of_moduli(int k, const Polynomial &p, int zeros, double u) {
+  const double *c = p.coefficient.data() + zeros + k, fourth_power = u * u * u * u;
+  const Packet next = {Pair{fourth_power, fourth_power}, Pair{fourth_power, fourth_power}};
+  Packet sum, power = powers_of(u);
+  for (int n = 0; n <= p.order - zeros - k; n += 4) {
+    sum += binomials(k, n + k) * moduli(packet(c + n)) * power;
+    power = power * next;
   }
   return sum.sum();
 }
@@ -67,31 +113,25 @@ inline double curvature_bound(const Jet &jet, double fifth, double h) {
   return 2.0 * (std::abs(jet.second) + h * third);
 }
 
-// The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies. The inverse of the
-// series about u gives it to fourth order in Newton's step, and then Newton's method with value and
-// slope alone. `curvature` bounds |q'' newton / q'|, so that the root lies within curvature *
-// |newton| of Newton's step.
+// Newton's step, corrected to fourth order by the inverse of the series of q about its point.
+// `curvature` bounds |q'' newton / q'|: the root lies within curvature * |newton| of Newton's step.
+inline double corrected(double newton, const Jet &jet, double curvature) {
+  // The reciprocal of a slope and squares of these quotients may leave the range of double
+  // precision.
+  const double a = jet.second / -jet.slope * newton, b = jet.third / -jet.slope * newton * newton,
+               c = jet.fourth / -jet.slope * newton * newton * newton;
+  const double correction = a + (2.0 * a * a + b) + (5.0 * (a * a + b) * a + c);
+  return newton * (1.0 + std::clamp(correction, -curvature, curvature));
+}
+
+// The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies.
 std::optional<double> polished(const Polynomial &p, int zeros, double u, const Jet &jet,
                                double newton, double curvature, double u_max) {
-  // The reciprocal of a slope may leave the range of double precision, these quotients do not.
-  const double a = jet.second / -jet.slope, b = jet.third / -jet.slope, c = jet.fourth / -jet.slope,
-               aa = a * a;
-  const double correction =
-      newton * (a + newton * (2.0 * aa + b + newton * (5.0 * (aa + b) * a + c)));
-  const double *coefficient = p.coefficient.data() + zeros;
-  double v = u + newton * (1.0 + std::clamp(correction, -curvature, curvature));
-  double change = infinity;
+  double v = u + corrected(newton, jet, curvature), change = infinity;
   for (int k = 0; k < most_newton_steps && std::abs(change) > newton_accuracy * std::abs(v - u);
        ++k) {
-    const double quartic = v * v * v * v;
-    Packet power = powers_of(v), value = Packet::Zero(), rate = value;
-    for (int n = 0; n <= p.order - zeros; n += 4) {
-      const Packet term = packet(coefficient + n) * power;
-      value += term;
-      rate += binomials(1, n) * term;
-      power *= quartic;
-    }
-    change = -value.sum() / (rate.sum() / v);
+    const Jet near = jet_at(p, zeros, v);
+    change = corrected(-near.value / near.slope, near, curvature);
     v += change;
   }
   if (v > u_max) return std::nullopt;
@@ -106,7 +146,7 @@ double positive_stretch(const Polynomial &p, int zeros, double u, double u_max, 
   for (double stretch = u_max - u; u + stretch > u; stretch *= 0.5) {
     const double end = u + stretch;
     // The bound of p^(5) over the whole step is far too large for a small polynomial near 0.
-    const double fifth_to_end = end < 0.25 ? fifth_bound(p, zeros, end) : fifth;
+    const double fifth_to_end = end < 0.25 ? sum_of_moduli(5, p, zeros, end) : fifth;
     if (lower_bound(jet, fifth_to_end, stretch) > rounding) return stretch;
   }
   return 0.0;
@@ -114,39 +154,14 @@ double positive_stretch(const Polynomial &p, int zeros, double u, double u_max, 
 
 }  // namespace
 
-Jet jet_at(const Polynomial &p, int zeros, double u) {
-  const double *c = p.coefficient.data() + zeros;
-  const double quartic = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
-  Packet power = powers_of(u);
-  Packet value = Packet::Zero(), slope = value, second = value, third = value, fourth = value,
-         moduli = value;
-  for (int n = 0; n <= p.order - zeros; n += 4) {
-    const Packet term = packet(c + n) * power;
-    value += term;
-    moduli += term.abs();
-    slope += binomials(1, n) * term;
-    second += binomials(2, n) * term;
-    third += binomials(3, n) * term;
-    fourth += binomials(4, n) * term;
-    power *= quartic;
-  }
-  // The products run from left to right: a sum that has underflown stays zero.
-  return {value.sum(),
-          slope.sum() * inverse,
-          second.sum() * inverse * inverse,
-          third.sum() * inverse * inverse * inverse,
-          fourth.sum() * inverse * inverse * inverse * inverse,
-          moduli.sum()};
-}
-
 std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters) {
   int zeros = 0;
   while (zeros <= p.order && p.coefficient[static_cast<std::size_t>(zeros)] == 0.0) ++zeros;
   if (zeros > p.order) return std::nullopt;  // identically zero
   const double *c = p.coefficient.data() + zeros;
   if (c[0] < 0.0) return 0.0;
-  Jet jet{c[0], c[1], c[2], c[3], c[4], c[0]};  // coefficients beyond the order are zero
-  const double fifth = fifth_bound(p, zeros, u_max);
+  Jet jet{c[0], c[1], c[2], c[3], c[4]};  // coefficients beyond the order are zero
+  const double fifth = sum_of_moduli(5, p, zeros, u_max);
   if (lower_bound(jet, fifth, u_max) > 0.0) {
     ++counters.roots_dismissed;
     return std::nullopt;
@@ -165,7 +180,8 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
     const double curvature = curvature_bound(jet, fifth, 2.0 * distance) * distance / -jet.slope;
     if (jet.slope < 0.0 && curvature <= 0.25)
       return polished(p, zeros, u, jet, newton, curvature, u_max);
-    const double rounding = polynomial_rounding * jet.terms;
+    const double rounding =
+        polynomial_rounding * (u > 0.0 ? sum_of_moduli(0, p, zeros, u) : jet.value);
     // From more than twice the rounding a step goes a share of the way to a tangency. With less the
     // steps would become ever shorter.
     if (!(jet.value > 2.0 * rounding)) return u;

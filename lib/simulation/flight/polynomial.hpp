@@ -20,10 +20,9 @@ struct Polynomial {
   int order = 0;
 };
 
-// The Taylor coefficients p, p', p''/2, p'''/6, p''''/24 of a polynomial about one point, and the
-// sum of the moduli of the terms of p there, which is the scale of its rounding.
+// The Taylor coefficients p, p', p''/2, p'''/6, p''''/24 of a polynomial about one point.
 struct Jet {
-  double value, slope, second, third, fourth, terms;
+  double value, slope, second, third, fourth;
 };
 
 // The jet about u > 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.
