@@ -15,7 +15,7 @@ Chain::Chain(const Scene &scene)
       rate_bound(detail::rate_bound(scene)),
       rate_unit(std::exp2(std::ilogb(rate_bound) + 1)) {
   const auto padded_list = [this](const std::vector<double> &values) {
-    std::vector<double> list = values;
+    List<double> list(values.begin(), values.end());
     list.resize(padded, 0.0);
     return list;
   };

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
+#include "list.hpp"
 #include "twofold.hpp"
 #include "vibro_impact/scene.hpp"
 
@@ -20,10 +20,10 @@ struct ChainStop {
 // M x'' + C x' + K x = A cos(Omega t) + B sin(Omega t) + P with C = beta K (Eq. 4).
 struct Chain {
   std::size_t masses = 0, padded = 0;
-  std::vector<double> mass, a, b, p, ground;
-  std::vector<double> link;  // entry i ties mass i to mass i - 1, entry 0 to the ground
-  std::vector<ChainStop> stops;
-  std::vector<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
+  List<double> mass, a, b, p, ground;
+  List<double> link;  // entry i ties mass i to mass i - 1, entry 0 to the ground
+  List<ChainStop> stops;
+  List<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
   double beta = 0.0;
   double omega = 0.0;        // of the forcing, 0 where nothing is forced
   double rate_bound = 1.0;   // of all contact modes and the forcing, 1 if all their rates are 0

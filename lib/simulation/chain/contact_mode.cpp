@@ -15,7 +15,7 @@ namespace {
 // The matrix is tridiagonal, so that a test of z costs O(N).
 double largest_eigenvalue(const Chain &chain, const Held &held) {
   const std::size_t n = chain.masses;
-  std::vector<double> diagonal(n), off(n);  // off[i] ties mass i to mass i - 1
+  List<double> diagonal(n), off(n);  // off[i] ties mass i to mass i - 1
   double high = 0.0, low = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     if (held[i] != 0) continue;
@@ -42,7 +42,7 @@ double largest_eigenvalue(const Chain &chain, const Held &held) {
 }
 
 // Adds the pair of a mass to a list of pairs that ends with this one or an earlier one.
-void add(std::size_t mass, std::vector<std::size_t> &pairs) {
+void add(std::size_t mass, List<std::size_t> &pairs) {
   const std::size_t first = mass / 2 * 2;
   if (pairs.empty() || pairs.back() != first) pairs.push_back(first);
 }

@@ -22,12 +22,12 @@ struct Contact {
 struct ContactMode {
   Held held;
   // m of a free mass, infinity of a held one, which has no acceleration. And its reciprocal.
-  std::vector<double> mass, inverse_mass;
+  List<double> mass, inverse_mass;
   bool grounded = false;  // some mass has a spring to the ground
   // Masses are taken two at a time: the first masses of pairs with a free mass that is forced, and
   // with a mass that has a stop.
-  std::vector<std::size_t> forced_pairs, stopped_pairs;
-  std::vector<Contact> contacts;
+  List<std::size_t> forced_pairs, stopped_pairs;
+  List<Contact> contacts;
   double fastest = 0.0;  // the largest rate of the free masses and of the forcing
 };
 

@@ -8,8 +8,8 @@
 namespace vibro_impact::detail {
 
 void clear(const Chain &chain, Motion &motion) {
-  for (std::vector<Real> *list : {&motion.x, &motion.v}) list->assign(chain.padded, 0.0);
-  for (std::vector<double> *list :
+  for (List<Real> *list : {&motion.x, &motion.v}) list->assign(chain.padded, 0.0);
+  for (List<double> *list :
        {&motion.acceleration, &motion.x_terms, &motion.v_terms, &motion.x_change, &motion.v_change})
     list->assign(chain.padded, 0.0);
   motion.acceleration_known = false;

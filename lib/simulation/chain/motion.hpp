@@ -2,8 +2,6 @@
 // precision.
 #pragma once
 
-#include <vector>
-
 #include "contact_mode.hpp"
 #include "twofold_instant.hpp"
 
@@ -20,16 +18,16 @@ struct Motion {
   Turn turn;
   int turned = 0;  // steps since `turn` was computed from the phase
   const ContactMode *mode = nullptr;
-  std::vector<Real> x, v;
+  List<Real> x, v;
   // The rounded sum of terms of twice the precision, if it is known.
-  std::vector<double> acceleration;
+  List<double> acceleration;
   bool acceleration_known = false;
   // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
   // passes x = 0 onto a stop at 0 has no terms at that instant.
-  std::vector<double> x_terms, v_terms;
+  List<double> x_terms, v_terms;
   // The latest step has added these to x and v in double precision, in the time step_time. All
   // three are 0 after a flight in closed form.
-  std::vector<double> x_change, v_change;
+  List<double> x_change, v_change;
   double step_time = 0.0;
 };
 

@@ -117,7 +117,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
 }
 
 void Flight::place_released(const std::vector<Start> &starts, double tau, Motion &motion) const {
-  const std::vector<Contact> &contacts = motion.mode->contacts;
+  const List<Contact> &contacts = motion.mode->contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact &contact = contacts[k];
     if (starts[k].zeros < 2 || starts[k].idle || contact.held) continue;

@@ -123,7 +123,7 @@ bool LongFlight::is_root() const {
 // The earliest root, which lies within rounding of u, by Newton's steps in twice the precision.
 Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &start,
                          std::vector<Near> &near) {
-  const std::vector<Contact> &contacts = start.mode->contacts;
+  const List<Contact> &contacts = start.mode->contacts;
   Real tau = u_;
   std::fill(near.begin(), near.end(), Near::perhaps);
   if (look_at_hidden()) {

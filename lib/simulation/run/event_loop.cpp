@@ -89,7 +89,7 @@ Step plan_step(Run &run) {
 }
 
 void set_starts(Run &run) {
-  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  const List<Contact> &contacts = run.motion.mode->contacts;
   run.scratch.starts.resize(contacts.size());
   run.scratch.near.resize(run.chain().stops.size());
   find_acceleration(run.chain(), run.motion);

@@ -30,7 +30,7 @@ void add_resting(Run &run, const Contact &contact, int zero_orders) {
 // True when a neighbour has an impact, whose jump the damper between them passes on.
 bool is_pushed(const Run &run, std::size_t mass) {
   if (!(run.chain().beta > 0.0)) return false;
-  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  const List<Contact> &contacts = run.motion.mode->contacts;
   return std::any_of(run.scratch.hits.begin(), run.scratch.hits.end(), [&](const Hit &hit) {
     const std::size_t other = contacts[hit.contact].mass;
     return other + 1 == mass || mass + 1 == other;
@@ -82,7 +82,7 @@ void question_dead_bounces(Run &run) {
 
 void gather_resting(Run &run, bool at_start) {
   run.scratch.resting.clear();
-  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  const List<Contact> &contacts = run.motion.mode->contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const AtStop &at = run.stops[contacts[k].stop].at;
     if (contacts[k].held)
@@ -103,7 +103,7 @@ void set_stops(Run &run, const RestingMass &mass) {
   if (mass.opposite) run.stops[*mass.opposite].at = Evaluated{};
   if (mass.held == mass.was_held) return;
   stop = {.at = stop.at, .changed = run.motion.now.rounded()};
-  const std::vector<ChainStop> &stops = run.chain().stops;
+  const List<ChainStop> &stops = run.chain().stops;
   for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
     if (k != mass.stop && stops[k].mass == mass.mass) run.stops[k] = {};
 }

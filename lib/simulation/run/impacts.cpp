@@ -48,7 +48,7 @@ void gather_hits(Run &run) {
   close_gap(run);
   Scratch &scratch = run.scratch;
   scratch.hits.clear();
-  const std::vector<Contact> &contacts = run.motion.mode->contacts;
+  const List<Contact> &contacts = run.motion.mode->contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     AtStop &at = run.stops[contacts[k].stop].at;
     const Near near = scratch.near[k];
@@ -70,7 +70,7 @@ void gather_hits(Run &run) {
 void apply_hits(Run &run, Recorders recorders) {
   const Chain &chain = run.chain();
   Motion &motion = run.motion;
-  const std::vector<Contact> &contacts = motion.mode->contacts;
+  const List<Contact> &contacts = motion.mode->contacts;
   std::vector<Hit> &hits = run.scratch.hits;
   for (const Hit &hit : hits) {
     const Contact &contact = contacts[hit.contact];

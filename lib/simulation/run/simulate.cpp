@@ -35,6 +35,13 @@ void check_options(const RunOptions &options) {
   require(options.max_steps > 0, "max_steps = ", options.max_steps, ": must be positive");
 }
 
+// `new` because the run is larger than all its lists, which to move would cost more than to make.
+std::unique_ptr<Run> new_run(const Scene &scene, MotionState start, const RunOptions &options) {
+  check_options(options);
+  return std::unique_ptr<Run>(new Run{.problem = {std::make_shared<const Scene>(scene), options},
+                                      .start = std::move(start)});
+}
+
 }  // namespace
 
 Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run)
@@ -52,16 +59,15 @@ Outcome require_complete(Outcome outcome) {
   return outcome;
 }
 
-Simulation::Simulation(const Scene &scene, const RunOptions &options)
-    : Simulation(scene, detail::first_motion(scene), options) {
+Simulation::Simulation(const Scene &scene, const RunOptions &options) {
+  check(scene);
+  run_ = detail::new_run(scene, detail::first_motion(scene), options);
 }
 
 Simulation::Simulation(const Scene &scene, const MotionState &start, const RunOptions &options) {
   check(scene);
   check(scene, start);
-  detail::check_options(options);
-  run_ = std::make_unique<detail::Run>(
-      detail::Run{.problem = {std::make_shared<const Scene>(scene), options}, .start = start});
+  run_ = detail::new_run(scene, start, options);
 }
 
 Simulation::Simulation(const Simulation &other) : run_(std::make_unique<detail::Run>(*other.run_)) {
@@ -82,7 +88,7 @@ const Scene &Simulation::scene() const {
 
 void Simulation::start_from(const MotionState &start) {
   check(scene(), start);
-  run_ = std::make_unique<detail::Run>(detail::Run{.problem = run_->problem, .start = start});
+  run_.reset(new detail::Run{.problem = run_->problem, .start = start});
 }
 
 void Simulation::set_options(const RunOptions &options) {
