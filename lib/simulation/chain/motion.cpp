@@ -16,10 +16,15 @@ void clear(const Chain &chain, Motion &motion) {
   motion.step_time = 0.0;
 }
 
+Turn turn_at(const Chain &chain, const Real &phase) {
+  Turn turn;
+  if (chain.omega > 0.0) sincos(phase * chain.omega, turn.sine, turn.cosine);
+  return turn;
+}
+
 void set_turn(const Chain &chain, Motion &motion) {
   motion.turned = 0;
-  if (chain.omega > 0.0)
-    sincos(motion.now.phase * chain.omega, motion.turn.sine, motion.turn.cosine);
+  motion.turn = turn_at(chain, motion.now.phase);
 }
 
 // With w = Omega tau, e^(iw) = 1 + iw + (cos w - 1) + i (sin w - w). The last two are of second
@@ -58,10 +63,10 @@ void find_acceleration(const Chain &chain, Motion &motion) {
       after = z_of(i + 2);
       next = tension_of(i + 2, z, after);
     }
-    RealPair force = pair(&chain.p[i]);
+    RealPair force = middle(tension, next) - tension;
     if (chain.a[i] != 0.0 || chain.a[i + 1] != 0.0) force += cosine * pair(&chain.a[i]);
     if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
-    force += middle(tension, next) - tension;
+    if (chain.p[i] != 0.0 || chain.p[i + 1] != 0.0) force += pair(&chain.p[i]);
     if (mode.grounded) force -= z * pair(&chain.ground[i]);
     put(force.hi / pair(&mode.mass[i]), &motion.acceleration[i]);
     z = after;
@@ -107,9 +112,6 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
             change_rounding * (motion.x_change[i] +
                                step_time_rounding * motion.step_time * std::abs(motion.v[i].hi))};
   const auto &[cosine, sine] = motion.turn;
-  Real force = chain.p[i] + chain.a[i] * cosine;
-  if (chain.b[i] != 0.0) force += chain.b[i] * sine;
-  if (chain.ground[i] != 0.0) force -= chain.ground[i] * motion.x[i];
   double rate = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
   const double late = step_time_rounding * motion.step_time;
   Value value;
@@ -118,11 +120,7 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
                 chain.ground[i] * motion.x_terms[i];
   const auto add_link = [&](double stiffness, std::size_t other, bool exists) {
     value.terms += stiffness * motion.x_terms[i];
-    if (!exists) {
-      force -= stiffness * motion.x[i];
-      return;
-    }
-    force += stiffness * ((motion.x[other] - motion.x[i]) + chain.beta * motion.v[other]);
+    if (!exists) return;
     rate += stiffness * (motion.v[other].hi + chain.beta * motion.acceleration[other]);
     value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);
     value.rounding += stiffness * (motion.x_change[other] + late * std::abs(motion.v[other].hi) +
@@ -130,6 +128,9 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
   };
   add_link(chain.link[i], i - 1, i > 0);
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1, true);
+  const Real force = force_at_rest(
+      chain, i, motion.turn, [&](std::size_t j) -> const Real & { return motion.x[j]; },
+      [&](std::size_t j) -> const Real & { return motion.v[j]; });
   value.value = scaled(force, sigma);
   value.rate = sigma * rate;
   value.rounding *= change_rounding;

@@ -34,7 +34,10 @@ struct Motion {
 // Sets all masses to rest at zero. The time, the turn and the contact mode stay.
 void clear(const Chain &chain, Motion &motion);
 
-// Computes e^(i Omega t) from the phase.
+// e^(i Omega t) from the phase.
+Turn turn_at(const Chain &chain, const Real &phase);
+
+// Computes the turn of a motion from its phase.
 void set_turn(const Chain &chain, Motion &motion);
 
 // Moves the clock on by a step, with e^(i Omega t).
@@ -47,6 +50,25 @@ void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Moti
 
 // Sets the acceleration x'' = M^-1 (F - C x' - K x) of the free masses, unless it is known.
 void find_acceleration(const Chain &chain, Motion &motion);
+
+// The force on a mass at rest: external forces, springs and dampers. x(i) and v(i) are the
+// displacement and the velocity of mass i.
+template <class Displacement, class Velocity>
+Real force_at_rest(const Chain &chain, std::size_t i, const Turn &turn, const Displacement &x,
+                   const Velocity &v) {
+  Real force = chain.p[i] + chain.a[i] * turn.cosine;
+  if (chain.b[i] != 0.0) force += chain.b[i] * turn.sine;
+  if (chain.ground[i] != 0.0) force -= chain.ground[i] * x(i);
+  const auto add_link = [&](double stiffness, std::size_t other) {
+    force += stiffness * ((x(other) - x(i)) + chain.beta * v(other));
+  };
+  if (i > 0)
+    add_link(chain.link[i], i - 1);
+  else
+    force -= chain.link[i] * x(i);
+  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
+  return force;
+}
 
 // Puts a mass, at an instant, to a displacement and a velocity that are known exactly.
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion);

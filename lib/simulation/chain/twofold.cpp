@@ -73,10 +73,14 @@ void sincos(const Real &x, Real &sine, Real &cosine) {
 }
 
 Pair higher_orders_of_turn(double w) {
-  const double square = -w * w;
-  Pair sum{};
-  for (std::size_t n = even_terms; --n > 0;) sum = sum * square + inverse_factorials[n].hi;
-  return sum * Pair{square, w * square};
+  const double square = -w * w, fourth = square * square;
+  Pair even{}, odd{};  // of the orders in square: two chains of operations side by side
+  for (std::size_t n = even_terms - 1; n > 1; n -= 2) {
+    odd = odd * fourth + inverse_factorials[n].hi;
+    even = even * fourth + inverse_factorials[n - 1].hi;
+  }
+  const Pair sum = odd * fourth + inverse_factorials[1].hi;
+  return (sum + even * square) * Pair{square, w * square};
 }
 
 }  // namespace vibro_impact::detail

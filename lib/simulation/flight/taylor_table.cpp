@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "simulation/chain/tolerances.hpp"
 
@@ -9,18 +10,21 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// n, n (n - 1) and its reciprocal, for two masses. The wave looks at most four orders beyond the
-// highest one.
+// Factors of the order n, for two masses.
 struct OrderFactors {
-  Pair order, product, inverse;
+  Pair order, product, inverse;         // n, n (n - 1) and its reciprocal
+  Pair derivative, inverse_derivative;  // n! / 4^n and its reciprocal
 };
 
+// The forcing looks two orders beyond the highest one.
 const auto factors_of = [] {
-  std::array<OrderFactors, max_order + 5> factors{};
+  std::array<OrderFactors, max_order + 4> factors{};
+  Pair derivative = Pair{1.0, 1.0} / 4.0;
   for (std::size_t n = 2; n < factors.size(); ++n) {
     const auto order = static_cast<double>(n);
     const Pair both{order, order}, product = both * (both - 1.0);
-    factors[n] = {both, product, 1.0 / product};
+    derivative *= both / 4.0;
+    factors[n] = {both, product, 1.0 / product, derivative, 1.0 / derivative};
   }
   return factors;
 }();
@@ -29,7 +33,8 @@ const OrderFactors &factors(int n) {
   return factors_of[static_cast<std::size_t>(n)];
 }
 
-// a cos(Omega t) + b sin(Omega t) and its rate over Omega, at the start of the step.
+// a cos(Omega t) + b sin(Omega t) and its rate over Omega, at the start of the step. The forcing is
+// part of the orders with alternating signs, by these two in turn.
 template <class T>
 struct Parts {
   T even, odd;
@@ -39,63 +44,62 @@ Parts<T> parts_of(const Turn &turn, const T &a, const T &b) {
   return {a * turn.cosine.hi + b * turn.sine.hi, b * turn.cosine.hi - a * turn.sine.hi};
 }
 
-// The forcing of two masses, times (Omega h)^(n - 2) / n!, is part of their coefficients of order
-// n, with alternating signs and with even and odd parts in turn.
-void expand_forcing(const Chain &chain, const Motion &motion, TaylorTable &table) {
-  const double unit = table.step.unit, square = unit * unit, angle = chain.omega * unit;
-  if (angle != table.wave_angle) {
-    table.wave_angle = angle;
-    Pair wave{0.5, angle / 6.0};
-    for (int n = 2; n <= max_order + 1; n += 2) {
-      put(wave, &table.wave[static_cast<std::size_t>(n)]);
-      wave *= -(angle * angle) * Pair{factors(n + 2).inverse[0], factors(n + 3).inverse[0]};
-    }
-  }
-  for (const std::size_t i : motion.mode->forced_pairs) {
-    const Pair scale = square * pair(&motion.mode->inverse_mass[i]);
-    const auto [even, odd] = parts_of<Pair>(motion.turn, pair(&chain.a[i]), pair(&chain.b[i]));
-    put(scale * even, &table.even[i]);
-    put(scale * odd, &table.odd[i]);
-  }
-}
+// All orders of a chain of one or two masses, which fit into one register, by the derivatives
+// y_n = n! x_n / 4^n with respect to a quarter of the unit q, in which they do not grow:
+//   y_n = f_n - M^-1 K y_(n-2) - (beta / q) M^-1 K y_(n-1)
+// An order waits for the one before. Hence all that y_(n-1) is multiplied by is found before the
+// loop, and what is left between two orders is a stretch, a product and a difference.
+void expand_pair(const Chain &chain, const Motion &motion, TaylorTable &table) {
+  const ContactMode &mode = *motion.mode;
+  const double unit = 0.25 * table.step.unit, square = unit * unit, angle = chain.omega * unit,
+               damping = chain.beta / unit;
+  const Pair mass = pair(mode.mass.data()), inverse = pair(mode.inverse_mass.data());
+  Pair within = square * Pair{chain.link[1], chain.link[1]},
+       own = square * (Pair{chain.link[0], 0.0} + pair(chain.ground.data()));
+  const Pair damped_within = damping * within / mass, damped_own = damping * own / mass;
+  const auto [even, odd] = parts_of<Pair>(motion.turn, pair(chain.a.data()), pair(chain.b.data()));
+  Pair odd_forcing = square * angle * odd / mass,
+       even_forcing = -(square * angle * angle) * even / mass;
 
-// All orders of a chain of one or two masses, which fit into one register. By `expand_order`,
-// Figure 2 would take a fifth more time. An order needs the one before. The products that do not
-// need it come first.
-void expand_pair(const Chain &chain, const ContactMode &mode, TaylorTable &table) {
-  const double unit = table.step.unit, square = unit * unit;
-  const Pair mass = pair(mode.mass.data()), inverse = pair(mode.inverse_mass.data()),
-             within = square * Pair{chain.link[1], chain.link[1]},
-             own = square * (Pair{chain.link[0], 0.0} + pair(chain.ground.data())),
-             damping = chain.beta / unit * Pair{1.0, 1.0};
-  const bool forced = !mode.forced_pairs.empty();
-  const Pair even = forced ? pair(table.even.data()) : Pair{},
-             odd = forced ? pair(table.odd.data()) : Pair{};
   double *entry = table.of_order(2);
-  Pair before = pair(table.of_order(1)), latest = pair(entry), travel = modulus(latest);
-  const auto next = [&](int n, const Pair &force) {
-    const Pair z = before + damping * factors(n - 1).order * latest, stretch = z - exchanged(z),
-               forcing = force * table.wave[static_cast<std::size_t>(n)];
-    before = latest;
-    if (n > last_divided_order) {
-      const Pair scale = inverse * factors(n).inverse;
-      latest = (forcing - (scale * own) * z) - (scale * within) * stretch;
-    } else {
-      latest = forcing - (own * z + within * stretch) / mass / factors(n).product;
-    }
-    travel += modulus(latest);
-    put(latest, entry += 2);
+  Pair latest = 0.25 * pair(table.of_order(1));
+  Pair before = (own * latest + within * (latest - exchanged(latest))) / mass;  // M^-1 K y_(n-2)
+  latest = 0.125 * pair(entry);
+  Pair travel = modulus(pair(entry));
+  // Goes on by an order, and returns K y of the one before.
+  const auto next = [&](Pair &forcing) {
+    const Pair stretch = latest - exchanged(latest), springs = own * latest + within * stretch;
+    latest = ((forcing - before) - damped_own * latest) - damped_within * stretch;
+    forcing *= -(angle * angle);
+    return springs;
   };
-  for (int n = 3; n <= table.step.order + 1; n += 2) {  // the order is odd
-    next(n, odd);
-    next(n + 1, even);
+  const auto add = [&](const Pair &coefficient) {
+    travel += modulus(coefficient);
+    put(coefficient, entry += 2);
+  };
+  const int last = table.step.order + 1;  // an even order
+  int n = 3;
+  for (; n < std::min(last, last_divided_order); n += 2) {
+    before = next(odd_forcing) / mass;
+    add(latest / factors(n).derivative);
+    before = next(even_forcing) / mass;
+    add(latest / factors(n + 1).derivative);
+  }
+  own *= inverse;
+  within *= inverse;
+  for (; n < last; n += 2) {
+    before = next(odd_forcing);
+    add(latest * factors(n).inverse_derivative);
+    before = next(even_forcing);
+    add(latest * factors(n + 1).inverse_derivative);
   }
   put(travel, table.travel.data());
 }
 
 // One order of a longer chain, where the pairs of masses do not wait for each other.
 template <bool grounded>
-void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTable &table) {
+void expand_order(const Chain &chain, const ContactMode &mode, int n, double wave,
+                  const double *forcing, TaylorTable &table) {
   const double unit = table.step.unit, square = unit * unit;
   const Pair damping = chain.beta / unit * factors(n - 1).order,
              scale = square * factors(n).inverse;
@@ -125,9 +129,8 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, TaylorTabl
     tension = next;
   }
   set(stride - 2, z, tension, Pair{});
-  const double wave = table.wave[static_cast<std::size_t>(n)];
-  const std::vector<double> &part = n % 2 == 0 ? table.even : table.odd;
-  for (const std::size_t i : mode.forced_pairs) put(pair(to + i) + wave * pair(&part[i]), to + i);
+  for (const std::size_t i : mode.forced_pairs)
+    put(pair(to + i) + wave * pair(forcing + i), to + i);
 }
 
 void add_travel(const ContactMode &mode, TaylorTable &table) {
@@ -138,6 +141,67 @@ void add_travel(const ContactMode &mode, TaylorTable &table) {
       sum += modulus(pair(entry));
     put(sum, &table.travel[i]);
   }
+}
+
+// The orders of a chain of three or more masses.
+template <bool grounded>
+void expand_chain(const Chain &chain, const Motion &motion, TaylorTable &table) {
+  const ContactMode &mode = *motion.mode;
+  const double unit = table.step.unit, angle = chain.omega * unit;
+  for (const std::size_t i : mode.forced_pairs) {
+    const Pair scale = unit * unit * pair(&mode.inverse_mass[i]);
+    const auto [even, odd] = parts_of<Pair>(motion.turn, pair(&chain.a[i]), pair(&chain.b[i]));
+    put(scale * even, &table.even[i]);
+    put(scale * odd, &table.odd[i]);
+  }
+  Terms wave;  // (Omega h)^(n-2) / n! with its sign
+  wave[2] = 0.5;
+  wave[3] = angle / 6.0;
+  for (int n = 3; n <= table.step.order + 1; ++n) {
+    const auto order = static_cast<std::size_t>(n);
+    wave[order + 1] = -(angle * angle) * factors(n + 1).inverse[0] * wave[order - 1];
+    const std::vector<double> &part = n % 2 == 0 ? table.even : table.odd;
+    expand_order<grounded>(chain, mode, n, wave[order], part.data(), table);
+  }
+  add_travel(mode, table);
+}
+
+template <class T>
+T at(const double *entry) {
+  if constexpr (std::is_same_v<T, Pair>)
+    return pair(entry);
+  else
+    return *entry;
+}
+
+// What the orders from 2 on add to displacement and velocity, of mass i or of it and the next.
+template <class T>
+struct Change {
+  T value, slope;
+};
+
+// Horner's rule for the sum of x_n u^(n-2) and its derivative. The orders above `half` are a chain
+// of operations of their own beside that of those below, as if they began at order 2.
+template <class T>
+[[gnu::always_inline]] inline Change<T> change_at(const TaylorTable &table, std::size_t i,
+                                                  double tau) {
+  const double unit = table.step.unit, u = tau / unit;
+  const int last = table.step.order + 1, half = last / 2;  // the order is odd
+  const double *low = table.of_order(half) + i, *high = table.of_order(last) + i;
+  T value = at<T>(low), slope{}, high_slope = at<T>(high),
+    high_value = high_slope * u + at<T>(high -= table.stride);
+  double power = 1.0;  // u^(half - 2)
+  for (int n = half; n > 2; --n) {
+    slope = slope * u + value;
+    value = value * u + at<T>(low -= table.stride);
+    high_slope = high_slope * u + high_value;
+    high_value = high_value * u + at<T>(high -= table.stride);
+    power *= u;
+  }
+  slope += power * ((half - 1.0) * high_value + u * high_slope);
+  value += power * (u * high_value);
+  // u^2 would be rounded alike in every step of a length.
+  return {u * (u * value), (u / unit) * (2.0 * value + u * slope)};
 }
 
 }  // namespace
@@ -151,20 +215,24 @@ OrderTable::OrderTable(double tolerance) {
   }
 }
 
+// Counted without a branch, which a processor could not predict.
 int OrderTable::order_of(double radians) const {
-  std::size_t k = longest_.size() - 1;  // most steps are long
-  while (k > 0 && radians <= longest_[k - 1]) --k;
-  return 2 * static_cast<int>(k) + 3;
+  int k = 0;
+  for (const double longest : longest_) k += radians > longest ? 1 : 0;
+  return 2 * k + 3;
 }
 
 void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTable &table) {
-  const ContactMode &mode = *motion.mode;
   table.step = step;
+  const bool is_pair = chain.padded == 2;
   if (table.stride != chain.padded) {
     table.stride = chain.padded;
     table.coefficients.resize((max_order + 2) * table.stride);
-    for (std::vector<double> *list : {&table.travel, &table.even, &table.odd})
-      list->resize(table.stride);
+    table.travel.resize(table.stride);
+    if (!is_pair) {
+      table.even.resize(table.stride);
+      table.odd.resize(table.stride);
+    }
   }
   const double unit = step.unit, half_square = 0.5 * unit * unit;
   double *first = table.of_order(1), *second = table.of_order(2);
@@ -172,15 +240,11 @@ void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTa
     put(unit * Pair{motion.v[i].hi, motion.v[i + 1].hi}, first + i);
     put(half_square * pair(&motion.acceleration[i]), second + i);
   }
-  expand_forcing(chain, motion, table);
-  if (table.stride == 2) return expand_pair(chain, mode, table);
-  for (int n = 3; n <= step.order + 1; ++n) {
-    if (mode.grounded)
-      expand_order<true>(chain, mode, n, table);
-    else
-      expand_order<false>(chain, mode, n, table);
-  }
-  add_travel(mode, table);
+  if (is_pair) return expand_pair(chain, motion, table);
+  if (motion.mode->grounded)
+    expand_chain<true>(chain, motion, table);
+  else
+    expand_chain<false>(chain, motion, table);
 }
 
 void read(const Chain &chain, const Motion &start, const TaylorTable &table, const Contact &contact,
@@ -198,7 +262,10 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
   const double angle = chain.omega * table.step.unit, scale = -contact.sigma * angle * angle;
   const auto [even, odd] = parts_of<double>(start.turn, scale * chain.a[i], scale * chain.b[i]);
   const double damping = chain.beta / table.step.unit;
-  for (std::size_t n = 2; n <= orders; ++n) c[n] = (n % 2 == 0 ? even : odd) * table.wave[n];
+  c[2] = 0.5 * even;
+  c[3] = angle / 6.0 * odd;
+  for (std::size_t n = 4; n <= orders; ++n)
+    c[n] = -(angle * angle) * factors(static_cast<int>(n)).inverse[0] * c[n - 2];
   const auto add_link = [&](double stiffness, std::size_t other) {
     const double *entry = table.of_order(2) + other;
     const double weight = contact.sigma * stiffness;
@@ -209,22 +276,21 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
 }
 
+Real displacement_along(const Motion &start, const TaylorTable &table, std::size_t mass,
+                        double tau) {
+  return start.x[mass] + (start.v[mass] * tau + change_at<double>(table, mass, tau).value);
+}
+
+Real velocity_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau) {
+  return start.v[mass] + change_at<double>(table, mass, tau).slope;
+}
+
 void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
                 Motion &motion) {
-  const double unit = table.step.unit, u = tau / unit;
   for (std::size_t i = 0; i < table.stride; i += 2) {
-    const double *entry = table.of_order(table.step.order + 1) + i;
-    // Horner: q = sum over n >= 2 of x_n u^(n-2), and q'.
-    Pair value = pair(entry), slope{};
-    for (int n = table.step.order; n >= 2; --n) {
-      slope = slope * u + value;
-      value = value * u + pair(entry -= table.stride);
-    }
-    slope = (u / unit) * (2.0 * value + u * slope);
-    value = u * (u * value);  // u^2 would be rounded alike in every step of a length
+    const auto [value, slope] = change_at<Pair>(table, i, tau);
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
-    const RealPair travel = v * Pair{tau, tau};
-    store(x + (travel + value), &motion.x[i]);
+    store(x + (v * Pair{tau, tau} + value), &motion.x[i]);
     store(v + slope, &motion.v[i]);
     const Pair change = modulus(value), v_change = modulus(slope), speed = modulus(v.hi);
     put(change, &motion.x_change[i]);

@@ -21,15 +21,15 @@ struct Step {
 };
 
 // The order of a step of this many radians: the smallest p = 2 k + 3 with the remainder
-// 2 x^(p-1) / (p+1)! <= tolerance. The remainder is its first term, relative to the second-order
-// term: small gaps stay accurate.
+// 2 x^(p-1) / (p+1)! <= tolerance, at most `max_order`. The remainder is its first term, relative
+// to the second-order term: small gaps stay accurate.
 class OrderTable {
  public:
   explicit OrderTable(double tolerance);
   int order_of(double radians) const;
 
  private:
-  std::array<double, max_order / 2> longest_;  // in radians, of order 2 k + 3
+  std::array<double, max_order / 2 - 1> longest_;  // in radians, of order 2 k + 3
 };
 
 struct TaylorTable {
@@ -37,9 +37,7 @@ struct TaylorTable {
   std::size_t stride = 0;
   std::vector<double> coefficients = {};  // order by order, one for each mass, from order 1 on
   std::vector<double> travel = {};        // of masses with stops: the sum of moduli from order 2 on
-  // The forcing of order n is part of the coefficient by wave[n] times `even` or `odd`.
-  Terms wave{};
-  double wave_angle = -1.0;  // Omega h, for which `wave` was found
+  // The forcing of three or more masses: the parts of even and of odd orders.
   std::vector<double> even = {}, odd = {};
 
   double *of_order(int n) {
@@ -56,6 +54,12 @@ void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTa
 // The coefficients from the second order on of the gap or pressing force of a contact.
 void read(const Chain &chain, const Motion &start, const TaylorTable &table, const Contact &contact,
           Polynomial &p);
+
+// The displacement and the velocity of a mass at the time tau > 0 of the step, to the last bit
+// those to which `move_along` moves it.
+Real displacement_along(const Motion &start, const TaylorTable &table, std::size_t mass,
+                        double tau);
+Real velocity_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau);
 
 // Moves motion and clock to the time tau of the step. The first-order change is exact, so that only
 // what is of second order has the rounding of a double.
