@@ -176,6 +176,29 @@ TEST(Economy, ASampleIsOneEvaluation) {
   EXPECT_EQ(simulate(paper::figure2(), 300.0, events).counters.states_computed, 0);
 }
 
+// A mass that is pressed onto its stop by a constant force. From the impact at which the limit of
+// its chatter is taken, a hundred impacts more would be resolved until the limit, for which these
+// steps do not suffice; up to the sample it is a few.
+TEST(Economy, ImpactsOfAChatterAreResolvedUpToTheLastSample) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {0.0},
+                    .constant = {1.0},
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, 0.0}},
+                    .displacement = {-1.0}};
+  EventRecorder events;
+  const RunOptions options{.max_steps = 60};
+  require_complete(simulate(scene, 10.0, options, events));
+  ASSERT_EQ(events.events.back().kind, EventKind::stick);
+  const double limit = events.events.back().time,
+               latest = events.events[events.events.size() - 2].time;
+  ASSERT_LT(latest, limit);
+  const double inside = latest + 0.25 * (limit - latest);
+  SampleRecorder sample(inside, inside, 1.0);
+  EXPECT_EQ(simulate(scene, 10.0, options, sample).reason, "");
+  EXPECT_EQ(sample.times.size(), 1u);
+}
+
 // The expansions of a run before it is clear that nothing will happen: as many as its motion needs
 // to come to that, and none of them for the time that is left.
 void expect_the_same_work(const Scene &scene, double soon, double late, long long expansions) {

@@ -217,6 +217,7 @@ void fly_on(Run &run, Recorders recorders) {
 void advance(Run &run, const Instant &end, Recorders recorders) {
   run.progress = {.end = end,
                   .inside_chatter = run.progress.inside_chatter,
+                  .for_samples_only = run.progress.for_samples_only,
                   .next_sample = next_sample(recorders)};
   run.ended_inside_chatter = false;
   if (run.start) handle_start(run, recorders);
@@ -234,7 +235,7 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
   }
   // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty())
-    run.progress.last = state_of(run, run.motion, run.motion.now.rounded());
+    run.progress.last = MomentOfMotion(run, run.motion, run.motion.now.rounded()).state();
 }
 
 }  // namespace vibro_impact::detail

@@ -9,43 +9,60 @@
 
 namespace vibro_impact::detail {
 
-namespace {
+MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Instant &at, double tau)
+    : Moment(at, time_of(at, run.problem.clock)),
+      chain_(run.chain()),
+      motion_(motion),
+      table_(run.scratch.flight.table),
+      tau_(tau) {
+}
 
-// The moment of a motion, whose hold forces are evaluated when they are asked for.
-class MomentOfMotion final : public Moment {
- public:
-  MomentOfMotion(const Run &run, const Motion &motion, const Instant &at)
-      : Moment(at, time_of(at, run.problem.clock)), chain_(run.chain()), motion_(motion) {
-  }
-  int masses() const override {
-    return static_cast<int>(chain_.masses);
-  }
-  double displacement(int mass) const override {
-    const std::size_t i = index_of(mass);
-    return std::clamp(motion_.x[i].hi, chain_.lowest[i], chain_.highest[i]);
-  }
-  double velocity(int mass) const override {
-    return motion_.v[index_of(mass)].hi;
-  }
-  double hold_force(int mass) const override {
-    const std::size_t i = index_of(mass);
-    for (const Contact &contact : motion_.mode->contacts)
-      if (contact.held && contact.mass == i)
-        return contact.sigma * rounded(evaluate(chain_, contact, motion_).value);
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+Real MomentOfMotion::x(std::size_t i) const {
+  return tau_ > 0.0 ? displacement_along(motion_, table_, i, tau_) : motion_.x[i];
+}
 
- private:
-  const Chain &chain_;
-  const Motion &motion_;
+Real MomentOfMotion::v(std::size_t i) const {
+  return tau_ > 0.0 ? velocity_along(motion_, table_, i, tau_) : motion_.v[i];
+}
 
-  std::size_t index_of(int mass) const {
-    require_mass(mass, masses());
-    return static_cast<std::size_t>(mass - 1);
+std::size_t MomentOfMotion::index_of(int mass) const {
+  require_mass(mass, masses());
+  return static_cast<std::size_t>(mass - 1);
+}
+
+int MomentOfMotion::masses() const {
+  return static_cast<int>(chain_.masses);
+}
+
+double MomentOfMotion::displacement(int mass) const {
+  const std::size_t i = index_of(mass);
+  return std::clamp(x(i).hi, chain_.lowest[i], chain_.highest[i]);
+}
+
+double MomentOfMotion::velocity(int mass) const {
+  return v(index_of(mass)).hi;
+}
+
+double MomentOfMotion::hold_force(int mass) const {
+  const std::size_t i = index_of(mass);
+  if (motion_.mode->held[i] == 0) return std::numeric_limits<double>::quiet_NaN();
+  const Turn turn = tau_ > 0.0 ? turn_at(chain_, motion_.now.phase + tau_) : motion_.turn;
+  return rounded(force_at_rest(
+      chain_, i, turn, [this](std::size_t j) { return x(j); },
+      [this](std::size_t j) { return v(j); }));
+}
+
+MotionState MomentOfMotion::state() const {
+  return state_at(*this, motion_.mode->held);
+}
+
+MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at) {
+  if (run.long_flight.is_under_way()) {
+    const Real since = tau.hi > 0.0 ? tau : Real(0.0);
+    return {run, run.long_flight.at(run.chain(), run.problem.clock, run.motion, since), at};
   }
-};
-
-}  // namespace
+  return {run, run.motion, at, tau.hi};
+}
 
 void stop_run(Run &run, Ending ending, std::string reason) {
   if (run.progress.over) return;
@@ -88,28 +105,7 @@ double next_sample(Recorders recorders) {
   return next;
 }
 
-const Motion &motion_at(Run &run, Real tau) {
-  const Clock &clock = run.problem.clock;
-  if (!(tau.hi > 0.0)) tau = 0.0;
-  if (run.long_flight.is_under_way())
-    return run.long_flight.at(run.chain(), clock, run.motion, tau);
-  if (!(tau.hi > 0.0)) return run.motion;
-  Motion &motion = run.scratch.motion;
-  if (motion.x.empty()) clear(run.chain(), motion);
-  // The step sets all else but the acceleration, of which nothing is reported.
-  motion.now = run.motion.now;
-  motion.turn = run.motion.turn;
-  motion.turned = run.motion.turned;
-  motion.mode = run.motion.mode;
-  motion.x = run.motion.x;
-  motion.v = run.motion.v;
-  move_along(run.chain(), clock, run.scratch.flight.table, tau.hi, motion);
-  return motion;
-}
-
-bool report_sample(Run &run, const Motion &motion, const Instant &at, double time,
-                   Recorders recorders) {
-  const MomentOfMotion moment(run, motion, at);
+bool report_sample(Run &run, const Moment &moment, double time, Recorders recorders) {
   bool any_done = false;
   for (Recorder *recorder : recorders) {
     if (recorder->next_time() > time) continue;
@@ -123,10 +119,6 @@ bool report_sample(Run &run, const Motion &motion, const Instant &at, double tim
   }
   run.progress.next_sample = next_sample(recorders);
   return any_done;
-}
-
-MotionState state_of(const Run &run, const Motion &motion, const Instant &at) {
-  return state_at(MomentOfMotion(run, motion, at), motion.mode->held);
 }
 
 }  // namespace vibro_impact::detail

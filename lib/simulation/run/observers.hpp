@@ -5,6 +5,32 @@
 
 namespace vibro_impact::detail {
 
+// The moment of a motion of the run, or at the time tau > 0 of its step, whose table is in
+// scratch.flight. It computes what it is asked for.
+class MomentOfMotion final : public Moment {
+ public:
+  MomentOfMotion(const Run &run, const Motion &motion, const Instant &at, double tau = 0.0);
+  int masses() const override;
+  double displacement(int mass) const override;
+  double velocity(int mass) const override;
+  double hold_force(int mass) const override;
+  MotionState state() const;
+
+ private:
+  const Chain &chain_;
+  const Motion &motion_;
+  const TaylorTable &table_;
+  double tau_;
+
+  std::size_t index_of(int mass) const;
+  Real x(std::size_t i) const;
+  Real v(std::size_t i) const;
+};
+
+// The moment at a time `tau` of the step or long flight of the run. The rounding of a sample may
+// put `tau` below 0, which is the start. The moment is valid until the run goes on.
+MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at);
+
 // Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
@@ -17,17 +43,8 @@ void report_event(Run &run, EventKind kind, std::size_t stop, double before, dou
 // The next time at which a recorder asks for a sample; infinite when there is none.
 double next_sample(Recorders recorders);
 
-// The motion at a time `tau` of the step, whose table is in scratch.flight, or of the long flight
-// of the run. The rounding of a sample may put `tau` below 0, which is the start. The reference is
-// valid until the next call.
-const Motion &motion_at(Run &run, Real tau);
-
-// Reports this motion as the sample at this time to the recorders that have asked for it. Returns
+// Reports this moment as the sample at this time to the recorders that have asked for it. Returns
 // true when one of them is done.
-bool report_sample(Run &run, const Motion &motion, const Instant &at, double time,
-                   Recorders recorders);
-
-// The state of a motion of the run at an instant.
-MotionState state_of(const Run &run, const Motion &motion, const Instant &at);
+bool report_sample(Run &run, const Moment &moment, double time, Recorders recorders);
 
 }  // namespace vibro_impact::detail

@@ -50,7 +50,7 @@ struct Scratch {
   Flight flight;
   std::vector<Start> starts;
   std::vector<Near> near;
-  Motion motion;  // at a limit or a sample, or at the end of a call on a step
+  Motion motion;  // at the limit of a chatter
   RestDecision rest;
   std::vector<RestingMass> resting;
   std::vector<Hit> hits;
@@ -69,6 +69,7 @@ struct Progress {
   // True of the copy of a run that resolves the impacts of a chatter before its limit, because a
   // sample or the end lies there. The copy reports samples only and takes no limit.
   bool inside_chatter = false;
+  bool for_samples_only = false;  // the copy ends when the next sample lies beyond its end
   // The time of the next sample. It changes when a recorder has been called.
   double next_sample = infinity;
   MotionState last = {};  // the state at the end; empty before

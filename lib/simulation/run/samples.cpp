@@ -24,9 +24,14 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
     require(since.hi >= -sample_rounding * next, "next_time = ", next,
             ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
     ++run.counters.states_computed;
-    const Motion &motion = motion_at(run, since);
-    if (!report_sample(run, motion, at, next, recorders)) continue;
-    run.progress.last = state_of(run, motion, at);
+    const MomentOfMotion moment = moment_at(run, since, at);
+    if (!report_sample(run, moment, next, recorders)) {
+      if (run.progress.for_samples_only &&
+          run.progress.next_sample > time_of(run.progress.end, clock))
+        return stop_run(run, Ending::reached);
+      continue;
+    }
+    run.progress.last = moment.state();
     return stop_run(run, Ending::stopped);
   }
 }
@@ -35,7 +40,7 @@ void end_at_time(Run &run, Recorders recorders) {
   const Real tau = time_until(run, run.progress.end);
   sample(run, tau, recorders);
   if (run.progress.over) return;
-  run.progress.last = state_of(run, motion_at(run, tau), run.progress.end);
+  run.progress.last = moment_at(run, tau, run.progress.end).state();
   if (run.long_flight.is_under_way()) ++run.counters.states_computed;
   for (const double x : run.progress.last.displacement)
     if (!std::isfinite(x)) give_up_beyond_range(run, run.progress.end);
@@ -46,6 +51,7 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   Run inside = run;
   inside.counters = {};
   inside.progress.inside_chatter = true;
+  inside.progress.for_samples_only = !(run.progress.end < limit);
   advance(inside, std::min(run.progress.end, limit), recorders);
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.states_computed += inside.counters.states_computed;
