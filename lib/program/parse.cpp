@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scene_text.hpp"
+#include "vibro_impact/analysis/follow_orbit.hpp"
 #include "words.hpp"
 
 namespace vibro_impact::runner {
@@ -68,10 +69,14 @@ void check_combinations(const CLI::App &app) {
                                        {"--exponent-periods", "--lyapunov"},
                                        {"--slowest", "--impacts"},
                                        {"--column", "--plot"},
+                                       {"--every", "--samples"},
                                        {"--velocities", "--samples"}})
     if (has(app, option) && !has(app, needed)) refuse("{}: needs {}", option, needed);
   if (has(app, "--panels") && !has(app, "--plot") && !has(app, "--portrait"))
     refuse("--panels: needs a picture");
+  if (has(app, "--from") && !has(app, "--events") && !has(app, "--samples") &&
+      !has(app, "--summary"))
+    refuse("--from: needs --events, --samples or --summary");
   for (const char *option : {"--longest", "--largest-period"})
     if (has(app, option) && has(app, "--near-start"))
       refuse("{}: bounds the settling, which --near-start omits", option);
@@ -157,6 +162,7 @@ void complete(OrbitRequest &request, const Words &words) {
   if (request.range->logarithmic)
     refuse("--vary {}: an orbit is followed in equal steps, without log", words.ranges.front());
   if (!request.table.wanted()) refuse("--vary {}: needs --table", words.ranges.front());
+  check_range(request.scene, *request.range);
 }
 
 // Adds to the options of a sweep its grid.

@@ -201,8 +201,7 @@ OrbitPoint find_orbit(const Scene &scene, const MotionState &guess, int periods)
   return point;
 }
 
-std::vector<OrbitPoint> follow_orbit(const Scene &scene, const MotionState &guess,
-                                     const Axis &range, const FollowOptions &options) {
+void check_range(const Scene &scene, const Axis &range) {
   const double q = get(scene, range.parameter);
   require(!range.parameter.starts_with("displacement") && !range.parameter.starts_with("velocity"),
           range.parameter, ": is an initial state, on which no orbit depends");
@@ -211,9 +210,14 @@ std::vector<OrbitPoint> follow_orbit(const Scene &scene, const MotionState &gues
           " values: must have a finite width and at least 2 values");
   require(std::min(range.from, range.to) <= q && q <= std::max(range.from, range.to),
           range.parameter, " = ", q, ": must lie in the range from ", range.from, " to ", range.to);
+}
+
+std::vector<OrbitPoint> follow_orbit(const Scene &scene, const MotionState &guess,
+                                     const Axis &range, const FollowOptions &options) {
+  check_range(scene, range);
   require(options.most_points >= 1, "most_points = ", options.most_points, ": must be positive");
   OrbitPoint first = find_orbit(scene, guess, options.periods);
-  first.parameter = q;
+  first.parameter = get(scene, range.parameter);
   if (!first.orbit.converged) return {first};
   Branch branch(scene, range, options.periods);
   return follow(branch, first, range, options.most_points);

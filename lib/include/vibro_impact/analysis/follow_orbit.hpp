@@ -60,12 +60,16 @@ struct FollowOptions {
 // kind is `lost`, and `orbit.why_not` says why. Throws as find_periodic_orbit does.
 OrbitPoint find_orbit(const Scene &scene, const MotionState &guess, int periods = 1);
 
+// Throws std::invalid_argument for a range along which no orbit of the scene is followed: of an
+// initial state, on which no orbit depends, with fewer than two values or no width, or without the
+// value of the scene.
+void check_range(const Scene &scene, const Axis &range);
+
 // The branch of the orbit near `guess`, from the value of the parameter in the scene, at first
 // towards `range.to`, and as far as the orbit leads between the ends of the range. A step is at
 // most as long as the distance of two values of the range. The first point is the orbit itself; the
-// last one ends the branch. Throws std::invalid_argument for what find_periodic_orbit refuses, for
-// an initial state as the parameter, on which no orbit depends, for a range that has fewer than two
-// values or no width or does not contain the value of the scene, and for options out of range.
+// last one ends the branch. Throws std::invalid_argument for what find_periodic_orbit and
+// check_range refuse, and for options out of range.
 std::vector<OrbitPoint> follow_orbit(const Scene &scene, const MotionState &guess,
                                      const Axis &range, const FollowOptions &options = {});
 
