@@ -9,6 +9,9 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include "figures/driver.hpp"
 
@@ -107,6 +110,14 @@ std::vector<Trial> measured(const std::vector<Problem> &cases, const std::vector
   return trials;
 }
 
+// Numbers below 1e-308 count as zero for all methods. A long chain at rest has them at its end,
+// where DOP853 takes 2.5 times as long on a processor of Intel with them, but not on one of AMD.
+void count_the_smallest_numbers_as_zero() {
+#ifdef __SSE2__
+  _mm_setcsr(_mm_getcsr() | 0x8040);  // results (flush to zero) and operands (denormals are zero)
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char **argv) {
@@ -114,6 +125,7 @@ int main(int argc, char **argv) {
   const auto compare = [&](const std::filesystem::path &output) {
     if (chains != "yes" && chains != "no")
       throw std::invalid_argument("--chains " + chains + ": must be yes or no");
+    count_the_smallest_numbers_as_zero();
     std::vector<Problem> cases = problems(REFERENCE_DIR);
     if (chains == "yes")
       for (const std::size_t masses : {10u, 200u}) cases.push_back(chain_problem(masses));
