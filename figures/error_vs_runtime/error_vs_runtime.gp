@@ -13,7 +13,7 @@ array short[9] = ['this library', 'every impact', 'by hand', 'plain', 'DOP853', 
 array colour[9] = ['#12355b', '#12355b', '#56b4e9', '#606060', '#a04090', '#d55e00', '#b08000', '#009e73', '#000000']
 array mark[9] = [7, 6, 4, 5, 11, 9, 15, 13, 2]
 # The place of the name of a method, in characters from its last run; 'plain' would lie on other lines.
-array across[9] = [-9.6, 0, -7.6, 0, -4.2, 0, 0, 0, 0]
+array across[9] = [-9.6, 0, -7.6, 0, -5.2, 0, 0, 0, 0]
 array up[9] = [-0.4, 0, 0.2, 0, -0.5, 0, 0, 0, 0]
 array dash[9] = [1, 1, 2, 3, 2, 1, 2, 1, 3]
 note = "Points: fastest of ten repeats; bars: slowest.%sAbove the line: the run misses an event.%s". \

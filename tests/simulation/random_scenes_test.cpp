@@ -195,6 +195,27 @@ TEST(RandomScenes, AreTheSameInOtherUnits) {
   }
 }
 
+// A free mass that a force drives onto a stop. The product of its mass and its length leaves the
+// range of double precision, and no number of the motion does.
+TEST(FreeMass, IsTheSameInUnitsWhoseProductIsNoDouble) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {0.0},
+                    .amplitude = {0.7},
+                    .omega = 1.0,
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, 0.1}},
+                    .velocity = {0.5}};
+  const Outcome ours = simulate(scene, 5.0);
+  for (const double sign : {-1.0, 1.0}) {
+    const double mass = std::exp2(sign * 540.0), time = std::exp2(sign * 200.0), length = mass;
+    const Scene other = in_units(scene, mass, mass / (time * time), length, time);
+    const Outcome theirs = simulate(other, 5.0 * time);
+    EXPECT_EQ(theirs.ending, Ending::reached);
+    EXPECT_EQ(theirs.counters.impacts, ours.counters.impacts);
+    EXPECT_EQ(theirs.state.displacement[0] / length, ours.state.displacement[0]);
+  }
+}
+
 // The witness is sharp: a first link stiffer by a billionth does not pass, but where it hardly
 // moves.
 TEST(Witness, NoticesALinkOffByABillionth) {

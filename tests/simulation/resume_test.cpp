@@ -155,6 +155,34 @@ TEST(Resume, AnotherStartGivesTheEventsOfANewSimulation) {
   EXPECT_EQ(require_complete(moved.advance(760.0)).time, 760.0);
 }
 
+// Pressed onto its stop by a constant force, the mass chatters up to the limit. A recorder ends the
+// first call inside the chatter; the next call has one sample, and goes on to its end.
+TEST(Resume, ACallAfterASampleThatEndedInsideAChatterEndsAtItsTime) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {1.0},
+                    .constant = {1.0},
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, 0.0}},
+                    .displacement = {-1.0}};
+  EventRecorder events;
+  require_complete(simulate(scene, 30.0, events));
+  const double limit = events.events.back().time,
+               latest = events.events[events.events.size() - 2].time;
+  ASSERT_LT(latest, limit);
+  struct EndsAtASample : SampleRecorder {
+    using SampleRecorder::SampleRecorder;
+    bool done() const override {
+      return !times.empty();
+    }
+  };
+  const double inside = latest + 0.25 * (limit - latest);
+  EndsAtASample first(inside, inside, 1.0);
+  Simulation simulation(scene);
+  EXPECT_EQ(simulation.advance(30.0, first).time, inside);
+  SampleRecorder second(limit + 1.0, limit + 1.0, 1.0);
+  EXPECT_EQ(simulation.advance(30.0, second).time, 30.0);
+}
+
 // Wherever that is, also inside a chatter that is carried to its limit: the outcome is the state
 // at the sample, to the rounding of a gap that is carried in addition to the displacement.
 TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {

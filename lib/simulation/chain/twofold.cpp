@@ -74,6 +74,7 @@ void sincos(const Real &x, Real &sine, Real &cosine) {
 
 Pair higher_orders_of_turn(double w) {
   const double square = -w * w, fourth = square * square;
+  static_assert(even_terms % 2 == 0);
   Pair even{}, odd{};  // of the orders in square: two chains of operations side by side
   for (std::size_t n = even_terms - 1; n > 1; n -= 2) {
     odd = odd * fourth + inverse_factorials[n].hi;

@@ -62,7 +62,8 @@ Packet binomials(int k, int n) {
 
 Jet jet_at(const Polynomial &p, int zeros, double u) {
   const double *c = p.coefficient.data() + zeros;
-  const double fourth_power = u * u * u * u, inverse = 1.0 / std::max(u, 1e-300);
+  const double fourth_power = u * u * u * u,
+               inverse = 1.0 / std::max(u, std::numeric_limits<double>::min());
   const Packet next = {Pair{fourth_power, fourth_power}, Pair{fourth_power, fourth_power}};
   Packet power = powers_of(u);
   Packet value, slope, second, third, fourth;

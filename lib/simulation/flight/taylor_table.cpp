@@ -16,9 +16,9 @@ struct OrderFactors {
   Pair derivative, inverse_derivative;  // n! / 4^n and its reciprocal
 };
 
-// The forcing looks two orders beyond the highest one.
+// The highest order of a step, order + 1, and one beyond it for the forcing.
 const auto factors_of = [] {
-  std::array<OrderFactors, max_order + 4> factors{};
+  std::array<OrderFactors, max_order + 3> factors{};
   Pair derivative = Pair{1.0, 1.0} / 4.0;
   for (std::size_t n = 2; n < factors.size(); ++n) {
     const auto order = static_cast<double>(n);
@@ -45,33 +45,34 @@ Parts<T> parts_of(const Turn &turn, const T &a, const T &b) {
 }
 
 // All orders of a chain of one or two masses, which fit into one register, by the derivatives
-// y_n = n! x_n / 4^n with respect to a quarter of the unit q, in which they do not grow:
-//   y_n = f_n - M^-1 K y_(n-2) - (beta / q) M^-1 K y_(n-1)
+// y_n = n! x_n / 4^n in the unit of time q = h / 4, in which they do not grow:
+//   y_n = f_n - q^2 M^-1 K y_(n-2) - beta q M^-1 K y_(n-1)
 // An order waits for the one before. Hence all that y_(n-1) is multiplied by is found before the
 // loop, and what is left between two orders is a stretch, a product and a difference.
 void expand_pair(const Chain &chain, const Motion &motion, TaylorTable &table) {
   const ContactMode &mode = *motion.mode;
-  const double unit = 0.25 * table.step.unit, square = unit * unit, angle = chain.omega * unit,
-               damping = chain.beta / unit;
+  const double quarter = 0.25 * table.step.unit, square = quarter * quarter,
+               angle = chain.omega * quarter, damping = chain.beta / quarter;
   const Pair mass = pair(mode.mass.data()), inverse = pair(mode.inverse_mass.data());
   Pair within = square * Pair{chain.link[1], chain.link[1]},
        own = square * (Pair{chain.link[0], 0.0} + pair(chain.ground.data()));
   const Pair damped_within = damping * within / mass, damped_own = damping * own / mass;
   const auto [even, odd] = parts_of<Pair>(motion.turn, pair(chain.a.data()), pair(chain.b.data()));
-  Pair odd_forcing = square * angle * odd / mass,
-       even_forcing = -(square * angle * angle) * even / mass;
+  // The mass comes first: of a small mass and a small length, the product may leave the range.
+  Pair odd_forcing = square * angle * (odd / mass),
+       even_forcing = -(square * angle * angle) * (even / mass);
 
   double *entry = table.of_order(2);
   Pair latest = 0.25 * pair(table.of_order(1));
-  Pair before = (own * latest + within * (latest - exchanged(latest))) / mass;  // M^-1 K y_(n-2)
+  Pair springs = (own * latest + within * (latest - exchanged(latest))) / mass;  // of y_(n-2)
   latest = 0.125 * pair(entry);
   Pair travel = modulus(pair(entry));
-  // Goes on by an order, and returns K y of the one before.
+  // Goes on by an order, and returns the force of the springs of the one before.
   const auto next = [&](Pair &forcing) {
-    const Pair stretch = latest - exchanged(latest), springs = own * latest + within * stretch;
-    latest = ((forcing - before) - damped_own * latest) - damped_within * stretch;
+    const Pair stretch = latest - exchanged(latest), force = own * latest + within * stretch;
+    latest = ((forcing - springs) - damped_own * latest) - damped_within * stretch;
     forcing *= -(angle * angle);
-    return springs;
+    return force;
   };
   const auto add = [&](const Pair &coefficient) {
     travel += modulus(coefficient);
@@ -80,17 +81,17 @@ void expand_pair(const Chain &chain, const Motion &motion, TaylorTable &table) {
   const int last = table.step.order + 1;  // an even order
   int n = 3;
   for (; n < std::min(last, last_divided_order); n += 2) {
-    before = next(odd_forcing) / mass;
+    springs = next(odd_forcing) / mass;
     add(latest / factors(n).derivative);
-    before = next(even_forcing) / mass;
+    springs = next(even_forcing) / mass;
     add(latest / factors(n + 1).derivative);
   }
-  own *= inverse;
+  own *= inverse;  // from here on, over the mass
   within *= inverse;
   for (; n < last; n += 2) {
-    before = next(odd_forcing);
+    springs = next(odd_forcing);
     add(latest * factors(n).inverse_derivative);
-    before = next(even_forcing);
+    springs = next(even_forcing);
     add(latest * factors(n + 1).inverse_derivative);
   }
   put(travel, table.travel.data());

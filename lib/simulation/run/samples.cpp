@@ -59,7 +59,7 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   run.progress.next_sample = inside.progress.next_sample;
   if (!(run.progress.end < limit) && inside.progress.ending == Ending::reached) return;
   run.progress = std::move(inside.progress);
-  run.progress.inside_chatter = false;
+  run.progress.inside_chatter = run.progress.for_samples_only = false;
   run.ended_inside_chatter = true;
 }
 

@@ -15,10 +15,10 @@ void sample(Run &run, const Real &tau, Recorders recorders);
 // Ends the call at its end, on the step or long flight of the run.
 void end_at_time(Run &run, Recorders recorders);
 
-// Advances a copy of the run through the impacts before the limit of its chatter, for samples and
-// an end there. A run that ends there takes over the end state of the copy, and stays itself at the
-// latest node: the next call finds the same limit again. The copy counts its own steps: a run with
-// samples is given up where it is without.
+// Advances a copy of the run through the impacts before the limit of its chatter, up to an end
+// there, or else up to the last sample there. A run that ends there takes over the end state of the
+// copy, and stays itself at the latest node: the next call finds the same limit again. The copy
+// counts its own steps: a run with samples is given up where it is without.
 void look_inside(Run &run, const Instant &limit, Recorders recorders);
 
 // Gives the run up: the motion leaves the range of double precision before this instant.
