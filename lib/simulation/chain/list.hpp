@@ -1,5 +1,5 @@
-// Lists with an entry for each mass or stop. Those of up to four entries allocate no memory: half
-// of the time to begin a run would be spent on it.
+// Lists with an entry for each mass, pair or stop. Those of up to four entries allocate no memory:
+// half of the time to begin a run would be spent on it.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
