@@ -175,7 +175,7 @@ T at(const double *entry) {
     return *entry;
 }
 
-// What the orders from 2 on add to displacement and velocity, of mass i or of it and the next.
+// The change of displacement and velocity by the orders from 2 on, of mass i or of it and the next.
 template <class T>
 struct Change {
   T value, slope;
