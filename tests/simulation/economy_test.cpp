@@ -8,6 +8,7 @@
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/events.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
@@ -186,14 +187,8 @@ TEST(Economy, ImpactsOfAChatterAreResolvedUpToTheLastSample) {
                     .restitution = 0.7,
                     .stops = {{1, Side::upper, 0.0}},
                     .displacement = {-1.0}};
-  EventRecorder events;
   const RunOptions options{.max_steps = 60};
-  require_complete(simulate(scene, 10.0, options, events));
-  ASSERT_EQ(events.events.back().kind, EventKind::stick);
-  const double limit = events.events.back().time,
-               latest = events.events[events.events.size() - 2].time;
-  ASSERT_LT(latest, limit);
-  const double inside = latest + 0.25 * (limit - latest);
+  const double inside = time_inside_chatter(scene, 10.0, options);
   SampleRecorder sample(inside, inside, 1.0);
   EXPECT_EQ(simulate(scene, 10.0, options, sample).reason, "");
   EXPECT_EQ(sample.times.size(), 1u);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,17 @@ inline std::vector<Event> events_of(const Scene &scene, double from, double unti
   EventRecorder recorder(from);
   require_complete(simulate(scene, until, options, recorder));
   return recorder.events;
+}
+
+// A time between the last impact of a run that ends with a stick and this stick, the limit of the
+// chatter: a quarter of the way.
+inline double time_inside_chatter(const Scene &scene, double until,
+                                  const RunOptions &options = {}) {
+  const std::vector<Event> events = events_of(scene, 0.0, until, options);
+  if (events.size() < 2 || events.back().kind != EventKind::stick)
+    throw std::runtime_error("the run ends with no stick after a chatter");
+  const double latest = events[events.size() - 2].time;
+  return latest + 0.25 * (events.back().time - latest);
 }
 
 // Calls a function with each event, and asks for the end of the run once it has returned true.

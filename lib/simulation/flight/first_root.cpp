@@ -54,6 +54,12 @@ Packet powers_of(double x) {
   return {Pair{1.0, x}, Pair{x * x, x * x * x}};
 }
 
+// The factor that leads to the next four powers.
+Packet fourth_power_of(double x) {
+  const double power = x * x * x * x;
+  return {Pair{power, power}, Pair{power, power}};
+}
+
 Packet binomials(int k, int n) {
   return packet(binomial[static_cast<std::size_t>(k)].data() + n);
 }
@@ -62,9 +68,8 @@ Packet binomials(int k, int n) {
 
 Jet jet_at(const Polynomial &p, int zeros, double u) {
   const double *c = p.coefficient.data() + zeros;
-  const double fourth_power = u * u * u * u,
-               inverse = 1.0 / std::max(u, std::numeric_limits<double>::min());
-  const Packet next = {Pair{fourth_power, fourth_power}, Pair{fourth_power, fourth_power}};
+  const double inverse = 1.0 / std::max(u, std::numeric_limits<double>::min());
+  const Packet next = fourth_power_of(u);
   Packet power = powers_of(u);
   Packet value, slope, second, third, fourth;
   for (int n = 0; n <= p.order - zeros; n += 4) {
@@ -87,8 +92,8 @@ namespace {
 // The sum of the moduli of the terms of q^(k) / k! at u, q(u) = p(u) / u^zeros. It bounds q^(k) /
 // k! on [0, u].
 inline double sum_of_moduli(int k, const Polynomial &p, int zeros, double u) {
-  const double *c = p.coefficient.data() + zeros + k, fourth_power = u * u * u * u;
-  const Packet next = {Pair{fourth_power, fourth_power}, Pair{fourth_power, fourth_power}};
+  const double *c = p.coefficient.data() + zeros + k;
+  const Packet next = fourth_power_of(u);
   Packet sum, power = powers_of(u);
   for (int n = 0; n <= p.order - zeros - k; n += 4) {
     sum += binomials(k, n + k) * moduli(packet(c + n)) * power;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "simulation/chain/tolerances.hpp"
 
@@ -167,36 +166,25 @@ void expand_chain(const Chain &chain, const Motion &motion, TaylorTable &table) 
   add_travel(mode, table);
 }
 
-template <class T>
-T at(const double *entry) {
-  if constexpr (std::is_same_v<T, Pair>)
-    return pair(entry);
-  else
-    return *entry;
-}
-
-// The change of displacement and velocity by the orders from 2 on, of mass i or of it and the next.
-template <class T>
+// The change of displacement and velocity of two masses by the orders from 2 on.
 struct Change {
-  T value, slope;
+  Pair value, slope;
 };
 
 // Horner's rule for the sum of x_n u^(n-2) and its derivative. The orders above `half` are a chain
 // of operations of their own beside that of those below, as if they began at order 2.
-template <class T>
-[[gnu::always_inline]] inline Change<T> change_at(const TaylorTable &table, std::size_t i,
-                                                  double tau) {
+inline Change change_at(const TaylorTable &table, std::size_t i, double tau) {
   const double unit = table.step.unit, u = tau / unit;
   const int last = table.step.order + 1, half = last / 2;  // the order is odd
   const double *low = table.of_order(half) + i, *high = table.of_order(last) + i;
-  T value = at<T>(low), slope{}, high_slope = at<T>(high),
-    high_value = high_slope * u + at<T>(high -= table.stride);
+  Pair value = pair(low), slope{}, high_slope = pair(high),
+       high_value = high_slope * u + pair(high -= table.stride);
   double power = 1.0;  // u^(half - 2)
   for (int n = half; n > 2; --n) {
     slope = slope * u + value;
-    value = value * u + at<T>(low -= table.stride);
+    value = value * u + pair(low -= table.stride);
     high_slope = high_slope * u + high_value;
-    high_value = high_value * u + at<T>(high -= table.stride);
+    high_value = high_value * u + pair(high -= table.stride);
     power *= u;
   }
   slope += power * ((half - 1.0) * high_value + u * high_slope);
@@ -279,17 +267,18 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
 
 Real displacement_along(const Motion &start, const TaylorTable &table, std::size_t mass,
                         double tau) {
-  return start.x[mass] + (start.v[mass] * tau + change_at<double>(table, mass, tau).value);
+  return start.x[mass] +
+         (start.v[mass] * tau + change_at(table, mass / 2 * 2, tau).value[mass % 2]);
 }
 
 Real velocity_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau) {
-  return start.v[mass] + change_at<double>(table, mass, tau).slope;
+  return start.v[mass] + change_at(table, mass / 2 * 2, tau).slope[mass % 2];
 }
 
 void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
                 Motion &motion) {
   for (std::size_t i = 0; i < table.stride; i += 2) {
-    const auto [value, slope] = change_at<Pair>(table, i, tau);
+    const auto [value, slope] = change_at(table, i, tau);
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
     store(x + (v * Pair{tau, tau} + value), &motion.x[i]);
     store(v + slope, &motion.v[i]);

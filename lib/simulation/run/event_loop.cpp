@@ -46,7 +46,7 @@ bool find_limit(Run &run) {
 // Moves the run to the limit of a chatter, if it stands just after an impact that is a node of the
 // extrapolation, and the limit is found.
 void take_limit(Run &run, Recorders recorders) {
-  if (run.progress.over || run.progress.inside_chatter || run.hint.quiet_steps > 0 ||
+  if (run.progress.over || run.progress.extent != Extent::whole || run.hint.quiet_steps > 0 ||
       !run.chatter.is_at_node() || !find_limit(run))
     return;
   const Instant limit = run.scratch.motion.now.rounded();
@@ -214,11 +214,8 @@ void fly_on(Run &run, Recorders recorders) {
 
 }  // namespace
 
-void advance(Run &run, const Instant &end, Recorders recorders) {
-  run.progress = {.end = end,
-                  .inside_chatter = run.progress.inside_chatter,
-                  .for_samples_only = run.progress.for_samples_only,
-                  .next_sample = next_sample(recorders)};
+void advance(Run &run, const Instant &end, Recorders recorders, Extent extent) {
+  run.progress = {.end = end, .extent = extent, .next_sample = next_sample(recorders)};
   run.ended_inside_chatter = false;
   if (run.start) handle_start(run, recorders);
   take_limit(run, recorders);  // a chatter may stand at a node since the call before

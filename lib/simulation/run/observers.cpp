@@ -73,7 +73,7 @@ void stop_run(Run &run, Ending ending, std::string reason) {
 
 void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
                   bool by_a_jump, Recorders recorders) {
-  if (run.progress.inside_chatter || recorders.empty()) return;
+  if (run.progress.extent != Extent::whole || recorders.empty()) return;
   const Stop &stop_of_event = run.scene().stops[stop];
   Event &event = run.scratch.event;
   event.kind = kind;

@@ -60,16 +60,18 @@ struct Scratch {
   Event event;
 };
 
+// The part of a run that a call of `advance` resolves. The impacts of a chatter before its limit,
+// where a sample or an end lies, are resolved without taking the limit, and only samples are
+// reported: up to the end of the call, or up to the last sample before it.
+enum class Extent { whole, chatter, samples_of_chatter };
+
 // The progress of one call of `advance`.
 struct Progress {
   Instant end;
   bool over = false;
   Ending ending = Ending::reached;
   std::string reason = {};
-  // True of the copy of a run that resolves the impacts of a chatter before its limit, because a
-  // sample or the end lies there. The copy reports samples only and takes no limit.
-  bool inside_chatter = false;
-  bool for_samples_only = false;  // the copy ends when the next sample lies beyond its end
+  Extent extent = Extent::whole;
   // The time of the next sample. It changes when a recorder has been called.
   double next_sample = infinity;
   MotionState last = {};  // the state at the end; empty before
@@ -102,6 +104,6 @@ struct Run {
 // Runs on to `end`, or until a recorder is done or the run is given up, and sets progress.last to
 // the state there. The motion of the run stays at the start of the flight that contains the end:
 // hence the flights do not depend on where a call ends.
-void advance(Run &run, const Instant &end, Recorders recorders);
+void advance(Run &run, const Instant &end, Recorders recorders, Extent extent = Extent::whole);
 
 }  // namespace vibro_impact::detail

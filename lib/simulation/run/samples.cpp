@@ -26,7 +26,7 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
     ++run.counters.states_computed;
     const MomentOfMotion moment = moment_at(run, since, at);
     if (!report_sample(run, moment, next, recorders)) {
-      if (run.progress.for_samples_only &&
+      if (run.progress.extent == Extent::samples_of_chatter &&
           run.progress.next_sample > time_of(run.progress.end, clock))
         return stop_run(run, Ending::reached);
       continue;
@@ -50,16 +50,15 @@ void end_at_time(Run &run, Recorders recorders) {
 void look_inside(Run &run, const Instant &limit, Recorders recorders) {
   Run inside = run;
   inside.counters = {};
-  inside.progress.inside_chatter = true;
-  inside.progress.for_samples_only = !(run.progress.end < limit);
-  advance(inside, std::min(run.progress.end, limit), recorders);
+  const bool ends_inside = run.progress.end < limit;
+  advance(inside, ends_inside ? run.progress.end : limit, recorders,
+          ends_inside ? Extent::chatter : Extent::samples_of_chatter);
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.states_computed += inside.counters.states_computed;
   run.counters.modes_built += inside.counters.modes_built;
   run.progress.next_sample = inside.progress.next_sample;
-  if (!(run.progress.end < limit) && inside.progress.ending == Ending::reached) return;
+  if (!ends_inside && inside.progress.ending == Ending::reached) return;
   run.progress = std::move(inside.progress);
-  run.progress.inside_chatter = run.progress.for_samples_only = false;
   run.ended_inside_chatter = true;
 }
 

@@ -96,9 +96,7 @@ void Simulation::set_options(const RunOptions &options) {
   detail::Run &run = *run_;
   if (run.ended_inside_chatter) {  // other options may not take its limit: the run goes on from
                                    // here
-    run.progress.inside_chatter = true;
-    detail::advance(run, run.progress.last.instant, {});
-    run.progress.inside_chatter = false;
+    detail::advance(run, run.progress.last.instant, {}, detail::Extent::chatter);
     run.ended_inside_chatter = false;
   }
   run.problem.options = options;
