@@ -14,6 +14,7 @@
 namespace {
 
 using namespace vibro_impact;
+using namespace vibro_impact::testing;
 
 // The longest expansion of a flight, two radians of its fastest rate, is of order 23.
 constexpr long long most_coefficients = 24;
