@@ -102,8 +102,8 @@ class Witness : public Recorder {
   Motion flown_;         // the end of the latest flight, with the events recorded since
   Motion state_of_run_;  // the state of the run at the latest event
   // The change of the motion, and of each hold force, in the last rounding of the clock before the
-  // end of the latest flight. Beside a link of 1e9 the force may be larger than what the links
-  // carry, and its damper may change a speed by 1e-7.
+  // end of the latest flight, or in one rounding where the flight is shorter. Beside a link of 1e9
+  // the force may be larger than what the links carry, and its damper may change a speed by 1e-7.
   Motion clock_change_;
   std::vector<Real> clock_rounding_ = std::vector<Real>(scene_.stops.size());
   Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
@@ -212,18 +212,24 @@ class Witness : public Recorder {
   // lowest point is looked for.
   void fly_to(const Instant &next) {
     const Real t = elapsed(since_, next, clock_);
-    if (!(t > 0)) return;
-    compare();
+    if (t > 0) compare();
     const Flight flight = take_off(t);
-    const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    const Real before = std::max<Real>(0, t - epsilon * std::max(since_.phase, next.phase));
-    const Motion at_end = flight.after(t), just_before = flight.after(before);
-    clock_change_ = {at_end.x - just_before.x, at_end.v - just_before.v};
     const auto watched = [&](std::size_t k, const Motion &at, Real s) {
       const Stop &stop = scene_.stops[k];
       return held_at(stop) ? press(stop, at, since_.phase + s) : gap(stop, at);
     };
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const Real unit = epsilon * std::max(since_.phase, next.phase),
+               before = std::max<Real>(0, t - unit);
+    const Motion start_of_unit = flight.after(before), end_of_unit = flight.after(before + unit);
+    for (std::size_t k = 0; k < scene_.stops.size(); ++k)
+      clock_rounding_[k] =
+          held_at(scene_.stops[k])
+              ? std::abs(watched(k, end_of_unit, before + unit) - watched(k, start_of_unit, before))
+              : 0;
+    if (!(t > 0)) return;
+    clock_change_ = {end_of_unit.x - start_of_unit.x, end_of_unit.v - start_of_unit.v};
+    const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
     std::vector<std::array<Real, 3>> last(scene_.stops.size());
     for (int n = 0; n <= steps; ++n) {
       const Real s = t * n / steps;
@@ -235,10 +241,7 @@ class Witness : public Recorder {
         Real &worst = held_at(scene_.stops[k]) ? weakest : deepest;
         auto &[first, second, third] = last[k];
         first = second, second = third, third = watched(k, flown_, s);
-        Real &rounding = clock_rounding_[k] = 0;
-        if (n == steps && held_at(scene_.stops[k]))
-          rounding = std::abs(third - watched(k, just_before, before));
-        note(worst, -third - rounding);
+        note(worst, -third - (s > before ? clock_rounding_[k] : 0));
         const Real bend = first - 2 * second + third;
         if (n < 2 || !(second <= first && second <= third && second < bend)) continue;
         Real from = s - 2 * t / steps, to = s;
