@@ -76,6 +76,22 @@ TEST(Resume, OtherOptionsReportNoEventOfThePast) {
     EXPECT_NEAR(recorder.events[k].time, expected[k].time, 1e-12);
 }
 
+// The steps of the call before and the impacts of its chatter are within the limit of steps, each
+// for itself, and together they exceed it.
+TEST(Resume, OtherOptionsReportNoEventOfThePastNextToTheLimitOfSteps) {
+  const Scene scene = extremes::one_mass(0.0, 1.0, 0.0, 0.7, 0.5);
+  RunOptions options{.max_steps = 1};
+  while (simulate(scene, 7.98, options).ending != Ending::reached) ++options.max_steps;
+  EXPECT_GT(options.max_steps, 3);
+  Simulation simulation(scene, options);
+  require_complete(simulation.advance(7.98));
+  simulation.set_options(all_impacts);
+  EventRecorder recorder(-infinity);
+  require_complete(simulation.advance(20.0, recorder));
+  ASSERT_FALSE(recorder.events.empty());
+  EXPECT_GE(recorder.events.front().time, 7.98);
+}
+
 // A looser flight tolerance needs fewer orders, also when it comes with other options.
 TEST(Resume, OtherOptionsSetTheOrdersOfTheSteps) {
   Simulation simulation(paper::figure2());

@@ -94,8 +94,10 @@ void Simulation::start_from(const MotionState &start) {
 void Simulation::set_options(const RunOptions &options) {
   detail::check_options(options);
   detail::Run &run = *run_;
-  if (run.ended_inside_chatter) {  // other options may not take its limit: the run goes on from
-                                   // here
+  // Other options may not take the limit of the chatter: the run goes on from the end of the call.
+  // It takes the steps of the copy that had found the end.
+  if (run.ended_inside_chatter) {
+    run.counters = {};
     detail::advance(run, run.progress.last.instant, {}, detail::Extent::chatter);
     run.ended_inside_chatter = false;
   }
