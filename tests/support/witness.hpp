@@ -38,20 +38,20 @@ class Witness : public Recorder {
     fly_to(event.instant);
     const auto i = static_cast<Eigen::Index>(event.mass - 1);
     const Stop &stop = stop_of(scene_, event);
+    const Real rounding = clock_rounding_[static_cast<std::size_t>(event.stop - 1)];
     const Real off = beyond(flown_.v(i) - event.velocity_before, clock_change_.v(i));
     switch (event.kind) {
       case EventKind::impact:
-        note(off_the_stop, std::abs(gap(stop, flown_)));
+        note(off_the_stop, std::abs(gap(stop, flown_)) - rounding);
         note(apart_, scene_.mass[static_cast<std::size_t>(i)] * off * off / 2);
         flown_.v(i) = event.velocity_after;
         break;
       case EventKind::stick:  // its last speed counts as off
-        note(off_the_stop, std::abs(gap(stop, flown_)));
+        note(off_the_stop, std::abs(gap(stop, flown_)) - rounding);
         break;
       case EventKind::release:
         if (event.by_a_jump) break;
-        note(not_zero, std::abs(press(stop, flown_, event.instant.phase)) -
-                           clock_rounding_[static_cast<std::size_t>(&stop - scene_.stops.data())]);
+        note(not_zero, std::abs(press(stop, flown_, event.instant.phase)) - rounding);
         break;
     }
     for (Eigen::Index k = 0; k < flown_.x.size(); ++k) {
@@ -101,9 +101,10 @@ class Witness : public Recorder {
   Held held_ = Held(scene_.mass.size());
   Motion flown_;         // the end of the latest flight, with the events recorded since
   Motion state_of_run_;  // the state of the run at the latest event
-  // The change of the motion, and of each hold force, in the last rounding of the clock before the
-  // end of the latest flight, or in one rounding where the flight is shorter. Beside a link of 1e9
-  // the force may be larger than what the links carry, and its damper may change a speed by 1e-7.
+  // The change of the motion, and of each gap or hold force, in the last rounding of the clock
+  // before the end of the latest flight, or in one rounding where the flight is shorter. Beside a
+  // link of 1e9 the force may be larger than what the links carry, and its damper may change a
+  // speed by 1e-7.
   Motion clock_change_;
   std::vector<Real> clock_rounding_ = std::vector<Real>(scene_.stops.size());
   Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
@@ -224,9 +225,7 @@ class Witness : public Recorder {
     const Motion start_of_unit = flight.after(before), end_of_unit = flight.after(before + unit);
     for (std::size_t k = 0; k < scene_.stops.size(); ++k)
       clock_rounding_[k] =
-          held_at(scene_.stops[k])
-              ? std::abs(watched(k, end_of_unit, before + unit) - watched(k, start_of_unit, before))
-              : 0;
+          std::abs(watched(k, end_of_unit, before + unit) - watched(k, start_of_unit, before));
     if (!(t > 0)) return;
     clock_change_ = {end_of_unit.x - start_of_unit.x, end_of_unit.v - start_of_unit.v};
     const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
