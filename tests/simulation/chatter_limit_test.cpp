@@ -171,9 +171,9 @@ Worst worst_first_limit(const Scene &scene, double tolerance) {
   return worst;
 }
 
-// The estimate is an estimate. Measured: 2.6 at worst. It is no bound: with the stops of Figure 2,
-// Omega = 0.2797, r = 0.3 and a tolerance of 1e-7 one limit is off by 21 of them. The state after a
-// limit is compared with 50 digits, event for event, by reference_test.
+// The estimate is no bound. Measured here: 0.84 tolerances at worst; from 3,000 random states of
+// Figure 2 with r = 0.7 and a tolerance of 1e-5, 2.6. The state after a limit is compared with 50
+// digits, event for event, by reference_test.
 TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
   std::vector<Scene> scenes{paper::figure2(), paper::figure4a(), paper::figure4b(),
                             paper::figure5a(), paper::figure5b()};
@@ -185,7 +185,7 @@ TEST(ChatterLimit, ErrorStaysBelowTheTolerance) {
     int limits = 0;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       const Worst of_scene = worst_first_limit(scenes[k], tolerance);
-      EXPECT_LT(of_scene.over_tolerance, 2.65) << "scene " << k << ", tolerance " << tolerance;
+      EXPECT_LT(of_scene.over_tolerance, 1.0) << "scene " << k << ", tolerance " << tolerance;
       worst = std::max(worst, of_scene.over_tolerance);
       limits += of_scene.limits;
     }

@@ -24,8 +24,6 @@ constexpr double force_in_question = 1e-3;
 // A gap and its speed this small, relative to the motion of the chain and of the forcing in one
 // unit of time, are below the rounding of twice the precision.
 constexpr double as_at_rest = 1e-32;
-// Least pressing force at a chatter limit, relative to its terms: on a border orbit it is zero.
-constexpr double least_press = 1e-9;
 // A term of a decision at rest below this has lost digits to underflow. The unit of its rates is
 // then slower by a factor, down to a share of the fastest rate.
 constexpr double least_term = 1e-280;
@@ -141,9 +139,6 @@ constexpr double ratio_change = 1.0 / 16.0;
 // Error of a limit, relative to the difference that its oldest node makes. The error of one limit
 // of Figure 4(a) is 19 times this difference.
 constexpr double error_share = 24.0;
-// Largest difference of the extrapolated and the predicted time left, relative to the latter. Near
-// a border orbit the two differ until late.
-constexpr double prediction_share = 1.0 / 16.0;
 // Bound of the sum of the jumps to come, relative to the geometric series J r / (1 - r).
 constexpr double jump_sum_factor = 1.5;
 // Longest time to a limit, in radians of the fastest rate: accelerations then hardly change.

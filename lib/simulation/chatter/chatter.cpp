@@ -89,7 +89,6 @@ std::optional<double> Chatter::time_left(double tolerance, double rate) const {
     oldest += (all[k] - fewer[k]) * distance;
   }
   if (!(std::abs(oldest) <= tolerance * std::min(duration_, 1.0 / rate))) return std::nullopt;
-  if (!(std::abs(change) < prediction_share * left_)) return std::nullopt;
   return left_ + change;
 }
 

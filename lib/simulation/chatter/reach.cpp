@@ -65,16 +65,4 @@ bool others_stay_out_of_reach(const Chain &chain, const Chatter &chatter, const 
   });
 }
 
-bool all_are_pressed(const Chain &chain, const Chatter &chatter, const Motion &motion) {
-  return std::all_of(chatter.stops().begin(), chatter.stops().end(), [&](std::size_t k) {
-    const ChainStop &stop = chain.stops[k];
-    const std::size_t i = stop.mass;
-    double terms = std::abs(chain.a[i]) + std::abs(chain.b[i]) + std::abs(chain.p[i]) +
-                   chain.stiffness_at(i) * std::abs(motion.x[i].hi);
-    if (i > 0) terms += chain.link[i] * std::abs(motion.x[i - 1].hi);
-    if (i + 1 < chain.masses) terms += chain.above(i) * std::abs(motion.x[i + 1].hi);
-    return stop.sigma * motion.acceleration[i] * chain.mass[i] > least_press * terms;
-  });
-}
-
 }  // namespace vibro_impact::detail

@@ -1,5 +1,4 @@
-// Whether a chatter may be carried to its limit: nothing else may happen before, and the masses hit
-// must stay pressed.
+// Whether a chatter may be carried to its limit: nothing else may happen before.
 #pragma once
 
 #include "chatter.hpp"
@@ -12,9 +11,5 @@ namespace vibro_impact::detail {
 // `jump_sum_factor` times the geometric series.
 bool others_stay_out_of_reach(const Chain &chain, const Chatter &chatter, const Motion &motion,
                               const std::vector<StopState> &stops, double left);
-
-// True when all masses of the chatter are pressed against their stops. On a border orbit, and
-// beyond it, they are not. The acceleration is known.
-bool all_are_pressed(const Chain &chain, const Chatter &chatter, const Motion &motion);
 
 }  // namespace vibro_impact::detail
