@@ -1,5 +1,5 @@
 // The first root of a polynomial on (0, 1]: never passed over, accurate up to rounding, and found
-// in few steps.
+// in few steps. The first event of a step.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "simulation/flight/polynomial.hpp"
+#include "simulation/flight/first_event.hpp"
 
 namespace {
 
@@ -182,6 +182,36 @@ TEST(FirstRoot, OfCoefficientsBelowTheNormalNumbersIsFound) {
   const auto root = first(rounded({1e-315L, -3e-315L, 1e-315L}));
   ASSERT_TRUE(root);
   EXPECT_NEAR(*root, 0.5 * (3.0 - std::sqrt(5.0)), 1e-8) << "1e-315 has eight digits";
+}
+
+// Two free masses come to their stops one after the other. Whichever stop is listed first, only the
+// mass that comes first may have an event at that instant.
+TEST(FirstEvent, IsTheSameInAnyOrderOfTheStops) {
+  const Stop soon{1, Side::upper, 0.1}, later{2, Side::upper, 0.2};
+  for (const bool later_first : {false, true}) {
+    Scene scene;
+    scene.mass = scene.stiffness = {1.0, 1.0};
+    scene.stops = {later_first ? later : soon, later_first ? soon : later};
+    const Chain chain(scene);
+    const ContactMode mode = build_contact_mode(chain, {0, 0});
+    Motion motion;
+    motion.mode = &mode;
+    clear(chain, motion);
+    for (std::size_t i : {0u, 1u}) place(i, 0.0, 1.0, motion);
+    find_acceleration(chain, motion);
+    std::vector<Start> starts;
+    for (const Contact &contact : mode.contacts)
+      starts.push_back(start_of(chain, contact, Evaluated{}, motion));
+    std::vector<Near> near(2);
+    Counters counters;
+    Flight flight;
+    const Step step{.length = 0.5, .unit = 0.5, .u_max = 1.0, .order = 19};
+    const FlightEnd end = flight.find_first_event(chain, motion, step, starts, near, counters);
+    ASSERT_TRUE(end.event);
+    EXPECT_NEAR(end.tau.hi, 0.1, 1e-3) << "the springs delay it by some 0.1^3";
+    EXPECT_EQ(near[later_first], Near::zero);
+    EXPECT_EQ(near[!later_first], Near::no);
+  }
 }
 
 }  // namespace

@@ -106,6 +106,8 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   };
   bool any_touches = false;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
+    // A later root was found before the first, if its stop comes earlier in the list.
+    if (roots[k] > u + tolerance(u)) near[k] = Near::no;
     if (roots[k] != u) continue;
     near[k] = touches(k) ? Near::touch : Near::zero;
     any_touches = any_touches || near[k] == Near::touch;
