@@ -259,4 +259,19 @@ TEST(WithoutEvents, TheStepsAreThoseAfterTheLastEvent) {
   EXPECT_LT(simulate(resonant, 1e5).counters.expansions, 100);
 }
 
+// Two masses whose modes, with frequencies in the golden ratio, swing on below a stop that they
+// reach only together. The search within one long flight has steps of a radian and is given up,
+// too.
+TEST(Work, OfALongFlightIsBounded) {
+  Scene scene;
+  scene.mass = scene.stiffness = {1.0, 1.0};
+  scene.velocity = {0.0, 1.0};
+  scene.stops = {{2, Side::upper, 1.34164}};  // 3 / sqrt(5) = 1.341641 would be the largest x2
+  constexpr long long most = 2500;
+  const Outcome outcome = simulate(scene, 1e5, {.max_steps = most});
+  EXPECT_EQ(outcome.ending, Ending::given_up);
+  EXPECT_GE(outcome.counters.search_steps, most / 2);
+  EXPECT_LE(outcome.counters.search_steps, 2 * most);
+}
+
 }  // namespace

@@ -106,8 +106,6 @@ constexpr long long fewest_short_steps = 16;
 constexpr long long short_steps_divisor = 8;
 // A damping ratio squared, minus one, from which the decays of a coordinate are bounded one by one.
 constexpr double two_decays = 0.01;
-// Relative distance from resonance below which the steady response is too large for a bound.
-constexpr double near_resonance = 1e-4;
 // Orders of the bounds of a contact. The second is tried where the first does not suffice.
 constexpr int quick_bound_order = 2;
 constexpr int best_bound_order = 23;
@@ -119,7 +117,7 @@ constexpr double time_rounding = 1e-13;
 // to the flight: the search has found the root to 1e-13.
 constexpr int exact_newton_steps = 4;
 constexpr double longest_correction = 1e-3;
-// Evaluations after which a long flight begins anew where it is.
+// Evaluations after which a long flight begins anew where it is, so that its run can be given up.
 constexpr int most_search_steps = 1000;
 // Bounds of one-sided rotations, as in LAPACK's dgesvj, and of their sweeps.
 constexpr double rotation_rounding = 1e-30;

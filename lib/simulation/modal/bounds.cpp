@@ -93,7 +93,8 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
   double y = c.deviation, dy = c.dy.hi;  // of the free part
   if (c.modulus > 0.0) {
     // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
-    // s = (a - i b) / (lambda - Omega^2 + i kappa Omega).
+    // s = (a - i b) / (lambda - Omega^2 + i kappa Omega). Near resonance it is large or no number:
+    // no event is then excluded within this length.
     const ComplexOf<double> s = ComplexOf<double>{c.force.a.hi, -c.force.b.hi} /
                                 ComplexOf<double>{o.lambda - square, o.kappa * omega_};
     const double steady = s.re, slope = -omega_ * s.im;
@@ -164,8 +165,8 @@ double LongFlight::longest_blind_step() const {
         if (part.amplitude > threshold) rate = std::max(rate, part.rate);
       });
   }
-  if (rate == 0.0) return longest_;
-  return std::min({longest_, blind_radians / rate, std::max(u_, 1.0 / fastest_)});
+  if (rate == 0.0) return longest_step;
+  return std::min(blind_radians / rate, std::max(u_, 1.0 / fastest_));
 }
 
 }  // namespace vibro_impact::detail

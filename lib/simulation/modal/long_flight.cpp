@@ -18,16 +18,10 @@ void LongFlight::begin(const Chain &chain, const Clock &clock, const Motion &mot
   fastest_ = std::max(form_->fastest, omega_);
   evaluations_ = 0;
   is_at_event_ = false;
-  longest_ = longest_step;
   coordinates_.assign(form_->size(), {});
-  for (std::size_t j = 0; j < form_->size(); ++j) {
-    const Oscillator<double> &o = form_->rounded[j];
+  for (std::size_t j = 0; j < form_->size(); ++j)
     coordinates_[j].modulus = std::hypot(forces_[j].a.hi, forces_[j].b.hi);
-    const double distance = std::hypot(o.lambda - omega_ * omega_, o.kappa * omega_);
-    if (coordinates_[j].modulus > 0.0 && distance < near_resonance * (o.lambda + omega_ * omega_))
-      longest_ = std::min(longest_, 1.0 / o.rate);
-  }
-  l_ = std::min(fastest_ > 0.0 ? 1.0 / fastest_ : longest_, longest_);
+  l_ = fastest_ > 0.0 ? 1.0 / fastest_ : longest_step;
   evaluate(chain, clock, motion, flown);
   hidden_.assign(values_.size(), false);
   for (std::size_t k = 0; k < values_.size(); ++k)

@@ -66,10 +66,9 @@ class LongFlight {
   // keeps its sign, by definition, until it is seen.
   std::vector<char> hidden_;
   double u_ = 0.0;
-  double unit_ = 0.0;     // of the derivatives found at u,
-  int order_ = 0;         // up to this order
-  double l_ = 0.0;        // the time for which bounds are made
-  double longest_ = 0.0;  // for which they are good
+  double unit_ = 0.0;  // of the derivatives found at u,
+  int order_ = 0;      // up to this order
+  double l_ = 0.0;     // the time for which bounds are made
   int evaluations_ = 0;
   bool is_at_event_ = false;  // the search has found an event next to u
 

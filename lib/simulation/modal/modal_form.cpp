@@ -53,7 +53,6 @@ Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact
 
 ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks) {
   ModalForm form;
-  form.held = mode.held;
   const Index size = std::count(mode.held.begin(), mode.held.end(), 0);
   form.shape = RealMatrix::Constant(as_index(chain.masses), size, Real(0.0));
   form.a = form.b = form.c = RealVector::Constant(size, Real(0.0));
@@ -93,7 +92,7 @@ ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &
   ModalState state{RealVector::Constant(size, Real(0.0)), RealVector::Constant(size, Real(0.0)),
                    Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
   for (std::size_t i = 0; i < chain.masses; ++i) {
-    if (form.held[i] != 0) continue;
+    if (motion.mode->held[i] != 0) continue;
     const Real x = chain.mass[i] * motion.x[i], v = chain.mass[i] * motion.v[i];
     for (Index j = 0; j < size; ++j) {
       const Real &s = form.shape(as_index(i), j);
@@ -130,9 +129,9 @@ void fly(const ModalForm &form, double omega, const ModalState &start,
 }
 
 void set_masses(const ModalForm &form, const ModalState &state, Motion &motion) {
-  for (std::size_t i = 0; i < form.held.size(); ++i) {
+  for (std::size_t i = 0; i < motion.mode->held.size(); ++i) {
     motion.x_change[i] = motion.v_change[i] = 0.0;
-    if (form.held[i] != 0) continue;
+    if (motion.mode->held[i] != 0) continue;
     Real x = 0.0, v = 0.0;
     double x_terms = 0.0, v_terms = 0.0;
     for (Index j = 0; j < state.y.size(); ++j) {

@@ -22,7 +22,6 @@ struct Watch {
 };
 
 struct ModalForm {
-  Held held;
   RealMatrix shape;                         // x = shape y for the free masses, N x coordinates
   std::vector<Oscillator<Real>> exact;      // of each coordinate,
   std::vector<Oscillator<double>> rounded;  // and in double precision for searches
