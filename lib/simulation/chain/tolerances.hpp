@@ -12,8 +12,8 @@ namespace vibro_impact::detail {
 // flight. Numbers of twice the precision err by 2^-102 = 2e-31 of that in an operation: this leaves
 // room for 10^4 operations on the way. A gap or force that is truly smaller was never seen.
 constexpr double zero_threshold = 1e-26;
-// Rounding of the second-order change of a step, which is found in double precision: eight units in
-// the last place. It tells which contacts come to zero at the same instant.
+// Rounding of the second-order change of a step, which is found in double precision: eight
+// roundings. It tells which contacts come to zero at the same instant.
 constexpr double change_rounding = 0x1p-50;
 // Rounding of the time of an event in a step, in units of `change_rounding`: one unit in the last
 // place.
@@ -37,6 +37,9 @@ constexpr double most_radians = 1e12;
 constexpr double dead_after = 37.0;
 // A sample may lie before the motion by the rounding of its time, relative to it.
 constexpr double sample_rounding = 0x1p-48;
+// The last of equal steps over a range may lie beyond its end by the rounding of both, relative to
+// it.
+constexpr double range_rounding = 4e-16;
 
 // Steps.
 
@@ -77,8 +80,10 @@ constexpr int most_root_iterations = 10000;
 // none follows: a step leaves out its fifth power. One is ordinary.
 constexpr int most_newton_steps = 8;
 constexpr double newton_accuracy = 1e-3;
-// The power 27 of a time this long, or longer, is a normal number.
+// The power 27 of a time this long, or longer, is a normal number. Powers of a shorter time have
+// underflown where a sum of theirs differs from Horner's rule by more than sixteen roundings.
 constexpr double least_without_underflow = 0x1p-37;
+constexpr double sum_rounding = 0x1p-49;
 // Rounding of a polynomial, relative to the sum of the moduli of its terms.
 constexpr double polynomial_rounding = 0x1p-53;
 // Depth to which a hold force may fall below zero without a release, relative to the sum of the

@@ -136,7 +136,7 @@ bool powers_underflow(const Polynomial &p, int zeros, double u) {
   double sum = 0.0;  // by Horner's rule, which takes no power
   for (int n = p.order; n >= zeros; --n)
     sum = sum * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
-  return !(std::abs(sum - sum_of_moduli(0, p, zeros, u)) <= 16.0 * polynomial_rounding * sum);
+  return !(std::abs(sum - sum_of_moduli(0, p, zeros, u)) <= sum_rounding * sum);
 }
 
 // The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies.

@@ -25,7 +25,8 @@ struct Jet {
   double value, slope, second, third, fourth;
 };
 
-// The jet about u > 0 of p(u) / u^zeros, whose first `zeros` coefficients are zero.
+// The jet about u of p(u) / u^zeros, whose first `zeros` coefficients are zero. About 0 its
+// derivatives come out as 0.
 Jet jet_at(const Polynomial &p, int zeros, double u);
 
 // The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact {
 
@@ -53,7 +54,7 @@ void ImpactVelocityRecorder::check(const Scene &scene) const {
 
 double sample_time(double from, double to, double every, std::size_t taken) {
   const double next = from + every * static_cast<double>(taken);
-  return next <= to * (1.0 + 4e-16) ? std::min(next, to) : infinity;
+  return next <= to * (1.0 + detail::range_rounding) ? std::min(next, to) : infinity;
 }
 
 double SampleRecorder::next_time() const {
