@@ -63,6 +63,7 @@ constexpr Distribution distributions[] = {
     {"slow forcing", slow_forcing, 20000, 2e-13, scenes / 6},
     {"narrow slot", narrow_slot, 20000, 2e-13, scenes / 6},
     {"free chain", free_chain, 20000, 2e-13, scenes / 6},
+    {"rigid pair", rigid_pair, 20000, 2e-13, scenes / 6},
     {"short hop", short_hop, 20000, 1e-8, scenes / 6},
     {"elastic", elastic_chain, 300000, 2e-13, scenes / 6, broken_by_energy},
     {"touching forces", touching_forces, 20000, 2e-13, scenes / 6, broken_by_touches}};
@@ -151,7 +152,7 @@ TEST(RandomScenes, KeepEveryPropertyWhereALongSearchFailed) {
               "")
         << row.place();
   }
-  EXPECT_GE(rows.size(), 76u);
+  EXPECT_GE(rows.size(), 77u);
 }
 
 // In units of length and time up to 1e10 times ours or 1e-10, and of mass up to 1e8 or 1e-8, every

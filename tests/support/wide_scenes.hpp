@@ -214,6 +214,24 @@ inline Trial free_chain(unsigned seed) {
   return {scene, 3.0 * std::sqrt(2.0 * far * masses / force) + 20.0};
 }
 
+// Two equal masses on one link, free and unstretched, of which the second hits an elastic stop.
+// Half a period of the link later it hits again, and the pair goes on as a rigid body to the other
+// stop: the force at that impact is zero but for rounding.
+inline Trial rigid_pair(unsigned seed) {
+  Draw draw{std::mt19937(seed)};
+  const double mass = draw.uniform(0.5, 2.0), at = draw.uniform(-1.0, 1.0),
+               speed = draw.spread(0.03, 3.0);
+  Scene scene;
+  scene.mass = {mass, mass};
+  scene.stiffness = {0.0, draw.uniform(0.3, 3.0)};
+  scene.displacement = {at, at};
+  scene.velocity = {speed, speed};
+  scene.omega = 0.0;
+  scene.stops = {{2, Side::upper, at},
+                 {2, Side::lower, at - draw.spread(0.1, 10.0) * speed, draw.uniform(0.1, 1.0)}};
+  return {scene, 30.0, {1.0, 1.0, speed}};
+}
+
 // The paper's damped chain of two to four masses under a forcing of period 6e4 to 6e10.
 inline Trial slow_forcing(unsigned seed) {
   Draw draw{std::mt19937(seed)};

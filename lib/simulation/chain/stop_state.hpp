@@ -37,8 +37,9 @@ struct StopState {
   AtStop at = {};
   double last_speed = 0.0;  // closing speed of the latest impact
   int falling = 0;          // see Event::falling
-  // The longest time to the limit, to leading order, that one of the falling impacts has predicted.
-  double duration = 0.0;
+  // The time to the limit that the latest impact has predicted, to leading order, and the longest of
+  // those before it that fell by the constant ratio of a chatter.
+  double time_left = 0.0, duration = 0.0;
   std::optional<Instant> changed = {};  // instant of the latest stick or release
 };
 

@@ -17,7 +17,16 @@ void count_impact(Run &run, StopState &stop, double speed) {
   if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
   stop.falling = falls ? stop.falling + 1 : 0;
   stop.last_speed = speed;
-  if (!falls) stop.duration = 0.0;
+}
+
+// True when the time left, as the impact at a stop with this ratio r predicts it, is over but for
+// rounding. A force that is zero but for rounding predicts any time: the duration is that of
+// impacts whose predictions agree.
+bool chatter_is_over(StopState &stop, double time_left, double r) {
+  const double expected = r * stop.time_left;
+  if (!(time_left > 0.5 * expected && time_left < 2.0 * expected)) stop.duration = time_left;
+  stop.time_left = time_left;
+  return time_left < chatter_end * stop.duration;
 }
 
 // To leading order, a mass with the acceleration a towards its stop returns after 2 v / a.
@@ -101,9 +110,8 @@ void apply_hits(Run &run, Recorders recorders) {
     const auto *leaving = std::get_if<ExactZeros>(&stop.at);
     if (!leaving) continue;
     hit.flight_time = flight_after(motion, contact, leaving->first);
-    const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest());
-    if (time_left < infinity) stop.duration = std::max(stop.duration, time_left);
-    if (!(time_left < chatter_end * stop.duration)) continue;
+    const double r = chain.stops[contact.stop].law.at_rest();
+    if (!chatter_is_over(stop, hit.flight_time / (1.0 - r), r)) continue;
     stop.at = Resting{};
     ++run.counters.chatter_limits;
   }
