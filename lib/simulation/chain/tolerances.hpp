@@ -149,6 +149,8 @@ constexpr double longest_rest_of_chatter = 0.5;
 // A chatter whose time left is this share of its duration is over: it is below the rounding of
 // time.
 constexpr double chatter_end = 1e-17;
+// Largest factor by which the time left may differ from r times that before, in one chatter.
+constexpr double prediction_factor = 2.0;
 // Bound of the next closing speed, relative to the latest rebound speed. `limit_below_speed`
 // reports every faster impact.
 constexpr double next_speed_factor = 1.125;

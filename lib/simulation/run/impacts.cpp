@@ -19,12 +19,13 @@ void count_impact(Run &run, StopState &stop, double speed) {
   stop.last_speed = speed;
 }
 
-// True when the time left, as the impact at a stop with this ratio r predicts it, is over but for
-// rounding. A force that is zero but for rounding predicts any time: the duration is that of
-// impacts whose predictions agree.
+// Takes over the time left that an impact at a stop with this ratio r predicts, and returns whether
+// the chatter is over but for rounding. A force that is zero but for rounding predicts any time:
+// the duration is that of impacts whose predictions agree.
 bool chatter_is_over(StopState &stop, double time_left, double r) {
   const double expected = r * stop.time_left;
-  if (!(time_left > 0.5 * expected && time_left < 2.0 * expected)) stop.duration = time_left;
+  if (!(time_left > expected / prediction_factor && time_left < prediction_factor * expected))
+    stop.duration = time_left;
   stop.time_left = time_left;
   return time_left < chatter_end * stop.duration;
 }
