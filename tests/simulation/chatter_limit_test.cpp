@@ -230,4 +230,54 @@ TEST(ChatterLimit, IsNotTakenBeyondABorderOrbit) {
   }
 }
 
+// A mass on a spring with x'' = p - x before a stop at 0. It leaves with the speed u and returns
+// with it after 2 atan(u / p). For a small press p it hits for a long time in intervals of pi
+// before its chatter begins: the force at its impacts predicts a time left that is far too long.
+// 1e-13: some hundred roundings of the time.
+TEST(ChatterLimit, OfAMassNextToItsEquilibriumHasTheClosedForm) {
+  for (const double r : {0.3, 0.5, 0.9})
+    for (const double press : {0.3, 1e-3, 1e-9, 1e-13, 1e-15, 1e-17, 1e-25})
+      for (const RunOptions &options : {RunOptions{}, all_impacts}) {
+        const Scene scene{.mass = {1.0},
+                          .stiffness = {1.0},
+                          .constant = {press},
+                          .omega = 0.0,
+                          .restitution = r,
+                          .stops = {{1, Side::upper, 0.0}},
+                          .displacement = {-1.0}};
+        long double speed = std::sqrt(1.0L + 2.0L * press),
+                    exact = std::acos(press / (1.0L + press));
+        while (speed > 1e-20L * press) {
+          speed *= r;
+          exact += 2.0L * std::atan(speed / press);
+        }
+        const auto sticks =
+            sticks_from(scene, start_of(scene), 1.1 * static_cast<double>(exact), options);
+        ASSERT_EQ(sticks.size(), 1u) << r << " " << press;
+        EXPECT_NEAR(sticks[0].time, static_cast<double>(exact), 1e-13 * static_cast<double>(exact))
+            << r << " " << press << " " << options.limit_below_speed;
+      }
+}
+
+// A free mass under the force P + sin(Omega t) / Omega = P + t at first, which is almost zero at
+// the first impact. The time left that it predicts is no duration of the chatter, to which the
+// error of its limit is relative. 1e-14: some fifty roundings of the time.
+TEST(ChatterLimit, DoesNotDependOnAFirstImpactWithoutForce) {
+  for (const double omega : {1e-12, 1e-9, 1e-6, 1e-3}) {
+    const Scene scene{.mass = {1.0},
+                      .stiffness = {0.0},
+                      .sine = {1.0 / omega},
+                      .constant = {1e-17},
+                      .omega = omega,
+                      .restitution = 0.9,
+                      .stops = {{1, Side::upper, 0.0}},
+                      .velocity = {0.01}};
+    const auto limit = sticks_from(scene, start_of(scene), 2.0),
+               resolved = sticks_from(scene, start_of(scene), 2.0, all_impacts);
+    ASSERT_EQ(limit.size(), 1u);
+    ASSERT_EQ(resolved.size(), 1u);
+    EXPECT_NEAR(limit[0].time, resolved[0].time, 1e-14) << omega;
+  }
+}
+
 }  // namespace

@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "vibro_impact/instant.hpp"
+#include "twofold_instant.hpp"
 
 namespace vibro_impact::detail {
 
@@ -35,11 +35,9 @@ bool is(const AtStop &at) {
 
 struct StopState {
   AtStop at = {};
-  double last_speed = 0.0;  // closing speed of the latest impact
-  int falling = 0;          // see Event::falling
-  // The time to the limit that the latest impact has predicted, to leading order, and the longest of
-  // those before it that fell by the constant ratio of a chatter.
-  double time_left = 0.0, duration = 0.0;
+  double last_speed = 0.0;              // closing speed of the latest impact
+  int falling = 0;                      // see Event::falling
+  TwofoldInstant since = {};            // instant of the impact from which speeds fall
   std::optional<Instant> changed = {};  // instant of the latest stick or release
 };
 

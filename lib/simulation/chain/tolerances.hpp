@@ -146,11 +146,9 @@ constexpr double error_share = 24.0;
 constexpr double jump_sum_factor = 1.5;
 // Longest time to a limit, in radians of the fastest rate: accelerations then hardly change.
 constexpr double longest_rest_of_chatter = 0.5;
-// A chatter whose time left is this share of its duration is over: it is below the rounding of
-// time.
+// A chatter whose time left is this share of the time since its first impact is over: it is below
+// the rounding of a double.
 constexpr double chatter_end = 1e-17;
-// Largest factor by which the time left may differ from r times that before, in one chatter.
-constexpr double prediction_factor = 2.0;
 // Bound of the next closing speed, relative to the latest rebound speed. `limit_below_speed`
 // reports every faster impact.
 constexpr double next_speed_factor = 1.125;

@@ -53,10 +53,10 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
   }
   flight_time_ = flight_time;
   const double left = flight_time / (1.0 - r);
-  duration_ = std::max(duration_, left);
   if (impacts_++ % stride_ != 0) return false;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
   if (size_ > 0 && std::abs(left / left_ - ratio_) > ratio_change * ratio_) size_ = 0;
+  if (size_ == 0) duration_ = left;
   newest_ = (newest_ + 1) % most_chatter_nodes;
   size_ = std::min(size_ + 1, most_chatter_nodes);
   left_ = left;

@@ -162,7 +162,7 @@ double LongFlight::longest_blind_step() const {
     const double threshold = zero_threshold * values_[k].terms;
     for (std::size_t j = 0; j < coordinates_.size(); ++j)
       each_part(w, coordinates_[j], form_->rounded[j], w.row[j].hi, [&](const Part &part) {
-        if (part.amplitude > threshold) rate = std::max(rate, part.rate);
+        if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
       });
   }
   if (rate == 0.0) return longest_step;

@@ -16,18 +16,8 @@ void count_impact(Run &run, StopState &stop, double speed) {
   const bool falls = speed < stop.last_speed;
   if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
   stop.falling = falls ? stop.falling + 1 : 0;
+  if (!falls) stop.since = run.motion.now;
   stop.last_speed = speed;
-}
-
-// Takes over the time left that an impact at a stop with this ratio r predicts, and returns whether
-// the chatter is over but for rounding. A force that is zero but for rounding predicts any time:
-// the duration is that of impacts whose predictions agree.
-bool chatter_is_over(StopState &stop, double time_left, double r) {
-  const double expected = r * stop.time_left;
-  if (!(time_left > expected / prediction_factor && time_left < prediction_factor * expected))
-    stop.duration = time_left;
-  stop.time_left = time_left;
-  return time_left < chatter_end * stop.duration;
 }
 
 // To leading order, a mass with the acceleration a towards its stop returns after 2 v / a.
@@ -111,8 +101,9 @@ void apply_hits(Run &run, Recorders recorders) {
     const auto *leaving = std::get_if<ExactZeros>(&stop.at);
     if (!leaving) continue;
     hit.flight_time = flight_after(motion, contact, leaving->first);
-    const double r = chain.stops[contact.stop].law.at_rest();
-    if (!chatter_is_over(stop, hit.flight_time / (1.0 - r), r)) continue;
+    const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest());
+    const Real passed = elapsed(stop.since, motion.now, run.problem.clock);
+    if (!(time_left < chatter_end * rounded(passed))) continue;
     stop.at = Resting{};
     ++run.counters.chatter_limits;
   }
