@@ -50,6 +50,7 @@ inline std::string seen_by_a_witness(const Trial &trial, double share, Witness &
       {"gap at an impact or a stick", static_cast<double>(witness.off_the_stop), displaced},
       {"hold force of the wrong sign", static_cast<double>(witness.weakest), pulled},
       {"hold force at a release", static_cast<double>(witness.not_zero), pulled},
+      {"speed lost at a stick", static_cast<double>(witness.lost), 1e-24 * witness.fastest()},
   };
   for (const auto &[what, found, bound] : bounds)
     if (!(found <= bound)) return fmt::format("{} {:.3g} > {:.3g}", what, found, bound);

@@ -26,6 +26,7 @@ class Witness : public Recorder {
   Real weakest = 0;       // hold force that pulls, between events
   Real off_the_stop = 0;  // gap at an impact
   Real not_zero = 0;      // hold force at a release that no impact has caused
+  Real lost = 0;          // speed of a mass that sticks, but for what a chatter would soon lose
 
   // Looks about every `radians` of the fastest mode.
   explicit Witness(const Scene &of, Real radians = 0.05L) : scene_(of), radians_(radians) {
@@ -48,6 +49,7 @@ class Witness : public Recorder {
         break;
       case EventKind::stick:  // its last speed counts as off
         note(off_the_stop, std::abs(gap(stop, flown_)) - rounding);
+        note(lost, std::abs(flown_.v(i)) - soon_lost(stop, event));
         break;
       case EventKind::release:
         if (event.by_a_jump) break;
@@ -86,6 +88,10 @@ class Witness : public Recorder {
   double farthest() const {
     return static_cast<double>(farthest_);
   }
+  // The largest speed of a mass.
+  double fastest() const {
+    return static_cast<double>(fastest_);
+  }
 
  private:
   struct Motion {
@@ -108,6 +114,7 @@ class Witness : public Recorder {
   Motion clock_change_;
   std::vector<Real> clock_rounding_ = std::vector<Real>(scene_.stops.size());
   Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
+  Real fastest_ = 0;
 
   static void note(Real &worst, Real value) {
     if (!(value <= worst)) worst = std::isnan(value) ? INFINITY : value;
@@ -156,6 +163,15 @@ class Witness : public Recorder {
     add(scene_.sine, std::sin(scene_.omega * phase));
     add(scene_.constant, 1);
     return sign(stop.side) * sum;
+  }
+
+  // The speed whose impacts would end within a rounding of the clock: the time left is
+  // 2 u / (a (1 - r)), a the acceleration into the stop.
+  Real soon_lost(const Stop &stop, const Event &event) const {
+    const Real press = std::max<Real>(0, this->press(stop, flown_, event.instant.phase)),
+               mass = scene_.mass[static_cast<std::size_t>(stop.mass - 1)],
+               r = law_of(scene_, stop).restitution;
+    return press / mass * (1 - r) / 2 * std::numeric_limits<double>::epsilon() * event.time;
   }
 
   void compare() {
@@ -235,6 +251,7 @@ class Witness : public Recorder {
       flown_ = flight.after(s);
       greatest_ = std::max(greatest_, energy(flown_));
       farthest_ = std::max(farthest_, flown_.x.cwiseAbs().maxCoeff());
+      fastest_ = std::max(fastest_, flown_.v.cwiseAbs().maxCoeff());
       for (std::size_t k = 0; k < scene_.stops.size(); ++k) {
         if (across(scene_.stops[k])) continue;
         Real &worst = held_at(scene_.stops[k]) ? weakest : deepest;

@@ -62,20 +62,22 @@ void question_held(Run &run, std::size_t k, bool at_start) {
     add_resting(run, contact, zero_orders_of(run, k, force));
 }
 
-// The motion of the chain and of the forcing, within one unit of time, has a rounding. A mass whose
-// bounces have died down below it is at rest with the others in question.
+// The motion of the chain and of the forcing, within one unit of time, has a rounding. The unit is
+// that of the fastest mode, or the time so far where that is shorter, as on soft springs. A mass
+// whose bounces have died down below it is at rest with the others in question.
 void question_dead_bounces(Run &run) {
   const Chain &chain = run.chain();
   const Motion &motion = run.motion;
   double speed = 0.0;
   for (std::size_t i = 0; i < chain.masses; ++i) speed = std::max(speed, std::abs(motion.v[i].hi));
-  const double rate = chain.rate_bound,
-               reach = as_at_rest * (speed + chain.force_bound / rate) / rate;
+  const double unit = std::min(1.0 / chain.rate_bound,
+                               time_of(motion.now.rounded(), run.problem.clock)),
+               rounding = as_at_rest * (speed + chain.force_bound * unit);
   for (const Contact &contact : motion.mode->contacts) {
     const AtStop &at = run.stops[contact.stop].at;
     if (contact.held || !(is<Evaluated>(at) || is<ExactZeros>(at))) continue;
     const Value value = evaluate(chain, contact, motion);
-    if (rounded(value.value) <= reach && std::abs(value.rate.hi) <= reach * rate)
+    if (rounded(value.value) <= rounding * unit && std::abs(value.rate.hi) <= rounding)
       add_resting(run, contact, 0);
   }
 }
