@@ -23,7 +23,7 @@ namespace vibro_impact::testing {
 // rounding of the phase over long flights. A free chain may be far from where it started, and one
 // at rest may be anywhere, with its links hardly stretched: positions are known to epsilon of their
 // size. A force is rounded as the largest of those in the chain. Displacements are at least of the
-// order of the unit of length.
+// order of the unit of length. A speed that is lost counts from the rounding of the witness on.
 inline std::string seen_by_a_witness(const Trial &trial, double share, Witness &witness) {
   const auto &[scene, until, units, completes] = trial;
   const Outcome outcome =
@@ -50,7 +50,7 @@ inline std::string seen_by_a_witness(const Trial &trial, double share, Witness &
       {"gap at an impact or a stick", static_cast<double>(witness.off_the_stop), displaced},
       {"hold force of the wrong sign", static_cast<double>(witness.weakest), pulled},
       {"hold force at a release", static_cast<double>(witness.not_zero), pulled},
-      {"speed lost at a stick", static_cast<double>(witness.lost), 1e-24 * witness.fastest()},
+      {"speed lost at a stick", static_cast<double>(witness.lost), 1e-17 * witness.fastest()},
   };
   for (const auto &[what, found, bound] : bounds)
     if (!(found <= bound)) return fmt::format("{} {:.3g} > {:.3g}", what, found, bound);
