@@ -90,7 +90,6 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
         first_root(p, std::min(step.u_max, event ? u + tolerance(u) : u), counters);
     if (!root) continue;
     if (std::isnan(*root)) return {*root, true};
-    near[k] = Near::perhaps;
     roots[k] = *root;
     if (!event || *root < u) u = *root;
     event = true;
@@ -106,8 +105,9 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   };
   bool any_touches = false;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    // A later root was found before the first, if its stop comes earlier in the list.
-    if (roots[k] > u + tolerance(u)) near[k] = Near::no;
+    // Of stops that come earlier in the list, a root was found that may lie far beyond the first.
+    if (roots[k] > u + tolerance(u)) continue;
+    near[k] = Near::perhaps;
     if (roots[k] != u) continue;
     near[k] = touches(k) ? Near::touch : Near::zero;
     any_touches = any_touches || near[k] == Near::touch;

@@ -13,10 +13,13 @@ namespace {
 // Counts an impact at a stop, at this closing speed, among those of its chatter.
 void count_impact(Run &run, StopState &stop, double speed) {
   ++run.counters.impacts;
-  const bool falls = speed < stop.last_speed;
-  if (!falls && stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
-  stop.falling = falls ? stop.falling + 1 : 0;
-  if (!falls) stop.since = run.motion.now;
+  if (speed < stop.last_speed) {
+    ++stop.falling;
+  } else {
+    if (stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
+    stop.falling = 0;
+    stop.since = run.motion.now;
+  }
   stop.last_speed = speed;
 }
 
@@ -101,9 +104,9 @@ void apply_hits(Run &run, Recorders recorders) {
     const auto *leaving = std::get_if<ExactZeros>(&stop.at);
     if (!leaving) continue;
     hit.flight_time = flight_after(motion, contact, leaving->first);
-    const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest());
-    const Real passed = elapsed(stop.since, motion.now, run.problem.clock);
-    if (!(time_left < chatter_end * rounded(passed))) continue;
+    const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest()),
+                 passed = rounded(elapsed(stop.since, motion.now, run.problem.clock));
+    if (!(time_left < chatter_end * passed)) continue;
     stop.at = Resting{};
     ++run.counters.chatter_limits;
   }
