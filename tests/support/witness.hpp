@@ -31,7 +31,7 @@ class Witness : public Recorder {
   // Looks about every `radians` of the fastest mode.
   explicit Witness(const Scene &of, Real radians = 0.05L) : scene_(of), radians_(radians) {
     flown_ = state_of_run_ = motion_of(start_of(of));
-    clock_change_ = {0 * flown_.x, 0 * flown_.v};
+    clock_speeds_ = 0 * flown_.v;
     greatest_ = energy(state_of_run_);
   }
 
@@ -40,7 +40,7 @@ class Witness : public Recorder {
     const auto i = static_cast<Eigen::Index>(event.mass - 1);
     const Stop &stop = stop_of(scene_, event);
     const Real rounding = clock_rounding_[static_cast<std::size_t>(event.stop - 1)];
-    const Real off = beyond(flown_.v(i) - event.velocity_before, clock_change_.v(i));
+    const Real off = beyond(flown_.v(i) - event.velocity_before, clock_speeds_(i));
     switch (event.kind) {
       case EventKind::impact:
         note(off_the_stop, std::abs(gap(stop, flown_)) - rounding);
@@ -107,11 +107,12 @@ class Witness : public Recorder {
   Held held_ = Held(scene_.mass.size());
   Motion flown_;         // the end of the latest flight, with the events recorded since
   Motion state_of_run_;  // the state of the run at the latest event
-  // The change of the motion, and of each gap or hold force, in the last rounding of the clock
-  // before the end of the latest flight, or in one rounding where the flight is shorter. Beside a
-  // link of 1e9 the force may be larger than what the links carry, and its damper may change a
-  // speed by 1e-7.
-  Motion clock_change_;
+  // The change of each speed, of the motion in the energy norm, and of each gap or hold force, in
+  // the last rounding of the clock before the end of the latest flight, or in one rounding where
+  // the flight is shorter. At events of one time they add up. Beside a link of 1e9 the force may be
+  // larger than what the links carry, and its damper may change a speed by 1e-6.
+  RealVector clock_speeds_;
+  Real clock_apart_ = 0;
   std::vector<Real> clock_rounding_ = std::vector<Real>(scene_.stops.size());
   Real apart_ = 0, greatest_ = 0, steady_ = 0, farthest_ = 0;  // energies, and a displacement
   Real fastest_ = 0;
@@ -175,9 +176,8 @@ class Witness : public Recorder {
   }
 
   void compare() {
-    const Real off =
-        beyond(std::sqrt(energy({state_of_run_.x - flown_.x, state_of_run_.v - flown_.v})),
-               std::sqrt(energy(clock_change_)));
+    const Real off = beyond(
+        std::sqrt(energy({state_of_run_.x - flown_.x, state_of_run_.v - flown_.v})), clock_apart_);
     note(apart_, off * off);
   }
 
@@ -239,11 +239,18 @@ class Witness : public Recorder {
     const Real unit = epsilon * std::max(since_.phase, next.phase),
                before = std::max<Real>(0, t - unit);
     const Motion start_of_unit = flight.after(before), end_of_unit = flight.after(before + unit);
+    const Motion change{end_of_unit.x - start_of_unit.x, end_of_unit.v - start_of_unit.v};
+    if (t > 0) {
+      clock_speeds_.setZero();
+      clock_apart_ = 0;
+      std::ranges::fill(clock_rounding_, 0);
+    }
+    clock_speeds_ += change.v.cwiseAbs();
+    clock_apart_ += std::sqrt(energy(change));
     for (std::size_t k = 0; k < scene_.stops.size(); ++k)
-      clock_rounding_[k] =
+      clock_rounding_[k] +=
           std::abs(watched(k, end_of_unit, before + unit) - watched(k, start_of_unit, before));
     if (!(t > 0)) return;
-    clock_change_ = {end_of_unit.x - start_of_unit.x, end_of_unit.v - start_of_unit.v};
     const int steps = 2 + static_cast<int>(std::min<Real>(1e6L, t * rate_ / radians_));
     std::vector<std::array<Real, 3>> last(scene_.stops.size());
     for (int n = 0; n <= steps; ++n) {
