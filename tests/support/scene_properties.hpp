@@ -166,14 +166,14 @@ inline std::string broken_by_digits(const Run &run) {
 
 // The kinetic and elastic energy, but for what roundings of 2^-53 of it, one a step, of either
 // sign, add up to, eight times over. The motion of one mass repeats itself, and with it its
-// roundings: some six of the change of its speed, each up to 2^-53 of it and twice as large in the
-// energy. Half of their sum is allowed. Measured over 10,000 scenes: 3.7 a step. The motion of two
-// masses may nearly repeat itself: 0.03 a step was measured, 0.07 are 1e-11 in 1.3e6 steps.
+// roundings. The change of its speed alone has some six, each up to 2^-53 of it and twice as large
+// in the energy: 3.7 a step were measured over 6,000 scenes, and lib/README.md says four. The motion
+// of two masses may nearly repeat itself: 0.03 a step was measured, 0.07 are 1e-11 in 1.3e6 steps.
 inline std::string broken_by_energy(const Run &run) {
   const double before = energy_of(run.scene, start_of(run.scene)),
                gained = energy_of(run.scene, run.outcome.state) / before - 1.0,
                steps = static_cast<double>(run.outcome.counters.expansions);
-  const double repeated = run.scene.masses() == 1 ? 6.0 : 0.07;  // a step
+  const double repeated = run.scene.masses() == 1 ? 4.0 : 0.07;  // a step
   const double allowed = 0x1p-53 * std::max(8.0 * std::sqrt(steps), repeated * steps);
   return std::abs(gained) <= allowed
              ? ""
