@@ -167,8 +167,9 @@ inline std::string broken_by_digits(const Run &run) {
 // The kinetic and elastic energy, but for what roundings of 2^-53 of it, one a step, of either
 // sign, add up to, eight times over. The motion of one mass repeats itself, and with it its
 // roundings. The change of its speed alone has some six, each up to 2^-53 of it and twice as large
-// in the energy: 3.7 a step were measured over 6,000 scenes, and lib/README.md says four. The motion
-// of two masses may nearly repeat itself: 0.03 a step was measured, 0.07 are 1e-11 in 1.3e6 steps.
+// in the energy: 3.7 a step were measured over 6,000 scenes, and lib/README.md says four. The
+// motion of two masses may nearly repeat itself: 0.03 a step was measured, 0.07 are 1e-11 in 1.3e6
+// steps.
 inline std::string broken_by_energy(const Run &run) {
   const double before = energy_of(run.scene, start_of(run.scene)),
                gained = energy_of(run.scene, run.outcome.state) / before - 1.0,
