@@ -132,6 +132,26 @@ inline std::string broken_by_a_split(const Run &run, double split, const SampleR
   return "";
 }
 
+// The run in many calls: its events are those of the whole, and none lies before its call.
+inline std::string broken_by_many_calls(const Run &run) {
+  if (run.outcome.ending == Ending::given_up) return "";
+  constexpr int calls = 400;
+  EventRecorder events;
+  Simulation simulation(run.scene, run.options);
+  Outcome outcome;
+  double from = 0.0;
+  for (int call = 1; call <= calls; ++call) {
+    const std::size_t before = events.events.size();
+    const double to = call < calls ? run.until * call / calls : run.until;
+    outcome = simulation.advance(to, events);
+    if (events.events.size() > before && events.events[before].time < from)
+      return fmt::format("an event at {} in a call from {}", events.events[before].time, from);
+    from = to;
+  }
+  const std::string differs = difference(run.events, run.outcome, events.events, outcome);
+  return differs.empty() ? "" : fmt::format("in {} calls: {}", calls, differs);
+}
+
 inline std::string broken_by_a_mirror(const Run &run) {
   EventRecorder mirror;
   const Outcome outcome = simulate(mirrored(run.scene), run.until, run.options, mirror);
