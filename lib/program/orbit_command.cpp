@@ -46,6 +46,7 @@ std::vector<OrbitPoint> branch_of(const OrbitRequest &request, const OrbitPoint 
   Axis reversed = *request.range;
   std::swap(reversed.from, reversed.to);
   const std::vector<OrbitPoint> towards_to = follow(*request.range);
+  if (towards_to.back().kind == BranchPoint::closed) return towards_to;
   std::vector<OrbitPoint> branch = follow(reversed);
   std::ranges::reverse(branch);
   branch.pop_back();  // the orbit itself, which both have
@@ -73,8 +74,8 @@ Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> 
               numbered_columns("v", n) + numbered_columns("impacts", n) +
               numbered_columns("sticks", n) + numbered_columns("fastest", n) +
               numbered_columns("re", 2 * n) + numbered_columns("im", 2 * n));
-  for (const auto &[parameter, orbit, counts, kind] : branch) {
-    if (range) table.cell(parameter);
+  for (const auto &[parameter, error, orbit, counts, kind] : branch) {
+    if (range) table.cell(parameter, error);
     table.cell(name(kind));
     table.cell(counts.periods);
     table.cell(orbit.residuals.empty() ? NAN : orbit.residuals.back());
@@ -104,6 +105,15 @@ void print(const Table &table) {
     if (!cells[k].empty()) fmt::print("{} = {}\n", names[k], cells[k]);
 }
 
+// A number to the digit of its error, or to 15 digits.
+std::string digits(double value, double error) {
+  if (!(error > 0.0)) return fmt::format("{:.15g}", value);
+  Table number;
+  number.cell(value, 10.0 * error);
+  number.text.pop_back();
+  return number.text;
+}
+
 }  // namespace
 
 void run_orbit(const OrbitRequest &request) {
@@ -111,10 +121,12 @@ void run_orbit(const OrbitRequest &request) {
   const OrbitPoint found = found_orbit(request);
   const std::vector<OrbitPoint> branch = branch_of(request, found);
   print(table_of({found}, {}));
-  for (const OrbitPoint &point : branch)
-    if (point.kind != BranchPoint::orbit)
-      fmt::print("{} at {} = {:.15g}\n", name(point.kind), request.range->parameter,
-                 point.parameter);
+  for (const OrbitPoint &point : branch) {
+    if (point.kind == BranchPoint::orbit || point.kind == BranchPoint::coincidence) continue;
+    const std::string why = point.orbit.why_not;
+    fmt::print("{} at {} = {}{}\n", name(point.kind), request.range->parameter,
+               digits(point.parameter, point.error), why.empty() ? "" : ": " + why);
+  }
   if (request.table.wanted())
     write_text(request.head + table_of(branch, request.range).text, request.table.path);
   RunRequest run = request;
@@ -124,6 +136,11 @@ void run_orbit(const OrbitRequest &request) {
   run.from = run.start->instant.phase;
   run.until = time_after(request.scene, *run.start, found.counts.periods);
   record_run(run);
+  for (const OrbitPoint &point : branch)
+    if (point.kind == BranchPoint::lost)
+      throw std::runtime_error(
+          fmt::format("the branch is lost at {} = {}: {}", request.range->parameter,
+                      digits(point.parameter, point.error), point.orbit.why_not));
 }
 
 }  // namespace vibro_impact::runner

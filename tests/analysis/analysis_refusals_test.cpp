@@ -119,7 +119,7 @@ TEST(Refusals, OfBranches) {
                   {follow({"velocity2", -1.0, 1.0, 5}), "velocity2: is an initial state"},
                   {follow({"omega", 0.1, 0.3, 5}, {.most_points = 0}), "most_points = 0"},
                   {follow({"omega", 0.1, 0.3, 5}, {.periods = 0}), "periods = 0"},
-                  {[] { name(BranchPoint{11}); }, "kind of a point = 11"}});
+                  {[] { name(BranchPoint{15}); }, "kind of a point = 15"}});
 }
 
 TEST(Refusals, OfSweepsAndRecords) {

@@ -11,17 +11,6 @@ constexpr std::size_t most_tangent_nodes = 10;
 // Error of a fixed point relative to the state: the rounding of the map.
 constexpr double newton_tolerance = 1e-13;
 
-// Following an orbit. All are relative: lengths to the amplitude of the orbit and to the range of
-// the parameter, steps to the longest one.
-constexpr int most_corrections = 10;         // Newton steps from a guess to an orbit
-constexpr double difference_step = 1e-6;     // of the parameter, in steps of the branch
-constexpr double rounding_of_orbit = 1e-10;  // residual of an orbit that rounding keeps away
-constexpr double least_distance = 0.02;      // of an event from the section, in forcing periods
-constexpr double least_cosine = 0.8;         // of the angle between two chords
-constexpr double small_step = 1e-3;          // below which any angle is taken
-constexpr double least_step = 1e-8;          // below which the branch has ended
-constexpr double near_an_end = 1e-3;         // a condition of an end
-
 // Minima that are closer to each other than the nodes of a search may be missed. `most_nodes`
 // bounds the work.
 constexpr double fewest_nodes = 64.0;    // in a forcing period, where a minimum is looked for

@@ -1,20 +1,18 @@
 // A periodic orbit followed while a parameter changes, through folds and unstable parts, until the
 // branch ends.
 //
-// The unknowns are the free coordinates z at the section and the parameter q. The branch of P(z; q)
-// = z is followed by pseudo-arclength: a step of length s along the chord of the latest two points,
-// then Newton's method with z and q on the plane normal to the chord. All lengths are relative,
-// those of z to the amplitude of the first orbit and those of q to its range. The derivative by z
-// is that of stroboscopic_map_and_derivative. The derivative by q is a difference of two maps: it
-// decides how fast Newton's method converges, and not to which orbit. A state counts as an orbit
-// when the map returns to it within 1e-13 of the amplitude, or within 1e-10 where rounding keeps
-// the distance from falling further, as next to a graze. The section keeps its part of the period
-// while omega changes, and moves away from events that come near it.
+// An orbit is a sequence of events: impacts, holds, releases. The unknowns are the parameter, the
+// state just after one of the events, and the times between the events. There is one equation for
+// each event, and the closure after the periods of the orbit. These equations are smooth through a
+// grazing and through events of two masses at one instant. The branch is followed by
+// pseudo-arclength. Its tangent is the null vector of the equations, whose sign cannot turn back.
 //
-// An orbit is smooth in q as long as its events are the same. A branch ends where they change. The
-// kind of the end is that of which the last orbit comes nearest to the condition: an impact without
-// speed or a gap without width (graze), a sticking phase without length (border orbit), or a
-// vanishing pressing force within a sticking phase (multi-sliding).
+// A branch ends where the sequence of events changes. Each end fulfils one equation more, is solved
+// together with the orbit to rounding, and so is named by itself. Events of two masses at one
+// instant change places and end nothing, unless the other order has no orbit.
+//
+// A flight takes Taylor steps of the fastest mode: a branch with a stiff link of some 1e12 is lost.
+// Minima of gaps and pressing forces are looked for at six points in each of these steps.
 #pragma once
 
 #include <vector>
@@ -25,27 +23,35 @@
 
 namespace vibro_impact {
 
-// The kind of a point of a branch. The last seven end it.
+// The kind of a point of a branch. The last nine end it.
 enum class BranchPoint {
-  orbit,          // an orbit between the others
-  fold,           // a multiplier is 1 and the parameter turns round
-  branching,      // a multiplier is 1 and the parameter goes on, as where mirror orbits part
-  flip,           // a multiplier is -1: the period doubles
-  torus,          // two complex multipliers have the modulus 1
+  orbit,        // an orbit between the others
+  coincidence,  // events of two masses at one instant: their order changes
+  fold,         // a multiplier is 1 and the parameter turns round
+  branching,    // a multiplier is 1, as where mirror orbits part; if the parameter turns round, the
+                // branch ends, because its mirror image lies beyond
+  flip,         // a multiplier is -1: the period doubles
+  torus,        // two complex multipliers have the modulus 1
   end_of_range,   // the parameter has reached the end of its range
+  closed,         // the branch comes back to its first orbit
   graze,          // a mass touches a stop without speed
-  border_orbit,   // a sticking phase has no length
-  multi_sliding,  // a sticking phase is about to split
-  lost,           // the orbit was not found, or another condition ends the branch
+  border_orbit,   // a chatter ends where its sticking phase does
+  multi_sliding,  // a sticking phase splits in two, or two become one
+  parent_flip,    // the flip of the orbit of half the periods: beyond lies the same branch
+  jump,           // events of two masses coincide, and their other order has no orbit
+  lost,           // none of these: PeriodicOrbit::why_not has the reason
   most_points     // more points than were asked for would follow
 };
 
 // Returns "orbit", "fold", ..., "end of range", ...
 const char *name(BranchPoint kind);
 
-// An orbit with the value of the parameter, and the counts of its events over one period.
+// An orbit with the value of the parameter, and the counts of its events over one period. Its state
+// lies in the middle of the longest flight. At a special point the parameter has an estimated
+// error. At a graze to which an impact has slowed down, one multiplier is infinite and stands
+// alone.
 struct OrbitPoint {
-  double parameter = 0.0;
+  double parameter = 0.0, error = 0.0;
   PeriodicOrbit orbit = {};
   EventCounts counts = {};
   BranchPoint kind = BranchPoint::orbit;
@@ -67,7 +73,8 @@ void check_range(const Scene &scene, const Axis &range);
 
 // The branch of the orbit near `guess`, from the value of the parameter in the scene, at first
 // towards `range.to`, and as far as the orbit leads between the ends of the range. A step is at
-// most as long as the distance of two values of the range. The first point is the orbit itself; the
+// most as long as the distance of two values of the range. The orbit need not have the periods of
+// the options if it repeats itself sooner. The first point is the orbit itself; the
 // last one ends the branch. Throws std::invalid_argument for what find_periodic_orbit and
 // check_range refuse, and for options out of range.
 std::vector<OrbitPoint> follow_orbit(const Scene &scene, const MotionState &guess,

@@ -1,0 +1,32 @@
+// The tolerances of branches, each with its reason. Lengths are in units of the unknowns, parts in
+// steps of the branch.
+#pragma once
+
+#include <limits>
+
+namespace vibro_impact::branches {
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+// Newton's method. A step shorter than `near` keeps the Jacobian. A solution off the special points
+// serves the next step alone and needs few digits.
+constexpr int most_iterations = 16;
+constexpr double longest_correction = 2.0;
+constexpr double near = 1e-4;
+constexpr double solved = 1e-9, solved_by_old_jacobian = 1e-12;
+
+// The last flight of a chatter times the rate: its cube is below rounding.
+constexpr double last_flight = 3e-6;
+
+// Steps of a branch, in parts of the longest one.
+constexpr double least_step = 1e-7, small_step = 1e-3;
+constexpr double least_cosine = 0.9;  // of the angle between tangents
+constexpr double farthest_from_guess = 0.3;
+
+constexpr double same_part = 1e-6;  // of a step, of two solutions at one place
+
+// Quantities that an orbit at an end may have below zero, relative to their units: the search for
+// minima and the solution have more digits.
+constexpr double below_zero = 1e-9;
+
+}  // namespace vibro_impact::branches
