@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/special_points.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/scene_text.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace vibro_impact;
+using namespace vibro_impact::testing;
 using Point = BranchPoint;
 
 // A scene in the words of a scene file: `masses = 1; amplitude = 0.1; ...`. What is not given is as
@@ -57,15 +59,6 @@ std::vector<OrbitPoint> branch_of(const Scene &scene, const Axis &range, int per
   std::ranges::reverse(branch);
   branch.insert(branch.end(), up.begin() + 1, up.end());
   return branch;
-}
-
-// The special points of a branch. Coincidences are none of the orbit.
-std::vector<OrbitPoint> special_points_of(const std::vector<OrbitPoint> &branch) {
-  std::vector<OrbitPoint> special = branch;
-  std::erase_if(special, [](const OrbitPoint &point) {
-    return point.kind == Point::orbit || point.kind == Point::coincidence;
-  });
-  return special;
 }
 
 // Orbits that were found by other means have these special points, and no others, in this order.

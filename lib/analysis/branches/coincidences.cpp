@@ -55,7 +55,7 @@ bool exchange(Walk &walk, const End &end) {
   std::swap(s.items[k], s.items[(k + 1) % count]);
   re_express(problem, before, s, u);
   const Condition no_time{.extra = Extra::no_time, .item = k};
-  const bool solved =
+  const bool has_orbit =
       solve(problem, s, u, no_time, true) && std::abs(u(0) - end.u(0)) < 1e-6 * problem.width;
   if (!has_orbit) {
     walk.add(BranchPoint::jump, place_of_end(problem, end), end.error);
