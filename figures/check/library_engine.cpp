@@ -63,17 +63,21 @@ double LibraryEngine::least_pressing(const paper::NamedScene &run, std::size_t s
   return least_pressing_force(run.scene, orbit.state, run.scene.stops[stop]).value().value;
 }
 
-double LibraryEngine::changing_frequency(const Scene &scene, int mass, double near, double far,
+double LibraryEngine::changing_frequency(const Scene &given, int mass, double near, double far,
                                          numbers::Change motion) {
-  const MotionState start =
-      motion == numbers::Change::followed
-          ? state_after_periods(with(scene, "omega", near), paper::figure4_settling_periods)
-          : start_of(scene);
-  return change_of(
-      [&](double omega) {
-        return followed_sticking_phases(with(scene, "omega", omega), mass, start);
-      },
-      near, far);
+  if (motion == numbers::Change::from_rest)
+    return change_of(
+        [&](double omega) { return settled_sticking_phases(with(given, "omega", omega), mass); },
+        near, far);
+  // The sticking phases change where the branch of the settled orbit ends.
+  const Scene scene = with(given, "omega", near);
+  const OrbitRecord settled = record_of(scene, {.settle = {.longest = 2000}});
+  const OrbitPoint end = follow_orbit(scene, at_quiet_phase(scene, settled.state),
+                                      {"omega", near, far, 7}, {.periods = settled.period})
+                             .back();
+  if (end.kind != BranchPoint::border_orbit && end.kind != BranchPoint::multi_sliding)
+    throw std::runtime_error("the branch does not end where a sticking phase changes");
+  return end.parameter;
 }
 
 double LibraryEngine::grazing_frequency(const Scene &given, int mass, double near, double far) {

@@ -48,7 +48,8 @@ Condition on_plane(const Problem &problem, const Sequence &s, const Vector &poin
 
 bool solve(const Problem &problem, const Sequence &s, Vector &u, const Condition &condition,
            bool to_rounding, double *error) {
-  const Vector units = units_of(problem, s);
+  Vector units = units_of(problem, s);
+  units(0) = std::max(units(0), least_width * std::abs(u(0)));
   Vector scale;
   Eigen::PartialPivLU<Dense> lu;
   double before = infinity;

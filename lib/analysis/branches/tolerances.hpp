@@ -14,6 +14,9 @@ constexpr int most_iterations = 16;
 constexpr double longest_correction = 2.0;
 constexpr double near = 1e-4;
 constexpr double solved = 1e-9, solved_by_old_jacobian = 1e-12;
+// In a narrower range, relative to the parameter, the rounding of the parameter would be no small
+// part of it.
+constexpr double least_width = 1e-3;
 
 // The last flight of a chatter times the rate: its cube is below rounding.
 constexpr double last_flight = 3e-6;
