@@ -1,5 +1,6 @@
-// The frequencies that the paper's text does not give. Every value of four decimals is tried for
-// Figures 2, 5(a) and 5(b). One table says where each condition holds, the other which values fit.
+// The frequencies that the paper's text does not give, and that of Figure 5(c), which it gives.
+// Every value of four decimals is tried. The tables say where each condition holds, which values
+// fit, and how many meet all conditions but that of the axes.
 #include "measures/inferred_frequencies.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +14,6 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::figures;
 
-// The range tried: from where a forcing period is longer than any window but Figure 5(c)'s up to
-// the end of the sticking region (printed, Section 3.2).
-constexpr double lowest = 0.1, highest = 0.5;
-
 // Adds a row for each run of neighbouring frequencies at which a condition holds.
 void add_strips(Table &table, const InferredFigure &figure, const std::vector<Trial> &trials) {
   for (std::size_t condition = 0; condition < figure.conditions.size(); ++condition) {
@@ -28,13 +25,17 @@ void add_strips(Table &table, const InferredFigure &figure, const std::vector<Tr
 }
 
 void draw(const std::filesystem::path &output) {
-  Table strips("figure,condition,number,from,to"), fits("figure,omega,drawn");
+  Table strips("figure,condition,number,from,to"), fits("figure,omega,drawn"),
+      axes("figure,fit_without_axes");
   for (const InferredFigure &figure : inferred_figures()) {
-    const std::vector<Trial> trials = scan(lowest, highest, figure.attempt);
+    const std::vector<Trial> trials = scan(figure.from, figure.to, figure.attempt);
     add_strips(strips, figure, trials);
     std::vector<double> fitting;
     for (const Trial &trial : trials)
       if (trial.fits()) fitting.push_back(trial.omega);
+    axes.row(figure.name, std::ranges::count_if(trials, [](const Trial &trial) {
+               return std::all_of(trial.met.begin() + 1, trial.met.end(), std::identity{});
+             }));
     for (const double omega : fitting)
       fits.row(figure.name, omega, int{omega == figure.drawn.omega});
     fmt::print("Figure {}: {} fit; the rule chooses {}; {} is drawn\n", figure.name,
@@ -42,6 +43,13 @@ void draw(const std::filesystem::path &output) {
   }
   write(strips, output / "inferred_frequencies.csv");
   write(fits, output / "inferred_frequencies_fits.csv");
+  write(axes, output / "inferred_frequencies_axes.csv");
+  // The printed frequency next to that of Figure 5(a): where mass 1 begins its window.
+  const double printed = paper::figure4a().omega, from = paper::panel("figure5a").from;
+  Table near("omega,x1");
+  near.row(printed, require_complete(simulate(with(paper::figure5a(), "omega", printed), from))
+                        .state.displacement[0]);
+  write(near, output / "inferred_frequencies_near.csv");
 }
 
 }  // namespace

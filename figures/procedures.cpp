@@ -1,6 +1,7 @@
-// Could the author's procedure explain the statements of the paper that differ from ours? The edges
-// of the two windows of Figure 3 by procedure, the settled motions from random starts, dual
-// sticking against the position of the second stop, and Figure 5(c) with nearly equal stops.
+// Could the author's procedure explain the statements of the paper that differ from ours? By
+// procedure: the windows of Figure 3, sticking above 0.5, Figures 4 and 5(c). Then the settled
+// motions from random starts, dual sticking against the position of the second stop, and Figure
+// 5(c) with nearly equal stops.
 #include "measures/procedures.hpp"
 
 #include <fmt/format.h>
@@ -22,23 +23,45 @@ using figures::Procedure;
 // A row for each run of frequencies of a grid that `wanted` is true for, under a name and a number.
 // They have three decimals.
 void add_runs(Table &table, const std::string &name, int number, const Grid &grid,
-              const std::function<bool(std::size_t)> &wanted, std::size_t every = 1) {
+              const std::function<bool(std::size_t)> &wanted) {
   const auto shown = [&](std::size_t i) { return fmt::format("{:.3f}", grid.values(i).front()); };
-  for (const auto &[first, last] : figures::runs_where(wanted, grid.points(), every))
+  for (const auto &[first, last] : figures::runs_where(wanted, grid.points()))
     table.row(name, number, shown(first), shown(last));
 }
 
-// How often mass 1 comes to stick in `counted` forcing periods after `settling` periods, in the
-// motion from rest by a procedure, for each frequency.
-std::vector<std::ptrdiff_t> sticks(const Grid &grid, const Procedure &procedure, int settling,
-                                   int counted) {
-  return sweep(grid, [&](const Scene &scene) {
-    const double period = Clock(scene.omega).period, from = settling * period;
-    const auto events =
-        figures::follow(scene, start_of(scene), from + counted * period, procedure).events;
-    return std::ranges::count_if(events, [from](const Event &event) {
-      return event.kind == EventKind::stick && event.mass == 1 && event.time > from;
-    });
+// A procedure at a forcing period, and the periods after which and in which its sticking phases are
+// counted.
+struct Row {
+  std::string name;
+  std::function<Procedure(double period)> procedure;
+  int settling, counted;
+};
+
+std::vector<Row> rows() {
+  const auto always = [](const Procedure &procedure) { return [=](double) { return procedure; }; };
+  const auto parts = [](double count) {
+    return [=](double period) { return figures::in_steps(period / count); };
+  };
+  return {{"exact motion", always({}), 60, 40},
+          {"period 1 alone", always({}), 0, 1},
+          {"held after flight < 0.1", always({.shortest_flight = 0.1}), 60, 10},
+          {"held after impact < 0.001", always({.slowest_impact = 0.001}), 60, 10},
+          {"held after impact < 1e-9 (F ≥ 0)",
+           always({.slowest_impact = 1e-9, .holds_without_force = true}), 60, 10},
+          {"Eq. 24 as printed", always({.printed_equation24 = true}), 60, 20},
+          {"steps of T/1000", parts(1000.0), 30, 10},
+          {"steps of 0.025", always(figures::in_steps(0.025)), 30, 10},
+          {"steps of T/50000", parts(50000.0), 30, 10}};
+}
+
+// How often mass 1 comes to stick in the counted periods of the motion from rest.
+std::ptrdiff_t sticks(const Scene &scene, const Row &row, int settling) {
+  const double period = Clock(scene.omega).period, from = settling * period;
+  const auto events =
+      figures::follow(scene, start_of(scene), from + row.counted * period, row.procedure(period))
+          .events;
+  return std::ranges::count_if(events, [from](const Event &event) {
+    return event.kind == EventKind::stick && event.mass == 1 && event.time > from;
   });
 }
 
@@ -47,29 +70,63 @@ Table windows() {
   const Grid frequencies{paper::figure3(0.28), {{"omega", 0.28, 0.42, 141}}};
   Table table("procedure,number,from,to");
   int number = 0;
-  const auto add = [&](const std::string &name, const Procedure &procedure, int settling,
-                       int counted, std::size_t every = 1) {
-    const auto complete = sticks(frequencies, procedure, settling, counted);
-    add_runs(
-        table, name, ++number, frequencies, [&](std::size_t i) { return complete[i] == 0; }, every);
-  };
-  add("the exact motion from rest", {}, 60, 40);
-  add("frequencies 0.01 apart", {}, 60, 40, 10);
-  add("period 1 alone", {}, 0, 1);
-  add("periods 1 to 2", {}, 0, 2);
-  add("cut off: flight < 0.1", {.shortest_flight = 0.1}, 60, 10);
-  add("cut off: speed < 0.001", {.slowest_impact = 0.001}, 60, 10);
-  add("Eq. 24 as printed", {.printed_equation24 = true}, 60, 20);
+  for (const Row &row : rows()) {
+    const auto complete =
+        sweep(frequencies, [&](const Scene &scene) { return sticks(scene, row, row.settling); });
+    const auto none = [&](std::size_t i) { return complete[i] == 0; };
+    add_runs(table, row.name, ++number, frequencies, none);
+  }
   return table;
 }
 
-// The frequencies from 0.5 on, in steps of 0.01, at which mass 1 sticks, as runs. A finer step
-// meets chaotic motions, where rounding decides whether a mass sticks.
+// The frequencies from 0.5 on, in steps of 0.01, at which mass 1 sticks after 100 periods, as runs.
+// A finer step of the frequency meets chaotic motions, where rounding decides whether a mass
+// sticks.
 Table sticking_above_one_half() {
   const Grid above{paper::figure3(0.5), {{"omega", 0.5, 0.7, 21}}};
-  const auto settled = sticks(above, {}, paper::figure3_settling_periods, 10);
-  Table table("sticks,number,from,to");
-  add_runs(table, "mass 1", 1, above, [&](std::size_t i) { return settled[i] > 0; });
+  Table table("procedure,number,from,to");
+  int number = 0;
+  for (const Row &row : rows()) {
+    const int settling = row.settling == 0 ? 0 : 100;
+    const auto sticking =
+        sweep(above, [&](const Scene &scene) { return sticks(scene, row, settling); });
+    add_runs(table, row.name, ++number, above, [&](std::size_t i) { return sticking[i] > 0; });
+  }
+  return table;
+}
+
+// --- Figures 4 and 5(c) -----------------------------------------------------------------------
+
+// Whether mass 2 comes to stick before mass 1 is released in the fourth forcing period, the window
+// of Figure 5(c), at this frequency and restitution.
+bool mass_2_sticks(double omega, double restitution, const Row &row) {
+  Scene scene = paper::figure5c();
+  scene.omega = omega;
+  scene.restitution = restitution;
+  const double period = Clock(omega).period;
+  bool sticks = false;
+  for (const Event &event :
+       figures::follow(scene, start_of(scene), 3.5 * period, row.procedure(period)).events) {
+    if (event.time < 2.5 * period) continue;
+    if (event.mass == 1 && event.kind == EventKind::release) break;
+    if (event.mass == 2 && event.kind == EventKind::stick) sticks = true;
+  }
+  return sticks;
+}
+
+// Sticking phases of mass 1 a period at the frequencies of Figures 4(a) and 4(b), and whether mass
+// 2 sticks in Figure 5(c), at a lower frequency and at a lower restitution.
+Table other_figures() {
+  const std::vector<Row> all = rows();
+  Table table("procedure,figure4a,figure4b,figure5c,lower_omega,lower_r");
+  for (const Row &row : all) {
+    const auto a_period = [&](const Scene &scene) {
+      return static_cast<double>(sticks(scene, row, row.settling)) / row.counted;
+    };
+    table.row(row.name, a_period(paper::figure4a()), a_period(paper::figure4b()),
+              int{mass_2_sticks(0.02, 0.7, row)}, int{mass_2_sticks(0.01, 0.7, row)},
+              int{mass_2_sticks(0.02, 0.3, row)});
+  }
   return table;
 }
 
@@ -163,6 +220,7 @@ Table nearly_equal_stops() {
 void draw(const std::filesystem::path &output) {
   write(windows(), output / "procedures_windows.csv");
   write(sticking_above_one_half(), output / "procedures_sticking.csv");
+  write(other_figures(), output / "procedures_figures.csv");
   write(starts(), output / "procedures_starts.csv");
   write(dual_sticking(), output / "procedures_dual.csv");
   write(nearly_equal_stops(), output / "procedures_figure5c.csv");

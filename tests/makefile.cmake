@@ -36,9 +36,9 @@ if(NOT status EQUAL 0 OR NOT said MATCHES "all passed")
   message(SEND_ERROR "make figures: status ${status}\n${said}")
 endif()
 
-# The axes and the list of extreme cases are not computed.
+# The axes, the claims, the quotations and the list of extreme cases are not computed.
 file(GLOB tables RELATIVE ${folder}/tables ${folder}/tables/*.csv)
-list(REMOVE_ITEM tables panels.csv extreme_cases.csv)
+list(REMOVE_ITEM tables panels.csv claims.csv quotations.csv extreme_cases.csv)
 file(REMOVE_RECURSE ${folder}/tables)
 file(MAKE_DIRECTORY ${folder}/reference/tables)
 script(build/bin/reference-generate "echo \"$1\" >\"$2\"")

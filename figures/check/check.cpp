@@ -1,6 +1,7 @@
 // `make check`: compares every key number with its reference and with what the paper says of it,
-// and every result of other authors with what the library computes. The last line says whether all
-// of them passed. The fragments of the documents are compared, too, or written (--write).
+// and every result of other authors with what the library computes. The fragments of the documents
+// are compared, too, or written (--write), and the numbers beside them with the list of quotations.
+// The last line says whether all of them passed.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -8,6 +9,7 @@
 
 #include "figures/driver.hpp"
 #include "fragments.hpp"
+#include "quotations.hpp"
 
 namespace {
 
@@ -20,14 +22,16 @@ constexpr const char *documents[] = {"README.md", "figures/README.md",
 }  // namespace
 
 int main(int argc, char **argv) {
-  std::string reference, folder;  // empty for those of the project
+  std::string reference, written;  // empty for those of the project
   return run_program(
       argc, argv, "Computes every key number and every published result and compares them",
       {{"--reference", "Folder of the tables of references, if not the project's", &reference},
-       {"--write", "Folder of the project, whose documents are written first", &folder}},
+       {"--write", "Folder of the project, whose documents are written first", &written}},
       [&] {
         const std::string measured = SOURCE_DIR "/figures/error_vs_runtime/measured.csv";
-        const Sources sources{findings(reference.empty() ? REFERENCE_DIR : reference),
+        const std::string folder = reference.empty() ? REFERENCE_DIR : reference;
+        const Findings computed = findings(folder);
+        const Sources sources{computed, claims(REFERENCE_DIR, computed),
                               vibro_impact::comparison::read_measured(measured), TABLES_DIR};
         fmt::print("{}", table_of(sources.findings));
         bool passed = true;
@@ -38,16 +42,20 @@ int main(int argc, char **argv) {
         for (const Finding &finding : sources.findings)
           if (!finding.pass()) fail(finding.failure.empty() ? finding.number.id : finding.failure);
         for (const std::string name : documents) {
-          const std::string path = (folder.empty() ? SOURCE_DIR : folder) + "/" + name;
+          const std::string path = (written.empty() ? SOURCE_DIR : written) + "/" + name;
           std::ifstream file = vibro_impact::truth::opened(path);
           Document document = renewed(name, {std::istreambuf_iterator<char>(file), {}}, sources);
-          if (!folder.empty()) {
+          if (!written.empty()) {
             std::ofstream(path) << document.text;
             document = renewed(name, document.text, sources);
           }
           for (const std::string &fault : document.faults) fail(fault);
+          if (name != "README.md" && name != "figures/README.md") continue;
+          const auto quotations = quotations_of(REFERENCE_DIR, name);
+          for (const std::string &fault : numbers_without_origin(name, document.text, quotations))
+            fail(fault);
         }
-        fmt::print("\n{}: {} numbers, and the fragments of the documents\n",
+        fmt::print("\n{}: {} numbers, and those of the documents\n",
                    passed ? "all passed" : "FAILED", sources.findings.size());
         return passed ? 0 : 1;
       });

@@ -4,24 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <stdexcept>
 
+#include "page_tables.hpp"
 #include "reference/truth/event_comparison.hpp"
+#include "words.hpp"
 
 namespace vibro_impact::figures {
 
 namespace {
-
-std::vector<std::string> split(const std::string &text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
 
 // The cells in some columns of all rows of a table that begin with these cells, to six digits:
 // those of a row joined by "to", or one if they are equal, and those of several rows by commas.
@@ -45,25 +37,6 @@ std::string cells(const std::string &path, const std::string &first, const std::
   return fmt::format("{}", fmt::join(shown, ", "));
 }
 
-// Words of a class, with blanks in place of underlines.
-std::string with_blanks(std::string words) {
-  std::ranges::replace(words, '_', ' ');
-  return words;
-}
-
-// The words of a class, with the name of a file in tests, which has the test named behind a dot.
-std::string class_of_claim(const std::string &words, const std::string &named) {
-  truth::word_in("claim", words, numbers::verdict_words);
-  const std::vector<std::string> test = split(named, '.');
-  for (const auto &folder : std::filesystem::directory_iterator(SOURCE_DIR "/tests")) {
-    std::ostringstream text;
-    text << std::ifstream(folder.path() / (test.at(0) + ".cpp")).rdbuf();
-    if (text.str().find(", " + test.at(1) + ") {") != std::string::npos)
-      return fmt::format("{} (`{}`)", words, test[0]);
-  }
-  throw std::runtime_error("no such test");
-}
-
 // How many numbers are of one of some classes, or begin with one of some prefixes.
 auto count_of(const Findings &findings, const std::string &asked) {
   const std::vector<std::string> words = split(asked, '+');
@@ -76,16 +49,32 @@ auto count_of(const Findings &findings, const std::string &asked) {
 
 // --- Documents -----------------------------------------------------------------------------------
 
-// The text with one blank for every sequence of blanks and line breaks.
-std::string on_one_line(const std::string &text) {
-  static const std::regex space(R"(\s+)");
-  return std::regex_replace(text, space, " ");
-}
-
 // Whether nothing but a bullet stands before this place in its line.
 bool begins_a_line(const std::string &text, std::size_t place) {
   const auto last = text.find_last_not_of(" -", place - 1);
   return place == 0 || last == std::string::npos || text[last] == '\n';
+}
+
+// The table of the claims of a section, with the fragments that their texts name. A place in the
+// paper holds for the rows below, too.
+std::string table_of_claims(const std::string &section, const Sources &sources) {
+  std::vector<truth::Cells> rows{{"the paper", "here", "class"}};
+  std::string place;
+  for (const Claim &claim : sources.claims) {
+    if (claim.section != section) continue;
+    std::string ours;
+    for (const std::string &part : split(claim.ours, '{')) {
+      const auto end = part.find('}');
+      ours += end == std::string::npos
+                  ? part
+                  : text_of(part.substr(0, end), sources) + part.substr(end + 1);
+    }
+    rows.push_back({claim.place == place ? claim.words : claim.place + ": " + claim.words, ours,
+                    class_of(claim)});
+    place = claim.place;
+  }
+  if (rows.size() == 1) throw std::runtime_error("no claim of that section");
+  return narrow_table(rows);
 }
 
 }  // namespace
@@ -96,11 +85,16 @@ std::string text_of(const std::string &fragment, const Sources &sources) {
     return cells(sources.tables + '/' + name.str(1) + ".csv", name[2], name[3], name[4]);
   const std::vector<std::string> parts = split(fragment, ':');
   const std::string &kind = parts.at(0);
-  if (kind == "steppers") return '\n' + table_of(comparison::rows_of_steppers(sources.measured));
-  if (kind == "methods") return '\n' + table_of(comparison::rows_of_methods(sources.measured));
+  if (kind == "steppers")
+    return '\n' + narrow_table(comparison::rows_of_steppers(sources.measured));
+  if (kind == "methods") return '\n' + narrow_table(comparison::rows_of_methods(sources.measured));
   if (kind == "grazing_speed") return numbers::formatted(truth::grazing_speed, "g");
   if (kind == "class") return number_of(sources.findings, parts.at(1)).class_name();
-  if (kind == "claim") return class_of_claim(with_blanks(parts.at(1)), parts.at(2));
+  if (kind == "claims") return '\n' + table_of_claims(parts.at(1), sources);
+  if (kind == "count_of_claims")
+    return fmt::format("{}", count_of_claims(sources.claims, parts.at(1)));
+  if (kind == "parameters") return '\n' + table_of_parameters();
+  if (kind == "procedures") return '\n' + table_of_procedures(sources.tables);
   if (kind == "count") return fmt::format("{}", count_of(sources.findings, parts.at(1)));
   const auto &[number, computed, failure] = number_of(sources.findings, kind);
   return numbers::formatted(computed, parts.size() > 1 ? parts[1] : number.format);

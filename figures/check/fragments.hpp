@@ -4,13 +4,13 @@
 // The names are
 //   border_mass_1_2:.5f            a key number in this format; without one, in that of its row
 //   class:border_mass_1_2          its class
-//   claim:agrees:corrections_test.AGrazeBeginsNoStickingPhase
-//                                  the class of a claim without a key number, and the file of a
-//                                  test that shows it
+//   claims:figure3                 the table of the claims of a section (claims.hpp)
+//   count_of_claims:agrees+close   how many claims are of one of these classes; all: of any
 //   count:border_mass_+formula     how many numbers begin with one of these, or are of such a class
 //   procedures_windows:period 1 alone:from+to:.3f
 //                                  the cells in these columns of a table in the folder of tables,
 //                                  of all rows that begin with these cells, as 0.02,0.7,0
+//   parameters, procedures         tables of figures/README.md (page_tables.hpp)
 //   steppers, methods              the tables of error against run time
 //   grazing_speed                  the speed below which impacts are not compared
 // A format is one of {fmt}.
@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "claims.hpp"
 #include "figures/measures/measured.hpp"
 #include "findings.hpp"
 
@@ -27,6 +28,7 @@ namespace vibro_impact::figures {
 // The computed numbers that documents quote.
 struct Sources {
   Findings findings;
+  std::vector<Claim> claims;
   std::vector<comparison::Measured> measured;
   std::string tables;  // the folder to which the drivers of the figures wrote
 };

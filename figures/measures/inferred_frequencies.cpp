@@ -128,6 +128,25 @@ Trial try_figure5b(double omega) {
            gap <= invisible(box) && std::abs(time - 920.0) <= 0.5}};
 }
 
+Trial try_figure5c(double omega) {
+  const Scene scene = with(paper::figure5c(), "omega", omega);
+  const paper::AxisBox box = paper::panel("figure5c");
+  SampleRecorder samples = scan_samples(box);
+  EventRecorder events{box.from};
+  require_complete(simulate(scene, box.to, samples, events));
+  double last = never;  // impact of mass 2
+  bool hits_until_the_release = false;
+  for (const Event &event : events.events) {
+    if (event.mass == 2 && event.kind == EventKind::impact) last = event.time;
+    if (event.mass != 1 || event.kind != EventKind::release) continue;
+    hits_until_the_release = event.time - last <= 10.0;
+    break;
+  }
+  return {
+      omega,
+      {fills_ordinate(shown(scene, {1, 2}, samples, events.events), box), hits_until_the_release}};
+}
+
 std::vector<InferredFigure> inferred_figures() {
   return {{"2",
            try_figure2,
@@ -142,7 +161,13 @@ std::vector<InferredFigure> inferred_figures() {
           {"5(b)",
            try_figure5b,
            {"displacements fill the axes", "mass 2 grazes at 920 as mass 1 sticks"},
-           paper::figure5b()}};
+           paper::figure5b()},
+          {"5(c)",
+           try_figure5c,
+           {"displacements fill the axes", "mass 2 hits until mass 1 is released"},
+           paper::figure5c(),
+           0.01,
+           0.15}};
 }
 
 int decimals(double omega) {

@@ -1,4 +1,5 @@
-// The forcing frequencies of Figures 2, 5(a) and 5(b), which the paper's text does not give.
+// The forcing frequencies of Figures 2, 5(a) and 5(b), which the paper's text does not give, and
+// that of Figure 5(c), which it gives.
 //
 // figures/README.md, What is inferred, has the rule of choice and what it assumes of the axes. Each
 // end of a printed axis says between which two ticks the extreme of the data lies. A mass reaches
@@ -67,12 +68,19 @@ Trial try_figure5a(double omega);
 // 921. A mass that sticks stands exactly where its stop is.
 Trial try_figure5b(double omega);
 
-// A figure whose frequency is inferred, the names of its conditions, and the scene drawn.
+// Figure 5(c), whose frequency is printed, as a trial of the rule. The text: mass 1 is stuck, mass
+// 2 still chatters at the end of that sticking phase. So mass 1 is released in the window, and mass
+// 2 has an impact in the ten time units before.
+Trial try_figure5c(double omega);
+
+// A figure whose frequency is inferred, the names of its conditions, of which the first is that of
+// the axes, the scene drawn, and the frequencies that are tried.
 struct InferredFigure {
   const char *name;
   Trial (*attempt)(double omega);
   std::vector<const char *> conditions;
   Scene drawn;
+  double from = 0.02, to = 0.7;  // printed: the lowest and the highest frequency of the paper
 };
 
 std::vector<InferredFigure> inferred_figures();

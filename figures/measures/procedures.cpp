@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "fixed_steps.hpp"
 #include "vibro_impact/analysis/pressing_force.hpp"
 
 namespace vibro_impact::figures {
@@ -40,10 +42,12 @@ struct ProcedureRecorder : Recorder {
 }  // namespace
 
 FollowedMotion follow(Scene scene, MotionState state, double until, const Procedure &procedure) {
+  if (procedure.step > 0.0) return follow_in_steps(scene, std::move(state), until, procedure);
   // Impacts faster than this are resolved, so that a cut-off acts before the limit of a chatter is
   // computed. The forces at the stops are of the order of 0.1, and the flight behind an impact at
-  // this speed lasts some 2e-4, less than any cut-off that is tried.
-  constexpr double slower_than_all = 1e-5;
+  // the speed 1e-5 lasts some 2e-4, less than any cut-off by flights that is tried.
+  const double slower_than_all =
+      procedure.slowest_impact > 0.0 ? 0.1 * procedure.slowest_impact : 1e-5;
   const bool cuts_off = procedure.shortest_flight > 0.0 || procedure.slowest_impact > 0.0;
   const RunOptions options{.limit_below_speed =
                                cuts_off ? slower_than_all : RunOptions{}.limit_below_speed};
@@ -61,7 +65,8 @@ FollowedMotion follow(Scene scene, MotionState state, double until, const Proced
     if (recorder.cut_off != 0) {
       const auto i = static_cast<std::size_t>(recorder.cut_off - 1);
       const Stop &stop = scene.stops[i];
-      if (!(pressing_force(scene, stop, state) > 0.0)) continue;
+      const double force = pressing_force(scene, stop, state);
+      if (!(procedure.holds_without_force ? force >= 0.0 : force > 0.0)) continue;
       state.velocity[i] = 0.0;
       state.held[i] = static_cast<signed char>(stop.side);
       Event stick = recorder.events.back();

@@ -25,16 +25,14 @@ struct Range {
   }
 };
 
-// The first and the last of each run of neighbours among 0, every, 2 every, ... below `count` for
-// which `holds` is true.
+// The first and the last of each run of neighbours below `count` for which `holds` is true.
 template <class Predicate>
 std::vector<std::pair<std::size_t, std::size_t>> runs_where(const Predicate &holds,
-                                                            std::size_t count,
-                                                            std::size_t every = 1) {
+                                                            std::size_t count) {
   std::vector<std::pair<std::size_t, std::size_t>> runs;
-  for (std::size_t i = 0; i < count; i += every) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (!holds(i)) continue;
-    if (runs.empty() || runs.back().second + every != i) runs.emplace_back(i, i);
+    if (runs.empty() || runs.back().second + 1 != i) runs.emplace_back(i, i);
     runs.back().second = i;
   }
   return runs;

@@ -115,7 +115,7 @@ std::string table_named(const std::string &name) {
   if (name == "one_impact") return one_impact_table();
   if (name == "work_precision_states") return work_precision_states();
   if (name == "work_precision_events") return work_precision_events();
-  for (const auto &[scene_name, scene, until] : vibro_impact::paper::named_scenes())
+  for (const auto &[scene_name, scene, until, inferred] : vibro_impact::paper::named_scenes())
     if (name == scene_name)
       return events_table(simulate(in_digits(scene, until)).events, scene.mass.size());
   throw std::invalid_argument("table '" + name + "': must be one of " + tables);

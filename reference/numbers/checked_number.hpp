@@ -19,7 +19,7 @@
 
 namespace vibro_impact::numbers {
 
-// The classes of figures/README.md. A claim that is no number may have the last two.
+// The classes of figures/README.md. A claim that is no number may have the last three.
 enum class Verdict {
   agrees,
   close,
@@ -27,11 +27,12 @@ enum class Verdict {
   depends_on_an_inferred_value,
   not_in_the_paper,
   agrees_otherwise,
-  cannot_be_judged
+  cannot_be_judged,
+  rebuilt
 };
 constexpr const char *verdict_words[] = {
-    "agrees",           "close",           "differs", "inferred", "not in the paper",
-    "agrees otherwise", "cannot be judged"};
+    "agrees",           "close",  "differs", "inferred", "not in the paper", "agrees otherwise",
+    "cannot be judged", "rebuilt"};
 inline const char *name(Verdict verdict) {
   return verdict_words[static_cast<int>(verdict)];
 }

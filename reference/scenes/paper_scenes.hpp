@@ -66,17 +66,21 @@ inline Scene figure5c() {
 
 // The scenes that a run of its own is shown of, under their names in file names, and how far each
 // is followed: to the end of its window; in Figure 4, whose window is within a period, as in
-// Figure 2.
+// Figure 2. The parameters that are not printed have the names of `parameter.hpp`.
 struct NamedScene {
   std::string name;
   Scene scene;
   double until;
+  std::vector<std::string> inferred = {};
 };
 
 inline std::vector<NamedScene> named_scenes() {
-  return {{"figure2", figure2(), 750.0},   {"figure4a", figure4a(), 750.0},
-          {"figure4b", figure4b(), 750.0}, {"figure5a", figure5a(), 964.0},
-          {"figure5b", figure5b(), 930.0}, {"figure5c", figure5c(), 1000.0}};
+  return {{"figure2", figure2(), 750.0, {"omega"}},
+          {"figure4a", figure4a(), 750.0},
+          {"figure4b", figure4b(), 750.0},
+          {"figure5a", figure5a(), 964.0, {"omega"}},
+          {"figure5b", figure5b(), 930.0, {"omega"}},
+          {"figure5c", figure5c(), 1000.0, {"stop1", "stop2"}}};
 }
 
 // Throws std::invalid_argument if there is none of that name.

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 
+#include "figures/check/quotations.hpp"
 #include "tests/support/refusals.hpp"
 
 namespace {
@@ -26,16 +28,20 @@ Finding checked(const std::string &id, const numbers::Printed &printed, double c
   return {number, computed};
 }
 
-// Two key numbers, of which the second differs from the paper, and a table.
+// Two key numbers, of which the second differs from the paper, two claims, and a table.
 Sources sources() {
   const std::string folder = PROGRAM_DIR "/../tables_of_tests/documents";
   std::filesystem::create_directories(folder);
   std::ofstream(folder + "/speeds.csv")
       << "motion,r,from,to\nat rest,0.69999999999999996,1.5,1.5\nat rest,0.3,2.5e-12,3.5\n";
-  return {{checked("start", {"715 to 716", numbers::Claim::stated, 715.0, 716.0}, 715.561564510661),
-           checked("gap", {"it grazes", numbers::Claim::stated, 0.0, 0.0}, 7.53817007e-05)},
-          {},
-          folder};
+  return {
+      {checked("start", {"715 to 716", numbers::Claim::stated, 715.0, 716.0}, 715.561564510661),
+       checked("gap", {"it grazes", numbers::Claim::stated, 0.0, 0.0}, 7.53817007e-05)},
+      {{"figure5", "Section 3.3", "it grazes", "{gap:.1e} short, at {start:.0f}", "differs", "gap"},
+       {"figure5", "Section 3.3", "no stick", "so", "agrees otherwise",
+        "corrections_test.AGrazeBeginsNoStickingPhase"}},
+      {},
+      folder};
 }
 
 std::string text(const std::string &fragment) {
@@ -46,15 +52,18 @@ TEST(Documents, AFragmentShowsWhatItsNameSays) {
   EXPECT_EQ(text("gap"), "8e-5") << "the format of its row";
   EXPECT_EQ(text("gap:.3e") + " " + text("start:.5f"), "7.538e-5 715.56156");
   EXPECT_EQ(text("class:start") + ", " + text("class:gap"), "agrees, differs");
-  EXPECT_EQ(text("claim:cannot_be_judged:corrections_test.AGrazeBeginsNoStickingPhase"),
-            "cannot be judged (`corrections_test`)");
+  EXPECT_EQ(text("claims:figure5"),
+            "\n|the paper |here |class|\n|---|---|---|\n"
+            "|Section 3.3: it grazes |7.5e-5 short, at 716 |differs|\n"
+            "|no stick |so |agrees otherwise (`corrections_test`)|\n");
+  EXPECT_EQ(text("count_of_claims:differs") + text("count_of_claims:agrees+agrees_otherwise") +
+                text("count_of_claims:all"),
+            "112");
   EXPECT_EQ(text("count:g") + text("count:g+agrees") + text("count:not_in_the_paper"), "120");
   EXPECT_EQ(text("speeds:at rest:from+to:g"), "1.5, 2.5e-12 to 3.5");
   EXPECT_EQ(text("speeds:at rest,0.7:from:.2f"), "1.50");
-  for (const char *unknown :
-       {"nothing", "class:nothing", "claim:agree:corrections_test.AGrazeBeginsNoStickingPhase",
-        "claim:agrees:corrections_test.AGrazeBeginsASticking", "claim:agrees:corrections_test",
-        "speeds:moving:from:g", "speeds:at rest:time:g", "no_table:1:to:g", "start:x"})
+  for (const char *unknown : {"nothing", "class:nothing", "claims:figure9", "speeds:moving:from:g",
+                              "speeds:at rest:time:g", "no_table:1:to:g", "start:x"})
     EXPECT_NE(vibro_impact::testing::refusal<std::exception>([&] { text(unknown); }), "accepted")
         << unknown;
 }
@@ -68,11 +77,7 @@ TEST(Documents, AFaultOfAFragmentIsFoundAndItsTextIsWrittenAgain) {
   EXPECT_EQ(faults(right), Lines{});
   EXPECT_EQ(faults(wrong), Lines{"a: start:.1f: must be '715.6', not '715.7'"});
   EXPECT_EQ(renewed("a", wrong, sources()).text, right);
-  EXPECT_EQ(faults("It "
-                   "<!--=claim:agrees_otherwise:corrections_test.AGrazeBeginsNoStickingPhase-->"
-                   "agrees\notherwise "
-                   "(`corrections_test`)<!--/-->."),
-            Lines{});
+  EXPECT_EQ(faults("It <!--=claims:figure5-->\n|the paper |here\n|class|<!--/-->.").size(), 1u);
   EXPECT_EQ(faults("at <!--=start-->7"), Lines{"a: start: has no end"});
   EXPECT_EQ(faults("<!--=start:.0f-->716<!--/-->"), Lines{"a: start:.0f: begins a line"});
   EXPECT_EQ(faults("a\n- <!--=start:.0f-->716<!--/-->").size(), 1u);
@@ -80,11 +85,91 @@ TEST(Documents, AFaultOfAFragmentIsFoundAndItsTextIsWrittenAgain) {
   EXPECT_EQ(faults("a <!--=nothing-->7<!--/-->").size(), 1u);
 }
 
-// Different matches in a file of the project, of the first group in brackets.
-std::set<std::string> matches(const std::string &path, const std::string &expression) {
+// A claim has the class of its key number, or a test that is there.
+TEST(Documents, AClaimThatNothingDecidesIsRefused) {
+  const std::string folder = PROGRAM_DIR "/../tables_of_tests/claims";
+  std::filesystem::create_directories(folder);
+  const auto refused = [&](const std::string &verdict, const std::string &decider) {
+    std::ofstream(folder + "/claims.csv") << "section,place,the_paper,ours,class,decided_by\n"
+                                          << "figure5,,,," << verdict << ',' << decider << '\n';
+    return vibro_impact::testing::refusal<std::exception>(
+               [&] { claims(folder, sources().findings); }) != "accepted";
+  };
+  EXPECT_FALSE(refused("differs", "gap"));
+  EXPECT_FALSE(refused("agrees", "corrections_test.AGrazeBeginsNoStickingPhase"));
+  EXPECT_TRUE(refused("agrees", "gap")) << "the number differs";
+  EXPECT_TRUE(refused("agree", "start")) << "no class";
+  EXPECT_TRUE(refused("agrees", "nothing"));
+  EXPECT_TRUE(refused("agrees", "corrections_test.AGrazeBeginsASticking"));
+  EXPECT_TRUE(refused("agrees", "corrections_test."));
+}
+
+std::string content(const std::string &path) {
   std::ostringstream content;
   content << vibro_impact::truth::opened(SOURCE_DIR "/" + path).rdbuf();
-  const std::string text = content.str();
+  return content.str();
+}
+
+// Whether `check` sees this edit of a document: in a fragment, which it compares, or of a number
+// that is then in no quotation.
+bool is_seen(const std::string &document, const std::string &from, const std::string &to) {
+  std::string text = content(document);
+  const auto place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << document << " has no " << from;
+  if (place == std::string::npos) return false;
+  const auto mark = text.rfind("<!--", place);
+  if (mark != std::string::npos && text.compare(mark, 5, "<!--=") == 0) return true;
+  text.replace(place, from.size(), to);
+  return !numbers_without_origin(document, text, quotations_of(REFERENCE_DIR, document)).empty();
+}
+
+TEST(Documents, AnEditOfANumberIsSeen) {
+  const std::string page = "figures/README.md", readme = "README.md";
+  for (const auto &document : {page, readme})
+    EXPECT_EQ(
+        numbers_without_origin(document, content(document), quotations_of(REFERENCE_DIR, document)),
+        Lines{});
+  EXPECT_TRUE(is_seen(page, "0.645", "0.625"));
+  EXPECT_TRUE(is_seen(page, "-0.15", "-0.25"));
+  EXPECT_TRUE(is_seen(page, "√1.99", "√1.09"));
+  EXPECT_TRUE(is_seen(page, "0.33", "0.34"));
+  EXPECT_TRUE(is_seen(page, "0.67", "0.66"));
+  EXPECT_TRUE(is_seen(page, "T/1000", "T/2000"));
+  EXPECT_TRUE(is_seen(page, "0.31.", "0.32."));
+  EXPECT_TRUE(is_seen(page, "t = 950", "t = 960"));
+  EXPECT_TRUE(is_seen(readme, "0.256 ", "0.255 "));
+  EXPECT_TRUE(is_seen(readme, "Ω = 0.65", "Ω = 0.55"));
+  EXPECT_TRUE(is_seen(readme, "137-148", "137-149"));
+  EXPECT_FALSE(is_seen(readme, "In Figure 3", "In Figure 4")) << "a name";
+}
+
+// Every digit of every decimal number that stands in prose.
+TEST(Documents, AnEditOfAnyDecimalIsSeen) {
+  for (const std::string document : {"README.md", "figures/README.md"}) {
+    const std::string text = content(document);
+    const auto quotations = quotations_of(REFERENCE_DIR, document);
+    const std::regex not_prose(
+        R"(<!--=[^>]*-->[^]*?<!--/-->|```[^]*?```|\]\([^)]*\)|`[^`]*`|Sections? \d\.\d)");
+    std::string prose = text;
+    for (std::sregex_iterator part(text.begin(), text.end(), not_prose), end; part != end; ++part)
+      std::fill_n(prose.begin() + part->position(), part->length(), ' ');
+    const std::regex decimal(R"(\d+\.\d+)");
+    int edits = 0;
+    for (std::sregex_iterator number(prose.begin(), prose.end(), decimal), end; number != end;
+         ++number) {
+      std::string edited = text;
+      char &digit = edited[static_cast<std::size_t>(number->position() + number->length() - 1)];
+      digit = digit == '9' ? '8' : static_cast<char>(digit + 1);
+      EXPECT_FALSE(numbers_without_origin(document, edited, quotations).empty()) << number->str();
+      ++edits;
+    }
+    EXPECT_GE(edits, 8) << document;
+  }
+}
+
+// Different matches in a file of the project, of the first group in brackets.
+std::set<std::string> matches(const std::string &path, const std::string &expression) {
+  const std::string text = content(path);
   const std::regex regex(expression);
   return {std::sregex_token_iterator(text.begin(), text.end(), regex, 1), {}};
 }

@@ -28,7 +28,7 @@ TEST(PaperScenes, AreTheDefaultsOfTheSceneRunner) {
 
 // A run ends where the printed window ends, in Figure 4 where that of Figure 2 does.
 TEST(PaperScenes, AreFollowedToTheEndOfTheirWindows) {
-  for (const auto &[name, scene, until] : paper::named_scenes()) {
+  for (const auto &[name, scene, until, inferred] : paper::named_scenes()) {
     const bool of_figure_5 = name.starts_with("figure5");
     EXPECT_EQ(until, paper::panel(of_figure_5 ? name : "figure2a").to) << name;
   }

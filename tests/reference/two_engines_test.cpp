@@ -62,7 +62,7 @@ TEST(TwoEngines, GiveTheSameAnswers) {
 // one: Boost 1.74 and 1.83 differ there by 2e-32, of which fifty times as much is allowed.
 TEST(Generator, ComputesTheStoredEventsOfFigure5cAgain) {
   const std::string name = REFERENCE_DIR "/figure5c_events.csv";
-  const auto [its_name, scene, until] = paper::scene_named("figure5c");
+  const auto [its_name, scene, until, inferred] = paper::scene_named("figure5c");
   std::istringstream table(
       reference::events_table(reference::simulate(reference::in_digits(scene, until)).events, 2));
   const truth::Rows computed = truth::read_rows(table, "the computed table"),

@@ -1,0 +1,20 @@
+// Numbers of a document that nothing computes: quotations of the paper, definitions, dates. They
+// stand in reference/tables/quotations.csv with the words around them, so that an edited number is
+// seen.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vibro_impact::figures {
+
+// A line for each number of a document that stands neither in a fragment nor in a quotation of it,
+// and for each quotation that the document has not. Names are no numbers: Figure 2, Eqs. 17-18,
+// Section 3.2, mass 1, x1. Neither are blocks of code, which a test runs, nor links.
+std::vector<std::string> numbers_without_origin(const std::string &name, const std::string &text,
+                                                const std::vector<std::string> &quotations);
+
+// The quotations of a document in the table of a folder.
+std::vector<std::string> quotations_of(const std::string &folder, const std::string &name);
+
+}  // namespace vibro_impact::figures
