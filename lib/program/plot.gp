@@ -19,6 +19,8 @@ if (ARG1 eq 'pdfcairo') {
 } else {
   set terminal @ARG1 size 1400,height font 'Liberation Serif,22' linewidth 2
 }
+set encoding utf8
+set minussign
 set datafile separator ','
 set border linewidth 0.7 linecolor rgb '#202020'
 set tics nomirror out scale 0.6
@@ -32,6 +34,18 @@ set rmargin 3
 set offsets 0, 0, graph 0.06, graph 0.06
 style = ARG5 eq 'points' ? 'points linestyle 1 pointtype 7 pointsize 0.3' : 'lines linestyle 1'
 key(panel, name) = panel eq first ? name : ''
+# A parameter or a column as it stands at an axis.
+begins(name, word) = name[1:strlen(word)] eq word && name[strlen(word) + 1:*] ne ''
+number(name, word) = name[strlen(word) + 1:*]
+of_mass(name, word) = ' of mass '.number(name, word).' a period'
+plain(name) = strstrt(name, '_') ? plain(name[1:strstrt(name, '_') - 1].' '.name[strstrt(name, '_') + 1:*]) : name
+label(name) = name eq 'omega' ? 'Ω' : name eq 'beta' ? 'β' : name eq 'restitution' ? 'r' : \
+  begins(name, 'displacement') ? 'initial x_{'.number(name, 'displacement').'}' : \
+  begins(name, 'velocity') ? 'initial v_{'.number(name, 'velocity').'}' : \
+  begins(name, 'stop') ? 's_{'.number(name, 'stop').'}' : \
+  begins(name, 'impacts') ? 'impacts'.of_mass(name, 'impacts') : \
+  begins(name, 'sticks') ? 'sticking phases'.of_mass(name, 'sticks') : \
+  strlen(name) < 4 && name[1:1] eq 'x' ? 'x_{'.name[2:*].'}' : plain(name)
 # The range of an axis, with half a distance at each end, and the ends of the box of a point.
 from(axis) = real(word(axis, 2))
 to(axis) = real(word(axis, 3))
@@ -93,8 +107,8 @@ if (kind eq 'diagram' || kind eq 'columns') {
   set xrange [lower_end(ARG6):upper_end(ARG6)]
   set multiplot layout panels,1
   do for [panel in ARG3] {
-    set ylabel (kind eq 'columns' ? panel : 'impact velocity of mass '.panel) noenhanced
-    if (panel eq last) { set xlabel word(ARG6, 1) noenhanced }
+    set ylabel (kind eq 'columns' ? label(panel) : 'impact velocity of mass '.panel)
+    if (panel eq last) { set xlabel label(word(ARG6, 1)) }
     # Without points there is no range, and `stats` leaves no records.
     stats data using (of_panel(panel)) nooutput
     found = exists('STATS_records') ? STATS_records : 0
@@ -108,9 +122,9 @@ if (kind eq 'diagram' || kind eq 'columns') {
 if (kind eq 'map') {
   across = word(ARG5, 1)
   up = word(ARG6, 1)
-  set xlabel across noenhanced
-  set ylabel up noenhanced
-  set title ARG3 noenhanced
+  set xlabel label(across)
+  set ylabel label(up)
+  set title label(ARG3)
   set offsets 0, 0, 0, 0
   if (is_log(ARG5)) { set logscale x base(ARG5) }
   if (is_log(ARG6)) { set logscale y base(ARG6) }
