@@ -79,7 +79,6 @@ reference: configured-runner
 	  $(folder)/bin/reference-generate $$scene reference/tables/$${scene}_events.csv || exit 2; done
 	@$(folder)/bin/reference-generate checked_numbers reference/tables/checked_numbers.csv || exit 2
 	@$(folder)/bin/reference-generate extremes reference/tables/extreme_events.csv || exit 2
-	@$(folder)/bin/reference-generate one_impact reference/tables/one_impact_orbits.csv || exit 2
 	@for part in states events; do \
 	  $(folder)/bin/reference-generate work_precision_$$part reference/tables/work_precision_$$part.csv || exit 2; done
 

@@ -1,5 +1,5 @@
-// The exact motion between two events, and orbits with one impact: every mode of the free part of
-// the chain in closed form (Eqs. 7, 21, 24).
+// The exact motion between two events: every mode of the free part of the chain in closed form
+// (Eqs. 7, 21, 24).
 #pragma once
 
 #include "in_digits.hpp"
@@ -79,25 +79,5 @@ Real sampling_step(const Flow &flow, const Real &tau);
 
 /// The closed form at time tau after the start of the flow.
 Motion motion_at(const Flow &flow, const Real &tau);
-
-// --- Orbits with one impact ---------------------------------------------------------------------
-
-/// The impact, the sum of the multipliers, and the state just after the impact.
-struct OneImpactOrbit {
-  Real stop, time, velocity_before, trace;
-  Vector x, v;
-};
-
-/// An orbit of a chain with one impact, at a stop of it, in so many forcing periods, as the sum of
-/// the modes (Shaw and Shaw 1989; Natsiavas 1993; Pun et al. 1998). The branch is +1 for the faster
-/// orbit, -1 for the slower one, and 0 for the fold where they meet, which has its own position of
-/// the stop.
-///
-/// A unit impulse at every impact alone would give the mass that hits the displacement g and the
-/// velocity b just after it. Let the forcing alone move that mass by Re X exp(i Omega t), let
-/// Z = X exp(i Omega t) at the impact and d be the stop. The impulse p = -m (1 + r) v then has
-/// Re Z = d - p g and Im Z = p h, where Omega h = b - r / (m (1 + r)). So |X|^2 = (d - p g)^2 +
-/// (p h)^2. The two roots meet at the fold, d^2 = |X|^2 (1 + (g / h)^2). All modes are underdamped.
-OneImpactOrbit one_impact_orbit(const Scene &scene, const Stop &stop, int periods, int branch);
 
 }  // namespace vibro_impact_reference

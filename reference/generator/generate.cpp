@@ -105,14 +105,13 @@ std::string work_precision_events() {
 
 constexpr const char *tables =
     "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, checked_numbers, extremes, "
-    "one_impact, work_precision_states, work_precision_events, number:<id of a key number>";
+    "work_precision_states, work_precision_events, number:<id of a key number>";
 
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
   if (name == "checked_numbers") return filled_table();
   if (name.starts_with("number:")) return digits_of(name.substr(7));
   if (name == "extremes") return extremes_table();
-  if (name == "one_impact") return one_impact_table();
   if (name == "work_precision_states") return work_precision_states();
   if (name == "work_precision_events") return work_precision_events();
   for (const auto &[scene_name, scene, until, inferred] : vibro_impact::paper::named_scenes())

@@ -1,7 +1,5 @@
 #include "tables.hpp"
 
-#include "reference/scenes/extreme_scenes.hpp"
-
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
@@ -145,54 +143,6 @@ std::string digits_of(const std::string &id) {
   for (const numbers::CheckedNumber &number : numbers::checked_numbers(REFERENCE_DIR))
     if (number.id == id && number.of_the_paper()) return digits_of(engine, number) + '\n';
   throw std::runtime_error("key number '" + id + "': the table has no such row");
-}
-
-// --- Orbits with one impact ---------------------------------------------------------------------
-
-std::vector<OneImpactCase> one_impact_cases() {
-  const auto chain = [](int masses, double beta, double amplitude, double omega, double r,
-                        double stop) {
-    auto scene = vibro_impact::extremes::chain(masses, beta);
-    scene.amplitude.assign(scene.mass.size(), 0.0);
-    scene.amplitude.front() = amplitude;
-    scene.omega = omega;
-    scene.restitution = r;
-    scene.stops = {{masses, Side::upper, stop}};
-    return scene;
-  };
-  auto three = chain(3, 0.1, 0.5, 1.1, 0.7, 0.6);
-  three.mass = {1.0, 2.0, 0.5};
-  three.stiffness = {1.0, 3.0, 2.0};
-  three.stops[0].mass = 2;
-  std::vector<OneImpactCase> cases;
-  for (const auto &[branch, name] : {std::pair{1, "_faster"}, {-1, "_slower"}, {0, "_fold"}}) {
-    cases.push_back(
-        {std::string("figure3") + name, vibro_impact::paper::figure3(2.4), 3, branch, 1});
-    cases.push_back({std::string("two") + name, chain(2, 0.1, 0.5, 0.9, 0.7, 1.1), 1, branch});
-    cases.push_back({std::string("three") + name, three, 2, branch});
-    cases.push_back({std::string("five") + name, chain(5, 0.1, 0.5, 0.7, 0.7, 1.27), 2, branch});
-  }
-  for (const auto &[masses, omega] : {std::pair{2, 0.95}, {3, 0.7}, {5, 0.51}})
-    cases.push_back({"free_" + std::to_string(masses), chain(masses, 0, 0, omega, 1, 1), 1, 0});
-  return cases;
-}
-
-OneImpactOrbit one_impact_orbit(const OneImpactCase &given) {
-  const Scene scene = in_digits(given.scene, 0.0);
-  return one_impact_orbit(scene, scene.stops[given.stop], given.periods, given.branch);
-}
-
-std::string one_impact_table() {
-  std::string table = "orbit,stop,time,velocity_before,trace,x1.. v1..\n";
-  for (const auto &given : one_impact_cases()) {
-    const auto [stop, time, velocity, trace, x, v] = one_impact_orbit(given);
-    table += given.name;
-    for (const Vector &numbers : {Vector{stop, time, velocity, trace}, x, v})
-      for (const Real &number : numbers)
-        (table += ',') += (abs(number) < Real("1e-40") ? Real(0) : number).str(30, std::ios::fixed);
-    table += '\n';
-  }
-  return table;
 }
 
 }  // namespace vibro_impact_reference

@@ -1,5 +1,5 @@
-// The tables of events, of key numbers and of orbits with one impact. In the table of checked
-// numbers the generator fills in the references of the key numbers and leaves all else as it is.
+// The tables of events and of key numbers. In the table of checked numbers the generator fills in
+// the references of the key numbers and leaves all else as it is.
 #pragma once
 
 #include "digits_engine.hpp"
@@ -33,22 +33,5 @@ std::string digits_of(const std::string &id);
 
 /// The whole table.
 std::string filled_table();
-
-struct OneImpactCase {
-  std::string name;
-  vibro_impact::Scene scene;
-  int periods, branch;
-  std::size_t stop = 0;  // the stop that is hit
-};
-
-/// Figure 3 at Omega = 2.4, and chains of two equal, three unequal and five equal masses before one
-/// stop. Chains without forcing, damping and loss have nonsmooth modes (Gendelman and Manevitch
-/// 2008; Thorin, Delezoide and Legrand 2017). The table has the mode with the period of Omega.
-std::vector<OneImpactCase> one_impact_cases();
-
-OneImpactOrbit one_impact_orbit(const OneImpactCase &given);
-
-/// One row per case, numbers with 30 decimals. What is below 1e-40 is the rounding of a zero.
-std::string one_impact_table();
 
 }  // namespace vibro_impact_reference

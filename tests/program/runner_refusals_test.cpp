@@ -158,7 +158,7 @@ TEST_F(Runner, OtherProgramsRefuseInTheSameWay) {
       << unknown.err;
   const Result usage = run("", "true", "", PROGRAM_DIR "/reference-generate");
   EXPECT_EQ(usage.status, 2);
-  for (const char *table : {"figure5c", "extremes", "one_impact", "work_precision_events"}) {
+  for (const char *table : {"figure5c", "extremes", "work_precision_events"}) {
     EXPECT_NE(unknown.err.find(table), std::string::npos) << unknown.err;
     EXPECT_NE(usage.err.find(table), std::string::npos) << usage.err;
   }
