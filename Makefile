@@ -6,7 +6,6 @@
 #
 # make figure2 ...    draw one picture
 # make beyond         draw the rest: stiff and extreme cases, and what goes beyond the paper (minutes)
-# make peers          install SUNDIALS, and draw error against run time with it
 # make pictures       draw all and renew figures/pictures, which the documents show
 # make check          compare every key number, published number and fragment of a document
 # make build          build the library and the program only
@@ -23,7 +22,7 @@ jobs   := $(shell nproc 2>/dev/null || echo 1)
 preset := release
 folder := build$(addprefix /,$(filter dev clang sanitize,$(preset)))
 
-.PHONY: help figures beyond pictures $(drawn) peers check build test test-sanitize reference docs clean
+.PHONY: help figures beyond pictures $(drawn) check build test test-sanitize reference docs clean
 .NOTPARALLEL:  # the targets share build/, and each uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -54,12 +53,6 @@ beyond pictures: configured-figures
 $(drawn): configured-figures
 	$(make_target) $@
 	@cmake --build --preset $(preset) --target draw_$@
-
-# CMake looks for the packages again.
-peers:
-	@.ci/packages figures peers
-	@rm -f build/CMakeCache.txt
-	@$(MAKE) error_vs_runtime
 
 test: configured-tests
 	$(make_target) test_programs

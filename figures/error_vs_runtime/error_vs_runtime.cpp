@@ -130,9 +130,6 @@ int main(int argc, char **argv) {
     if (chains == "yes")
       for (const std::size_t masses : {10u, 200u}) cases.push_back(chain_problem(masses));
     const std::vector<Method> methods = all_methods();
-    const auto of_arkode = [](const Method &method) { return method.name.starts_with("ARKODE"); };
-    if (std::ranges::none_of(methods, of_arkode))
-      fmt::print(stderr, "ARKODE is not installed and left out (make peers)\n");
     write(table_of(measured(cases, methods)), output / "error_vs_runtime.csv");
   };
   return figures::main_of_driver(

@@ -71,9 +71,6 @@ std::vector<Method> all_methods() {
   add(plain_event_driven());
   add(dop853());
   add(odeint());
-#ifdef WITH_ARKODE
-  add(arkode());
-#endif
   add(stiff_spring());
   return all;
 }

@@ -70,17 +70,15 @@ struct Method {
   bool for_chains = false;  // knows any number of masses and stops
 };
 
-// The families, one file each. arkode, whose names begin with ARKODE, is built where SUNDIALS is
-// found.
+// The families, one file each.
 std::vector<Method> this_library();
 std::vector<Method> by_hand();
 std::vector<Method> plain_event_driven();
 std::vector<Method> dop853();
 std::vector<Method> odeint();
-std::vector<Method> arkode();
 std::vector<Method> stiff_spring();
 
-// All methods that are built.
+// All methods.
 std::vector<Method> all_methods();
 
 }  // namespace vibro_impact::comparison

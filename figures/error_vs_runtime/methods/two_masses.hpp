@@ -27,8 +27,7 @@ struct TwoMasses {
   std::array<double, 2> side, stop;  // +1 for an upper stop
   double omega, restitution;
 
-  template <class State>  // Vec, or the numbers of a vector of ARKODE
-  double acceleration(std::size_t i, const State &y, double cosine) const {
+  double acceleration(std::size_t i, const Vec &y, double cosine) const {
     const GapEquation &e = equation[i];
     return e.gap[0] * y[0] + e.speed[0] * y[1] + e.gap[1] * y[2] + e.speed[1] * y[3] + e.constant +
            e.drive * cosine;
