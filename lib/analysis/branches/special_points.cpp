@@ -179,9 +179,13 @@ bool has_pair_on_the_circle(const Multipliers &multipliers) {
   });
 }
 
-}  // namespace
+// True where a multiplier is so near to the unit circle that it may cross it twice in a step.
+bool is_near_the_circle(const Multipliers &multipliers) {
+  return std::ranges::any_of(
+      multipliers, [](const auto &mu) { return std::abs(std::abs(mu) - 1.0) < near_the_circle; });
+}
 
-SpecialPoints special_points_between(const Problem &problem, const Place &a, const Place &b) {
+SpecialPoints special_points_in_part(const Problem &problem, const Place &a, const Place &b) {
   SpecialPoints found;
   const Zero zero{problem, a, b};
   const auto add = [&found](std::optional<SpecialPoint> point) {
@@ -225,6 +229,28 @@ SpecialPoints special_points_between(const Problem &problem, const Place &a, con
   }
   std::ranges::sort(found.points, {}, &SpecialPoint::part);
   return found;
+}
+
+// Divides the step into so many halves of halves, where two special points may lie close together.
+SpecialPoints special_points_in(const Problem &problem, const Place &a, const Place &b,
+                                int divisions) {
+  if (divisions == 0 || !(is_near_the_circle(a.multipliers) || is_near_the_circle(b.multipliers)))
+    return special_points_in_part(problem, a, b);
+  const Place middle = Zero{problem, a, b}.near(0.5 * (a.u + b.u));
+  // A step that turns round or branches off is taken as a whole.
+  if (middle.u.size() == 0 || a.orientation != b.orientation || a.orientation != middle.orientation)
+    return special_points_in_part(problem, a, b);
+  SpecialPoints first = special_points_in(problem, a, middle, divisions - 1);
+  const SpecialPoints second = special_points_in(problem, middle, b, divisions - 1);
+  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+  first.ends_the_branch = second.ends_the_branch;
+  return first;
+}
+
+}  // namespace
+
+SpecialPoints special_points_between(const Problem &problem, const Place &a, const Place &b) {
+  return special_points_in(problem, a, b, 2);
 }
 
 }  // namespace vibro_impact::branches

@@ -43,7 +43,12 @@ Step take_step(const Walk &walk) {
   if (std::sqrt(scaled_dot(walk, off, off)) > farthest_from_guess * walk.step + below_zero)
     return step;
   step.to = place_of(walk.problem, here.sequence, step.to.u, here.direction);
-  step.found = scaled_dot(walk, step.to.direction, here.direction) >= least_cosine ||
+  // Along an arc, the chord has the mean direction of both ends. A chord to another branch has not.
+  const Vector chord = step.to.u - here.u, mean = here.direction + step.to.direction;
+  const double cosine = scaled_dot(walk, step.to.direction, here.direction),
+               along = scaled_dot(walk, chord, mean),
+               most = std::sqrt(scaled_dot(walk, chord, chord) * scaled_dot(walk, mean, mean));
+  step.found = (cosine >= least_cosine && along >= least_cosine_of_chord * most) ||
                walk.step <= small_step * walk.longest;
   return step;
 }

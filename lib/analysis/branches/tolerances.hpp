@@ -23,10 +23,14 @@ constexpr double last_flight = 3e-6;
 
 // Steps of a branch, in parts of the longest one.
 constexpr double least_step = 1e-7, small_step = 1e-3;
-constexpr double least_cosine = 0.9;  // of the angle between tangents
+constexpr double least_cosine = 0.9;             // of the angle between tangents
+constexpr double least_cosine_of_chord = 0.995;  // of the angle between a chord and their mean
 constexpr double farthest_from_guess = 0.3;
 
 constexpr double same_part = 1e-6;  // of a step, of two solutions at one place
+
+// Multipliers at this distance from the unit circle were seen to cross it twice in a step.
+constexpr double near_the_circle = 0.2;
 
 // Quantities that an orbit at an end may have below zero, relative to their units: the search for
 // minima and the solution have more digits.

@@ -12,7 +12,8 @@
 // instant change places and end nothing, unless the other order has no orbit.
 //
 // A flight takes Taylor steps of the fastest mode: a branch with a stiff link of some 1e12 is lost.
-// Minima of gaps and pressing forces are looked for at six points in each of these steps.
+// Minima of gaps and pressing forces are looked for at six points in each of these steps. Two flips
+// or births of tori within a quarter of a step of the branch may both be missed.
 #pragma once
 
 #include <vector>
