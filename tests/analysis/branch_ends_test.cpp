@@ -236,4 +236,40 @@ TEST(BranchEnds, ASmallMotionGrowsUpToItsGraze) {
                         {{Point::end_of_range, 0.001}, {Point::graze, 0.368781778291715}});
 }
 
+// Found by random branches: two flips or births of a torus within one step, and a torus next to a
+// graze, where multipliers grow without bound.
+TEST(BranchEnds, TwoSpecialPointsInOneStepAreBothSeen) {
+  expect_special_points(
+      "masses=2; beta=0.02; amplitude=0.2,0.2; restitution=0.3; "
+      "stop=1:lower:-0.2101,1:upper:0.2006; omega=0.153959",
+      {"omega", 0.1231672, 0.19244875, 41},
+      {{Point::multi_sliding, 0.1269398541646231, 1e-13},
+       {Point::torus, 0.1355039989387404, 1e-12},
+       {Point::torus, 0.1361202649816639, 1e-12},
+       {Point::flip, 0.1364765561528721, 1e-12},
+       {Point::flip, 0.13705234297938, 1e-12},
+       {Point::multi_sliding, 0.165398943382893, 1e-13}},
+      0, 600);
+  expect_special_points(
+      "masses=3; stiffness=0.5,2,2; beta=0.2; amplitude=0.791,-0.4497,0.2; restitution=0.3; "
+      "stop=1:upper:0.0835,2:lower:-0.2602; omega=0.874803",
+      {"stop1", 0.04175, 0.12525, 31},
+      {{Point::graze, 0.068372687779934, 1e-13},
+       {Point::torus, 0.0870147333521998, 1e-12},
+       {Point::graze, 0.087267408760897, 1e-13}},
+      0, 600);
+}
+
+// A long step from one branch of orbits to another with the same events is refused.
+TEST(BranchEnds, AStepKeepsToItsArc) {
+  expect_special_points(
+      "masses=1; stiffness=0.5; amplitude=1; restitution=0.8; "
+      "stop=1:upper:0.378,1:lower:-0.3198; omega=1.45546",
+      {"stop1", 0.189, 0.567, 31},
+      {{Point::end_of_range, 0.189},
+       {Point::flip, 0.3768451288666817, 1e-12},
+       {Point::parent_flip, 0.3839432493130274, 1e-12}},
+      0, 600);
+}
+
 }  // namespace

@@ -179,10 +179,18 @@ bool has_pair_on_the_circle(const Multipliers &multipliers) {
   });
 }
 
-// True where a multiplier is so near to the unit circle that it may cross it twice in a step.
-bool is_near_the_circle(const Multipliers &multipliers) {
-  return std::ranges::any_of(
-      multipliers, [](const auto &mu) { return std::abs(std::abs(mu) - 1.0) < near_the_circle; });
+// True if multipliers may cross the unit circle twice between two orbits: one lies near the circle,
+// or the largest one changes much, as next to a graze.
+bool may_cross_twice(const Place &a, const Place &b) {
+  const auto largest = [](const Place &at) {
+    return at.multipliers.empty() ? 0.0 : std::abs(at.multipliers.front());
+  };
+  const auto is_near = [](const auto &mu) {
+    return std::abs(std::abs(mu) - 1.0) < near_the_circle;
+  };
+  return std::ranges::any_of(a.multipliers, is_near) ||
+         std::ranges::any_of(b.multipliers, is_near) ||
+         std::max(largest(a), largest(b)) > 2.0 * std::min(largest(a), largest(b));
 }
 
 SpecialPoints special_points_in_part(const Problem &problem, const Place &a, const Place &b) {
@@ -234,8 +242,7 @@ SpecialPoints special_points_in_part(const Problem &problem, const Place &a, con
 // Divides the step into so many halves of halves, where two special points may lie close together.
 SpecialPoints special_points_in(const Problem &problem, const Place &a, const Place &b,
                                 int divisions) {
-  if (divisions == 0 || !(is_near_the_circle(a.multipliers) || is_near_the_circle(b.multipliers)))
-    return special_points_in_part(problem, a, b);
+  if (divisions == 0 || !may_cross_twice(a, b)) return special_points_in_part(problem, a, b);
   const Place middle = Zero{problem, a, b}.near(0.5 * (a.u + b.u));
   // A step that turns round or branches off is taken as a whole.
   if (middle.u.size() == 0 || a.orientation != b.orientation || a.orientation != middle.orientation)
@@ -250,7 +257,7 @@ SpecialPoints special_points_in(const Problem &problem, const Place &a, const Pl
 }  // namespace
 
 SpecialPoints special_points_between(const Problem &problem, const Place &a, const Place &b) {
-  return special_points_in(problem, a, b, 2);
+  return special_points_in(problem, a, b, 3);
 }
 
 }  // namespace vibro_impact::branches

@@ -13,7 +13,7 @@
 //
 // A flight takes Taylor steps of the fastest mode: a branch with a stiff link of some 1e12 is lost.
 // Minima of gaps and pressing forces are looked for at six points in each of these steps. Two flips
-// or births of tori within a quarter of a step of the branch may both be missed.
+// or births of tori within an eighth of a step of the branch may both be missed.
 #pragma once
 
 #include <vector>
