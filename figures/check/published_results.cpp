@@ -126,12 +126,12 @@ void add_quantities(numbers::Quantities<figures::LibraryEngine> &all) {
   add(all, "impact_phase", orbit, [](P p) { return one_impact_orbit(p).impact.instant.phase; });
   add(all, "velocity_after", orbit, [](P p) { return one_impact_orbit(p).impact.velocity_after; });
   add(all, "doubling_multiplier", orbit,
-      [](P p) { return multiplier_near(-1.0, one_impact_orbit(p).orbit.multipliers); });
+      [](P p) { return multiplier_near(-1.0, *one_impact_orbit(p).orbit.multipliers); });
   // The orbit is given: at a fold two orbits meet, so that Newton's method fails.
   add(all, "fold_multiplier", orbit, [](P p) {
     const auto [scene, start] = after_impact(p);
     const auto map = stroboscopic_map_and_derivative(scene, start, static_cast<int>(p.at("n")));
-    return multiplier_near(1.0, floquet_multipliers(map.derivative, start.held));
+    return multiplier_near(1.0, floquet_multipliers(scene, *map.derivative, start.held));
   });
   add(all, "release_time", "omega stop", [](P p) {
     const Scene scene = one_mass(0.0, 1.0, p.at("omega"), 0.5, p.at("stop"), p.at("stop"));

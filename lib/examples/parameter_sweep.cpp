@@ -14,12 +14,12 @@ using namespace vibro_impact;
 
 // A row of numbers: period, sticks of both masses, fastest impact of mass 1.
 std::vector<double> observed(const Scene &scene) {
-  SettledMotion motion = settle(scene, start_of(scene));
+  const SettledMotion motion = settle(scene, start_of(scene));
   if (motion.period == 0) return {0.0, NAN, NAN, NAN};
   const double p = motion.period, T = Clock(scene.omega).period,
                begin = time_of(motion.state.instant, Clock(scene.omega));
   ImpactVelocityRecorder speeds(1, begin);
-  require_complete(motion.simulation.advance(begin + p * T, speeds));
+  require_complete(Simulation(scene, motion.state).advance(begin + p * T, speeds));
   double fastest = 0.0;
   for (const double v : speeds.velocities) fastest = std::max(fastest, std::abs(v));
   return {p, motion.counts.sticks[0] / p, motion.counts.sticks[1] / p, fastest};

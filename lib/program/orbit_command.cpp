@@ -88,7 +88,7 @@ Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> 
     for (std::size_t i = 0; i < n; ++i) table.cell(fastest_impact(orbit, i));
     for (const bool imaginary : {false, true})
       for (std::size_t k = 0; k < 2 * n; ++k)
-        if (k < orbit.multipliers.size())
+        if (orbit.multipliers.exists() && k < orbit.multipliers.size())
           table.cell(imaginary ? orbit.multipliers[k].imag() : orbit.multipliers[k].real());
         else
           table.cell(std::string_view());

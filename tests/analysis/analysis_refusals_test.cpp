@@ -99,9 +99,10 @@ TEST(Refusals, OfOrbits) {
       {[] { find_periodic_orbit(good_scene, good_start, 1, -1); }, "= -1: must be"},
       {[] { find_periodic_orbit(good_scene, short_of_one); }, "displacement: 1 values given"},
       {[&] {
-         floquet_multipliers({3, 4, {}}, free);
+         floquet_multipliers(good_scene, {3, 4, {}}, free);
        },
        "derivative: 0 values of 3 x 4"},
+      {[] { name(Stability{4}); }, "stability = 4: there are 0 to 3"},
       {[] { abbreviation(EventPair{9}); }, "pair of events = 9: there are 0 to 5"},
       {[&] { require_complete(simulate(good_scene, 60.0, without_stops)); },
        "recorder: its scene has 2 masses and 0 stops, that of the run 2 and 2"},

@@ -18,17 +18,21 @@ OrbitRecord record_within(int longest, const Scene &scene) {
   return record_of(scene, {.settle = {.longest = longest}, .lyapunov = true});
 }
 
-// ln of the length of the image of the perturbation (1, 1, 1, 1) / 2 of the free coordinates after
-// `periods` forcing periods, by one map of all of them.
+// ln of the length of the image of the perturbation (1, 1, 1, 1) / 2 of the free lengths x and v /
+// w after `periods` forcing periods, by one map of all of them.
 double logarithm_of_growth(int periods, const Scene &scene, const MotionState &start) {
-  const Matrix derivative = stroboscopic_map_and_derivative(scene, start, periods).derivative;
+  const Matrix derivative = *stroboscopic_map_and_derivative(scene, start, periods).derivative;
   const auto free = static_cast<double>(free_coordinates(start.held).size());
+  const auto unit = [&scene](std::size_t k) {
+    const std::size_t n = scene.mass.size();
+    return k < n ? 1.0 : std::sqrt(stiffness_at(scene, k - n) / scene.mass[k - n]);
+  };
   double squares = 0.0;
   for (std::size_t row = 0; row < derivative.rows; ++row) {
     double image = 0.0;
     for (std::size_t column = 0; column < derivative.columns; ++column)
-      image += derivative(row, column);
-    squares += image * image;
+      image += derivative(row, column) * unit(column);
+    squares += std::pow(image / unit(row), 2);
   }
   return 0.5 * std::log(squares / free);
 }
@@ -38,8 +42,8 @@ TEST(Lyapunov, IsMinusInfinityWhereEveryPerturbationDiesOut) {
   const Scene scene = extremes::one_mass(0.1, 0.5, 0.28, 0.7, 0.3);
   const OrbitRecord record = record_within(400, scene);
   ASSERT_GT(record.counts.sticks[0], 0);
-  EXPECT_EQ(record.lyapunov.value().exponent, -INFINITY);
-  const Growth growth = mean_growth(scene, at_quiet_phase(scene, record.state), {.longest = 200});
+  EXPECT_EQ(record.lyapunov->exponent, -INFINITY);
+  const Growth growth = *mean_growth(scene, at_quiet_phase(scene, record.state), {.longest = 200});
   EXPECT_EQ(growth.exponent, -INFINITY);
   EXPECT_TRUE(growth.sign_is_certain());
 }
@@ -54,7 +58,7 @@ TEST(Lyapunov, OfALinearMotionIsTheSlowestDecay) {
   EXPECT_NEAR(record.lyapunov->exponent, expected, 1e-12);  // rounding of the multipliers
   // The mean growth also depends on the angle of the perturbation, by a factor of order 1 of its
   // length.
-  EXPECT_NEAR(mean_growth(scene, start_of(scene), {.longest = 100}).exponent, expected,
+  EXPECT_NEAR(mean_growth(scene, start_of(scene), {.longest = 100})->exponent, expected,
               std::log(10.0) / (100 * Clock(scene.omega).period));
 }
 
@@ -67,13 +71,13 @@ TEST(Lyapunov, ScalingThePerturbationDoesNotChangeItsGrowth) {
     const double expected = logarithm_of_growth(20, scene, start) / (20 * Clock(omega).period);
     // The rounding of the motion grows no faster than the perturbation. The columns of the
     // derivative cancel in their sum where all directions contract, which costs some digits more.
-    EXPECT_NEAR(mean_growth(scene, start, {.longest = 20}).exponent, expected, 1e-8) << omega;
+    EXPECT_NEAR(mean_growth(scene, start, {.longest = 20})->exponent, expected, 1e-8) << omega;
   }
 }
 
-// Points of the plane of frequency and amplitude that have not settled within 200 periods: chaotic
-// motions, slow ones, which have settled within 4,000 periods, and motions on a torus, which never
-// settle and have the exponent zero. Over the first 40 periods the growth has the wrong sign at
+// Points of the plane of frequency and amplitude: chaotic motions, slow ones, of which 200 periods
+// are not enough to find every orbit and 4,000 are, and motions on a torus, which never settle and
+// have the exponent zero. Over the first 40 periods the growth has the wrong sign at
 // half of the first six. An exponent zero has no certain sign, although the mean over the first
 // four blocks has one.
 TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
@@ -89,8 +93,10 @@ TEST(Lyapunov, TheSignOfAMotionThatHasNotSettledIsRight) {
                                                {torus, 0.456886, 0.224487}}) {
     const Scene scene = with(paper::figure3(omega), "amplitude1", amplitude);
     const OrbitRecord record = record_within(200, scene);
-    ASSERT_EQ(record.period, 0) << omega;
-    EXPECT_EQ(record.lyapunov.value().sign_is_certain(), kind != torus) << omega;
+    if (kind != slow) {
+      ASSERT_EQ(record.period, 0) << omega;
+    }
+    EXPECT_EQ(record.lyapunov->sign_is_certain(), kind != torus) << omega;
     if (kind == torus) continue;
     const bool settles = settle(scene, start_of(scene), {.longest = 4000}).period > 0;
     EXPECT_EQ(settles, kind == slow) << omega;
@@ -120,7 +126,7 @@ TEST(Lyapunov, TheErrorCoversTheSpreadOfStarts) {
   }
   EXPECT_NEAR(std::sqrt(squares / 41.0), 1.0, 0.4);
   EXPECT_GE(within_two, 37);
-  const Growth longer = mean_growth(scene, start_of(scene), {.longest = 20'000, .error = 5e-4});
+  const Growth longer = *mean_growth(scene, start_of(scene), {.longest = 20'000, .error = 5e-4});
   EXPECT_LE(longer.error, 5e-4);
   EXPECT_NEAR(longer.exponent, expected, 3.0 * longer.error);
 }
@@ -128,7 +134,7 @@ TEST(Lyapunov, TheErrorCoversTheSpreadOfStarts) {
 // Without damping and impacts nothing grows but rounding.
 TEST(Lyapunov, TheSignOfRoundingIsNotGiven) {
   const Scene scene{.mass = {1.0}, .stiffness = {1.0}, .amplitude = {0.3}, .omega = 1.9};
-  const Growth growth = mean_growth(scene, start_of(scene));
+  const Growth growth = *mean_growth(scene, start_of(scene));
   EXPECT_LT(std::abs(growth.exponent), 1e-15);
   EXPECT_FALSE(growth.sign_is_certain());
 }

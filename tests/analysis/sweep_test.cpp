@@ -76,7 +76,7 @@ TEST(Sweep, RecordsAreRowsOfATable) {
   RecordOptions options;
   options.pairs = options.lyapunov = options.attractor = true;
   OrbitRecord record;
-  record.lyapunov = {0.0123456, 0.00123};
+  record.lyapunov = Growth{0.0123456, 0.00123};
   record.period = 2;
   record.counts = {4, {1, 2}, {3, 4}, true};
   record.pairs = {EventPair::dual_sticking, EventPair::sticking_impact};

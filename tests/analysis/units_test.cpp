@@ -54,8 +54,10 @@ class Measured {
     add(record.approached);
     for (const int count : record.counts.impacts) add(count);
     for (const int count : record.counts.sticks) add(count);
-    add(record.lyapunov->exponent, -units_.time);
-    add(record.lyapunov->error, -units_.time);
+    if (record.lyapunov.exists()) {
+      add(record.lyapunov->exponent, -units_.time);
+      add(record.lyapunov->error, -units_.time);
+    }
     for (const EventPair pair : record.pairs) add(static_cast<int>(pair));
     if (record.attractor) add(*record.attractor, units_.length);
     for (const std::vector<Event> &impacts : record.impacts)
@@ -83,8 +85,8 @@ void measure_record(const Scene &scene, const Units &units, Measured &measured) 
   measured.add(record_of(scene, options));
   const SettledMotion motion = settle(scene, start_of(scene));
   measured.add(motion.periods_run);
-  measured.add(motion.fastest_impact, units.length - units.time);
-  measured.add(mean_growth(scene, start_of(scene), {.longest = 100}).exponent, -units.time);
+  measured.add(motion.orbit.state);
+  measured.add(mean_growth(scene, start_of(scene), {.longest = 100})->exponent, -units.time);
 }
 
 void measure_minima(const Scene &scene, const Units &units, Measured &measured) {

@@ -144,7 +144,7 @@ TEST(OneImpact, MultipliersAndFortyPeriodsAreThoseOfTheClosedForm) {
     const MotionState &after = given.after;
     const MotionState start = at_quiet_phase(given.scene, after);
     const auto map = stroboscopic_map_and_derivative(given.scene, start, given.periods);
-    const auto multipliers = floquet_multipliers(map.derivative, start.held);
+    const auto multipliers = floquet_multipliers(given.scene, *map.derivative, start.held);
     const auto trace = std::reduce(multipliers.begin(), multipliers.end());
     EXPECT_NEAR(trace.real(), given.trace, 1e-12);
     if (given.branch == 0) {

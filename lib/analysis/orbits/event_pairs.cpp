@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "motion_state.hpp"
+#include "motion.hpp"
 #include "orbit_tolerances.hpp"
 
 namespace vibro_impact {
@@ -31,12 +31,14 @@ bool grazes(const PressedEvent &impact) {
          impact.press < -pulled_off * impact.force_scale;
 }
 
-// A sticking phase is under way as the record begins if its mass is held after the first event, and
-// if a release comes without a stick before it. A mass held after the first event may have stuck at
-// that instant.
-std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events) {
+// A sticking phase is under way as the record begins if its mass is held then. Where the contact
+// mode at the start is not known, a mass is held then if it is held after the first event, or if a
+// release comes without a stick before it. A mass held after the first event may have stuck at that
+// instant.
+std::vector<StopContact> contacts_of(const std::vector<PressedEvent> &events,
+                                     const std::optional<Held> &start) {
   std::vector<StopContact> contacts;
-  const Held held_at_first = events.empty() ? Held{} : events.front().event.held;
+  const Held held_at_first = start.value_or(events.empty() ? Held{} : events.front().event.held);
   for (std::size_t i = 0; i < held_at_first.size(); ++i)
     if (held_at_first[i] != 0)
       contacts.push_back({ContactKind::sticking, static_cast<int>(i) + 1, -infinity, infinity});
@@ -123,28 +125,47 @@ void PressedEventRecorder::check(const Scene &of_run) const {
           " stops, that of the run ", of_run.masses(), " and ", of_run.stops.size());
 }
 
+namespace {
+
+// The event with what `grazes` asks of it. `frequencies` are the local ones, `state` is that after
+// the event.
+PressedEvent pressed_event(const Scene &scene, const std::vector<double> &frequencies,
+                           const Event &event, const MotionState &state) {
+  PressedEvent pressed{event};
+  pressed.time_scale = 1.0 / std::ranges::min(frequencies);
+  if (event.kind != EventKind::impact) return pressed;
+  const std::size_t i = index_of(event.mass);
+  const double frequency = frequencies[i], stiffness = scene.mass[i] * frequency * frequency;
+  pressed.press = pressing_force_of(scene, stop_of(scene, event), state);
+  pressed.force_scale = 0.0;
+  for (const auto *force : {&scene.amplitude, &scene.sine, &scene.constant})
+    pressed.force_scale += std::abs(entry_of(*force, i));
+  for (std::size_t j = i > 0 ? i - 1 : 0; j <= i + 1 && j < scene.mass.size(); ++j)
+    pressed.force_scale += stiffness * std::abs(state.displacement[j]);
+  pressed.speed_scale = pressed.force_scale / (scene.mass[i] * frequency);
+  return pressed;
+}
+
+}  // namespace
+
 void PressedEventRecorder::event(const Event &event, const Moment &moment) {
   if (event.time < from) return;
   if (frequencies.empty()) frequencies = local_frequencies(scene);
-  PressedEvent pressed{event};
-  pressed.time_scale = 1.0 / std::ranges::min(frequencies);
-  if (event.kind == EventKind::impact) {
-    const MotionState state = state_at(moment, event.held);
-    const auto i = static_cast<std::size_t>(event.mass - 1);
-    const double frequency = frequencies[i], stiffness = scene.mass[i] * frequency * frequency;
-    pressed.press = pressing_force_of(scene, stop_of(scene, event), state);
-    pressed.force_scale = 0.0;
-    for (const auto *force : {&scene.amplitude, &scene.sine, &scene.constant})
-      pressed.force_scale += std::abs(entry_of(*force, i));
-    for (std::size_t j = i > 0 ? i - 1 : 0; j <= i + 1 && j < scene.mass.size(); ++j)
-      pressed.force_scale += stiffness * std::abs(state.displacement[j]);
-    pressed.speed_scale = pressed.force_scale / (scene.mass[i] * frequency);
-  }
-  events.push_back(std::move(pressed));
+  events.push_back(pressed_event(scene, frequencies, event, state_at(moment, event.held)));
 }
 
-std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events) {
-  const std::vector<StopContact> contacts = contacts_of(events);
+std::vector<PairedEvents> pairs_of(const Motion &motion) {
+  const std::vector<double> frequencies = local_frequencies(motion.scene);
+  std::vector<PressedEvent> events;
+  for (const Knot &knot : motion.knots)
+    if (knot.event)
+      events.push_back(pressed_event(motion.scene, frequencies, *knot.event, knot.state));
+  return event_pairs(events, motion.start().held);
+}
+
+std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
+                                      const std::optional<Held> &start) {
+  const std::vector<StopContact> contacts = contacts_of(events, start);
   const double tolerance = events.empty() ? 0.0 : simultaneous * events.front().time_scale;
   std::vector<PairedEvents> pairs;
   for (auto a = contacts.begin(); a != contacts.end(); ++a)

@@ -81,40 +81,18 @@ inline std::vector<double> local_frequencies(const Scene &scene) {
   return frequencies;
 }
 
-// Units in which displacements and velocities are compared: 1 for each free displacement, and for
-// each free velocity the least local frequency, rounded down to a power of two so that a division
-// by it is exact. A matrix in these units, its norms and its pivots are free of the unit of time.
-inline Eigen::VectorXd coordinate_units(const Scene &scene, const Held &held) {
-  const auto free = static_cast<Eigen::Index>(free_masses(held).size());
-  const double least = std::ranges::min(local_frequencies(scene));
-  Eigen::VectorXd units = Eigen::VectorXd::Ones(2 * free);
-  units.tail(free).setConstant(std::ldexp(1.0, std::ilogb(least)));
-  return units;
-}
-
-// The distance of two states as a length: the amplitude of the vibration of which their difference
-// is one phase, that of the mass with the largest. It is free of the units of length and time.
-inline double amplitude(const std::vector<double> &frequencies, const MotionState &a,
-                        const MotionState &b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < frequencies.size(); ++i)
-    largest = std::max(largest, std::hypot(a.displacement[i] - b.displacement[i],
-                                           (a.velocity[i] - b.velocity[i]) / frequencies[i]));
-  return largest;
-}
-
-// The distance of a state from zero.
-inline double amplitude(const std::vector<double> &frequencies, const MotionState &state) {
-  const std::vector<double> zero(frequencies.size(), 0.0);
-  return amplitude(frequencies, state, {state.instant, zero, zero, state.held});
-}
-
 // Replaces the velocities just after an event by those just before it. Only an impact changes one.
 inline void undo_jump(const Event &event, std::vector<double> &velocity) {
   if (event.kind == EventKind::impact)
     velocity[static_cast<std::size_t>(event.mass - 1)] = event.velocity_before;
 }
 
+inline std::size_t index_of(int mass) {
+  return static_cast<std::size_t>(mass - 1);
+}
+
+// The forces of springs and forcing on all masses.
+Eigen::VectorXd forces_without_dampers(const Scene &scene, const MotionState &state);
 // The functions of pressing_force.hpp, of a scene, a stop and a state that have been checked.
 std::vector<double> acceleration_of(const Scene &scene, const MotionState &state);
 double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state);

@@ -8,8 +8,14 @@ namespace vibro_impact {
 // Nodes of the extrapolation of tangents. 16 and 24 nodes give the same.
 constexpr std::size_t most_tangent_nodes = 10;
 
-// Error of a fixed point relative to the state: the rounding of the map.
+constexpr int most_corrections = 10;  // Newton steps from a near guess to an orbit
+// Error of a fixed point relative to the size of its motion: the rounding of the map. Next to a
+// graze the rounding is larger, and keeps the residual from falling.
 constexpr double newton_tolerance = 1e-13;
+constexpr double rounding_of_orbit = 1e-10;
+constexpr double much_nearer = 0.01;  // residual after a step, relative to that before
+// Distance of the largest modulus of a multiplier from 1, of which rounding decides the sign.
+constexpr double neutral_modulus = 1e-9;
 
 // Minima that are closer to each other than the nodes of a search may be missed. `most_nodes`
 // bounds the work.
@@ -23,18 +29,22 @@ constexpr double simultaneous = 1e-6;  // time between events of a pair, relativ
 constexpr double slow_contact = 1e-6;  // speed of a contact that may be grazing
 constexpr double pulled_off = 1e-9;    // force on it
 
-// Distances relative to the amplitude of the motion. `settle_tolerance` and `repeats` are above the
-// errors of rounding and of chatter limits. Between `same_section` and `not_decided`, a motion may
-// turn around its orbit. The periods bound the work.
+// Settling. Distances are relative to the size of the motion. An orbit is looked for where a
+// section is `near_return` to one before it, and again where it is nearer by `nearer_return`; a
+// slow motion at powers of two and at its end from `far_return` on. These five steer the work
+// alone.
+constexpr double near_return = 1e-4;
+constexpr double nearer_return = 0.1;
+constexpr double far_return = 0.05;
+constexpr int earliest_resort = 32;         // forcing periods
+constexpr int few_corrections = 6;          // Newton steps from a late motion
+constexpr double settle_tolerance = 1e-10;  // distance of two sections of a motion that repeats:
+                                            // above the errors of rounding and of chatter limits
+constexpr double nonlinear_part = 0.1;      // of what a distance falls by in one return
+constexpr double same_orbit = 1e-9;         // distance of orbits of a period and of its divisor
+constexpr double graze_margin = 10.0;       // shift of a stop, in distances still to come
 constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
 constexpr int most_periods_of_orbit = 1000;      // forcing periods
-constexpr double settle_tolerance = 1e-10;       // what is still to come
-constexpr double repeats = 1e-12;                // distance of two sections
-constexpr double graze_margin = 10.0;            // shift of a stop, in distances still to come
-constexpr double at_section = 1e-6;              // time of an event from a section, in periods
-constexpr double same_section = 10.0;            // distance, in tolerances of what is still to come
-constexpr double not_decided = 1e4;              // likewise
-constexpr double approaching = 0.5;              // fall of the largest distance from block to block
 
 // A perturbation does not overflow within `rescaled_after`. The lengths of blocks were measured in
 // lyapunov_test.

@@ -12,7 +12,7 @@ namespace vibro_impact {
 namespace {
 
 // The index (from 1) that these digits write, or 0 if they are anything else.
-std::size_t index_of(std::string_view digits) {
+std::size_t index_written(std::string_view digits) {
   std::size_t index = 0;
   const char *end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, index);
@@ -34,7 +34,7 @@ double &value_of(Scene &scene, std::string_view name) {
     if (name == field.name) return scene.*field.value;
   const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
   const std::string_view before = name.substr(0, letters);
-  const std::size_t index = index_of(name.substr(letters));
+  const std::size_t index = index_written(name.substr(letters));
   const auto require_index = [&](std::size_t count) {
     require(index <= count, name, ": the scene has ", count, " of these numbers");
   };

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "motion_state.hpp"
+#include "motion.hpp"
 #include "orbit_tolerances.hpp"
 #include "vibro_impact/analysis/locate.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
@@ -14,14 +14,10 @@ namespace vibro_impact {
 
 namespace {
 
-std::size_t index_of(const Stop &stop) {
-  return static_cast<std::size_t>(stop.mass - 1);
-}
-
 // Puts the mass of this stop at rest on the stop.
 void rest_on(const Stop &stop, MotionState &state) {
-  state.displacement[index_of(stop)] = stop.position;
-  state.velocity[index_of(stop)] = 0.0;
+  state.displacement[index_of(stop.mass)] = stop.position;
+  state.velocity[index_of(stop.mass)] = 0.0;
 }
 
 // The force on mass i (from 0) towards +x (Eq. 4). With the mass at rest at its stop it is the hold
@@ -38,7 +34,7 @@ double force_on(const Scene &scene, std::size_t i, const MotionState &state) {
 // is the same function of their velocities and accelerations. The mass and its stop stand.
 double pressing_force_rate(const Scene &scene, const Stop &stop, MotionState state) {
   rest_on(stop, state);
-  const std::size_t p = index_of(stop);
+  const std::size_t p = index_of(stop.mass);
   std::vector<double> a = acceleration_of(scene, state);
   a[p] = 0.0;
   const double links = spring_force(scene, p, state.velocity);
@@ -55,79 +51,33 @@ struct Quantity {
   std::function<double(const MotionState &)> value, rate;
 };
 
-// A time without events in which the quantity falls at first and rises at the end.
-struct Bracket {
-  MotionState start;
-  double length, rate_at_end;
-};
-
-// Finds the brackets between neighbouring nodes: the events, with the motion before and after each,
-// and uniform times that are close enough for the fastest mode.
-struct BracketRecorder : Recorder {
-  const Scene &scene;
-  const Quantity &quantity;
-  Held held;
-  double from, to, every;
-  std::size_t taken = 0;
-  std::optional<MotionState> falling = {};
-  std::vector<Bracket> brackets = {};
-
-  BracketRecorder(const Scene &of, const Quantity &searched, const MotionState &start,
-                  double distance)
-      : scene(of),
-        quantity(searched),
-        held(start.held),
-        from(start.instant.phase),
-        to(from + Clock(of.omega).period),
-        every(distance) {
-  }
-  double next_time() const override {
-    return sample_time(from, to, every, taken);
-  }
-  void sample(const Moment &moment) override {
-    ++taken;
-    const MotionState state = state_at(moment, held);
-    node(state, state);
-  }
-  void event(const Event &event, const Moment &moment) override {
-    MotionState before = state_at(moment, held);
-    undo_jump(event, before.velocity);
-    held = event.held;
-    node(before, state_at(moment, held));
-  }
-  void node(const MotionState &before, const MotionState &after) {
-    if (falling && quantity.rate(before) > 0.0) {
-      const double length = elapsed(falling->instant, before.instant, Clock(scene.omega));
-      brackets.push_back({*falling, length, quantity.rate(before)});
-    }
-    falling.reset();
-    if (quantity.defined(after) && quantity.rate(after) < 0.0) falling = after;
-  }
-};
-
-std::optional<LeastValue> least_minimum(Simulation &simulation, MotionState start,
+// Between neighbouring knots the motion has no event. A minimum lies where the quantity does not
+// rise after the first knot, and rises before the second.
+std::optional<LeastValue> least_minimum(const Scene &scene, const MotionState &start,
                                         const Quantity &quantity) {
-  const Scene &scene = simulation.scene();
-  start.instant.cycle = 0;  // times are then exact phases; the motion is the same in all periods
-  const double period = Clock(scene.omega).period;
-  const double every = std::min(period / fewest_nodes, node_distance / rate_bound(scene));
-  require(period <= most_nodes * every, "rate = ", rate_bound(scene),
-          ": too fast to look at a whole forcing period of ", period);
-  BracketRecorder nodes(scene, quantity, start, every);
-  stroboscopic_map(simulation, start, 1, nodes);
+  const Clock clock(scene.omega);
+  const double every = std::min(clock.period / fewest_nodes, node_distance / rate_bound(scene));
+  time_after(scene, start, 1);
+  require(clock.period <= most_nodes * every, "rate = ", rate_bound(scene),
+          ": too fast to look at a whole forcing period of ", clock.period);
+  const Motion motion = motion_of(scene, start, 1, {}, {.every = every});
   std::optional<LeastValue> least;
-  for (const Bracket &bracket : nodes.brackets) {
-    const double begin = time_of(bracket.start.instant, Clock(scene.omega));
+  for (std::size_t k = 1; k < motion.knots.size(); ++k) {
+    const MotionState &a = motion.knots[k - 1].state;
+    MotionState b = motion.knots[k].state;
+    b.held = a.held;
+    if (motion.knots[k].event) undo_jump(*motion.knots[k].event, b.velocity);
+    const double begin = time_of(a.instant, clock), length = elapsed(a.instant, b.instant, clock);
+    if (!(length > 0.0) || !quantity.defined(a)) continue;
+    if (quantity.rate(a) > 0.0 || !(quantity.rate(b) > 0.0)) continue;
     const auto state_after = [&](double time) {
-      simulation.start_from(bracket.start);
-      return require_complete(simulation.advance(begin + time)).state;
+      return require_complete(Simulation(scene, a).advance(begin + time)).state;
     };
     const auto rate = [&](double time) {
-      if (time <= 0.0) return quantity.rate(bracket.start);
-      if (time >= bracket.length) return bracket.rate_at_end;
-      return quantity.rate(state_after(time));
+      if (time <= 0.0) return quantity.rate(a);
+      return time >= length ? quantity.rate(b) : quantity.rate(state_after(time));
     };
-    MotionState lowest = state_after(zero(rate, 0.0, bracket.length));
+    MotionState lowest = state_after(zero(rate, 0.0, length));
     const double value = quantity.value(lowest);
     if (!least || value < least->value) least = {value, std::move(lowest)};
   }
@@ -135,6 +85,17 @@ std::optional<LeastValue> least_minimum(Simulation &simulation, MotionState star
 }
 
 }  // namespace
+
+Eigen::VectorXd forces_without_dampers(const Scene &scene, const MotionState &state) {
+  const double angle = scene.omega * state.instant.phase, cosine = std::cos(angle),
+               sine = std::sin(angle);
+  Eigen::VectorXd forces(static_cast<Eigen::Index>(scene.mass.size()));
+  for (std::size_t i = 0; i < scene.mass.size(); ++i)
+    forces(static_cast<Eigen::Index>(i)) =
+        spring_force(scene, i, state.displacement) + entry_of(scene.amplitude, i) * cosine +
+        entry_of(scene.sine, i) * sine + entry_of(scene.constant, i);
+  return forces;
+}
 
 std::vector<double> acceleration_of(const Scene &scene, const MotionState &state) {
   std::vector<double> a(scene.mass.size(), 0.0);
@@ -145,7 +106,7 @@ std::vector<double> acceleration_of(const Scene &scene, const MotionState &state
 
 double pressing_force_of(const Scene &scene, const Stop &stop, MotionState state) {
   rest_on(stop, state);
-  return sign(stop.side) * force_on(scene, index_of(stop), state);
+  return sign(stop.side) * force_on(scene, index_of(stop.mass), state);
 }
 
 std::vector<double> acceleration(const Scene &scene, const MotionState &state) {
@@ -163,10 +124,10 @@ double pressing_force(const Scene &scene, const Stop &stop, const MotionState &s
 
 std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionState &start,
                                                const Stop &stop) {
-  Simulation simulation(scene);
+  check(scene);
   require_stop(scene, stop);
   return least_minimum(
-      simulation, start,
+      scene, start,
       {[&](const MotionState &at) { return holds(stop, at.held); },
        [&](const MotionState &at) { return pressing_force_of(scene, stop, at); },
        [&](const MotionState &at) { return pressing_force_rate(scene, stop, at); }});
@@ -174,12 +135,12 @@ std::optional<LeastValue> least_pressing_force(const Scene &scene, const MotionS
 
 std::optional<LeastValue> least_gap(const Scene &scene, const MotionState &start,
                                     const Stop &stop) {
-  Simulation simulation(scene);
+  check(scene);
   require_stop(scene, stop);
   const double sigma = sign(stop.side);
-  const std::size_t p = index_of(stop);
+  const std::size_t p = index_of(stop.mass);
   return least_minimum(
-      simulation, start,
+      scene, start,
       {[p](const MotionState &at) { return at.held[p] == 0; },
        [&](const MotionState &at) { return sigma * (stop.position - at.displacement[p]); },
        [&](const MotionState &at) { return -sigma * at.velocity[p]; }});

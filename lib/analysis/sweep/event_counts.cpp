@@ -56,6 +56,18 @@ std::vector<Event> without_chatters(const Scene &scene, const std::vector<Event>
   return kept;
 }
 
+bool same_events(const std::vector<Event> &a, const std::vector<Event> &b) {
+  if (a.size() != b.size()) return false;
+  std::vector<Event> twice = b;
+  twice.insert(twice.end(), b.begin(), b.end());
+  const auto same_kind = [](const Event &one, const Event &other) {
+    return one.kind == other.kind && one.stop == other.stop;
+  };
+  // clang 14 does not compile std::ranges::search of libstdc++ 12.
+  return a.empty() ||
+         std::search(twice.begin(), twice.end(), a.begin(), a.end(), same_kind) != twice.end();
+}
+
 EventCounts counts_of(const Scene &scene, const std::vector<Event> &events, int periods,
                       const Held &held) {
   check(scene);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
+#include "analysis/orbits/tangents.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
@@ -22,34 +22,40 @@ double standard_error(const std::vector<double> &blocks) {
 
 }  // namespace
 
-Growth mean_growth(const Scene &scene, const MotionState &start, const GrowthOptions &options,
-                   const RunOptions &run) {
+Smooth<Growth> mean_growth(const Scene &scene, const MotionState &start,
+                           const GrowthOptions &options, const RunOptions &run) {
   check(scene);
   check(scene, start);
   require(options.longest >= 1, "longest = ", options.longest, ": must be positive");
   require(options.error >= 0.0, "error = ", options.error, ": must be non-negative");
   time_after(scene, start, options.longest);  // refuses a length that cannot be run
-  MotionState state = start;
-  // The perturbation is carried in units of its coordinates, in which its length is taken.
-  const Eigen::VectorXd units = coordinate_units(scene, Held(scene.mass.size(), 0));
+  // The length of the perturbation is that of motion.hpp.
+  const Eigen::VectorXd units = length_units(scene);
   Eigen::VectorXd perturbation = Eigen::VectorXd::Zero(units.size());
   perturbation(free_coordinates(start.held)).setOnes();
   perturbation.normalize();
+  Tangents tangents(scene, start, perturbation.cwiseProduct(units));
+  Simulation simulation(scene, start, run);
+  MotionState state = start;
   double logarithm = 0.0, before_block = 0.0;  // of the length, had it never been brought back to 1
   std::vector<double> blocks;                  // growth per time in each block
-  int done = 0;
+  const double period = Clock(scene.omega).period;
   Growth growth;
-  while (done < options.longest && !(growth.error <= options.error)) {
+  for (int done = 0; done < options.longest && !(growth.error <= options.error);) {
     const int periods = std::min(rescaled_after, options.longest - done);
-    const StroboscopicImage image = stroboscopic_map_and_derivative(scene, state, periods, run);
-    perturbation = (view(image.derivative) * perturbation.cwiseProduct(units)).cwiseQuotient(units);
-    const double length = perturbation.stableNorm();  // neither overflows nor underflows
-    state = image.state;
+    const Motion motion = next_motion(simulation, state, periods, run);
+    tangents.pass(motion.knots);
+    state = motion.end();
     done += periods;
-    if (length == 0.0) return {-infinity, 0.0};
-    perturbation /= length;
+    const Smooth<Eigen::MatrixXd> now = tangents.get();
+    if (!now.exists()) return Smooth<Growth>::none(now.why_not());
+    // It neither overflows nor underflows.
+    const double length = now->col(0).cwiseQuotient(units).stableNorm();
+    if (length == 0.0) return Growth{-infinity, 0.0};
+    if (!std::isfinite(length)) break;  // the motion itself has underflowed
+    tangents.scale(1.0 / length);
     logarithm += std::log(length);
-    const double period = Clock(scene.omega).period, time = done * period;
+    const double time = done * period;
     if (done % block_length == 0) {
       blocks.push_back((logarithm - before_block) / (block_length * period));
       before_block = logarithm;

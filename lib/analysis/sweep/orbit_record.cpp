@@ -8,56 +8,33 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/orbits/motion_state.hpp"
 #include "analysis/orbits/orbit_tolerances.hpp"
+#include "settled.hpp"
 #include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 
 namespace {
 
-// Follows the motion from where it settled for `periods` forcing periods, and records them.
-void record_on(const Scene &scene, const SettledMotion &motion, int periods,
-               const RecordOptions &options, OrbitRecord &record) {
-  RunOptions run = options.settle.run;
-  if (options.impacts)
-    run.limit_below_speed = std::min(run.limit_below_speed,
-                                     options.slowest.value_or(slow_impact * motion.fastest_impact));
-  Simulation simulation = motion.simulation;
-  simulation.set_options(run);
-  EventRecorder events(-infinity);
-  MotionState state = motion.state;
-  for (int k = 1; k <= periods; ++k) {
-    if (options.section) record.section.push_back(coordinates(state));
-    state = require_complete(simulation.advance(time_after(scene, motion.state, k), events)).state;
+Smooth<Growth> exponent_of(const Scene &scene, const Settled &settled,
+                           const RecordOptions &options) {
+  const Smooth<Multipliers> &multipliers = settled.motion.orbit.multipliers;
+  if (settled.motion.period == 0) {
+    const RunOptions &run = options.settle.run;
+    return mean_growth(scene, at_quiet_phase(scene, settled.motion.state, run), options.growth,
+                       run);
   }
-  record.counts = counts_of(scene, events.events, periods, motion.state.held);
-  if (!options.impacts) return;
-  record.impacts.resize(scene.mass.size());
-  for (const Event &event : events.events)
-    if (event.kind == EventKind::impact)
-      record.impacts[static_cast<std::size_t>(event.mass - 1)].push_back(event);
+  if (!multipliers.exists()) return Smooth<Growth>::none(multipliers.why_not());
+  const double modulus = largest_modulus(*multipliers),
+               time = settled.motion.period * Clock(scene.omega).period;
+  return Growth{std::log(modulus) / time, modulus > 0.0 ? exponent_error / time : 0.0};
 }
 
-Growth exponent_of(const Scene &scene, const OrbitRecord &record, const RecordOptions &options) {
-  const RunOptions &run = options.settle.run;
-  const MotionState start = at_quiet_phase(scene, record.state, run);
-  if (record.period == 0) return mean_growth(scene, start, options.growth, run);
-  const StroboscopicImage image = stroboscopic_map_and_derivative(scene, start, record.period, run);
-  const auto multipliers = floquet_multipliers(image.derivative, start.held);
-  const double modulus = multipliers.empty() ? 0.0 : std::abs(multipliers.front()),
-               time = record.period * Clock(scene.omega).period;
-  return {std::log(modulus) / time, modulus > 0.0 ? exponent_error / time : 0.0};
-}
-
-// Each kind of pair once, in the order of Table I.
-std::vector<EventPair> pairs_of(const Scene &scene, const OrbitRecord &record,
-                                const RunOptions &run) {
-  const int periods = 2 * (record.period > 0 ? record.period : periods_counted);
-  PressedEventRecorder recorder(scene);
-  stroboscopic_map(scene, record.state, periods, run, recorder);
+// Each kind of pair once, in the order of Table I. Every sticking phase is whole in two periods.
+std::vector<EventPair> kinds_of_pairs(const Motion &motion) {
+  const Motion twice = motion_of(motion.scene, motion.start(), 2 * motion.periods, motion.options);
   std::set<EventPair> kinds;
-  for (const PairedEvents &pair : event_pairs(recorder.events)) kinds.insert(pair.kind);
+  for (const PairedEvents &pair : pairs_of(twice)) kinds.insert(pair.kind);
   return {kinds.begin(), kinds.end()};
 }
 
@@ -70,20 +47,41 @@ OrbitRecord record_of(const Scene &scene, const RecordOptions &options) {
 OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options) {
   const double slowest = options.slowest.value_or(0.0);
   require(slowest >= 0.0, "slowest = ", slowest, ": must be non-negative");
-  SettledMotion motion = settle(scene, start, options.settle);
+  check_settling(scene, start, options.settle);
+  const Settled found = settled(scene, start, options.settle);
+  const bool has_settled = found.motion.period > 0;
   OrbitRecord record;
-  record.period = motion.period;
-  record.approached = motion.approached;
-  if (options.attractor && motion.period > 0)
-    record.attractor = attractor_mark(scene, motion.section);
-  if (motion.period == 0 || options.impacts || options.section)
-    record_on(scene, motion, motion.period > 0 ? motion.period : periods_counted, options, record);
-  else
-    record.counts = std::move(motion.counts);
-  record.state = std::move(motion.state);
-  record.state.instant.cycle = 0;
-  if (options.lyapunov) record.lyapunov = exponent_of(scene, record, options);
-  if (options.pairs) record.pairs = pairs_of(scene, record, options.settle.run);
+  record.period = found.motion.period;
+  record.approached = found.motion.approached;
+  record.state = found.motion.state;
+  RunOptions run = options.settle.run;
+  const MotionState first = has_settled ? found.orbit.motion.start() : record.state;
+  const int periods = has_settled ? record.period : periods_counted;
+  const Samples sections{.phase = start.instant.phase};
+  Motion motion =
+      has_settled ? found.orbit.motion : motion_of(scene, first, periods, run, sections);
+  record.counts =
+      has_settled ? found.motion.counts : counts_of(scene, events_of(motion), periods, first.held);
+  if (options.section)
+    for (const MotionState &state : has_settled ? found.motion.section : samples_of(motion))
+      record.section.push_back(coordinates(state));
+  if (options.pairs) record.pairs = kinds_of_pairs(motion);
+  if (options.impacts) {
+    run.limit_below_speed = std::min(
+        run.limit_below_speed, options.slowest.value_or(slow_impact * fastest_impact(motion)));
+    motion = motion_of(scene, first, periods, run);
+    record.impacts.resize(scene.mass.size());
+    for (const Event &event : events_of(motion))
+      if (event.kind == EventKind::impact) record.impacts[index_of(event.mass)].push_back(event);
+    const Instant section{first.instant.phase < start.instant.phase ? 0 : 1, start.instant.phase};
+    for (std::vector<Event> &of_mass : record.impacts)
+      std::ranges::rotate(of_mass, std::ranges::find_if(of_mass, [&section](const Event &event) {
+                            return !(event.instant < section);
+                          }));
+  }
+  if (options.attractor && has_settled)
+    record.attractor = attractor_mark(scene, found.motion.section);
+  if (options.lyapunov) record.lyapunov = exponent_of(scene, found, options);
   return record;
 }
 

@@ -51,16 +51,17 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
                        row.cell(record.counts.dual_sticking ? 1 : 0);
                      }});
   if (options.lyapunov) {
-    columns.push_back({"lyapunov",
-                       "greatest exponent, per time; its sign is certain above 4 errors",
-                       [](Table &row, const OrbitRecord &record) {
-                         const Growth growth = record.lyapunov.value_or(Growth{});
-                         row.cell(growth.exponent, growth.error);
-                       }});
+    columns.push_back(
+        {"lyapunov",
+         "greatest exponent, per time; its sign is certain above 4 errors; empty: none exists",
+         [](Table &row, const OrbitRecord &record) {
+           if (!record.lyapunov.exists()) return row.cell(std::string_view());
+           row.cell(record.lyapunov->exponent, record.lyapunov->error);
+         }});
     columns.push_back({"lyapunov_error", "its standard error; inf: not known",
                        [](Table &row, const OrbitRecord &record) {
-                         const double error = record.lyapunov.value_or(Growth{}).error;
-                         row.cell(error, error);
+                         if (!record.lyapunov.exists()) return row.cell(std::string_view());
+                         row.cell(record.lyapunov->error, record.lyapunov->error);
                        }});
   }
   if (options.attractor)

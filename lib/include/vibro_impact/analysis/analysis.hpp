@@ -12,5 +12,6 @@
 #include "periodic_orbit.hpp"
 #include "pressing_force.hpp"
 #include "settle.hpp"
+#include "smooth.hpp"
 #include "sweep.hpp"
 #include "table.hpp"

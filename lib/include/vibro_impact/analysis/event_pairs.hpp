@@ -14,6 +14,7 @@
 
 #include <array>
 #include <compare>
+#include <optional>
 #include <vector>
 
 #include "vibro_impact/record.hpp"
@@ -76,9 +77,11 @@ struct PairedEvents {
 };
 
 // The pairs among `events`, for every two masses of the chain, in order of time. The events must be
-// in order of time, as a run reports them. Events at most 1e-6 apart are simultaneous.
+// in order of time, as a run reports them. `start` is the contact mode before the first of them, if
+// it is known: masses that stay held have no event. Events at most 1e-6 apart are simultaneous.
 // A contact is grazing if its speed is at most 1e-6 and the mass is pulled off its stop by more
 // than 1e-9. All three are relative to the scales of the event.
-std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events);
+std::vector<PairedEvents> event_pairs(const std::vector<PressedEvent> &events,
+                                      const std::optional<Held> &start = {});
 
 }  // namespace vibro_impact

@@ -5,6 +5,7 @@
 // periods T.
 #pragma once
 
+#include "smooth.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact {
@@ -27,7 +28,8 @@ struct GrowthOptions {
 };
 
 // The mean growth of one perturbation of the state over whole forcing periods, by the derivative of
-// the stroboscopic map. The perturbation is brought back to length 1 every eight periods; there is
+// the motion. It does not exist where the motion meets an event at which it is not differentiable
+// (periodic_orbit.hpp). The perturbation is brought back to length 1 every eight periods; there is
 // only one, so that orthonormalising is scaling.
 //
 // In chaos the growth varies from period to period, so that the sign of a short mean may be chance.
@@ -40,7 +42,7 @@ struct GrowthOptions {
 // `start` should lie away from events (`at_quiet_phase`). Throws std::invalid_argument for a start
 // that does not fit the scene, for a scene without a forcing period and for options out of range,
 // and std::runtime_error when the run is given up.
-Growth mean_growth(const Scene &scene, const MotionState &start, const GrowthOptions &options = {},
-                   const RunOptions &run = {});
+Smooth<Growth> mean_growth(const Scene &scene, const MotionState &start,
+                           const GrowthOptions &options = {}, const RunOptions &run = {});
 
 }  // namespace vibro_impact

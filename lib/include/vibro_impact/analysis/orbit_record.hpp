@@ -24,12 +24,13 @@ struct RecordOptions {
 };
 
 struct OrbitRecord {
-  int period = 0;                       // forcing periods; 0: none was found (settle.hpp)
-  int approached = 0;                   // where it is 0: as in SettledMotion
-  EventCounts counts = {};              // over one period, or 40 of a motion that has not settled
-  std::optional<Growth> lyapunov = {};  // if asked for
-  std::vector<EventPair> pairs = {};    // if asked for; each once, in the order of Table I
-  // If asked for: per mass, in the order of time, the impacts over the same periods as `counts`.
+  int period = 0;           // forcing periods; 0: none was found (settle.hpp)
+  int approached = 0;       // where it is 0: as in SettledMotion
+  EventCounts counts = {};  // over one period, or 40 of a motion that has not settled
+  Smooth<Growth> lyapunov = Smooth<Growth>::none("not asked for");
+  std::vector<EventPair> pairs = {};  // if asked for; each once, in the order of Table I
+  // If asked for: per mass, in the order of time from the phase of the start on, the impacts over
+  // the same periods as `counts`.
   std::vector<std::vector<Event>> impacts = {};
   // If asked for: (x_1 .. x_N, x_1' .. x_N') at the beginning of each forcing period of `counts`.
   std::vector<std::vector<double>> section = {};

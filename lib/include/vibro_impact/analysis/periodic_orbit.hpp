@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "matrix.hpp"
+#include "smooth.hpp"
 #include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact {
@@ -61,10 +62,10 @@ MotionState stroboscopic_map(const Scene &scene, const MotionState &start, int p
 
 struct StroboscopicImage {
   MotionState state;
-  Matrix derivative;  // 2N x 2N; rows and columns of held masses are zero
-  // False when the motion met an event at which its state is not differentiable: impacts of several
-  // masses at one instant, grazing, a mass coming to rest at its stop without chatter.
-  bool differentiable = true;
+  // 2N x 2N; rows and columns of held masses are zero. It does not exist where the motion meets an
+  // event at which it is not differentiable: impacts of neighbours at one instant with a damper
+  // between them, a graze, a mass coming to rest at its stop without a chatter.
+  Smooth<Matrix> derivative = {};
   std::vector<Event> events = {};  // of the run
 };
 
@@ -74,7 +75,8 @@ StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const Moti
                                                   int periods, const RunOptions &options = {});
 
 // The motion from `start` brought to the phase, within the next forcing period, that is farthest
-// from every event of that period. The returned instant counts its forcing period as number 0.
+// from every event of that period and not between the impacts of a chatter and its limit. The
+// returned instant counts its forcing period as number 0.
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options = {});
 
@@ -82,31 +84,43 @@ MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
 // returned instant counts its forcing period as number 0.
 MotionState state_after_periods(const Scene &scene, int periods, const RunOptions &options = {});
 
+// Floquet multipliers, largest modulus first.
+using Multipliers = std::vector<std::complex<double>>;
+
+// Whether small perturbations of an orbit die out. They neither die out nor grow at a neutral one,
+// whose largest multiplier has the modulus 1 within 1e-9. It is unknown of an orbit that was not
+// found or has no derivative.
+enum class Stability { stable, neutral, unstable, unknown };
+
+// Returns "stable", "neutral", "unstable" or "unknown".
+const char *name(Stability stability);
+
 struct PeriodicOrbit {
   MotionState state = {};  // at the section
-  // Floquet multipliers, largest modulus first
-  std::vector<std::complex<double>> multipliers = {};
+  Smooth<Multipliers> multipliers = {};
   bool converged = false;              // if false, this is the best iterate
   std::string why_not = {};            // ... and this says why, in one line
   std::vector<double> residuals = {};  // the distances of P(z) from z, one per map evaluation
   std::vector<Event> events = {};      // from the state on, over the periods of the orbit
 
-  // True of an orbit that was found and whose multipliers all lie inside the unit circle.
+  Stability stability() const;
   bool stable() const {
-    return converged && (multipliers.empty() || std::abs(multipliers.front()) < 1.0);
+    return stability() == Stability::stable;
   }
 };
 
 // The Floquet multipliers of a map with this derivative: the eigenvalues on the free coordinates.
-std::vector<std::complex<double>> floquet_multipliers(const Matrix &derivative, const Held &held);
+Multipliers floquet_multipliers(const Scene &scene, const Matrix &derivative, const Held &held);
 
 // Newton's method for the fixed point of the `periods`-fold stroboscopic map near `guess`, whose
 // phase is the section. The contact mode at the section is that of the guess. The search ends
-// without convergence, and says so in `why_not`, when an iterate returns in another contact mode or
-// has a mass beyond its stop, when a multiplier is so near to 1 that 1e-13 of the next step is no
-// less than the distance of P(z) from z, and after `most_iterations`. An iterate z counts as a
-// fixed point when the distance of P(z) from z, the length of settle.hpp, is at most 1e-13 of that
-// of z from zero.
+// without convergence, and says so in `why_not`, when an iterate returns in another contact mode,
+// has no derivative or has a mass beyond its stop, when a multiplier is so near to 1 that 1e-13 of
+// the next step is no less than the distance of P(z) from z, and after `most_iterations`. An
+// iterate z counts as a fixed point when the distance of P(z) from z is at most 1e-13 of the size
+// of the motion, or at most 1e-10 where rounding keeps it from falling further, as next to a graze.
+// The distance is that of settle.hpp. The size is the largest distance from zero of the states at
+// the section and after the events.
 PeriodicOrbit find_periodic_orbit(const Scene &scene, const MotionState &guess, int periods = 1,
                                   int most_iterations = 20);
 

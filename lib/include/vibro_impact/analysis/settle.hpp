@@ -1,35 +1,28 @@
-// A motion followed, forcing period by forcing period, until it has settled, and its events
-// counted.
+// A motion followed, forcing period by forcing period, until an orbit is found that attracts it.
 //
 // At the section of the stroboscopic map (the phase of the start) the state z_n is compared with
-// that p periods before. With the distance d_n of the two and the contraction mu = d_n / d_(n-p),
-// what is still to come is estimated by d_n mu / (1 - mu), the rest of the geometric sequence, and
-// by no less than d_n: a single small ratio may be chance. The distance is a length, the largest
-// over the masses of the amplitude of vibration that is left, (x^2 + (v/w)^2)^(1/2) for a mass of
-// frequency w between neighbours that stand still (Omega on no spring). A component by itself is
-// small once in every turn of the state, however far the orbit.
-//
-// A motion counts as settled, of period p, when the estimate lies below 1e-10 of its own amplitude
-// at p sections in a row. The amplitude is the largest at the sections of the second half of the
-// motion. Where all states q periods apart, q a divisor of p, are within ten tolerances and all p
-// periods repeat the events of q, the period is q. Where the states are within 10,000 tolerances it
-// is not decided yet: a motion that turns around its orbit comes near to itself after some number
-// of periods long before it has settled. Impacts of a complete chatter are not compared: a run
-// reports only as many of them as it needed to find the limit.
-//
-// Next to a grazing, what is still to come may bring an impact. A period is accepted if its periods
-// have the same events with every stop nearer by ten times the largest distance or estimate, which
-// counts as no less than 1e-13 of the amplitude where it is not zero. Otherwise the motion is
-// followed further until that distance is small enough, or is left undecided.
+// those before it. The distance of two states is a length: with the frequency w of a mass between
+// neighbours that stand still (Omega on no spring), it is the norm of all differences of x and v/w.
+// Where a state comes near to that of p periods before, Newton's method looks for an orbit of p
+// periods from there, at a phase away from events. A motion has settled on this orbit z* if
+//   - the orbit is stable, and attracts the motion from where it is: what the image of the motion
+//     differs by from its image by the derivative, |P(z) - z* - DP (z - z*)|, is at most
+//     (1 - |mu|) |z - z*| / 10. Or the orbit is not unstable, and the motion has returned within
+//     1e-10 of its size, as where a motion without damping repeats;
+//   - the orbit has the same events with every stop nearer by ten distances |z - z*|. Next to a
+//     grazing, what is left may bring an impact.
+// Otherwise the motion is followed further. The period is the least divisor of p after which the
+// orbit itself returns. Nothing proves that the motion stays: the boundary of a basin within ten
+// distances that no other event shows would deceive both conditions.
 //
 // A motion that has not settled may be irregular, or have a period above the largest one asked for,
-// or be on its way. It is on its way to an orbit of period p if period p was left undecided at
-// last, or if its distances p periods apart fell to half over the last doubling of its length.
+// or be on its way: then Newton's method has found a stable orbit that its latest return brought it
+// nearer to.
 #pragma once
 
 #include <vector>
 
-#include "vibro_impact/simulate.hpp"
+#include "periodic_orbit.hpp"
 
 namespace vibro_impact {
 
@@ -58,11 +51,14 @@ struct SettledMotion {
   int approached = 0;       // where it is 0: the period of the orbit that the motion is on its way
                             // to; 0: of none, as of an irregular motion
   int periods_run = 0;      // forcing periods integrated
-  MotionState state = {};   // at the last section, cycle count as it stands
-  EventCounts counts = {};  // of the last `period` periods; empty where it is 0
-  std::vector<MotionState> section = {};  // the states at their ends; empty where it is 0
-  double fastest_impact = 0.0;            // speed, over the last periods
-  Simulation simulation;                  // stands at the last section
+  EventCounts counts = {};  // over one period of the orbit; empty where `period` is 0
+  // The orbit at a section away from events; not found where `period` is 0.
+  PeriodicOrbit orbit = {};
+  // The states of the orbit at the phase of the start; empty where `period` is 0.
+  std::vector<MotionState> section = {};
+  // The last of these, or the latest state of a motion that has not settled. The forcing period has
+  // the number 0.
+  MotionState state = {};
 };
 
 // Follows the motion from `start` until it has settled. Throws std::invalid_argument for what
