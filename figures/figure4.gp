@@ -2,7 +2,7 @@
 # bifurcation. Dotted: the force between the phases, as if mass 1 were held. Insets: where the force of
 # (a) turns back, and the force at the bifurcation; where the force of (b) pulls mass 1 off its stop.
 load 'figures/style.gp'
-set xlabel time.'{/*0.85 ;  0: a settled forcing period begins (inferred)}'
+set xlabel time.'{/*0.85 ;  0: a period of the steady state begins (inferred)}'
 set ylabel '{/:Italic F}_2 {/*0.85 (force on mass 1)}'
 set tmargin 2
 eval axes('figure4')

@@ -27,7 +27,7 @@ do for [n = 1:6] {
   unset object 1
   if (pair[n] eq 'DS') { set object 1 rectangle from stuck_min, graph 0 to released_min, graph 1 behind fillcolor rgb '#ececec' fillstyle solid noborder }
   stats [*:*] [*:*] pairs using (in_panel(n, column('at_rest'))) nooutput name 'start'
-  start = start_max == 1 ? 'from rest' : 'from near the settled motion'
+  start = start_max == 1 ? 'from rest' : 'from near the steady state'
   set title '{/:Bold '.pair[n].'}  '.meaning[n].',  '.start."\n{/*0.9 Ω = ".sprintf('%.6g,  ', omega[n]).known('r', r[n], '').',  '. \
     slanted('s_1').' = '.(s1[n] == s2[n] ? '' : number('%.5g', s1[n]).',  ').slanted('s_2').' = '. \
     number('%.5g', s2[n]).'}' offset 0, -0.5
