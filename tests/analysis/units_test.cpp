@@ -110,7 +110,8 @@ void measure_branch(const Scene &scene, const Units &units, Measured &measured) 
        follow_orbit(scene, guess, {"stop1", stop, 1.2 * stop, 10}, {.most_points = 20})) {
     measured.add(point.parameter, units.length);
     measured.add(static_cast<int>(point.kind));
-    for (const auto &multiplier : point.orbit.multipliers) measured.add(std::abs(multiplier));
+    if (point.orbit.multipliers.exists())  // not at a graze
+      for (const auto &multiplier : point.orbit.multipliers) measured.add(std::abs(multiplier));
     measured.add(point.orbit.residuals.back(), units.length);
     measured.add(point.orbit.state);
   }

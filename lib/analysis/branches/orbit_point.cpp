@@ -70,6 +70,8 @@ OrbitPoint orbit_point_of(const Problem &problem, const Point &point) {
   PeriodicOrbit &orbit = result.orbit;
   orbit.state = quiet_state(problem, place.sequence, place.u, place.seen);
   orbit.multipliers = place.multipliers;
+  if (place.multipliers.empty())
+    orbit.multipliers = Smooth<Multipliers>::none("an impact has lost its speed at a graze");
   orbit.converged = true;
   orbit.why_not = point.why_lost;
   const Vector values = evaluate(problem, place.sequence, place.u, nullptr, false).values;

@@ -8,17 +8,16 @@
 // holds the mass. From there on the other masses move as in the chatter but for O(x^3).
 #pragma once
 
-#include <complex>
 #include <optional>
 #include <utility>
 
 #include "flight.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact::branches {
 
 using Vector = Eigen::VectorXd;
 using Dense = Eigen::MatrixXd;
-using Multipliers = std::vector<std::complex<double>>;
 
 // What happens at an item of a sequence, and the equation that it gives.
 enum class Happening {

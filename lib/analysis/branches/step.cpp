@@ -15,7 +15,7 @@ Place place_of(const Problem &problem, const Sequence &s, const Vector &u, const
 
 Place place_of_end(const Problem &problem, const End &end) {
   Place place = place_of(problem, end.sequence, end.u, Vector::Unit(end.u.size(), 0));
-  if (end.replaces_impact) place.multipliers = {infinity};
+  if (end.replaces_impact) place.multipliers.clear();
   return place;
 }
 

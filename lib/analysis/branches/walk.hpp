@@ -54,8 +54,8 @@ std::optional<End> nearest_of(const Walk &walk, const Step &step, std::vector<En
 // The last orbit of the sequence before an end, by bisection: special points may lie before it.
 std::optional<Place> last_before_end(const Walk &walk, const Step &step);
 
-// The orbit at an end. Where an impact has lost its speed, a multiplier grows beyond all bounds
-// from its side.
+// The orbit at an end. It has no multipliers where an impact has lost its speed: one of them grows
+// beyond all bounds from its side.
 Place place_of_end(const Problem &problem, const End &end);
 
 // The events of two masses at one instant change places. False if there is no orbit beyond.

@@ -49,8 +49,8 @@ const char *name(BranchPoint kind);
 
 // An orbit with the value of the parameter, and the counts of its events over one period. Its state
 // lies in the middle of the longest flight. At a special point the parameter has an estimated
-// error. At a graze to which an impact has slowed down, one multiplier is infinite and stands
-// alone.
+// error. At a graze to which an impact has slowed down, the
+// multipliers do not exist.
 struct OrbitPoint {
   double parameter = 0.0, error = 0.0;
   PeriodicOrbit orbit = {};
