@@ -4,7 +4,7 @@
 # cmake -D source=... -D program=<a C++ file> -D compiler=... -D folder=... -P library_alone.cmake
 file(REMOVE_RECURSE ${folder})
 set(without "")
-foreach(package CLI11 fmt GTest OpenMP MPI)
+foreach(package CLI11 fmt GTest OpenMP)
   list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 

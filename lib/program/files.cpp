@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/crc.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -31,6 +30,11 @@ fs::path target_of(const Output &output) {
 
 }  // namespace
 
+bool Output::is_file() const {
+  std::error_code error;
+  return wanted() && path != "-" && !fs::is_fifo(path, error);
+}
+
 std::string numbered_columns(const std::string &name, std::size_t count) {
   std::string columns;
   for (std::size_t k = 1; k <= count; ++k) columns += fmt::format(",{}{}", name, k);
@@ -42,11 +46,12 @@ void check_outputs(const std::vector<Output> &outputs, const std::string &scene_
   if (!scene_file.empty()) names.push_back(target_of({"--scene", scene_file}));
   for (const Output &output : outputs) {
     if (!output.wanted()) continue;
-    const fs::path name = output.is_file() ? target_of(output) : "-", folder = name.parent_path();
+    const fs::path name = output.is_file() ? target_of(output) : fs::path(output.path);
     if (std::ranges::find(names, name) != names.end())
       refuse("{}: the scene or another table of the command stands there", output.given());
     names.push_back(name);
     if (!output.is_file()) continue;
+    const fs::path folder = name.parent_path();
     if (!fs::is_directory(folder)) refuse("{}: {} is no folder", output.given(), folder.string());
     if (access(folder.c_str(), W_OK | X_OK) != 0)
       refuse("{}: {} is write-protected", output.given(), folder.string());
@@ -58,19 +63,24 @@ std::string contents(const std::string &path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-void write_text(std::string text, const std::string &path) {
-  Table table;
-  table.text = std::move(text);
-  if (path != "-") return write(table, path);
-  const std::size_t size = table.text.size();
-  if (std::fwrite(table.text.data(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+OpenOutput::OpenOutput(const std::string &path) {
+  if (path != "-") file_.emplace(path);
+}
+
+void OpenOutput::append(std::string_view text) {
+  if (file_) return file_->append(text);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw std::runtime_error("standard output cannot be written");
 }
 
-std::uint32_t checksum_of(std::string_view bytes) {
-  boost::crc_32_type checksum;
-  checksum.process_bytes(bytes.data(), bytes.size());
-  return checksum.checksum();
+void OpenOutput::finish() {
+  if (file_) file_->finish();
+}
+
+void write_text(std::string_view text, const std::string &path) {
+  OpenOutput output(path);
+  output.append(text);
+  output.finish();
 }
 
 std::string path_of(std::FILE *file) {

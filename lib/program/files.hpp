@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,16 +26,14 @@ template <class... Values>
 std::string numbered_columns(const std::string &name, std::size_t count);
 
 // A file that a command writes, and the option that names it. An empty path means that the file is
-// not wanted; `-` is standard output.
+// not wanted; `-` is standard output, and a pipe may have a name.
 struct Output {
   std::string option, path = {};
 
   bool wanted() const {
     return !path.empty();
   }
-  bool is_file() const {
-    return wanted() && path != "-";
-  }
+  bool is_file() const;  // not a stream
   std::string given() const {
     return option + " " + path;
   }
@@ -49,13 +47,23 @@ void check_outputs(const std::vector<Output> &outputs, const std::string &scene_
 // The bytes of a file. A file that cannot be read has none.
 std::string contents(const std::string &path);
 
-std::uint32_t checksum_of(std::string_view bytes);
-
 // A path of the open file or pipe itself, whatever has become of its name (in Linux).
 std::string path_of(std::FILE *file);
 
-// Writes the text to the file, or for `-` to standard output. Throws std::runtime_error with one
-// line, and leaves no file, when that fails.
-void write_text(std::string text, const std::string &path);
+// An output to which text is appended. A file takes its name when it is finished; what is appended
+// to a stream stands there at once. The functions throw std::runtime_error with one line when they
+// fail.
+class OpenOutput {
+ public:
+  explicit OpenOutput(const std::string &path);
+  void append(std::string_view text);
+  void finish();
+
+ private:
+  std::optional<TableFile> file_ = {};  // empty: standard output
+};
+
+// Writes the whole text to an output.
+void write_text(std::string_view text, const std::string &path);
 
 }  // namespace vibro_impact::runner

@@ -13,9 +13,8 @@ namespace {
 using namespace vibro_impact;
 using namespace vibro_impact::runner;
 
-void carry_out(const Request &request, const Processes &processes) {
-  if (const auto *sweep = std::get_if<SweepRequest>(&request)) return run_sweep(*sweep, processes);
-  if (processes.rank() > 0) return;
+void carry_out(const Request &request) {
+  if (const auto *sweep = std::get_if<SweepRequest>(&request)) return run_sweep(*sweep);
   if (const auto *run = std::get_if<RunRequest>(&request)) return run_scene(*run);
   if (const auto *orbit = std::get_if<OrbitRequest>(&request)) return run_orbit(*orbit);
   write_text(std::get<std::string>(request), "-");
@@ -24,16 +23,10 @@ void carry_out(const Request &request, const Processes &processes) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  const Processes processes;
-  bool at_work = false;  // before, all processes fail alike; then one may fail alone
   int status = 1;
   std::string message;
   try {
-    if (processes.size() > 1 && !Processes::with_mpi())
-      refuse("started as {} processes, but built without MPI", processes.size());
-    const Request request = parse(argc, argv);
-    at_work = true;
-    carry_out(request, processes);
+    carry_out(parse(argc, argv));
     return 0;
   } catch (const std::invalid_argument &refused) {
     status = 2;
@@ -43,8 +36,6 @@ int main(int argc, char **argv) {
   }
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
-  if (at_work || processes.rank() == 0)
-    std::fputs(("vibro-impact: " + message + "\n").c_str(), stderr);
-  if (at_work) processes.end_others(status);
+  std::fputs(("vibro-impact: " + message + "\n").c_str(), stderr);
   return status;
 }

@@ -194,8 +194,9 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
          "--section (displacements), with --column this column of --table. With two ranges:\n"
          "a map of --column. .png, .pdf or .svg");
   option(sweep, "--column", request.column, "NAME", "Column of --table in --plot; of maps: period");
-  flag(sweep, "--resume", request.resume,
-       "Go on with the rows that a sweep that was ended has left in FILE.partial");
+  option(sweep, "--part", words.part, "K/N",
+         "Compute the K-th of N consecutive parts of the points alone. The tables of all\n"
+         "parts, put together in their order, are those of the sweep");
 }
 
 }  // namespace vibro_impact::runner

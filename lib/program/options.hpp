@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "files.hpp"
-#include "processes.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 #include "vibro_impact/simulate.hpp"
 
@@ -42,18 +41,17 @@ struct OrbitRequest : RunRequest {
   Output table{"--table"};
 };
 
-// A sweep. `definition` has the options on which the rows of its tables depend, in lines of
-// comments.
+// A sweep, or one of its consecutive parts. The tables of the parts put together are those of the
+// sweep: the first alone has the header.
 struct SweepRequest : Common {
-  std::string definition;
   Grid grid;
   RecordOptions records;
   std::array<Output, 3> tables{{{"--table"}, {"--impacts"}, {"--section"}}};
   Output plot{"--plot"};
-  std::string column;  // of the table, drawn in the picture; empty: not given
-  bool resume = false;
+  std::string column;   // of the table, drawn in the picture; empty: not given
   bool follow = false;  // each point from the settled state of the one before, ...
   bool back = false;    // ... along the innermost range and back again
+  std::size_t part = 1, parts = 1;
 };
 
 // The request of a command line: that of a command, or a text for standard output.
@@ -63,8 +61,11 @@ using Request = std::variant<RunRequest, OrbitRequest, SweepRequest, std::string
 // command line that makes no sense, and for a scene or a grid that `check` refuses.
 Request parse(int argc, const char *const *argv);
 
-// The text of --help below the options: examples, formats of the tables and exit status.
-std::string footer();
+// The texts of --help below the options, of the program and of its commands.
+std::string footer_of_program();
+std::string footer_of_run();
+std::string footer_of_orbit();
+std::string footer_of_sweep();
 
 // Runs the scene and writes its files. Throws std::invalid_argument for a file that cannot be
 // written, before the run, and std::runtime_error when the run is given up or writing fails.
@@ -79,8 +80,7 @@ Outcome record_run(const RunRequest &request);
 // std::runtime_error if no orbit was found.
 void run_orbit(const OrbitRequest &request);
 
-// Computes the tables of a sweep. To be called by all processes; that of rank 0 writes the files.
-// Throws as `run_scene` does, and std::invalid_argument for rows of another sweep or program.
-void run_sweep(const SweepRequest &request, const Processes &processes);
+// Computes the tables of a sweep and writes its files. Throws as `run_scene` does.
+void run_sweep(const SweepRequest &request);
 
 }  // namespace vibro_impact::runner

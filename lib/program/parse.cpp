@@ -13,7 +13,6 @@ namespace vibro_impact::runner {
 namespace {
 
 constexpr double most_numbers = 5e7;  // in a table of samples, which then has about 1 GB
-constexpr double most_rows = 1e8;     // of a sweep, which are kept in some 30 GB
 
 // The values of a parameter, given as parameter=from:to:count or parameter=from:to:count:log.
 Axis axis_of(std::string_view text) {
@@ -169,8 +168,15 @@ void complete(OrbitRequest &request, const Words &words) {
 void complete(SweepRequest &request, const Words &words) {
   for (const std::string &range : words.ranges) request.grid.axes.push_back(axis_of(range));
   check(request.grid);
-  const double rows = static_cast<double>(request.grid.points()) * (request.back ? 2.0 : 1.0);
-  if (rows > most_rows) refuse("--vary: {} rows, and a sweep has at most {}", rows, most_rows);
+  read_at("--part", [&] {
+    const auto parts = parts_of(words.part, '/');
+    if (parts.size() != 2) refuse_words(words.part, "must read K/N");
+    request.parts = static_cast<std::size_t>(count_of(parts[1], 1'000'000'000));
+    request.part =
+        static_cast<std::size_t>(count_of(parts[0], static_cast<long long>(request.parts)));
+  });
+  if (request.parts > 1 && request.plot.wanted())
+    refuse("--part {}: a picture needs all parts", words.part);
   if (!words.panels.empty() && (request.grid.axes.size() > 1 || !request.column.empty()))
     refuse("--panels {}: a picture of a column has one panel", words.panels);
   request.follow = request.follow || request.back;
@@ -187,15 +193,18 @@ Request parse(int argc, const char *const *argv) {
   SweepRequest sweep_request;
   CLI::App app("Simulates a chain of masses with rigid stops under harmonic forcing",
                "vibro-impact");
-  app.footer(footer());
+  app.footer(footer_of_program());
   app.set_version_flag("--version", "vibro-impact " VIBRO_IMPACT_VERSION);
   app.require_subcommand(0, 1);
   CLI::App &run = *app.add_subcommand("run", "Run one scene and write its tables");
   CLI::App &orbit = *app.add_subcommand("orbit", "Find a periodic orbit and its multipliers");
   CLI::App &sweep =
       *app.add_subcommand("sweep", "Record the settled motion at many parameter points");
+  run.footer(footer_of_run());
   add_run_options(run, run_request, words);
+  orbit.footer(footer_of_orbit());
   add_orbit_options(orbit, orbit_request, words);
+  sweep.footer(footer_of_sweep());
   add_sweep_options(sweep, sweep_request, words);
   try {
     app.parse(argc, argv);
@@ -215,12 +224,12 @@ Request parse(int argc, const char *const *argv) {
   const CLI::App &command = *app.get_subcommands().front();
   const Scene scene = scene_of(command, words.scene_file);
   if (words.print_scene) return file_of(scene);
-  const std::string definition =
-      fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
-                  given(command), file_of(scene, "# "));
+  std::string head;
+  if (words.header)
+    head = fmt::format("{}{} {}{}\n{}", table_head, VIBRO_IMPACT_VERSION, command.get_name(),
+                       given(command), file_of(scene, "# "));
   check_combinations(command);
-  const Common common{words.scene_file, words.header ? definition : "",
-                      panels_of(scene, words.panels, !sweep.parsed())};
+  const Common common{words.scene_file, head, panels_of(scene, words.panels, !sweep.parsed())};
   const bool default_bound = command.count("--max-steps") == 0;
   const auto completed = [&](auto &request, Scene &of_request, RunOptions &options) {
     static_cast<Common &>(request) = common;
@@ -232,7 +241,6 @@ Request parse(int argc, const char *const *argv) {
   if (run.parsed()) return completed(run_request, run_request.scene, run_request.options);
   if (orbit.parsed())
     return completed(orbit_request, orbit_request.scene, orbit_request.settle.run);
-  sweep_request.definition = definition;
   return completed(sweep_request, sweep_request.grid.scene, sweep_request.records.settle.run);
 }
 

@@ -7,10 +7,8 @@
 
 namespace vibro_impact {
 
-// "time: 12.5 of 750 (1 %), 2.95 min left": at the pace since `before`, where the computation began
-// `seconds` ago.
-std::string progress_line(const std::string &name, double before, double done, double total,
-                          double seconds);
+// "time: 12.5 of 750 (1 %), 2.95 min left", `seconds` after the computation began.
+std::string progress_line(const std::string &name, double done, double total, double seconds);
 
 // Whether the line is written `seconds` after the computation began, and after it was written at
 // `last_shown`: not in the first two seconds, and at most five times a second.
@@ -18,15 +16,14 @@ bool is_progress_due(double seconds, double last_shown);
 
 class Progress {
  public:
-  // `before`: how much of `total` was done before the computation began.
-  Progress(std::string name, double total, double before = 0.0);
+  Progress(std::string name, double total);
   ~Progress();
 
   void advance(double by = 1.0);
 
  private:
   std::string name_;
-  double total_, before_, done_;
+  double total_, done_ = 0.0;
   bool terminal_;
   double last_shown_ = 0.0;  // seconds after the start; 0: never
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -15,7 +15,7 @@ inline constexpr const char *scene_group = "Scene";
 
 struct Words {
   std::string scene_file, until = "750", from = "0", every = "0.01", every_in_orbit = "0.002P",
-                          panels;
+                          panels, part = "1/1";
   std::vector<std::string> ranges;
   bool print_scene = false, header = false;
 };

@@ -53,10 +53,19 @@ TEST_F(Runner, NoOutputTakesThePlaceOfTheScene) {
        {"run --scene own.scene --events own.scene", "run --scene own.scene --samples ./own.scene",
         "run --scene link --events own.scene", "run --scene own.scene --events link",
         "sweep --vary omega=0.3:0.5:2 --scene own.scene --table own.scene",
-        "sweep --vary omega=0.3:0.5:2 --table a --impacts a.partial"}) {
+        "sweep --vary omega=0.3:0.5:2 --table a --impacts a"}) {
     EXPECT_EQ(run(command).status, 2) << command;
     EXPECT_EQ(contents(folder / "own.scene"), "omega = 0.5\n");
   }
+}
+
+// A pipe gets the table at once.
+TEST_F(Runner, APipeIsWrittenTo) {
+  const Result result =
+      run("run --until 20 --events pipe | cat >copy.csv", "ln -s /dev/stdout pipe");
+  ASSERT_EQ(result.status, 0) << result.err;
+  ASSERT_EQ(run("run --until 20 --events e.csv").status, 0);
+  EXPECT_EQ(contents(folder / "copy.csv"), contents(folder / "e.csv"));
 }
 
 // A file of the temporary name is neither overwritten nor removed. `exec` keeps the process number.

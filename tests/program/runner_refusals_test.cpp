@@ -96,8 +96,9 @@ const std::vector<BadCase> bad_cases = {
     {sweep_files + omega + "--panels 1", "--panels: needs a picture"},
     {sweep_files + omega + "--plot p.png --column period --panels 1", "has one panel"},
     {"sweep --impacts i.csv --plot p.png --panels 1,1 " + omega, "--panels 1,1: has mass 1 twice"},
-    {"sweep --table t.csv --vary omega=0.3:0.5:100000 --vary beta=0:1:1001",
-     "--vary: 100100000 rows, and a sweep has at most 100000000"},
+    {sweep_files + omega + "--part 4/3", "--part: '4' must be a whole number from 1 to 3"},
+    {sweep_files + omega + "--part 4", "--part: '4' must read K/N"},
+    {"sweep --impacts i.csv --plot p.png --part 1/2 " + omega, "--part 1/2: a picture needs all"},
     {"orbit --near-start --longest 5", "--longest: bounds the settling"},
     {"run --velocities", "--velocities: needs --samples"},
     {"run --events e.csv --every 0.1", "--every: needs --samples"},
@@ -109,7 +110,6 @@ const std::vector<BadCase> bad_cases = {
     {"sweep --impacts i.csv " + omega + "--vary beta=0:1:2 --plot p.png",
      "is drawn from the table of --table"},
     {"sweep --table missing/t.csv " + omega, "missing is no folder"},
-    {"sweep --table - " + omega, "--table -: must be a file"},
     {"run --samples s.csv --plot p.jpg", "--plot p.jpg: must end in .png, .pdf or .svg"},
     {"run --plot p.png", "--plot p.png: is drawn from the table of --samples"},
 };
@@ -122,30 +122,6 @@ TEST_F(Runner, RefusesBadInputInOneLineAndLeavesNoFile) {
     EXPECT_EQ(result.out, "");
     EXPECT_TRUE(fs::is_empty(folder)) << "it left a file";
   }
-}
-
-TEST_F(Runner, OneOfAllProcessesSaysWhatIsWrong) {
-  if (!with_mpi) GTEST_SKIP() << "built without MPI";
-  const Result many = run("sweep --table t --vary omega=0.3:0.5:0", "true", mpirun(2));
-  EXPECT_EQ(many.status, 2);
-  EXPECT_EQ(many.err.find("vibro-impact: "), many.err.rfind("vibro-impact: ")) << many.err;
-  EXPECT_NE(many.err.find("vibro-impact: "), std::string::npos);
-}
-
-// Started by mpirun, a program without MPI would be several programs that write the same files.
-TEST_F(Runner, AProgramWithoutMpiIsNotStartedAsSeveralProcesses) {
-  const std::string alone = VIBRO_IMPACT_WITHOUT_MPI, arguments = sweep_files + omega;
-  for (const char *rank : {"0", "1"}) {
-    const Result result =
-        run(arguments, "true",
-            std::string("OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=") + rank + " ", alone);
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err, *rank == '1' ? ""
-                                       : "vibro-impact: started as 2 processes, but built without "
-                                         "MPI\n");
-    EXPECT_TRUE(fs::is_empty(folder));
-  }
-  EXPECT_EQ(run(arguments, "true", "", alone).status, 0);
 }
 
 // The other programs of the project say their own name, every choice, and no folder of the machine

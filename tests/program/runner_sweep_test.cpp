@@ -1,12 +1,11 @@
-// Sweeps of the program: the table, on threads and on processes, and a sweep that was killed.
+// Sweeps of the program: their tables, and points without a record.
 #include <fstream>
 #include <optional>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "program/journal.hpp"
-#include "program/processes.hpp"
 #include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/table_reader.hpp"
@@ -17,8 +16,6 @@ namespace {
 
 using namespace vibro_impact::testing;
 using namespace vibro_impact;
-
-const std::string one_thread = "export OMP_NUM_THREADS=1 && ";
 
 // The rows of a grid from the library. With `back`, a point starts where the motion of the point
 // before has settled, along the inner axis to its end and back.
@@ -36,8 +33,7 @@ SweepTables tables_of(const Grid &grid, const RecordOptions &options, bool back)
   return tables;
 }
 
-// The tables are those of the library, to the byte, whatever the number of processes. (Of threads:
-// sweep_test.) Branches are shared out whole.
+// The tables are those of the library, to the byte. Branches are shared out whole.
 TEST_F(Runner, ASweepGivesTheTablesOfTheLibrary) {
   const Grid grid{paper::figure2(), {{"omega", 0.25, 0.7, 19}, {"restitution", 0.3, 0.9, 4}}};
   const Grid branches{extremes::one_mass(0.1, 0.1, 1.0, 0.7, 0.3),
@@ -52,21 +48,17 @@ TEST_F(Runner, ASweepGivesTheTablesOfTheLibrary) {
       {"--vary restitution=0.5:0.8:5 --vary omega=1.1:1.2:9 --back --masses 1 --beta 0.1 "
        "--amplitude 0.1 --stop 1:upper:0.3 --table t.csv --impacts i.csv --section s.csv",
        tables_of(branches, {.impacts = true, .section = true}, true)}};
-  for (const int processes : {1, 3, 4})
-    for (const auto &[arguments, tables] : sweeps) {
-      if (processes > 1 && !with_mpi) GTEST_SKIP() << "built without MPI";
-      SCOPED_TRACE(::testing::Message() << arguments << " by " << processes << " processes");
-      const Result result =
-          run("sweep " + arguments, "true", processes > 1 ? mpirun(processes) : "");
-      ASSERT_EQ(result.status, 0) << result.err;
-      EXPECT_EQ(lines(contents(folder / "t.csv")), lines(tables.records.text));
-      const std::size_t written = files().size();
-      EXPECT_EQ(written, arguments.ends_with("s.csv") ? 3u : 1u);
-      if (written == 1) continue;
-      EXPECT_EQ(lines(contents(folder / "i.csv")), lines(tables.impacts.text));
-      EXPECT_EQ(lines(contents(folder / "s.csv")), lines(tables.section.text));
-      for (const char *name : {"i.csv", "s.csv"}) fs::remove(folder / name);
-    }
+  for (const auto &[arguments, tables] : sweeps) {
+    SCOPED_TRACE(arguments);
+    const Result result = run("sweep " + arguments);
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(lines(contents(folder / "t.csv")), lines(tables.records.text));
+    const std::size_t written = files().size();
+    EXPECT_EQ(written, arguments.ends_with("s.csv") ? 3u : 1u);
+    if (written == 1) continue;
+    EXPECT_EQ(lines(contents(folder / "i.csv")), lines(tables.impacts.text));
+    EXPECT_EQ(lines(contents(folder / "s.csv")), lines(tables.section.text));
+  }
 }
 
 // Points without a record have empty cells, and a line for each reason with the number of its
@@ -109,125 +101,89 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCellsAndItsReasonIsSaid) {
   }
 }
 
-TEST_F(Runner, AKilledSweepGoesOnWithItsRowsAndNoOthers) {
-  const std::string sweep =
-      "sweep --vary omega=0.25:0.7:181 --vary restitution=0.6:0.8:5 --longest 50 --table t.csv ";
-  const std::string all_computed = "905 points, 905 computed now";
-  ASSERT_NE(run(sweep).err.find(all_computed), std::string::npos);
-  const std::string whole = contents(folder / "t.csv");
-  const fs::path path = folder / "t.csv.partial";
-  // The shell kills the sweep as soon as five rows stand in its journal, unless the sweep ends
-  // first.
-  const std::string kill =
-      "& until test -e t.csv || test 5 -le \"$(grep -c ^row t.csv.partial)\"; do :; done; "
-      "kill -KILL $!; wait $!";
-  do {
-    fs::remove(folder / "t.csv");
-  } while (run(sweep + kill, one_thread + "true").status != 128 + 9);
-  ASSERT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
-  std::string partial = contents(path);
-  // The second row is lost, as if another process were still computing it.
-  const std::size_t second = partial.find("\nrow ", partial.find("\nrow ") + 1);
-  std::ofstream(path) << partial.erase(second, partial.find("\nrow ", second + 1) - second);
+// One of three parts of this sweep has a point less than the others, or no branch. One thread
+// computes the whole sweep in two blocks.
+const std::string small =
+    "sweep --vary restitution=0.5:0.6:2 --vary omega=1.1:1.2:151 --masses 1 "
+    "--amplitude 0.1 --stop 1:upper:0.3 --longest 5 ";
 
-  // A sweep does not replace a table by mistake, nor extend that of another sweep or program: one
-  // byte more is another file.
-  const struct {
-    std::string options, program, message;
-  } refused[] = {{"", VIBRO_IMPACT_PROGRAM, "--resume goes on with it"},
-                 {"--resume --beta 0.2", VIBRO_IMPACT_PROGRAM, "not the rows of this sweep"},
-                 {"--resume --impacts i.csv", VIBRO_IMPACT_PROGRAM, "not the rows of this sweep"},
-                 {"--resume", folder.string() + "-other", "not the rows of this sweep"}};
-  fs::copy_file(VIBRO_IMPACT_PROGRAM, folder.string() + "-other");
-  std::ofstream(folder.string() + "-other", std::ios::app) << 'x';
-  for (const auto &[options, program, message] : refused) {
-    expect_message(run(sweep + options, "true", "", program), message);
-    EXPECT_EQ(contents(path), partial);
-    EXPECT_EQ(files(), std::vector<std::string>{"t.csv.partial"});
-  }
-  fs::remove(folder.string() + "-other");
-
-  // Its rows are kept, and no others are computed. (A journal that is cut: journal_test.) The name
-  // of a scene file does not count, and an empty one has no options.
-  const std::string scene = folder.string() + "-scene";
-  std::ofstream{scene};
-  const Result rest = run(sweep + "--resume --scene " + scene, "true", with_mpi ? mpirun(2) : "");
-  ASSERT_EQ(rest.status, 0) << rest.err;
-  std::size_t kept = 0;
-  for (const std::string &line : lines(partial)) kept += line.starts_with("row ");
-  EXPECT_NE(rest.err.find("905 points, " + std::to_string(905 - kept) + " computed now"),
-            std::string::npos)
-      << rest.err;
-  EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole));
-  EXPECT_EQ(files(), std::vector<std::string>{"t.csv"});
-  fs::remove(scene);
-}
-
-// The job that the help shows runs as a script of the shell, here with few points and with the
-// program and the number of processes of the test. Run once more, it has nothing to do.
-TEST_F(Runner, TheJobOfTheHelpRuns) {
-  if (!with_mpi) GTEST_SKIP() << "built without MPI";
-  const std::string help = run("--help").out;
-  const std::size_t begin = help.find("#!/bin/sh"), end = help.find("\n\n", begin);
-  ASSERT_LT(end, help.size());
-  std::string job = help.substr(begin, end - begin);
-  for (const auto &[from, to] : std::vector<std::pair<std::string, std::string>>{
-           {":1001", ":3"},
-           {":1001", ":3"},
-           {"mpirun", mpirun(2)},
-           {"vibro-impact", "'" VIBRO_IMPACT_PROGRAM "'"}}) {
-    ASSERT_LT(job.find(from), job.size()) << from;
-    job.replace(job.find(from), from.size(), to);
-  }
-  fs::create_directory(folder / "atlas");
-  std::ofstream(folder / "job") << job << '\n';
-  for (const bool first : {true, false}) {  // the second finds its tables
-    const Result result = run("", "export HOME='" + folder.string() + "'", "sh ", "job");
-    EXPECT_EQ(result.status, 0) << result.err;
-    // mpirun may add lines about the network.
-    const bool computed = result.err.find("9 points, 9 computed now") != std::string::npos;
-    EXPECT_EQ(computed, first) << result.err;
-    EXPECT_EQ(lines(contents(folder / "atlas" / "atlas.csv")).size(), 10u);
-  }
-  EXPECT_TRUE(fs::exists(folder / "atlas" / "impacts.csv"));
-}
-
-// The limit of a file's size stands for a full disk. The journal keeps the rows that fitted.
-TEST_F(Runner, ASweepOnAFullDiskGoesOnLater) {
-  const std::string sweep =
-      "sweep --vary omega=1.1:1.2:40 --back --masses 1 --amplitude 0.1 --stop 1:upper:0.3 ";
-  ASSERT_EQ(run(sweep + "--table whole.csv", one_thread + "true").status, 0);
-  const std::string whole = contents(folder / "whole.csv");
-  expect_message(run(sweep + "--table t.csv", one_thread + full_disk(1024)),
-                 "vibro-impact: t.csv.partial: cannot be written: File too large\n", 1);
-  EXPECT_EQ(fs::file_size(folder / "t.csv.partial"), 1024u);
-  ASSERT_EQ(run(sweep + "--resume --table t.csv").status, 0);
-  EXPECT_EQ(lines(contents(folder / "t.csv")), lines(whole));
-}
-
-// The last but 800 to 710 of 1,800 tasks take ten times as long as the others. Three equal parts
-// of consecutive tasks would have an efficiency of 0.6.
-TEST(Processes, HardlyWaitForEachOther) {
-  for (const std::size_t processes : {3u, 16u}) {
-    std::vector<double> ends(processes, 0.0);
-    double sum = 0.0;
-    for (std::size_t left = 1800; left > 0;) {
-      double &end = *std::ranges::min_element(ends);
-      for (std::size_t count = tasks_at_once(left, processes); count > 0; --count, --left) {
-        const double time = left <= 800 && left > 710 ? 10.0 : 1.0;
-        end += time;
-        sum += time;
-      }
+TEST_F(Runner, TheTablesOfAllPartsPutTogetherAreThoseOfTheSweep) {
+  for (const std::string more : {"", "--header ", "--back "}) {
+    const std::string sweep = small + more + "--table t.csv --impacts i.csv ";
+    ASSERT_EQ(run(sweep, "export OMP_NUM_THREADS=1").status, 0);
+    std::string records, impacts;
+    for (const std::string part : {"01/3", "2/3", "3/3"}) {
+      const Result result = run(small + more + "--impacts of_part.csv --table - --part " + part,
+                                "export OMP_NUM_THREADS=4");
+      EXPECT_EQ(result.status, 0) << result.err;
+      records += result.out;
+      impacts += contents(folder / "of_part.csv");
     }
-    EXPECT_GT(sum / (static_cast<double>(processes) * std::ranges::max(ends)), 0.98) << processes;
+    EXPECT_EQ(records, contents(folder / "t.csv")) << more;
+    EXPECT_EQ(impacts, contents(folder / "i.csv")) << more;
+  }
+  const Result refused = run("sweep --vary displacement1=-3:-2:2 --table t.csv --part 1/2");
+  EXPECT_EQ(refused.status, 0) << "another part may have records";
+}
+
+// The limit of the size of files kills the second job while it writes.
+TEST_F(Runner, PartsThatWereKilledAreComputedWhenTheCommandIsGivenAgain) {
+  ASSERT_EQ(run(small + "--section t.csv").status, 0);
+  const std::string command =
+      "parallel -j 2 --joblog jobs --resume-failed 'test {} != 2 || test -e tried || "
+      "{ touch tried; ulimit -f 0; }; exec " VIBRO_IMPACT_PROGRAM " " +
+      small + "--part {}/3 --section part-{}.csv' ::: 1 2 3; ";
+  EXPECT_EQ(run("", command + "test $? = 1", "true ").status, 0);
+  EXPECT_FALSE(fs::exists(folder / "part-2.csv"));
+  fs::remove(folder / "part-1.csv");  // is complete, and not computed again
+  const Result result = run("", command + "test $? = 0", "true ");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_FALSE(fs::exists(folder / "part-1.csv"));
+  ASSERT_EQ(run(small + "--part 1/3 --section part-1.csv").status, 0);
+  std::string parts;
+  for (const char *part : {"part-1.csv", "part-2.csv", "part-3.csv"})
+    parts += contents(folder / part);
+  EXPECT_EQ(parts, contents(folder / "t.csv"));
+}
+
+// The jobs of the help, which the README shows, too, run as a script of the shell: with few points,
+// on this machine, and with a loop in the place of Slurm.
+TEST_F(Runner, TheJobsOfTheHelpRun) {
+  const std::string help = run("sweep --help").out;
+  const std::size_t begin = help.find("  parallel "), end = help.find("\n\n", begin);
+  ASSERT_LT(end, help.size());
+  std::string jobs = help.substr(begin, end - begin);
+  jobs = std::regex_replace(jobs, std::regex("\nThe table [^\n]*"), "");
+  const auto outdented = std::regex_replace(jobs, std::regex("(^|\n)  "), "$1");
+  EXPECT_NE(contents(SOURCE_DIR "/README.md").find(outdented), std::string::npos) << outdented;
+  for (const auto &[from, to] :
+       {std::pair{"1001", "3"},
+        {"one,two", ":"},
+        {"64", "4"},
+        {"sbatch --array=1-4 --wrap", "for SLURM_ARRAY_TASK_ID in 1 2 3 4; do eval"},
+        {"TASK_ID.csv'", "TASK_ID.csv'; done"}})
+    jobs = std::regex_replace(jobs, std::regex(from), to);
+  const std::size_t slurm = jobs.find("  for "), cat = jobs.find("  cat ");
+  ASSERT_LT(cat, jobs.size());
+  fs::create_directory_symlink(fs::path(VIBRO_IMPACT_PROGRAM).parent_path(), folder / "bin");
+  ASSERT_EQ(run("sweep --vary omega=0.25:0.7:3 --vary restitution=0.5:0.9:3 --table t.csv").status,
+            0);
+  for (const std::string &job : {jobs.substr(0, slurm), jobs.substr(slurm, cat - slurm)}) {
+    std::ofstream(folder / "job") << "PATH=$PWD/bin:$PATH\n" << job << jobs.substr(cat) << '\n';
+    const Result result = run("", "true", "sh ", "job");
+    EXPECT_EQ(result.status, 0) << job << result.err;
+    EXPECT_EQ(contents(folder / "atlas.csv"), contents(folder / "t.csv")) << job;
+    for (int part = 1; part <= 4; ++part)
+      EXPECT_TRUE(fs::remove(folder / ("part-" + std::to_string(part) + ".csv"))) << job;
+    fs::remove(folder / "atlas.csv");
   }
 }
 
-TEST_F(Runner, ASecondSweepOnTheSameTableIsRefused) {
-  const runner::Journal held(folder / "t.csv.partial", "a head\n", 2, false);
-  expect_message(run("sweep --vary omega=0.3:0.5:2 --resume --table t.csv"),
-                 "vibro-impact: t.csv.partial: another sweep is writing it\n");
-  EXPECT_EQ(contents(folder / "t.csv.partial"), "a head\n");
+// The limit of a file's size stands for a full disk.
+TEST_F(Runner, ASweepOnAFullDiskIsAnErrorAndHasNoFile) {
+  expect_message(run("sweep --vary omega=0.3:0.5:40 --table t.csv", full_disk(512)),
+                 "vibro-impact: t.csv: cannot be written: File too large\n", 1);
+  EXPECT_TRUE(fs::is_empty(folder));
 }
 
 }  // namespace

@@ -110,13 +110,16 @@ TEST_F(Runner, ASingleAmplitudeForcesAllMasses) {
 
 TEST_F(Runner, TheExamplesOfTheHelpWork) {
   if (!there_is_gnuplot()) GTEST_SKIP() << "gnuplot is not there";
-  const Result help = run("--help");
-  EXPECT_EQ(help.status, 0);
-  EXPECT_EQ(help.err, "");
-  std::string example;
+  std::string help;
+  for (const char *command : {"", "run ", "orbit ", "sweep "}) {
+    const Result result = run(command + std::string("--help"));
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    help += result.out;
+  }
   int examples = 0;
   const std::string begin = "  vibro-impact ",
-                    joined = std::regex_replace(help.out, std::regex("\\\\\n"), "");
+                    joined = std::regex_replace(help, std::regex("\\\\\n"), "");
   for (const std::string &line : lines(joined)) {
     if (!line.starts_with(begin)) continue;
     ++examples;
@@ -129,19 +132,18 @@ TEST_F(Runner, TheExamplesOfTheHelpWork) {
                          "branch.csv", "branches.csv", "branches.png", "events.csv", "impacts.csv",
                          "impacts.png", "orbit.csv", "orbit.png", "run.png", "samples.csv",
                          "section.csv", "section.png", "states.csv", "states.png"}));
-  EXPECT_EQ(run("sweep --help").out.find("{"), std::string::npos) << "no word of CLI11's own";
+  EXPECT_EQ(run("run --help").out.find("{"), std::string::npos) << "no word of CLI11's own";
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
 }
 
 TEST(Progress, SaysHowFarAndHowLongStill) {
-  const auto line = [](double before, double done, double total, double seconds) {
-    return vibro_impact::progress_line("time", before, done, total, seconds);
+  const auto line = [](double done, double total, double seconds) {
+    return vibro_impact::progress_line("time", done, total, seconds);
   };
-  EXPECT_EQ(line(0, 75, 750, 3), "time: 75 of 750 (10 %), 0.45 min left");
-  EXPECT_EQ(line(700, 725, 750, 4000), "time: 725 of 750 (96 %), 66.7 min left");
-  EXPECT_EQ(line(0, 1e-3, 1e15, 2), "time: 0.001 of 1e+15 (0 %), 3.33e+16 min left");
-  EXPECT_EQ(line(0, 750, 750, 9), "time: 750 of 750 (100 %), 0 min left");
-  EXPECT_EQ(line(700, 700, 750, 5), "time: 700 of 750 (93 %)") << "nothing is known of the pace";
+  EXPECT_EQ(line(75, 750, 3), "time: 75 of 750 (10 %), 0.45 min left");
+  EXPECT_EQ(line(1e-3, 1e15, 2), "time: 0.001 of 1e+15 (0 %), 3.33e+16 min left");
+  EXPECT_EQ(line(750, 750, 9), "time: 750 of 750 (100 %), 0 min left");
+  EXPECT_EQ(line(0, 750, 5), "time: 0 of 750 (0 %)") << "nothing is known of the pace";
 }
 
 TEST(Progress, IsShownAfterTwoSecondsAndFiveTimesASecond) {

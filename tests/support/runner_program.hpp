@@ -46,14 +46,6 @@ inline void expect_message(const Result &result, const std::string &words, int s
   EXPECT_NE(result.err.find(words), std::string::npos) << result.err << "instead of " << words;
 }
 
-// The command that starts so many processes of a program, with MPI.
-inline std::string mpirun(int processes) {
-  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIRUN
-         " --oversubscribe -n " +
-         std::to_string(processes) + " ";
-}
-constexpr bool with_mpi = MPIRUN[0] != '\0';
-
 // For the shell, before the program: no file can grow beyond this size, a multiple of 512 bytes.
 inline std::string full_disk(int bytes) {
   return "trap '' XFSZ && ulimit -f " + std::to_string(bytes / 512);

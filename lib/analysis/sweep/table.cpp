@@ -32,31 +32,54 @@ void Table::cell(std::string_view value) {
   text.push_back(',');
 }
 
-void write(const Table &table, const std::string &path) {
-  namespace fs = std::filesystem;
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string &path, const std::error_code &error) {
+  throw std::runtime_error(path + ": cannot be written: " + error.message());
+}
+
+}  // namespace
+
+TableFile::TableFile(const std::string &path) : path_(path), file_(nullptr, std::fclose) {
   std::error_code error;
-  const fs::path target = fs::weakly_canonical(path, error);  // a link is written through
-  if (error) throw std::runtime_error(path + ": cannot be written: " + error.message());
-  if (fs::exists(target) && !fs::is_regular_file(target))
-    throw std::runtime_error(path + ": is no file, cannot be replaced by one");
-  const std::string temporary = target.string() + ".part." + std::to_string(getpid());
-  std::FILE *file = std::fopen(temporary.c_str(), "wbx");
-  const auto require_done = [&](bool done) {
-    if (!done) error = {errno, std::generic_category()};
-    if (error) throw std::runtime_error(path + ": cannot be written: " + error.message());
-  };
-  require_done(file != nullptr);
-  try {
-    require_done(std::fwrite(table.text.data(), 1, table.text.size(), file) == table.text.size());
-    require_done(std::fflush(file) == 0);
-    fs::rename(temporary, target, error);
-    require_done(!error);
-  } catch (...) {
-    fs::remove(temporary, error);
-    std::fclose(file);
-    throw;
+  if (fs::is_fifo(path, error)) {
+    file_.reset(std::fopen(path.c_str(), "wb"));
+  } else {
+    const fs::path target = fs::weakly_canonical(path, error);  // a link is written through
+    if (error) fail(path, error);
+    if (fs::exists(target) && !fs::is_regular_file(target))
+      throw std::runtime_error(path + ": is no file, cannot be replaced by one");
+    target_ = target.string();
+    temporary_ = target_ + ".part." + std::to_string(getpid());
+    file_.reset(std::fopen(temporary_.c_str(), "wbx"));
   }
-  std::fclose(file);
+  if (!file_) fail(path, {errno, std::generic_category()});
+}
+
+TableFile::~TableFile() {
+  std::error_code error;
+  if (file_ && !temporary_.empty()) fs::remove(temporary_, error);
+}
+
+void TableFile::append(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
+      std::fflush(file_.get()) != 0)
+    fail(path_, {errno, std::generic_category()});
+}
+
+void TableFile::finish() {
+  std::error_code error;
+  if (!temporary_.empty()) fs::rename(temporary_, target_, error);
+  if (error) fail(path_, error);
+  file_.reset();
+}
+
+void write(const Table &table, const std::string &path) {
+  TableFile file(path);
+  file.append(table.text);
+  file.finish();
 }
 
 }  // namespace vibro_impact

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -36,9 +38,25 @@ struct Table {
   }
 };
 
-// Writes the table to a new file beside `path` and renames this file to `path`. A file of that name
-// is replaced, and a symbolic link is written through. Throws std::runtime_error, with the path and
-// the reason, if that fails.
+// A file that appears under its name when it is complete. The text goes to a new file beside it,
+// which is renamed at the end. A file of that name is replaced, and a symbolic link is written
+// through. A pipe gets the text at once. The functions throw std::runtime_error, with the path and
+// the reason, when they fail.
+class TableFile {
+ public:
+  explicit TableFile(const std::string &path);
+  TableFile(TableFile &&) = default;
+  ~TableFile();  // removes the new file, unless it was renamed
+
+  void append(std::string_view text);
+  void finish();  // gives the file its name
+
+ private:
+  std::string path_, target_ = {}, temporary_ = {};  // the new file; empty: a pipe
+  std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_;
+};
+
+// Writes the whole table to a file of this name, as a TableFile.
 void write(const Table &table, const std::string &path);
 
 }  // namespace vibro_impact
