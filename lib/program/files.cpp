@@ -35,9 +35,10 @@ bool Output::is_file() const {
   return wanted() && path != "-" && !fs::is_fifo(path, error);
 }
 
-std::string numbered_columns(const std::string &name, std::size_t count) {
+std::string numbered_columns(const std::string &name, std::size_t count,
+                             const std::string &behind) {
   std::string columns;
-  for (std::size_t k = 1; k <= count; ++k) columns += fmt::format(",{}{}", name, k);
+  for (std::size_t k = 1; k <= count; ++k) columns += fmt::format(",{}{}{}", name, k, behind);
   return columns;
 }
 
@@ -75,6 +76,12 @@ void OpenOutput::append(std::string_view text) {
 
 void OpenOutput::finish() {
   if (file_) file_->finish();
+}
+
+void TemporaryFile::append(std::string_view text) const {
+  if (!file_ || std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
+      std::fflush(file_.get()) != 0)
+    throw std::runtime_error("a temporary file cannot be written");
 }
 
 void write_text(std::string_view text, const std::string &path) {

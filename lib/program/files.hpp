@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,8 +23,9 @@ template <class... Values>
   throw std::invalid_argument(fmt::format(line, std::forward<Values>(values)...));
 }
 
-// The columns of a list behind others: ,name1,name2,...
-std::string numbered_columns(const std::string &name, std::size_t count);
+// The columns of a list behind others: ,name1,name2,... with a further word behind each number.
+std::string numbered_columns(const std::string &name, std::size_t count,
+                             const std::string &behind = "");
 
 // A file that a command writes, and the option that names it. An empty path means that the file is
 // not wanted; `-` is standard output, and a pipe may have a name.
@@ -61,6 +63,18 @@ class OpenOutput {
 
  private:
   std::optional<TableFile> file_ = {};  // empty: standard output
+};
+
+// A file without a name, for gnuplot.
+class TemporaryFile {
+ public:
+  void append(std::string_view text) const;
+  Output output() const {
+    return {"", path_of(file_.get())};
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE *)> file_{std::tmpfile(), std::fclose};
 };
 
 // Writes the whole text to an output.

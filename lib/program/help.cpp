@@ -36,14 +36,16 @@ std::string footer_of_orbit() {
   return R"(The periodic orbit near the settled motion, with its multipliers; by --period 2 one that need not
 be stable:
   vibro-impact orbit --omega 0.69 --period 2 --velocities --samples orbit.csv --portrait orbit.png
-Its branch in both directions, to the kind of each end:
-  vibro-impact orbit --omega 0.6 --vary omega=0.5:0.7:101 --table branch.csv)";
+Its branch in both directions, to the kind of each end, and the branch over a diagram:
+  vibro-impact sweep --vary omega=0.55:0.65:51 --impacts diagram.csv
+  vibro-impact orbit --omega 0.6 --vary omega=0.5:0.7:101 --table branch.csv --plot branch.png \
+    --diagram diagram.csv)";
 }
 
 std::string footer_of_sweep() {
   std::string columns;
   RecordOptions all;
-  all.lyapunov = all.pairs = true;
+  all.lyapunov = all.response = all.pairs = true;
   for (const Column &column : record_columns(1, all))
     columns += fmt::format("  {:<14} {}\n", column.name, column.meaning);
   return R"(A table, a bifurcation diagram, and hysteresis of an oscillator with one mass:
@@ -58,6 +60,9 @@ displacement at one phase:
     --column attractor --table basins.csv --plot basins.png
   vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=0.7:1.2:101 \
     --section states.csv --plot states.png
+A resonance curve:
+  vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=0.5:1.5:101 \
+    --response --column highest1 --table response.csv --plot response.png
 The points are those of nested loops, the first range outermost. They are computed on
 OMP_NUM_THREADS threads, and the tables do not depend on their number. A point that is refused, as
 for a start beyond a stop, or given up has empty cells in --table and no rows in the others. The

@@ -103,8 +103,9 @@ void add_files_of_run(CLI::App &app, RunRequest &request) {
          "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
          "impacts of --events; .png, .pdf or .svg");
   option(app, request.portrait,
-         "Picture of the velocities of --samples against the displacements: a phase\n"
-         "portrait, or with --every 1P and more a Poincare section");
+         "Picture of the velocities against the displacements at the times of --samples: a\n"
+         "phase portrait with stops, jumps at impacts and sticking, or with --every 1P and\n"
+         "more a Poincare section");
 }
 
 }  // namespace
@@ -150,7 +151,13 @@ void add_orbit_options(CLI::App &orbit, OrbitRequest &request, Words &words) {
   add_files_of_run(orbit, request);
   option(orbit, request.table,
          "The orbit in one row, or those of --vary: period, residual, state, counts and\n"
-         "fastest impact of each mass, multipliers re1,...,im1,...");
+         "fastest impact of each mass, multipliers multiplier1_re,...,multiplier1_im,...");
+  option(orbit, "--column", request.column, "NAME",
+         "With --vary, --plot shows the branch, stable parts full and unstable ones dashed,\n"
+         "with its special points: this column of --table; default: the fastest impacts");
+  option(orbit, "--diagram", request.diagram, "FILE",
+         "Draw the branch over this table of a sweep along the same range: its --impacts, or\n"
+         "with --column one that has the column");
 }
 
 void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
@@ -177,6 +184,8 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
          1'000'000);
   flag(sweep, "--attractor", records.attractor,
        "Add a number that attractors of one scene differ in, also mirror images");
+  flag(sweep, "--response", records.response,
+       "Add the extremes and the root mean square of each displacement to --table");
   flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");
   flag(sweep, "--follow", request.follow,
        "Start each point at the settled state of its neighbour along the last range,\n"
@@ -192,7 +201,8 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
   option(sweep, request.plot,
          "Picture by gnuplot. With one range: --impacts against the parameter, without them\n"
          "--section (displacements), with --column this column of --table. With two ranges:\n"
-         "a map of --column. .png, .pdf or .svg");
+         "a map of --column, with a colour for each of its most frequent values, and for\n"
+         "points where no period was found. .png, .pdf or .svg");
   option(sweep, "--column", request.column, "NAME", "Column of --table in --plot; of maps: period");
   option(sweep, "--part", words.part, "K/N",
          "Compute the K-th of N consecutive parts of the points alone. The tables of all\n"

@@ -39,6 +39,9 @@ struct OrbitRequest : RunRequest {
   SettleOptions settle;
   std::optional<Axis> range;  // along which the orbit is followed, in both directions
   Output table{"--table"};
+  // With a range, `plot` shows this column of the table, or the fastest impacts, over the impacts
+  // of a sweep in a file.
+  std::string column, diagram;
 };
 
 // A sweep, or one of its consecutive parts. The tables of the parts put together are those of the
@@ -71,9 +74,9 @@ std::string footer_of_sweep();
 // written, before the run, and std::runtime_error when the run is given up or writing fails.
 void run_scene(const RunRequest &request);
 
-// Its parts: refuses outputs that cannot be written, which another output may be added to; and
-// runs, writes and draws.
-void check_outputs_of(const RunRequest &request, const Output &more);
+// Its parts: refuses outputs that cannot be written, which another output may be added to, and a
+// picture whose table is not written; and runs, writes and draws.
+void check_outputs_of(const RunRequest &request, const Output &more, const Output &table_of_plot);
 Outcome record_run(const RunRequest &request);
 
 // Finds the orbit, prints it and writes its files. Throws as `run_scene` does, and

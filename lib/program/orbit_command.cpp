@@ -2,10 +2,12 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "options.hpp"
+#include "picture.hpp"
 #include "scene_text.hpp"
 #include "vibro_impact/analysis/follow_orbit.hpp"
 #include "vibro_impact/analysis/orbit_record.hpp"
@@ -65,15 +67,19 @@ double fastest_impact(const PeriodicOrbit &orbit, std::size_t mass) {
   return fastest;
 }
 
-// A row for each orbit of a branch, with the parameter along it, if there is one. Multipliers of
-// held masses have empty cells.
+// The table of a branch, with the parameter along it, or of one orbit, without rows.
+Table empty_table(std::size_t n, const std::optional<Axis> &range) {
+  return Table(
+      (range ? range->parameter + "," : "") + "kind,period,residual,stable,phase,contact_mode" +
+      numbered_columns("x", n) + numbered_columns("v", n) + numbered_columns("impacts", n) +
+      numbered_columns("sticks", n) + numbered_columns("fastest", n) +
+      numbered_columns("multiplier", 2 * n, "_re") + numbered_columns("multiplier", 2 * n, "_im"));
+}
+
+// Adds a row for each orbit of a branch. Multipliers of held masses have empty cells.
 Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> &range) {
   const std::size_t n = branch.front().orbit.state.held.size();
-  Table table((range ? range->parameter + "," : "") +
-              "kind,period,residual,stable,phase,contact_mode" + numbered_columns("x", n) +
-              numbered_columns("v", n) + numbered_columns("impacts", n) +
-              numbered_columns("sticks", n) + numbered_columns("fastest", n) +
-              numbered_columns("re", 2 * n) + numbered_columns("im", 2 * n));
+  Table table = empty_table(n, range);
   for (const auto &[parameter, error, orbit, counts, kind] : branch) {
     if (range) table.cell(parameter, error);
     table.cell(name(kind));
@@ -114,10 +120,32 @@ std::string digits(double value, double error) {
   return number.text;
 }
 
+void check_branch_picture(const OrbitRequest &request) {
+  const Table header = empty_table(request.scene.mass.size(), request.range);
+  const auto columns =
+      parts_of(std::string_view(header.text).substr(0, header.text.size() - 1), ',');
+  if (!request.column.empty() && std::ranges::find(columns, request.column) == columns.end())
+    refuse("--column {}: is no column of the table", request.column);
+  if (!request.diagram.empty() && contents(request.diagram).empty())
+    refuse("--diagram {}: is no table", request.diagram);
+}
+
+// The panels show a column, or the fastest impacts of the masses that have a stop.
+void draw_branch(const OrbitRequest &request) {
+  std::string columns = request.column;
+  if (columns.empty())
+    for (const int mass : request.panels)
+      if (std::ranges::find(request.scene.stops, mass, &Stop::mass) != request.scene.stops.end())
+        columns += fmt::format("{}fastest{}", columns.empty() ? "" : " ", mass);
+  draw(request.plot, "branch", columns, {request.table, {"--diagram", request.diagram}},
+       {request.range->parameter});
+}
+
 }  // namespace
 
 void run_orbit(const OrbitRequest &request) {
-  check_outputs_of(request, request.table);
+  check_outputs_of(request, request.table, request.range ? request.table : request.samples);
+  check_branch_picture(request);
   const OrbitPoint found = found_orbit(request);
   const std::vector<OrbitPoint> branch = branch_of(request, found);
   print(table_of({found}, {}));
@@ -135,7 +163,9 @@ void run_orbit(const OrbitRequest &request) {
   run.options = request.settle.run;
   run.from = run.start->instant.phase;
   run.until = time_after(request.scene, *run.start, found.counts.periods);
+  if (request.range) run.plot.path.clear();
   record_run(run);
+  if (request.range && request.plot.wanted()) draw_branch(request);
   for (const OrbitPoint &point : branch)
     if (point.kind == BranchPoint::lost)
       throw std::runtime_error(

@@ -65,9 +65,13 @@ void check_combinations(const CLI::App &app) {
   for (const auto &[option, needed] : {std::pair{"--lyapunov", "--table"},
                                        {"--pairs", "--table"},
                                        {"--attractor", "--table"},
+                                       {"--response", "--table"},
                                        {"--exponent-periods", "--lyapunov"},
                                        {"--slowest", "--impacts"},
                                        {"--column", "--plot"},
+                                       {"--column", "--vary"},
+                                       {"--diagram", "--plot"},
+                                       {"--diagram", "--vary"},
                                        {"--every", "--samples"},
                                        {"--velocities", "--samples"}})
     if (has(app, option) && !has(app, needed)) refuse("{}: needs {}", option, needed);

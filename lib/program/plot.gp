@@ -1,10 +1,12 @@
 # The pictures of the program, drawn from its tables to standard output. Called by it, or by hand:
 #   gnuplot -c plot.gp terminal motion panels samples.csv events.csv lower upper >picture
-#   gnuplot -c plot.gp terminal portrait panels samples.csv lines|points masses >picture
+#   gnuplot -c plot.gp terminal portrait panels curves.csv lines|points lower upper >picture
 #   gnuplot -c plot.gp terminal diagram panels impacts.csv points|branches axis >picture
 #   gnuplot -c plot.gp terminal columns columns table.csv points|branches axis >picture
-#   gnuplot -c plot.gp terminal map column table.csv axis axis >picture
-# where panels are the masses that are drawn, in words; lower and upper are the positions of the
+#   gnuplot -c plot.gp terminal branch columns table.csv diagram.csv parameter masses >picture
+#   gnuplot -c plot.gp terminal map column map.csv axis axis classes >picture
+# where curves have a block x,v for each mass, with both ends of each jump of v; a map has the two parameters of
+# a point and its value, or the word of its class, if there are classes; panels are the masses that are drawn, in words; lower and upper are the positions of the
 # stops of each mass, in words (NaN: no stop). An axis is a parameter, the two ends of its range, half
 # the distance of its points (or the root of their ratio) with an overlap, and linear or logarithmic.
 kind = ARG2
@@ -29,6 +31,7 @@ set style line 1 linecolor rgb '#12355b' linewidth 1.0
 set style line 2 linecolor rgb '#c8442c' linewidth 0.7 pointtype 6 pointsize 0.7
 set style line 3 linecolor rgb '#404040' linewidth 0.6 dashtype (4, 5)
 set style line 4 linecolor rgb '#e0a030' linewidth 4
+set style line 5 linecolor rgb '#b8b8b8' linewidth 4
 set lmargin 11
 set rmargin 3
 set offsets 0, 0, graph 0.06, graph 0.06
@@ -56,6 +59,7 @@ behind(x, axis) = is_log(axis) ? x * half(axis) : x + half(axis)
 lower_end(axis) = before(from(axis) < to(axis) ? from(axis) : to(axis), axis)
 base(axis) = abs(log10(to(axis) / from(axis))) < 2 ? 2 : 10  # of the labels, two or more
 upper_end(axis) = behind(from(axis) < to(axis) ? to(axis) : from(axis), axis)
+box = '(before($1, ARG5)):(behind($1, ARG5)):(before($2, ARG6)):(behind($2, ARG6))'
 
 if (kind eq 'motion') {
   events = ARG5
@@ -83,13 +87,49 @@ if (kind eq 'motion') {
   unset multiplot
 }
 if (kind eq 'portrait') {
+  is_curve = ARG5 eq 'lines'  # not a section, from which stops may be far away
+  position(stops, mass) = is_curve ? real(word(stops, mass)) : NaN
+  # A mass sticks where it stands exactly on its stop.
+  stuck(mass, x, v) = v == 0 && (x == position(ARG6, mass) || x == position(ARG7, mass)) ? x : NaN
+  ends(row) = row == 0 ? STATS_min : row == 1 ? STATS_max : NaN
+  name(panel, of_curve) = is_curve ? key(panel, of_curve) : ''
   set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03
   set multiplot layout panels,1
   do for [panel in ARG3] {
     k = int(panel)
     set xlabel sprintf('x_{%d}', k)
     set ylabel sprintf('v_{%d}', k)
-    plot data using (column(k + 1)):(column(int(ARG6) + k + 1)) with @style
+    stats data index k-1 using 2 nooutput
+    plot data index k-1 using (position(ARG6, k)):(ends($0)) with lines linestyle 5 title name(panel, 'stop'), \
+         data index k-1 using (position(ARG7, k)):(ends($0)) with lines linestyle 5, \
+         data index k-1 using 1:2 with @style title name(panel, 'motion'), \
+         data index k-1 using (stuck(k, $1, $2)):2 with points pointtype 7 pointsize 1.2 \
+           linecolor rgb '#e0a030' title name(panel, 'sticking')
+  }
+  unset multiplot
+}
+if (kind eq 'branch') {
+  # Special points belong to the lines on both sides of them.
+  special(name) = strstrt('|orbit|coincidence|closed|end of range|', '|'.name.'|') == 0
+  # The names of special points stand above and below them in turn.
+  side_of(kind) = special(kind) ? (found = found + 1, found % 2) : 2
+  on_side(side, y) = special(strcol('kind')) || column('stable') == side ? y : NaN
+  of_mass(name) = int(name[strlen('fastest') + 1:])
+  set multiplot layout panels,1
+  do for [panel in ARG3] {
+    impacts = panel[:7] eq 'fastest'  # which a diagram has in rows of all masses
+    set ylabel (impacts ? 'impact velocity of mass '.of_mass(panel) : panel) noenhanced
+    if (panel eq last) { set xlabel ARG6 noenhanced }
+    of_diagram(x) = !impacts ? column(panel) : column(2) == of_mass(panel) ? column(3) : NaN
+    plot ARG5 using 1:(of_diagram(0)) with points pointtype 7 pointsize 0.25 linecolor rgb '#b0b0b0' \
+           title (ARG5 eq '/dev/null' ? '' : key(panel, 'diagram')), \
+         data using 1:(on_side(1, column(panel))) with lines linestyle 1 linewidth 1.6 title key(panel, 'stable'), \
+         data using 1:(on_side(0, column(panel))) with lines linestyle 1 linewidth 1.6 dashtype (8, 6) \
+           title key(panel, 'unstable'), \
+         data using 1:(special(strcol('kind')) ? column(panel) : NaN) with points linestyle 2 pointtype 7, \
+         for [side=0:1] found = 0, \
+         data using 1:(side_of(strcol('kind')) == side ? column(panel) : NaN):(strcol('kind')) with labels \
+           noenhanced left offset 0.6, (side ? 0.7 : -0.7) textcolor rgb '#c8442c' font ',18'
   }
   unset multiplot
 }
@@ -130,9 +170,27 @@ if (kind eq 'map') {
   if (is_log(ARG6)) { set logscale y base(ARG6) }
   set xrange [lower_end(ARG5):upper_end(ARG5)]
   set yrange [lower_end(ARG6):upper_end(ARG6)]
-  set palette defined (0 '#f4f1ea', 1 '#8fb3cf', 2 '#12355b')
-  set rmargin 12
-  plot data using across:up:(before(column(across), ARG5)):(behind(column(across), ARG5)): \
-         (before(column(up), ARG6)):(behind(column(up), ARG6)):ARG3 \
-         with boxxyerror fillstyle solid noborder fillcolor palette
+  classes = words(ARG7)
+  if (classes == 0) {
+    set palette defined (0 '#f4f1ea', 1 '#8fb3cf', 2 '#12355b')
+    set rmargin 12
+    plot data using 1:2:@box:3 with boxxyerror fillstyle solid noborder fillcolor palette
+  } else {
+    # Classes of numbers have colours in turn, and the others have their own.
+    colours = '#4477aa #ee6677 #228833 #ccbb44 #66ccee #aa3377 #ee7733 #332288 #44aa99 #999933 #882255 #ddcc77'
+    names = "other 'none found' irregular refused 'given up'"
+    own = '#8a7f70 #c8c8c8 #202020 #ffffff #f0c8dc'
+    place(name) = sum [i=1:words(names)] (word(names, i) eq name ? i : 0)
+    colour(c) = place(word(ARG7, c)) > 0 ? word(own, place(word(ARG7, c))) : word(colours, c)
+    class_of(name) = sum [i=1:classes] (word(ARG7, i) eq name ? i : 0)
+    other = class_of('other')
+    # What stands in no class is in the class of the others.
+    in_class(c, name) = class_of(name) == c || (c == other && class_of(name) == 0)
+    set key outside right top vertical width 1 samplen 1
+    set rmargin 16
+    plot for [c=1:classes] data using (in_class(c, strcol(3)) ? $1 : NaN):2:@box \
+           with boxxyerror fillcolor rgb colour(c) fillstyle solid border linecolor rgb colour(c) linewidth 0.3, \
+         for [c=1:classes] NaN with boxes fillstyle solid border linecolor rgb '#202020' \
+           fillcolor rgb colour(c) title word(ARG7, c)
+  }
 }

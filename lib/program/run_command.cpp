@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,24 +29,74 @@ Table table_of(const EventRecorder &recorder, const Scene &scene) {
   return table;
 }
 
+double with_15_digits(double time) {
+  return std::stod(fmt::format("{:.15g}", time));
+}
+
+// Takes samples. On a grid of decimals, their times are the numbers nearest to the decimals, which
+// are less than two roundings from the sums that SampleRecorder takes.
+struct GridRecorder : SampleRecorder {
+  bool is_decimal;
+
+  explicit GridRecorder(const RunRequest &request)
+      : SampleRecorder(request.from, request.until, request.every),
+        is_decimal(from == with_15_digits(from) && every == with_15_digits(every) &&
+                   every > 1e-9 * to) {
+  }
+  double next_time() const override {
+    const double sum = SampleRecorder::next_time();
+    if (!is_decimal || !(sum < to)) return sum;
+    const double decimal = with_15_digits(sum);
+    return std::abs(decimal - sum) <= 4e-16 * sum ? decimal : sum;
+  }
+};
+
 // The table of samples, row by row.
-struct SampleTable : SampleRecorder {
+struct SampleTable : GridRecorder {
   bool velocities;
   Table table;
 
   explicit SampleTable(const RunRequest &request)
-      : SampleRecorder(request.from, request.until, request.every),
+      : GridRecorder(request),
         velocities(request.velocities),
         table("time" + numbered_columns("x", request.scene.mass.size()) +
               (velocities ? numbered_columns("v", request.scene.mass.size()) : "")) {
   }
   void sample(const Moment &moment) override {
     times.push_back(moment.time);
-    table.cell(moment.time);
+    // The shortest decimal that is read back as the time.
+    table.cell(std::string_view(fmt::format("{}", moment.time)));
     for (int mass = 1; mass <= moment.masses(); ++mass) table.cell(moment.displacement(mass));
     for (int mass = 1; mass <= moment.masses() && velocities; ++mass)
       table.cell(moment.velocity(mass));
     table.end_row();
+  }
+};
+
+// The curve of each mass in the phase plane: its samples and, unless these are the points of a
+// section, the two ends of each jump of its velocity.
+struct PortraitRecorder : GridRecorder {
+  bool is_section;
+  std::vector<Table> curves;
+
+  explicit PortraitRecorder(const RunRequest &request)
+      : GridRecorder(request),
+        is_section(request.scene.omega > 0.0 &&
+                   request.every > 0.4 * Clock(request.scene.omega).period),
+        curves(request.scene.mass.size()) {
+  }
+  void sample(const Moment &moment) override {
+    times.push_back(moment.time);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const int mass = static_cast<int>(i) + 1;
+      curves[i].row(moment.displacement(mass), moment.velocity(mass));
+    }
+  }
+  void event(const Event &event, const Moment &moment) override {
+    if (is_section || event.time < from) return;
+    for (const double velocity : {event.velocity_before, event.velocity_after})
+      curves[static_cast<std::size_t>(event.mass) - 1].row(moment.displacement(event.mass),
+                                                           velocity);
   }
 };
 
@@ -77,17 +128,17 @@ std::string positions_of(const Scene &scene, Side side) {
   return fmt::format("{}", fmt::join(positions, " "));
 }
 
-void draw_pictures(const RunRequest &request) {
-  const Scene &scene = request.scene;
-  const std::string panels = fmt::format("{}", fmt::join(request.panels, " "));
+void draw_pictures(const RunRequest &request, const PortraitRecorder &portrait) {
+  const std::string panels = fmt::format("{}", fmt::join(request.panels, " ")),
+                    lower = positions_of(request.scene, Side::lower),
+                    upper = positions_of(request.scene, Side::upper);
   if (request.plot.wanted())
-    draw(request.plot, "motion", panels, {request.samples, request.events},
-         {positions_of(scene, Side::lower), positions_of(scene, Side::upper)});
-  // Samples so far apart are not joined to lines.
-  const bool are_points = scene.omega > 0.0 && request.every > 0.4 * Clock(scene.omega).period;
-  if (request.portrait.wanted())
-    draw(request.portrait, "portrait", panels, {request.samples},
-         {are_points ? "points" : "lines", std::to_string(scene.masses())});
+    draw(request.plot, "motion", panels, {request.samples, request.events}, {lower, upper});
+  if (!request.portrait.wanted()) return;
+  const TemporaryFile file;
+  for (const Table &curve : portrait.curves) file.append(curve.text + "\n\n");
+  draw(request.portrait, "portrait", panels, {file.output()},
+       {portrait.is_section ? "points" : "lines", lower, upper});
 }
 
 // The chain, of which the user may have given little, and what happened to it.
@@ -107,12 +158,12 @@ void print_summary(const Scene &scene, const Outcome &outcome) {
 
 }  // namespace
 
-void check_outputs_of(const RunRequest &request, const Output &more) {
+void check_outputs_of(const RunRequest &request, const Output &more, const Output &table_of_plot) {
   check_outputs(
       {request.events, request.samples, request.summary, request.plot, request.portrait, more},
       request.scene_file);
-  for (const Output &picture : {request.plot, request.portrait})
-    if (picture.wanted()) check_picture(picture, request.samples);
+  if (request.plot.wanted()) check_picture(request.plot, table_of_plot);
+  if (request.portrait.wanted()) check_picture(request.portrait, request.samples);
   if (request.portrait.wanted() && !request.velocities)
     refuse("{}: needs --velocities", request.portrait.given());
 }
@@ -120,10 +171,12 @@ void check_outputs_of(const RunRequest &request, const Output &more) {
 Outcome record_run(const RunRequest &request) {
   EventRecorder events(request.from);
   SampleTable samples(request);
+  PortraitRecorder portrait(request);
   Summary summary(request.scene, request.from, request.until);
   std::vector<Recorder *> recorders;
   if (request.events.wanted()) recorders.push_back(&events);
   if (request.samples.wanted()) recorders.push_back(&samples);
+  if (request.portrait.wanted()) recorders.push_back(&portrait);
   if (request.summary.wanted()) recorders.push_back(&summary);
   Outcome outcome;
   {
@@ -139,12 +192,12 @@ Outcome record_run(const RunRequest &request) {
         {request.samples, samples.table.text},
         {request.summary, summary.table().text}})
     if (output.wanted()) write_text(request.head + text, output.path);
-  draw_pictures(request);
+  draw_pictures(request, portrait);
   return outcome;
 }
 
 void run_scene(const RunRequest &request) {
-  check_outputs_of(request, {});
+  check_outputs_of(request, {}, request.samples);
   print_summary(request.scene, record_run(request));
 }
 

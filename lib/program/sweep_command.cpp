@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "map.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
@@ -37,10 +38,27 @@ std::size_t point_of(const SweepRequest &request, std::size_t row) {
   return row / (2 * count) * count + (k < count ? k : 2 * count - 1 - k);
 }
 
-// The rows of a point in each table, and the reason why it has no record, if it has none.
+// The table that the picture is drawn from.
+std::size_t table_of_plot(const SweepRequest &request) {
+  if (request.grid.axes.size() > 1 || !request.column.empty()) return 0;
+  return request.tables[2].wanted() && !request.tables[1].wanted() ? 2 : 1;
+}
+
+// The column of the table that the picture shows.
+Column column_of_plot(const SweepRequest &request) {
+  const std::string name = request.column.empty() ? "period" : request.column;
+  const auto columns = record_columns(request.grid.scene.masses(), request.records);
+  const auto found = std::ranges::find(columns, name, &Column::name);
+  if (found == columns.end()) refuse("--column {}: is no column of the table", name);
+  if (name == "pairs") refuse("--column pairs: has words, which cannot be drawn");
+  return *found;
+}
+
+// The rows of a point in each table, its word in the map, and the reason why it has no record, if
+// it has none.
 struct Rows {
   SweepTables tables = {};
-  std::string reason = {};
+  std::string word = {}, reason = {};
 };
 
 // The tables of a part of a sweep, to which threads add the rows in any order. Each is written as
@@ -75,6 +93,10 @@ class SweepOutput {
     for (auto &[table, output] : outputs_) output.finish();
   }
 
+  const Map &map() const {
+    return map_;
+  }
+
   // Says how many points have no record, and why. Throws std::runtime_error if no point of the
   // whole sweep has one.
   void print_summary() const;
@@ -88,6 +110,7 @@ class SweepOutput {
   const SweepRequest &request_;
   std::size_t count_, next_;
   Progress progress_;
+  Map map_ = {};
   std::vector<std::pair<Table SweepTables::*, OpenOutput>> outputs_ = {};
   std::map<std::string, Missing> missing_ = {};  // by the kind of the reason
   std::mutex mutex_ = {};
@@ -95,6 +118,7 @@ class SweepOutput {
 
   void write(std::size_t row, const Rows &rows) {
     for (auto &[table, output] : outputs_) output.append((rows.tables.*table).text);
+    if (!rows.word.empty()) map_.add(request_.grid.values(point_of(request_, row)), rows.word);
     if (rows.reason.empty()) return;
     Missing &missing = missing_[kind_of_reason(rows.reason)];
     if (missing.count++ == 0)
@@ -105,20 +129,16 @@ class SweepOutput {
 // Adds the rows of a chain.
 void compute_chain(const SweepRequest &request, std::size_t chain, SweepOutput &output) {
   PointRecord result;
+  const bool has_map = request.plot.wanted() && request.grid.axes.size() == 2;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
     const std::size_t point = point_of(request, row);
     result = point_record(request.grid.scene_at(point), request.records, result.record);
-    Rows rows{.reason = result.reason};
+    Rows rows{.word = has_map ? map_word(column_of_plot(request), result) : "",
+              .reason = result.reason};
     add_rows(rows.tables, request.grid, request.records, point, result.record);
     output.add(row, std::move(rows));
   }
-}
-
-// The table that the picture is drawn from.
-std::size_t table_of_plot(const SweepRequest &request) {
-  if (request.grid.axes.size() > 1 || !request.column.empty()) return 0;
-  return request.tables[2].wanted() && !request.tables[1].wanted() ? 2 : 1;
 }
 
 void check_outputs_of(const SweepRequest &request) {
@@ -131,11 +151,7 @@ void check_outputs_of(const SweepRequest &request) {
   const std::size_t ranges = request.grid.axes.size();
   if (ranges > 2) refuse("{}: draws one or two ranges, not {}", request.plot.given(), ranges);
   check_picture(request.plot, request.tables[table_of_plot(request)]);
-  const auto columns = record_columns(request.grid.scene.masses(), request.records);
-  if (request.column.empty()) return;
-  if (std::ranges::find(columns, request.column, &Column::name) == columns.end())
-    refuse("--column {}: is no column of the table", request.column);
-  if (request.column == "pairs") refuse("--column pairs: has words, which cannot be drawn");
+  column_of_plot(request);
 }
 
 // An axis in words for gnuplot. A range of one value gets a width, too. The boxes of a map overlap
@@ -149,12 +165,12 @@ std::string words_of(const Axis &axis) {
                      logarithmic ? "logarithmic" : "linear");
 }
 
-void draw_plot(const SweepRequest &request) {
+void draw_plot(const SweepRequest &request, const Map &map) {
   const auto &axes = request.grid.axes;
   const std::size_t table = table_of_plot(request);
   if (axes.size() == 2)
-    return draw(request.plot, "map", request.column.empty() ? "period" : request.column,
-                {request.tables[0]}, {words_of(axes[0]), words_of(axes[1])});
+    return draw(request.plot, "map", column_of_plot(request).name, {map.table()},
+                {words_of(axes[0]), words_of(axes[1]), map.classes()});
   std::string content = request.column;
   if (table > 0)
     content = fmt::format("{}{}", table == 2 ? "x" : "",
@@ -209,7 +225,7 @@ void run_sweep(const SweepRequest &request) {
                    [&](std::size_t k) { compute_chain(request, chain + k, output); });
   output.finish();
   try {
-    if (request.plot.wanted()) draw_plot(request);
+    if (request.plot.wanted()) draw_plot(request, output.map());
   } catch (const std::runtime_error &failure) {
     throw std::runtime_error(fmt::format("{}; the tables are complete", failure.what()));
   }

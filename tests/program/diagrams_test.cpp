@@ -1,8 +1,11 @@
 // The diagrams of the program: impacts, sections, branches, and their pictures.
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "figures/measures/runs.hpp"
+#include "program/map.hpp"
 #include "tests/support/runner_program.hpp"
 
 namespace {
@@ -121,9 +124,14 @@ TEST_F(Runner, APictureHasThePanelsOfItsMasses) {
       {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --max-steps 1", impacts, 2},
       {"sweep --vary omega=0.3:0.5:3 --impacts i.csv --plot p.svg --panels 2", impacts, 1, {"2"}},
       {"orbit --plot p.svg" + run_files, ">x<", 2},
+      {"orbit --omega 0.6 --vary omega=0.57:0.61:21 --table t.csv --plot p.svg", impacts, 2},
+      {"orbit --omega 0.6 --vary omega=0.57:0.61:21 --table t.csv --plot p.svg --column x2 "
+       "--diagram s.csv",
+       ">x2<", 1},
       {"sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot p.svg "
        "--max-steps 1",
        ">period<", 1}};
+  ASSERT_EQ(run("sweep --vary omega=0.57:0.61:3 --section s.csv").status, 0);
   for (const auto &[command, name, panels, shown] : pictures) {
     SCOPED_TRACE(command);
     fs::remove(folder / "p.svg");
@@ -137,6 +145,65 @@ TEST_F(Runner, APictureHasThePanelsOfItsMasses) {
     EXPECT_EQ(found, panels);
     for (const std::string &mass : shown)
       EXPECT_NE(picture.find(name + mass + "<"), std::string::npos) << mass;
+  }
+}
+
+// Points without a record and motions without a period have colours of their own.
+TEST_F(Runner, AMapNamesTheClassOfEveryPoint) {
+  if (!there_is_gnuplot()) GTEST_SKIP() << "gnuplot is not there";
+  const std::string sweep = "sweep --table t.csv --plot p.svg --vary displacement1=-0.6:0:2 ";
+  for (const auto &[options, names] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"--vary restitution=0.1:0.9:2 --max-steps 400 --longest 20 --omega 0.3",
+            {"1", "refused", "given up"}},
+           {"--vary omega=0.688:0.69:2", {"2", "refused", "irregular"}}}) {
+    EXPECT_EQ(run(sweep + options).status, 0);
+    for (const std::string &name : names)
+      EXPECT_NE(contents(folder / "p.svg").find(">" + name + "<"), std::string::npos) << name;
+  }
+  runner::Map map;
+  for (int period = 14; period > 0; --period)
+    for (int points = 0; points < (period == 3 ? 1 : 2); ++points)
+      map.add({0.0, 0.0}, std::to_string(period));
+  map.add({0.0, 0.0}, "none found");
+  EXPECT_EQ(map.classes(), "2 4 5 6 7 8 9 10 11 12 13 14 other 'none found'");
+}
+
+// Without stops the response is that of the linear oscillator, |X| = A / |1 - Omega^2 + i Omega
+// beta|. With stops it is that of the samples of a run, which miss an extreme by at most x'' h^2
+// / 8.
+TEST_F(Runner, ASweepHasTheResponseOfEachMass) {
+  ASSERT_EQ(run("sweep --masses 1 --amplitude 0.1 --stop none --vary omega=0.5:1.5:2 --longest 900 "
+                "--response --table t.csv")
+                .status,
+            0);
+  for (const truth::Row &row : table("t.csv")) {
+    const double omega = row.number("omega"),
+                 x = 0.1 / std::hypot(1.0 - omega * omega, 0.1 * omega);
+    EXPECT_NEAR(row.number("lowest1"), -x, 3e-8 * x);
+    EXPECT_NEAR(row.number("highest1"), x, 3e-8 * x);
+    EXPECT_NEAR(row.number("rms1"), x / std::sqrt(2.0), 3e-8 * x);
+  }
+  ASSERT_EQ(run("sweep --vary omega=0.256:0.625:2 --response --table t.csv").status, 0);
+  const truth::Rows rows = table("t.csv");
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const std::string omega = rows.at(k).cell("omega");
+    EXPECT_EQ(rows.at(k).number("lowest1"), -0.3);
+    EXPECT_EQ(rows.at(k).number("highest2"), 0.1);
+    ASSERT_EQ(run("orbit --omega " + omega + " --samples s.csv --every 0.0005P").status, 0);
+    for (const std::string mass : {"1", "2"}) {
+      double lowest = infinity, highest = -infinity, sum = 0.0;
+      const truth::Rows samples = table("s.csv");
+      for (std::size_t j = 1; j < samples.size(); ++j) {
+        const double x = samples.at(j).number("x" + mass);
+        lowest = std::min(lowest, x);
+        highest = std::max(highest, x);
+        sum += x * x;
+      }
+      const std::string extreme = mass == "1" ? "highest1" : "lowest2";
+      EXPECT_NEAR(rows.at(k).number(extreme), mass == "1" ? highest : lowest, 2e-5) << omega;
+      EXPECT_NEAR(rows.at(k).number("rms" + mass),
+                  std::sqrt(sum / static_cast<double>(samples.size() - 1)), 2e-5);
+    }
   }
 }
 

@@ -22,19 +22,21 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
   const Result result = run("orbit --omega 0.625" + files);
   ASSERT_EQ(result.status, 0) << result.err;
   const truth::Row row = table("t.csv").at(0);
-  for (const char *column : {"period", "residual", "stable", "x1", "v2", "impacts1", "re1", "im4"})
+  for (const char *column :
+       {"period", "residual", "stable", "x1", "v2", "impacts1", "multiplier1_re", "multiplier4_im"})
     EXPECT_NE(result.out.find(std::string(column) + " = " + row.cell(column) + "\n"),
               std::string::npos)
         << column << " is not in " << result.out;
-  EXPECT_NEAR(std::hypot(row.number("re1"), row.number("im1")), 0.634608739113, 1e-12);
+  EXPECT_NEAR(std::hypot(row.number("multiplier1_re"), row.number("multiplier1_im")),
+              0.634608739113, 1e-12);
   const Scene scene = paper::figure3(0.625);
   const PeriodicOrbit orbit =
       find_periodic_orbit(scene, at_quiet_phase(scene, record_of(scene).state));
   EXPECT_EQ(row.cell("period"), "1");
   EXPECT_EQ(row.number("x1"), orbit.state.displacement[0]);
   EXPECT_EQ(row.number("v2"), orbit.state.velocity[1]);
-  EXPECT_EQ(row.number("re1"), orbit.multipliers[0].real());
-  EXPECT_EQ(row.number("im4"), orbit.multipliers[3].imag());
+  EXPECT_EQ(row.number("multiplier1_re"), orbit.multipliers[0].real());
+  EXPECT_EQ(row.number("multiplier4_im"), orbit.multipliers[3].imag());
   EXPECT_EQ(row.cell("impacts1"), "6");
   double fastest = 0.0;  // of mass 1, whose stop is the lower one
   for (const Event &event : orbit.events)
@@ -56,7 +58,7 @@ TEST_F(Runner, OrbitsAreFoundNextToChaosOrRefusedWithTheReason) {
   EXPECT_EQ(table("s.csv").size(), 5u) << "over both periods";
   ASSERT_EQ(run("orbit --omega 0.688 --period 1 --table t.csv").status, 0);
   EXPECT_EQ(table("t.csv").at(0).cell("stable"), "0");
-  EXPECT_LT(table("t.csv").at(0).number("re1"), -1.0);
+  EXPECT_LT(table("t.csv").at(0).number("multiplier1_re"), -1.0);
 }
 
 // One mass at omega = 1.3 settles without impacts. Downwards its branch ends where the free motion
@@ -75,7 +77,8 @@ TEST_F(Runner, ABranchHasARowForEachPointAndEndsAtTheGrazeInClosedForm) {
   EXPECT_NEAR(branch.at(0).number("omega"), 1.145870429873032, 1e-12);
   for (std::size_t row = 0; row <= last; ++row) {
     const double omega = branch.at(row).number("omega");
-    EXPECT_NEAR(std::hypot(branch.at(row).number("re1"), branch.at(row).number("im1")),
+    EXPECT_NEAR(std::hypot(branch.at(row).number("multiplier1_re"),
+                           branch.at(row).number("multiplier1_im")),
                 std::exp(-0.1 * std::numbers::pi / omega), 1e-13)
         << omega;
     EXPECT_EQ(branch.at(row).cell("stable"), "1");

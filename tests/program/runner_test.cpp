@@ -44,6 +44,28 @@ TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   }
 }
 
+// Times on a grid of decimals are those decimals, and no zero has a sign.
+TEST_F(Runner, NumbersArePrintedAsTheyAreMeant) {
+  for (const int from : {0, 700}) {
+    const std::string start = std::to_string(from);
+    ASSERT_EQ(run("run --samples s.csv --every 0.01 --from " + start + " --until " +
+                  std::to_string(from + 1))
+                  .status,
+              0);
+    const truth::Rows rows = table("s.csv");
+    ASSERT_EQ(rows.size(), 101u);
+    for (int k = 1; k < 100; ++k) {
+      const std::string number = std::to_string(from * 100 + 100 + k);  // 1.00 is 100
+      std::string decimal = std::to_string(from) + "." + number.substr(number.size() - 2);
+      if (decimal.ends_with('0')) decimal.pop_back();
+      EXPECT_EQ(rows.at(static_cast<std::size_t>(k)).cell("time"), decimal);
+    }
+  }
+  const Result result = run("run --restitution 0 --until 30 --events -");
+  EXPECT_NE(result.out.find(",0,"), std::string::npos);
+  EXPECT_EQ(result.out.find(",-0,"), std::string::npos);
+}
+
 // The smaller the speed down to which chatter is resolved, the more impacts stand in the table; the
 // sticking phases are the same.
 TEST_F(Runner, ResolveChatterSetsHowFarChatterIsWrittenOut) {
@@ -126,12 +148,14 @@ TEST_F(Runner, TheExamplesOfTheHelpWork) {
     const Result result = run(line.substr(begin.size()));
     EXPECT_EQ(result.status, 0) << line << result.err;
   }
-  EXPECT_EQ(examples, 10);
-  EXPECT_EQ(files(), (std::vector<std::string>{
-                         "atlas.csv", "ball.csv", "ball.png", "basins.csv", "basins.png",
-                         "branch.csv", "branches.csv", "branches.png", "events.csv", "impacts.csv",
-                         "impacts.png", "orbit.csv", "orbit.png", "run.png", "samples.csv",
-                         "section.csv", "section.png", "states.csv", "states.png"}));
+  EXPECT_EQ(examples, 12);
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"atlas.csv",    "ball.csv",    "ball.png",    "basins.csv",
+                                      "basins.png",   "branch.csv",  "branch.png",  "branches.csv",
+                                      "branches.png", "diagram.csv", "events.csv",  "impacts.csv",
+                                      "impacts.png",  "orbit.csv",   "orbit.png",   "response.csv",
+                                      "response.png", "run.png",     "samples.csv", "section.csv",
+                                      "section.png",  "states.csv",  "states.png"}));
   EXPECT_EQ(run("run --help").out.find("{"), std::string::npos) << "no word of CLI11's own";
   EXPECT_EQ(run("--version").out, "vibro-impact " VIBRO_IMPACT_VERSION "\n");
 }

@@ -82,6 +82,8 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
   if (options.attractor && has_settled)
     record.attractor = attractor_mark(scene, found.motion.section);
   if (options.lyapunov) record.lyapunov = exponent_of(scene, found, options);
+  if (options.response)
+    record.response = response_of(scene, first, periods, options.settle.run);
   return record;
 }
 
@@ -110,7 +112,7 @@ PointRecord point_record(const Scene &scene, const RecordOptions &options,
     if (!before) return {record_of(scene, options), {}};
     return {record_of(scene, start_near(scene, before->state), options), {}};
   } catch (const std::invalid_argument &refused) {
-    return {{}, refused.what()};
+    return {{}, refused.what(), true};
   } catch (const std::runtime_error &given_up) {
     return {{}, given_up.what()};
   }

@@ -1,6 +1,8 @@
 // The one list of the columns that the table of a sweep has for its records.
+#include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include "analysis/orbits/orbit_tolerances.hpp"
 #include "simulation/for_analysis.hpp"
@@ -57,12 +59,14 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
          [](Table &row, const OrbitRecord &record) {
            if (!record.lyapunov.exists()) return row.cell(std::string_view());
            row.cell(record.lyapunov->exponent, record.lyapunov->error);
-         }});
+         },
+         true});
     columns.push_back({"lyapunov_error", "its standard error; inf: not known",
                        [](Table &row, const OrbitRecord &record) {
                          if (!record.lyapunov.exists()) return row.cell(std::string_view());
                          row.cell(record.lyapunov->error, record.lyapunov->error);
-                       }});
+                       },
+                       true});
   }
   if (options.attractor)
     columns.push_back({"attractor",
@@ -71,6 +75,19 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
                          if (!record.attractor) return row.cell(std::string_view());
                          row.cell(*record.attractor, mark_error * std::abs(*record.attractor));
                        }});
+  if (options.response)
+    for (const auto &[name, meaning, member] :
+         {std::tuple{"lowest", "smallest displacement of a mass", &Response::lowest},
+          {"highest", "largest displacement of a mass", &Response::highest},
+          {"rms", "root mean square of the displacement of a mass", &Response::rms}})
+      for (std::size_t k = 0; k < static_cast<std::size_t>(masses); ++k)
+        columns.push_back({name + std::to_string(k + 1), meaning,
+                           [k, of = member](Table &row, const OrbitRecord &record) {
+                             const Response &response = record.response[k];
+                             row.cell(response.*of,
+                                      3e-8 * std::max(-response.lowest, response.highest));
+                           },
+                           true});
   if (options.pairs)
     columns.push_back(
         {"pairs", "of events of Table I: DG, DS, DI, GS, GI, SI; -: none", add_pairs});

@@ -21,7 +21,7 @@ void Table::cell(double value, double error) {
     significant = static_cast<int>(std::clamp(decades + 2.0, 1.0, 17.0));
   }
   std::array<char, 40> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0,
                                  std::chars_format::general, significant)
                        .ptr;
   cell(std::string_view(digits.data(), end));

@@ -11,6 +11,7 @@
 #include "parameter.hpp"
 #include "periodic_orbit.hpp"
 #include "pressing_force.hpp"
+#include "response.hpp"
 #include "settle.hpp"
 #include "smooth.hpp"
 #include "sweep.hpp"

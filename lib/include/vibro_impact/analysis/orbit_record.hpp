@@ -8,6 +8,7 @@
 
 #include "event_pairs.hpp"
 #include "lyapunov.hpp"
+#include "response.hpp"
 #include "settle.hpp"
 
 namespace vibro_impact {
@@ -21,6 +22,7 @@ struct RecordOptions {
   std::optional<double> slowest = {};  // >= 0; if empty, 1e-4 of the fastest impact
   bool section = false;                // the states at the phase of the start
   bool attractor = false;              // the mark of the attractor
+  bool response = false;               // extremes and root mean square of each displacement
 };
 
 struct OrbitRecord {
@@ -35,6 +37,7 @@ struct OrbitRecord {
   // If asked for: (x_1 .. x_N, x_1' .. x_N') at the beginning of each forcing period of `counts`.
   std::vector<std::vector<double>> section = {};
   std::optional<double> attractor = {};  // if asked for, of a motion that has settled
+  std::vector<Response> response = {};   // if asked for: of each mass, over the same periods
   // The state at which the motion settled, or that after SettleOptions::longest periods. It has the
   // phase of the start, and cycle count zero.
   MotionState state = {};
@@ -59,6 +62,7 @@ double attractor_mark(const Scene &scene, const std::vector<MotionState> &sectio
 struct PointRecord {
   std::optional<OrbitRecord> record = {};
   std::string reason = {};  // one line where the scene was refused or the run was given up
+  bool refused = false;     // there is none because the scene was refused
 };
 
 // The record of the motion from the initial state of the scene, or near `before` where the point

@@ -85,10 +85,12 @@ auto sweep(const Grid &grid, const Observable &observable, int threads = 0) {
   return sweep(grid.points(), compute, threads);
 }
 
-// A column of the table of a sweep: its name, what it says, and how it writes the cell of a record.
+// A column of the table of a sweep: its name, what it says, how it writes the cell of a record, and
+// whether its values are continuous, or count or name something.
 struct Column {
   std::string name, meaning;
   std::function<void(Table &, const OrbitRecord &)> add_cell;
+  bool continuous = false;
 };
 
 // The columns behind those of the axes, for a chain of so many masses. The exponent and the pairs

@@ -25,7 +25,8 @@ struct Table {
     (cell(cells), ...);
     end_row();
   }
-  // The value to the second digit of its error. An error of 0 asks for 17 digits.
+  // The value to the second digit of its error. An error of 0 asks for 17 digits. A zero has no
+  // sign.
   void cell(double value, double error = 0.0);
   void cell(std::string_view value);
   void cell(std::integral auto value) {
