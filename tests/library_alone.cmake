@@ -49,3 +49,11 @@ file(READ ${build}/lib/program/cmake_install.cmake rules)
 if(NOT rules MATCHES "TYPE EXECUTABLE OPTIONAL FILES \"[^\"]*/vibro-impact\"")
   message(SEND_ERROR "the installation fails where the program is not built")
 endif()
+
+# -ffast-math is refused in one sentence.
+execute_process(COMMAND ${compiler} -std=c++20 -ffast-math -fsyntax-only -x c++
+                        ${source}/lib/simulation/chain/twofold.hpp
+                RESULT_VARIABLE status ERROR_VARIABLE message)
+if(status EQUAL 0 OR NOT message MATCHES "#error \"-ffast-math|error: \"-ffast-math")
+  message(SEND_ERROR "-ffast-math is not refused: ${message}")
+endif()

@@ -218,6 +218,10 @@ Request parse(int argc, const char *const *argv) {
     return app.help();
   } catch (const CLI::ParseError &error) {
     const std::vector<std::string> others = app.remaining(true);
+    for (const auto &[word, option] :
+         {std::pair{"--damping", "--beta"}, {"--gap", "--stop"}, {"--force", "--amplitude"}})
+      if (!others.empty() && others.front().starts_with(word))
+        refuse("{}: is no option; {} may be meant", word, option);
     if (!others.empty())
       refuse("not expected: {}; the commands are run, orbit and sweep, and --help says more",
              shown(fmt::format("{}", fmt::join(others, " "))));

@@ -114,13 +114,12 @@ if (kind eq 'branch') {
   # The names of special points stand above and below them in turn.
   side_of(kind) = special(kind) ? (found = found + 1, found % 2) : 2
   on_side(side, y) = special(strcol('kind')) || column('stable') == side ? y : NaN
-  of_mass(name) = int(name[strlen('fastest') + 1:])
   set multiplot layout panels,1
   do for [panel in ARG3] {
-    impacts = panel[:7] eq 'fastest'  # which a diagram has in rows of all masses
-    set ylabel (impacts ? 'impact velocity of mass '.of_mass(panel) : panel) noenhanced
-    if (panel eq last) { set xlabel ARG6 noenhanced }
-    of_diagram(x) = !impacts ? column(panel) : column(2) == of_mass(panel) ? column(3) : NaN
+    impacts = begins(panel, 'fastest')  # which a diagram has in rows of all masses
+    set ylabel (impacts ? 'impact velocity of mass '.number(panel, 'fastest') : label(panel))
+    if (panel eq last) { set xlabel label(ARG6) }
+    of_diagram(x) = !impacts ? column(panel) : column(2) == int(number(panel, 'fastest')) ? column(3) : NaN
     plot ARG5 using 1:(of_diagram(0)) with points pointtype 7 pointsize 0.25 linecolor rgb '#b0b0b0' \
            title (ARG5 eq '/dev/null' ? '' : key(panel, 'diagram')), \
          data using 1:(on_side(1, column(panel))) with lines linestyle 1 linewidth 1.6 title key(panel, 'stable'), \

@@ -1,6 +1,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -141,6 +142,17 @@ void draw_pictures(const RunRequest &request, const PortraitRecorder &portrait) 
        {portrait.is_section ? "points" : "lines", lower, upper});
 }
 
+// The coefficients of restitution of the stops, each once, or that of the scene without stops.
+std::string restitutions_of(const Scene &scene) {
+  std::vector<double> values;
+  for (const Stop &stop : scene.stops)
+    if (const double r = law_of(scene, stop).at_rest();
+        std::ranges::find(values, r) == values.end())
+      values.push_back(r);
+  if (values.empty()) values.push_back(scene.restitution);
+  return fmt::format("{}", fmt::join(values, " and "));
+}
+
 // The chain, of which the user may have given little, and what happened to it.
 void print_summary(const Scene &scene, const Outcome &outcome) {
   int forced = 0;
@@ -151,7 +163,7 @@ void print_summary(const Scene &scene, const Outcome &outcome) {
              "0, {} impacts "
              "resolved, {} sticks, {} releases; chatter {} times carried to its limit, {} times "
              "incomplete\n",
-             scene.masses(), forced, scene.stops.size(), scene.restitution, scene.beta,
+             scene.masses(), forced, scene.stops.size(), restitutions_of(scene), scene.beta,
              outcome.time, counters.impacts, counters.sticks, counters.releases,
              counters.chatter_limits, counters.chatter_incomplete);
 }
@@ -199,6 +211,8 @@ Outcome record_run(const RunRequest &request) {
 void run_scene(const RunRequest &request) {
   check_outputs_of(request, {}, request.samples);
   print_summary(request.scene, record_run(request));
+  if (!request.events.wanted() && !request.samples.wanted() && !request.summary.wanted())
+    fmt::print(stderr, "no table was asked for, as by --events, --samples or --summary\n");
 }
 
 }  // namespace vibro_impact::runner

@@ -122,9 +122,14 @@ TEST_F(Runner, ASingleAmplitudeForcesAllMasses) {
                 "masses: 3, forced: 3, stops: 2, restitution: 0.7, beta: 0.1; "},
                {"--masses 3 --amplitude 0.5,0.5,0 --sine 0,0.1,0 --stop none",
                 "masses: 3, forced: 2, stops: 0, restitution: 0.7, beta: 0.1; "},
+               {"--stop 1:lower:-1:0.5 --stop 1:upper:1:0.8 --stop 2:upper:1:0.5",
+                "masses: 2, forced: 1, stops: 3, restitution: 0.5 and 0.8, beta: 0.1; "},
                {"--amplitude 0", "masses: 2, forced: 0, stops: 2, restitution: 0.7, beta: 0.1; "}};
   for (const auto &[options, summary] : cases)
     EXPECT_TRUE(run("run --until 10 " + options).err.starts_with(summary)) << options;
+  EXPECT_TRUE(run("run --until 1")
+                  .err.ends_with("no table was asked for, as by --events, "
+                                 "--samples or --summary\n"));
   const std::string masses = "run --masses 3 --print-scene ";
   EXPECT_EQ(run(masses + "--amplitude 0.5").out, run(masses + "--amplitude 0.5,0.5,0.5").out);
   EXPECT_EQ(run(masses).out, run(masses + "--amplitude 0.5,0,0").out);

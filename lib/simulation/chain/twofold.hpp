@@ -6,6 +6,10 @@
 // result: terms may cancel. Every decision of the simulation is relative to these moduli.
 #pragma once
 
+#ifdef __FAST_MATH__
+#error "-ffast-math removes the rounding errors that numbers of twice the precision consist of"
+#endif
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
