@@ -131,42 +131,82 @@ void settle_on(NewtonOrbit orbit, const Instant &section, Settled &settled) {
   settled.orbit = std::move(orbit);
 }
 
-}  // namespace
+// Takes the sections of one run, and a state half a period before each.
+class SettlingRecorder : public Recorder {
+ public:
+  SettlingRecorder(const Scene &scene, const MotionState &start, const SettleOptions &options)
+      : scene_(scene),
+        options_(options),
+        clock_(scene.omega),
+        first_(start.instant),
+        held_(start.held),
+        sections_(scene, start, options.largest_period) {
+    settled.motion.state = start;
+  }
+  void event(const Event &event, const Moment &) override {
+    held_ = event.held;
+  }
+  double next_time() const override {
+    if (done()) return infinity;
+    const double section = time_of({first_.cycle + taken_ / 2 + 1, first_.phase}, clock_);
+    return taken_ % 2 == 0 ? section - 0.5 * clock_.period : section;
+  }
+  void sample(const Moment &moment) override {
+    MotionState state = state_at(moment, held_);
+    if (taken_++ % 2 == 0)
+      between_ = std::move(state);
+    else
+      look_at(std::move(state));
+  }
+  bool done() const override {
+    return settled.motion.period > 0 || taken_ == 2 * static_cast<long long>(options_.longest);
+  }
 
-Settled settled(const Scene &scene, const MotionState &start, const SettleOptions &options) {
-  const Clock clock(scene.omega);
-  Simulation run(scene, start, options.run);
-  Sections sections(scene, start, options.largest_period);
-  Settled settled;
-  SettledMotion &motion = settled.motion;
-  double tried = infinity;
-  for (int n = 1; n <= options.longest; ++n) {
-    const double until = time_after(scene, start, n);
-    const MotionState between = require_complete(run.advance(until - 0.5 * clock.period)).state;
-    motion.state = require_complete(run.advance(until)).state;
-    motion.state.instant = {0, start.instant.phase};
-    motion.periods_run = n;
-    const NearReturn nearest = sections.add(between, motion.state);
+  Settled settled = {};
+
+ private:
+  const Scene &scene_;
+  const SettleOptions &options_;
+  Clock clock_;
+  Instant first_;
+  Held held_;
+  Sections sections_;
+  long long taken_ = 0;
+  MotionState between_ = {};
+  double tried_ = infinity;  // distance of the latest return from which an orbit was looked for
+
+  void look_at(MotionState section) {
+    SettledMotion &motion = settled.motion;
+    const int n = ++motion.periods_run;
+    motion.state = std::move(section);
+    motion.state.instant = {0, first_.phase};
+    const NearReturn nearest = sections_.add(between_, motion.state);
     const bool last_resort =
-        n == options.longest ||
+        n == options_.longest ||
         (n >= earliest_resort && std::has_single_bit(static_cast<unsigned>(n)));
     const double near = (last_resort ? far_return : near_return) * nearest.size;
-    if (!(nearest.distance <= near) || !(nearest.distance <= nearer_return * tried || last_resort))
-      continue;
-    tried = nearest.distance;
-    const MotionState quiet = quiet_section(motion_of(scene, motion.state, 1, options.run));
-    NewtonOrbit orbit = newton(scene, quiet, nearest.periods, few_corrections, options.run,
+    if (!(nearest.distance <= near) || !(nearest.distance <= nearer_return * tried_ || last_resort))
+      return;
+    tried_ = nearest.distance;
+    const MotionState quiet = quiet_section(motion_of(scene_, motion.state, 1, options_.run));
+    NewtonOrbit orbit = newton(scene_, quiet, nearest.periods, few_corrections, options_.run,
                                NewtonGuess::late_motion);
     const Attraction attraction = attraction_of_guess(orbit);
     const bool settles = attracts(orbit, nearest, attraction);
     const bool approaches = attraction == Attraction::near || attraction == Attraction::linear;
     if (settles || approaches) orbit = of_least_period(std::move(orbit));
     motion.approached = approaches ? orbit.motion.periods : 0;
-    if (!settles) continue;
-    settle_on(std::move(orbit), start.instant, settled);
-    return settled;
+    if (settles) settle_on(std::move(orbit), first_, settled);
   }
-  return settled;
+};
+
+}  // namespace
+
+Settled settled(const Scene &scene, const MotionState &start, const SettleOptions &options) {
+  Simulation run(scene, start, options.run);
+  SettlingRecorder recorder(scene, start, options);
+  require_complete(run.advance(time_after(scene, start, options.longest + 1), recorder));
+  return std::move(recorder.settled);
 }
 
 void check_settling(const Scene &scene, const MotionState &start, const SettleOptions &options) {
