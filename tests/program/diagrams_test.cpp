@@ -127,7 +127,7 @@ TEST_F(Runner, APictureHasThePanelsOfItsMasses) {
       {"orbit --omega 0.6 --vary omega=0.57:0.61:21 --table t.csv --plot p.svg", impacts, 2},
       {"orbit --omega 0.6 --vary omega=0.57:0.61:21 --table t.csv --plot p.svg --column x2 "
        "--diagram s.csv",
-       ">x2<", 1},
+       ">x<", 1},
       {"sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --table t.csv --plot p.svg "
        "--max-steps 1",
        ">period<", 1}};

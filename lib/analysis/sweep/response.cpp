@@ -94,6 +94,12 @@ std::vector<Response> response_of(const Scene &scene, const MotionState &start, 
     recorder.responses[i].rms =
         std::sqrt(recorder.responses[i].rms / (time - time_of(start.instant, Clock(scene.omega))));
   }
+  // A curve that ends at a stop may pass it by its rounding.
+  for (const Stop &stop : scene.stops) {
+    Response &response = recorder.responses[static_cast<std::size_t>(stop.mass) - 1];
+    if (is_beyond(stop, response.lowest)) response.lowest = stop.position;
+    if (is_beyond(stop, response.highest)) response.highest = stop.position;
+  }
   return recorder.responses;
 }
 
