@@ -171,6 +171,16 @@ bool is_in_range(const Motion &motion) {
   return true;
 }
 
+// Gives the run up when the motion lies beyond a stop by more than rounding: an event was missed.
+void check_stops(Run &run) {
+  const Motion &motion = run.motion;
+  for (const ChainStop &stop : run.chain().stops) {
+    const double gap = rounded(scaled(stop.position - motion.x[stop.mass], stop.sigma));
+    if (gap < -stop_rounding * (std::abs(stop.position) + motion.x_terms[stop.mass]))
+      return give_up_beyond_stop(run, stop.mass, motion.now.rounded());
+  }
+}
+
 // True when a motion may be on its way to a mass without force. Held masses let nothing pass.
 bool any_forceless_block_moves(const Run &run) {
   const Held &held = run.motion.mode->held;
@@ -199,6 +209,8 @@ bool is_quiet(const Run &run) {
 // One flight of the loop.
 void fly_on(Run &run, Recorders recorders) {
   if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
+  check_stops(run);
+  if (run.progress.over) return;
   const bool far = run.long_flight.is_under_way() || is_quiet(run);
   const FlightEnd end = far ? search_far(run) : search_step(run);
   if (std::isnan(end.tau.hi)) return give_up_beyond_range(run, run.motion.now.rounded());

@@ -36,7 +36,14 @@ int MomentOfMotion::masses() const {
 
 double MomentOfMotion::displacement(int mass) const {
   const std::size_t i = index_of(mass);
-  return std::clamp(x(i).hi, chain_.lowest[i], chain_.highest[i]);
+  const double place = x(i).hi, inside = std::clamp(place, chain_.lowest[i], chain_.highest[i]);
+  if (place == inside) return place;
+  double terms = std::abs(inside) + motion_.x_terms[i];
+  if (tau_ > 0.0) {
+    const double u = tau_ / table_.step.unit;
+    terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table_.travel[i];
+  }
+  return std::abs(place - inside) <= stop_rounding * terms ? inside : place;
 }
 
 double MomentOfMotion::velocity(int mass) const {

@@ -42,8 +42,13 @@ void end_at_time(Run &run, Recorders recorders) {
   if (run.progress.over) return;
   run.progress.last = moment_at(run, tau, run.progress.end).state();
   if (run.long_flight.is_under_way()) ++run.counters.states_computed;
-  for (const double x : run.progress.last.displacement)
+  const Chain &chain = run.chain();
+  for (std::size_t i = 0; i < chain.masses; ++i) {
+    const double x = run.progress.last.displacement[i];
     if (!std::isfinite(x)) give_up_beyond_range(run, run.progress.end);
+    // The rounding of the motion is taken from a moment.
+    if (x < chain.lowest[i] || x > chain.highest[i]) give_up_beyond_stop(run, i, run.progress.end);
+  }
   stop_run(run, Ending::reached);
 }
 
@@ -66,6 +71,12 @@ void give_up_beyond_range(Run &run, const Instant &instant) {
   stop_run(run, Ending::given_up,
            line("the motion leaves the range of double precision before t = ",
                 time_of(instant, run.problem.clock), ", given up"));
+}
+
+void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant) {
+  stop_run(run, Ending::given_up,
+           line("mass ", mass + 1, " lies beyond its stop at t = ",
+                time_of(instant, run.problem.clock), ", given up: an event was missed"));
 }
 
 }  // namespace vibro_impact::detail

@@ -24,4 +24,7 @@ void look_inside(Run &run, const Instant &limit, Recorders recorders);
 // Gives the run up: the motion leaves the range of double precision before this instant.
 void give_up_beyond_range(Run &run, const Instant &instant);
 
+// Gives the run up: a mass (from 0) lies beyond its stop at this instant.
+void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant);
+
 }  // namespace vibro_impact::detail

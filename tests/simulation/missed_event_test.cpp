@@ -1,0 +1,49 @@
+// A motion beyond a stop shows itself: in the displacements that a run reports, and in its end.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "reference/scenes/extreme_scenes.hpp"
+#include "simulation/chain/require.hpp"
+#include "simulation/run/observers.hpp"
+
+namespace {
+
+using namespace vibro_impact;
+
+constexpr double position = 0.2;
+
+// A run of one mass that stands at x, as if the search for events had passed over its stop.
+std::unique_ptr<detail::Run> run_at(double x, double v) {
+  Scene scene = extremes::one_mass(0.0, 0.5, 0.4, 0.7, position);
+  MotionState start = detail::first_motion(scene);
+  start.displacement = {x};
+  start.velocity = {v};
+  return std::unique_ptr<detail::Run>(
+      new detail::Run{.problem = {std::make_shared<const Scene>(scene), {}}, .start = start});
+}
+
+// The displacement that the run reports at the end of a call in which no time passes.
+double reported(double x) {
+  const auto run = run_at(x, 0.0);
+  detail::advance(*run, {}, {});
+  return run->progress.last.displacement[0];
+}
+
+// Rounding alone is taken from a displacement: 1e-13 of the terms of the gap, which are 0.4 here.
+TEST(MissedEvent, IsSeenInTheDisplacement) {
+  for (const double beyond : {1.0, 1e-3, 1e-12})
+    EXPECT_EQ(reported(position + beyond), position + beyond);
+  for (const double beyond : {0.0, 1e-16, 1e-14}) EXPECT_EQ(reported(position + beyond), position);
+}
+
+// The run does not go on from a place beyond a stop.
+TEST(MissedEvent, GivesTheRunUp) {
+  const auto run = run_at(position + 1e-3, -0.1);
+  detail::advance(*run, Instant{.phase = 1.0}, {});
+  EXPECT_EQ(run->progress.ending, Ending::given_up);
+  EXPECT_EQ(run->progress.reason,
+            "mass 1 lies beyond its stop at t = 0, given up: an event was missed");
+}
+
+}  // namespace
