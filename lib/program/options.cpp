@@ -111,7 +111,7 @@ void add_files_of_run(CLI::App &app, RunRequest &request) {
 }  // namespace
 
 long long default_steps(bool of_run, int masses) {
-  const long long of_two_masses = of_run ? 3'000'000 : 1'000'000, least = 20'000;
+  const long long of_two_masses = of_run ? RunOptions().max_steps : 1'000'000, least = 20'000;
   return std::max(of_two_masses * 2 / std::max(masses, 2), least);
 }
 

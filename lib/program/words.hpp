@@ -20,8 +20,8 @@ struct Words {
   bool print_scene = false, header = false;
 };
 
-// The bound of the steps of a run, with which it ends within some ten seconds, and of a point of a
-// sweep. A step takes 2 microseconds with two masses and 22 with a hundred.
+// The bound of the steps of a run, for two masses that of the library, and of a point of a sweep. A
+// step takes 2 microseconds with two masses and 22 with a hundred.
 long long default_steps(bool of_run, int masses);
 
 // These give the commands their options, with the defaults of the requests.

@@ -29,8 +29,8 @@ TEST_F(Runner, ARunOfTooManyStepsIsGivenUpAndLeavesNoFile) {
   for (const char *command : {"run --max-steps 100", "orbit --max-steps 100"})
     expect_message(run(command), "; RunOptions::max_steps (--max-steps) can allow more\n", 1);
   EXPECT_TRUE(fs::is_empty(folder));
-  // CLI11 writes a default as N=3000000 up to its version 2.3, and as N [3000000] after it.
-  const std::regex of_a_run(R"(--max-steps N(=3000000| \[3000000\]) )"),
+  // CLI11 writes a default as N=10000000 up to its version 2.3, and as N [10000000] after it.
+  const std::regex of_a_run(R"(--max-steps N(=10000000| \[10000000\]) )"),
       of_a_sweep(R"(--max-steps N(=1000000| \[1000000\]) )");
   EXPECT_TRUE(std::regex_search(run("run --help").out, of_a_run));
   EXPECT_TRUE(std::regex_search(run("sweep --help").out, of_a_sweep));
@@ -39,9 +39,9 @@ TEST_F(Runner, ARunOfTooManyStepsIsGivenUpAndLeavesNoFile) {
     using namespace vibro_impact::runner;
     return std::get<RunRequest>(parse(std::size(words), words)).options.max_steps;
   };
-  EXPECT_EQ(steps("1"), 3'000'000);
-  EXPECT_EQ(steps("2"), 3'000'000);
-  EXPECT_EQ(steps("100"), 60'000);
+  EXPECT_EQ(steps("1"), 10'000'000);
+  EXPECT_EQ(steps("2"), 10'000'000);
+  EXPECT_EQ(steps("100"), 200'000);
   EXPECT_EQ(steps("2000"), 20'000);
   EXPECT_EQ(steps("100", "--max-steps", "7"), 7);
 }
