@@ -25,7 +25,7 @@ TEST_F(Runner, ARefusedRunSparesTheTableThatWasThere) {
 TEST_F(Runner, ARunOfTooManyStepsIsGivenUpAndLeavesNoFile) {
   expect_message(
       run("run --max-steps 100 --events e.csv --samples s.csv --beta 0 --stiffness 1,1e6"),
-      "more than 100 steps, given up at t = ", 1);
+      "at least 100 steps, given up at t = ", 1);
   for (const char *command : {"run --max-steps 100", "orbit --max-steps 100"})
     expect_message(run(command), "; RunOptions::max_steps (--max-steps) can allow more\n", 1);
   EXPECT_TRUE(fs::is_empty(folder));

@@ -73,7 +73,7 @@ TEST_F(Runner, APointThatIsRefusedOrGivenUpHasEmptyCellsAndItsReasonIsSaid) {
       {"omega=1e-307:0.6:2",
        "1 of 2 points: until = inf: must be finite; first at omega = 1e-307\n", 2, 1},
       {"restitution=0:0.9:2 --max-steps 400 --longest 20 --omega 0.3",
-       "1 of 2 points: more than 400 steps, given up at t = ", 2, 1},
+       "1 of 2 points: at least 400 steps, given up at t = ", 2, 1},
       {"displacement1=-0.6:0:4",
        "2 of 4 points: start: mass 1 at -0.6, beyond its lower stop at -0.3; "
        "its displacement (--displacement) must lie within its stops; first at displacement1 = "

@@ -177,6 +177,15 @@ TEST(FirstRoot, OutOfTheRangeOfDoublesIsNoNumber) {
   EXPECT_TRUE(std::isnan(*root));
 }
 
+// A search that needs several iterations tells whether it has ended.
+TEST(FirstRoot, IsInfiniteWhereTheSearchDoesNotEnd) {
+  Counters counters;
+  const Polynomial p = rounded({0.26L, -1.0L, 1.0L, 0.0L, -0.2L});
+  ASSERT_LT(first_root(p, 1.0, counters).value(), 1.0);
+  ASSERT_GE(counters.root_iterations, 2);
+  EXPECT_EQ(first_root(p, 1.0, counters, 1), infinity);
+}
+
 // 1e-315 (1 - 3 u + u^2): the reciprocal of the slope is not a double.
 TEST(FirstRoot, OfCoefficientsBelowTheNormalNumbersIsFound) {
   const auto root = first(rounded({1e-315L, -3e-315L, 1e-315L}));

@@ -164,7 +164,7 @@ TEST(Work, OfEndlessImpactsEndsWithTheLatestEvent) {
   EventRecorder recorder;
   const Outcome outcome = simulate(scene, 1e3, {.max_steps = 5000}, recorder);
   EXPECT_EQ(outcome.ending, Ending::given_up);
-  EXPECT_TRUE(outcome.reason.starts_with("more than 5000 steps, given up at t = "));
+  EXPECT_TRUE(outcome.reason.starts_with("at least 5000 steps, given up at t = "));
   EXPECT_EQ(outcome.reason.find('\n'), std::string::npos) << outcome.reason;
   EXPECT_EQ(outcome.counters.expansions, 5000);
   ASSERT_GT(recorder.events.size(), 4990u);

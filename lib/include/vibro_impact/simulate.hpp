@@ -49,8 +49,8 @@ struct RunOptions {
 };
 
 // Why a run ended: it reached its time, a recorder stopped it, or it was given up, after
-// `max_steps`, because the motion comes next to the largest double (1e305), or because a mass lies
-// beyond its stop, which is a fault of the library.
+// `max_steps`, because the motion comes next to the largest double (1e305), because the search for
+// a root does not end, or because a mass lies beyond its stop, which is a fault of the library.
 enum class Ending { reached, stopped, given_up };
 
 struct Outcome {

@@ -89,7 +89,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     const std::optional<double> root =
         first_root(p, std::min(step.u_max, event ? u + tolerance(u) : u), counters);
     if (!root) continue;
-    if (std::isnan(*root)) return {*root, true};
+    if (!std::isfinite(*root)) return {*root, true};
     roots[k] = *root;
     if (!event || *root < u) u = *root;
     event = true;

@@ -26,8 +26,8 @@ enum class Near : char { no, perhaps, zero, touch, rest };
 // where it has this derivative and half this second derivative.
 bool only_touches(double slope, double second, double terms);
 
-// A flight that ends at the time tau, with or without an event. tau is NaN if the motion leaves the
-// range of double precision.
+// A flight that ends at the time tau, with or without an event. With an event, tau is NaN if the
+// motion leaves the range of double precision, and infinite if the search for a root did not end.
 struct FlightEnd {
   Real tau = 0.0;
   bool event = false;

@@ -170,7 +170,8 @@ double positive_stretch(const Polynomial &p, int zeros, double u, double u_max, 
 
 }  // namespace
 
-std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters) {
+std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters,
+                                 int most_iterations) {
   int zeros = 0;
   while (zeros <= p.order && p.coefficient[static_cast<std::size_t>(zeros)] == 0.0) ++zeros;
   if (zeros > p.order) return std::nullopt;  // identically zero
@@ -187,7 +188,7 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
   ++counters.roots_searched;
   double u = 0.0;
   // Away from roots u grows, unless a power of u leaves the range of double precision.
-  for (int iteration = 0; iteration < most_root_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     ++counters.root_iterations;
     // Kantorovich's condition with a margin of two: p' varies by less than half of itself over
     // twice Newton's step, so that this interval has exactly one root, as far as it lies in the
@@ -207,7 +208,7 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
     if (!(u < u_max)) return std::nullopt;
     jet = jet_at(p, zeros, u);
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return infinity;
 }
 
 }  // namespace vibro_impact::detail

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "simulation/chain/tolerances.hpp"
 #include "vibro_impact/counters.hpp"
 
 namespace vibro_impact::detail {
@@ -32,8 +33,9 @@ Jet jet_at(const Polynomial &p, int zeros, double u);
 // The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
 // coefficients that are exactly zero. The search is guaranteed to miss no root and takes no
 // samples: (5) of lib/README.md. If the first non-zero coefficient is negative, the root is
-// 0. If powers of u leave the range of double precision, or after `most_root_iterations`, it is
-// NaN.
-std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters);
+// 0. If powers of u leave the range of double precision, it is NaN. If the search does not end
+// within its iterations, it is infinite.
+std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters,
+                                 int most_iterations = most_root_iterations);
 
 }  // namespace vibro_impact::detail

@@ -72,7 +72,7 @@ double LongFlight::safe_time(double l, Counters &counters) {
   double time = l;
   const auto shorten = [&](std::size_t contact, int order) {
     const std::optional<double> root = first_root(bound_of(contact, l, order), time / l, counters);
-    return root ? (*root > 0.0 ? *root * l : 0.0) : time;
+    return root ? (*root > 0.0 && *root < infinity ? *root * l : 0.0) : time;
   };
   for (std::size_t k = 0; k < values_.size() && time > 0.0; ++k) {
     if (starts_[k].idle || hidden_[k]) continue;

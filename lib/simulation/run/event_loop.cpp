@@ -147,6 +147,15 @@ FlightEnd search_far(Run &run) {
                                 run.counters);
 }
 
+// Gives the run up: a search has found no root, for the reason that its result tells.
+void give_up_without_root(Run &run, double root) {
+  const Instant now = run.motion.now.rounded();
+  if (std::isnan(root)) return give_up_beyond_range(run, now);
+  stop_run(run, Ending::given_up,
+           line("a root is not found in ", most_root_iterations,
+                " iterations after t = ", time_of(now, run.problem.clock), ", given up"));
+}
+
 // Moves the run to the end of the flight that was searched.
 void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
@@ -213,7 +222,7 @@ void fly_on(Run &run, Recorders recorders) {
   if (run.progress.over) return;
   const bool far = run.long_flight.is_under_way() || is_quiet(run);
   const FlightEnd end = far ? search_far(run) : search_step(run);
-  if (std::isnan(end.tau.hi)) return give_up_beyond_range(run, run.motion.now.rounded());
+  if (end.event && !std::isfinite(end.tau.hi)) return give_up_without_root(run, end.tau.hi);
   const double remaining = time_to_end(run);
   if (end.tau.hi > remaining || remaining == 0.0) return end_at_time(run, recorders);
   sample(run, end.tau, recorders);
@@ -236,7 +245,7 @@ void advance(Run &run, const Instant &end, Recorders recorders, Extent extent) {
     if (!run.progress.over && steps >= run.problem.options.max_steps)
       stop_run(
           run, Ending::given_up,
-          line("more than ", run.problem.options.max_steps, " steps, given up at t = ",
+          line("at least ", run.problem.options.max_steps, " steps, given up at t = ",
                time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
                run.motion.mode->fastest, "; RunOptions::max_steps (--max-steps) can allow more"));
   }
