@@ -156,6 +156,19 @@ TEST(Work, OfAStiffChainIsBounded) {
   EXPECT_EQ(simulate(scene, 1e-12, options).ending, Ending::reached);
 }
 
+// Three identical oscillators on weak links. The last one begins below rounding, at its stop, and
+// its gap is first seen next to the start of a long flight, where halving the time has no end.
+TEST(Work, OfAGapSeenNextToTheStartIsBounded) {
+  Scene scene = extremes::chain(3, 2.0);
+  scene.stiffness = {0.0, 1e-13, 1e-13};
+  scene.ground = {1.0, 1.0, 1.0};
+  scene.amplitude = {1.0, 0.0, 0.0};
+  scene.omega = 0.002;
+  scene.restitution = 0.0;
+  scene.stops = {{3, Side::lower, 0.0}};
+  EXPECT_EQ(simulate(scene, 8000.0).ending, Ending::reached);
+}
+
 // A force presses a mass onto its stop with r = 1: its flights shorten without limit, each as fast
 // as the one before. The run ends at the stated number of steps, and its outcome is the state at
 // its latest event.

@@ -178,6 +178,7 @@ void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const M
   double after = u_;
   while (after - before > time_rounding * after) {
     const double middle = before + 0.5 * (after - before);
+    if (middle == before || middle == after) break;  // next to 0 no time lies between
     evaluate(chain, clock, start, middle);
     ++counters.search_steps;
     (look_at_hidden() ? after : before) = middle;
