@@ -122,6 +122,25 @@ TEST(SmallMotion, MissesNoImpact) {
   EXPECT_EQ(simulate(scene, 10.0).counters.impacts, 2);
 }
 
+// The motion of mass 2 is proportional to the stiffness of its weak link, and its events are those
+// of any weak link, also where mass 1 sticks on the way. The reference has ten decimals.
+TEST(SmallMotion, IsNotTakenForBouncesThatHaveDiedDown) {
+  for (const double link : {1e-20, 1e-40, 1e-100}) {
+    Scene scene = extremes::chain(2, 0.1);
+    scene.stiffness = {1.0, link};
+    scene.ground = {0.0, 1.0};
+    scene.amplitude = {1.0, 0.0};
+    scene.omega = 0.5;
+    scene.restitution = 0.0;
+    scene.stops = {{1, Side::upper, 0.2}, {2, Side::lower, 0.0}};
+    std::vector<Event> impacts;
+    for (const Event &event : events_of(scene, 0.0, 30.0))
+      if (event.mass == 2 && event.kind == EventKind::impact) impacts.push_back(event);
+    ASSERT_FALSE(impacts.empty()) << link;
+    EXPECT_NEAR(impacts[0].time, 5.0089318521, 1e-10) << link;
+  }
+}
+
 // Gaps of 1e-20 beside a mass that is displaced by one: the rounding of a common displacement would
 // close or widen either by 1e-17. Twice the precision of the displacement leaves 1e-32.
 TEST(SmallMotion, KeepsTwoSmallGaps) {

@@ -74,8 +74,9 @@ void question_dead_bounces(Run &run) {
                                time_of(motion.now.rounded(), run.problem.clock)),
                rounding = as_at_rest * (speed + chain.force_bound * unit);
   for (const Contact &contact : motion.mode->contacts) {
-    const AtStop &at = run.stops[contact.stop].at;
-    if (contact.held || !(is<Evaluated>(at) || is<ExactZeros>(at))) continue;
+    const StopState &stop = run.stops[contact.stop];
+    const bool bounces = stop.falling > 0 && (is<Evaluated>(stop.at) || is<ExactZeros>(stop.at));
+    if (contact.held || !bounces) continue;
     const Value value = evaluate(chain, contact, motion);
     if (rounded(value.value) <= rounding * unit && std::abs(value.rate.hi) <= rounding)
       add_resting(run, contact, 0);
