@@ -66,7 +66,8 @@ constexpr Distribution distributions[] = {
     {"rigid pair", rigid_pair, 20000, 2e-13, scenes / 6},
     {"short hop", short_hop, 20000, 1e-8, scenes / 6},
     {"elastic", elastic_chain, 300000, 2e-13, scenes / 6, broken_by_energy},
-    {"touching forces", touching_forces, 20000, 2e-13, scenes / 6, broken_by_touches}};
+    {"touching forces", touching_forces, 20000, 2e-13, scenes / 6, broken_by_touches},
+    {"dipping forces", dipping_forces, 40000, 2e-13, scenes / 6, broken_by_dips}};
 
 Distribution distribution_named(const std::string &name) {
   for (const Distribution &distribution : distributions)

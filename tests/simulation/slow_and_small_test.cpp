@@ -141,6 +141,17 @@ TEST(SmallMotion, IsNotTakenForBouncesThatHaveDiedDown) {
   }
 }
 
+// A force cos t - 1 + d holds a mass but for a time sqrt(2 d) about each odd multiple of pi. A
+// touch reaches to d = 1.8e-15, eight roundings of both forces: deeper dips release the mass.
+TEST(SmallMotion, FollowsADipOfAForceBelowItsTouch) {
+  for (const auto &[depth, releases] : {std::pair{0x1p-45, 10}, {0x1p-48, 10}, {0x1p-50, 0}}) {
+    Scene scene = extremes::one_mass(0.1, 1.0, 1.0, 0.0, 0.0);
+    scene.constant = {1.0 - depth};
+    const Outcome outcome = simulate(scene, 60.0);
+    EXPECT_EQ(outcome.counters.releases, releases) << depth;
+  }
+}
+
 // Gaps of 1e-20 beside a mass that is displaced by one: the rounding of a common displacement would
 // close or widen either by 1e-17. Twice the precision of the displacement leaves 1e-32.
 TEST(SmallMotion, KeepsTwoSmallGaps) {

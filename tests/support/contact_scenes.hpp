@@ -117,4 +117,14 @@ inline Trial touching_forces(unsigned seed) {
   return {scene, 20.0 * Clock(scene.omega).period};
 }
 
+// The same with forces that fall below zero by 1e-14 to 1e-8 of their amplitudes, once in each
+// period.
+inline Trial dipping_forces(unsigned seed) {
+  Trial trial = touching_forces(seed);
+  Draw draw{std::mt19937(~seed)};
+  for (double &constant : trial.scene.constant) constant *= 1.0 - draw.spread(1e-14, 1e-8);
+  trial.until = 19.5 * Clock(trial.scene.omega).period;
+  return trial;
+}
+
 }  // namespace vibro_impact::testing

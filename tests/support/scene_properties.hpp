@@ -210,6 +210,14 @@ inline std::string broken_by_touches(const Run &run) {
              : fmt::format("{} events at {:.0f} touches", run.events.size(), touches);
 }
 
+// Each mass is free in the dip at the start, and is released in each of the nineteen that follow.
+inline std::string broken_by_dips(const Run &run) {
+  const auto releases = std::count_if(run.events.begin(), run.events.end(), [](const Event &event) {
+    return event.kind == EventKind::release;
+  });
+  return releases == 19 * run.scene.masses() ? "" : fmt::format("{} releases", releases);
+}
+
 // Runs the scene, sampled and not, in two parts, mirrored, and before a witness. Where the parts
 // meet follows from `seed`: any time, or that of an event. `share`: of the motion, that a flight
 // may be off. `own` is a property of this kind of scenes alone.

@@ -31,13 +31,6 @@ double travel_of(const TaylorTable &table, const Contact &contact, const Start &
                           step.length * std::max(0.0, -start.rate));
 }
 
-// A bound of the fall of a polynomial over the step.
-double travel_of(const Polynomial &p) {
-  double sum = 0.0;
-  for (int n = 1; n <= p.order; ++n) sum += std::abs(p.coefficient[static_cast<std::size_t>(n)]);
-  return travel_margin * sum;
-}
-
 }  // namespace
 
 // Without a square of the polynomial, which may leave the range of double precision.
@@ -82,10 +75,6 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     Polynomial &p = polynomials[k];
     read(chain, motion, table, contact, p);
     insert_start(start, step.unit, p);
-    if (contact.held && start.zeros == 0 && start.value > travel_of(p)) {
-      ++counters.out_of_reach;
-      continue;
-    }
     const std::optional<double> root =
         first_root(p, std::min(step.u_max, event ? u + tolerance(u) : u), counters);
     if (!root) continue;
@@ -99,7 +88,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   const auto touches = [&](std::size_t k) {
     const Contact &contact = mode.contacts[k];
     if (!contact.held || starts[k].idle) return false;
-    const double terms = sum_of_forces(chain, contact.mass, motion) + travel_of(polynomials[k]);
+    const double terms = sum_of_forces(chain, contact.mass, motion);
     const Jet jet = jet_at(polynomials[k], 0, u);
     return jet.value <= touch_rounding * terms && only_touches(jet.slope, jet.second, terms);
   };
