@@ -15,35 +15,40 @@ namespace vibro_impact::detail {
 //
 //   g(s) >= value + rate s + sum_(n=2)^order g_n (s/unit)^n / n!
 //           - remainder (s/unit)^(order+1) / (order+1)!
+//
+// Parts cancel each other: the slow ones of identical oscillators at a mass that hardly moves, and
+// the terms of the slope of a fast mode that has come to rest. The parts and their sums have twice
+// the precision, and the slope is the sum over the parts that stay.
 struct LongFlight::Bound {
   int order = 2;
   double length = 0.0, unit = 0.0;
-  double value = 0.0, rate = 0.0, remainder = 0.0;
+  Real value = 0.0, rate = 0.0;
+  double remainder = 0.0;
   std::array<Real, max_order + 1> derivative{};
 
-  // A part that turns within the length is taken out of the value and of the rate; the others stay.
+  // A part that turns within the length is taken out of the value; the others stay.
   void add(const Part &part) {
     if (part.rate * length > 1.0) {
       value -= part.value + part.amplitude;
-      rate -= part.slope;
       return;
     }
-    const double root = std::sqrt(part.stiffness) * unit, d = part.damping * unit;
-    double before = part.value, latest = part.slope * unit;
+    rate += part.slope;
+    const Real d = part.damping * unit, stiff = part.stiffness * unit * unit;
+    Real before = part.value, latest = part.slope * unit;
     for (int n = 2; n <= order + 1; ++n) {
-      double next = -d * latest - root * root * before;
+      Real next = -(d * latest) - stiff * before;
       if (n == 2) next += part.drive * unit * unit;
       before = std::exchange(latest, next);
       if (n <= order) derivative[static_cast<std::size_t>(n)] += latest;
     }
-    remainder += std::hypot(latest, root * before);
+    remainder += std::hypot(latest.hi, std::sqrt(stiff.hi) * before.hi);
   }
   // In u = s / length, from 0 to 1.
   Polynomial polynomial() const {
     Polynomial p;
     p.order = order + 1;
-    p.coefficient[0] = value;
-    p.coefficient[1] = rate * length;
+    p.coefficient[0] = value.hi;
+    p.coefficient[1] = rate.hi * length;
     double power = length / unit;
     for (int n = 2; n <= order + 1; ++n) {
       power *= length / unit / n;
@@ -87,35 +92,37 @@ double LongFlight::derivative_bound(const Coordinate &c, const Oscillator<double
 // Calls `use` with each part: the steady response, and one free oscillation or two decays about the
 // static displacement.
 template <class Use>
-void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<double> &o,
-                           double weight, const Use &use) const {
-  const double size = std::abs(weight), d = w.damping, square = omega_ * omega_;
-  double y = c.deviation, dy = c.dy.hi;  // of the free part
+void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<Real> &o,
+                           const Real &weight, const Use &use) const {
+  const double size = std::abs(weight.hi), d = w.damping;
+  Real y = c.deviation, dy = c.dy;  // of the free part
   if (c.modulus > 0.0) {
     // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
     // s = (a - i b) / (lambda - Omega^2 + i kappa Omega). Near resonance it is large or no number:
     // no event is then excluded within this length.
-    const ComplexOf<double> s = ComplexOf<double>{c.force.a.hi, -c.force.b.hi} /
-                                ComplexOf<double>{o.lambda - square, o.kappa * omega_};
-    const double steady = s.re, slope = -omega_ * s.im;
+    const Real square = Real(omega_) * omega_;
+    const ComplexOf<Real> s = ComplexOf<Real>{c.force.a, -c.force.b} /
+                              ComplexOf<Real>{o.lambda - square, o.kappa * omega_};
+    const Real steady = s.re, slope = -(omega_ * s.im);
     y -= steady;
     dy -= slope;
-    use(Part{weight * (steady + d * slope), weight * (slope - d * square * steady), 0.0, square,
-             omega_, size * std::hypot(s.re, s.im) * (1.0 + d * omega_)});
+    use(Part{weight * (steady + d * slope), weight * (slope - d * (square * steady)), 0.0, square,
+             omega_, size * std::hypot(s.re.hi, s.im.hi) * (1.0 + d * omega_)});
   }
   if (!o.has_two_decays()) {
     // A coordinate without a spring has no static displacement, and its constant force drives it.
-    const bool is_tied = o.lambda > 0.0;
-    const double drive = is_tied ? 0.0 : c.force.c.hi, second = drive - o.kappa * dy - o.lambda * y,
-                 amplitude = is_tied ? std::hypot(y, dy / std::sqrt(o.lambda)) : infinity;
+    const bool is_tied = o.lambda.hi > 0.0;
+    const Real drive = is_tied ? Real(0.0) : c.force.c,
+               second = drive - o.kappa * dy - o.lambda * y;
+    const double amplitude = is_tied ? std::hypot(y.hi, dy.hi / std::sqrt(o.lambda.hi)) : infinity;
     use(Part{weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda, o.rate,
              size * amplitude * (1.0 + d * o.rate), weight * drive});
     return;
   }
-  const double quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
+  const Real quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
   for (const auto &[part, decay] : {std::pair{quick, o.fast}, std::pair{slow, o.slow}}) {
-    const double z = weight * part * (1.0 + d * decay);
-    use(Part{z, z * decay, -decay, 0.0, -decay, std::abs(z)});
+    const Real z = weight * part * (1.0 + d * decay);
+    use(Part{z, z * decay, -decay, 0.0, -decay.hi, std::abs(z.hi)});
   }
 }
 
@@ -125,8 +132,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
   // The remainder needs order + 1, and its damper one order more.
   find_derivatives(bound.unit, order + 2);
   // Before its event a contact lies below zero by rounding only.
-  bound.value = std::max(0.0, values_[k].value.hi);
-  bound.rate = values_[k].rate.hi;
+  if (values_[k].value.hi > 0.0) bound.value = values_[k].value;
   const double damping = w.damping / bound.unit;
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     const Coordinate &c = coordinates_[j];
@@ -134,9 +140,10 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
     const Real &weight = w.row[j];
     if (weight.hi == 0.0) continue;
     if (!(o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0))) {
-      each_part(w, c, o, weight.hi, [&bound](const Part &part) { bound.add(part); });
+      each_part(w, c, form_->exact[j], weight, [&bound](const Part &part) { bound.add(part); });
       continue;
     }
+    bound.rate += weight * (c.dy + damping * c.derivative[2] / bound.unit);
     for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
       bound.derivative[n] += weight * c.derivative[n];
       if (damping > 0.0) bound.derivative[n] += weight * (damping * c.derivative[n + 1]);
@@ -161,7 +168,7 @@ double LongFlight::longest_blind_step() const {
     if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, omega_);
     const double threshold = zero_threshold * values_[k].terms;
     for (std::size_t j = 0; j < coordinates_.size(); ++j)
-      each_part(w, coordinates_[j], form_->rounded[j], w.row[j].hi, [&](const Part &part) {
+      each_part(w, coordinates_[j], form_->exact[j], w.row[j], [&](const Part &part) {
         if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
       });
   }

@@ -54,7 +54,7 @@ void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &
     c.y = state_.y(static_cast<Eigen::Index>(j));
     c.dy = state_.dy(static_cast<Eigen::Index>(j));
     c.force = {f.a * wave.re + f.b * wave.im, f.b * wave.re - f.a * wave.im, f.c};
-    c.deviation = lambda.hi > 0.0 ? rounded(c.y - f.c / lambda) : c.y.hi;
+    c.deviation = lambda.hi > 0.0 ? c.y - f.c / lambda : c.y;
   }
   const double cosine = motion_.turn.cosine.hi, sine = motion_.turn.sine.hi;
   watch_forces_.clear();

@@ -37,17 +37,19 @@ class LongFlight {
 
  private:
   // A coordinate at u, the derivatives that have been found of it, in units of unit_^-n, and its
-  // deviation from the static displacement in double precision.
+  // deviation from the static displacement.
   struct Coordinate {
     Real y = 0.0, dy = 0.0;
     std::array<Real, max_order + 3> derivative{};
     ModalForce<Real> force{};
     double modulus = 0.0;  // of the forcing
-    double deviation = 0.0;
+    Real deviation = 0.0;
   };
   // A part of the share of a coordinate in a contact: x'' + damping x' + stiffness x = drive.
   struct Part {
-    double value, slope, damping, stiffness, rate, amplitude, drive = 0.0;
+    Real value, slope, damping, stiffness;
+    double rate, amplitude;
+    Real drive = 0.0;
   };
   struct Bound;
 
@@ -77,8 +79,8 @@ class LongFlight {
   double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
                           double length) const;
   template <class Use>
-  void each_part(const Watch &watch, const Coordinate &c, const Oscillator<double> &o,
-                 double weight, const Use &use) const;
+  void each_part(const Watch &watch, const Coordinate &c, const Oscillator<Real> &o,
+                 const Real &weight, const Use &use) const;
   Polynomial bound_of(std::size_t contact, double l, int order);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
