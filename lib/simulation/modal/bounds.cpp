@@ -90,19 +90,25 @@ double LongFlight::derivative_bound(const Coordinate &c, const Oscillator<double
 }
 
 // Calls `use` with each part: the steady response, and one free oscillation or two decays about the
-// static displacement.
+// static displacement. Next to resonance these are large and cancel. The coordinate is one part
+// where its energy bounds it better: (y'^2 + lambda y^2)^(1/2) grows by the forcing at most.
 template <class Use>
 void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<Real> &o,
-                           const Real &weight, const Use &use) const {
+                           const Real &weight, double length, const Use &use) const {
   const double size = std::abs(weight.hi), d = w.damping;
   Real y = c.deviation, dy = c.dy;  // of the free part
   if (c.modulus > 0.0) {
     // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
-    // s = (a - i b) / (lambda - Omega^2 + i kappa Omega). Near resonance it is large or no number:
-    // no event is then excluded within this length.
+    // s = (a - i b) / (lambda - Omega^2 + i kappa Omega), which is no number at resonance.
     const Real square = Real(omega_) * omega_;
     const ComplexOf<Real> s = ComplexOf<Real>{c.force.a, -c.force.b} /
                               ComplexOf<Real>{o.lambda - square, o.kappa * omega_};
+    const double root = std::sqrt(o.lambda.hi),
+                 whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
+    const bool turns = std::min(root, omega_) * length > 1.0 && !o.has_two_decays();
+    if (turns && !(std::hypot(s.re.hi, s.im.hi) <= whole))
+      return use(Part{weight * (y + d * dy), 0.0, o.kappa, o.lambda, o.rate,
+                      size * whole * (1.0 + d * root)});
     const Real steady = s.re, slope = -(omega_ * s.im);
     y -= steady;
     dy -= slope;
@@ -140,7 +146,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
     const Real &weight = w.row[j];
     if (weight.hi == 0.0) continue;
     if (!(o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0))) {
-      each_part(w, c, form_->exact[j], weight, [&bound](const Part &part) { bound.add(part); });
+      each_part(w, c, form_->exact[j], weight, l, [&bound](const Part &part) { bound.add(part); });
       continue;
     }
     bound.rate += weight * (c.dy + damping * c.derivative[2] / bound.unit);
@@ -168,7 +174,7 @@ double LongFlight::longest_blind_step() const {
     if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, omega_);
     const double threshold = zero_threshold * values_[k].terms;
     for (std::size_t j = 0; j < coordinates_.size(); ++j)
-      each_part(w, coordinates_[j], form_->exact[j], w.row[j], [&](const Part &part) {
+      each_part(w, coordinates_[j], form_->exact[j], w.row[j], infinity, [&](const Part &part) {
         if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
       });
   }

@@ -80,7 +80,7 @@ class LongFlight {
                           double length) const;
   template <class Use>
   void each_part(const Watch &watch, const Coordinate &c, const Oscillator<Real> &o,
-                 const Real &weight, const Use &use) const;
+                 const Real &weight, double length, const Use &use) const;
   Polynomial bound_of(std::size_t contact, double l, int order);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
