@@ -21,9 +21,6 @@ constexpr double change_rounding = 0x1p-50;
 // Rounding of the time of an event in a step, in units of `change_rounding`: one unit in the last
 // place.
 constexpr double step_time_rounding = 0x1p-2;
-// A hold force larger than this, relative to its terms, is not in question at the event of another
-// mass: the jump of a force is at least as large as that of its terms.
-constexpr double force_in_question = 1e-3;
 // A gap and its speed this small, relative to the motion of the chain and of the forcing in one
 // unit of time, are below the rounding of twice the precision.
 constexpr double as_at_rest = 1e-32;

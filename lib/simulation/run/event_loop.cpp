@@ -114,7 +114,7 @@ void end_flight(Run &run, const Real &tau, bool event, Recorders recorders) {
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
   run.hint = {.quiet_steps = quiet_steps, .time_passed = tau.hi > 0.0};
   if (!event) return;
-  handle_instant(run, recorders, false);
+  handle_instant(run, recorders);
   take_limit(run, recorders);
 }
 

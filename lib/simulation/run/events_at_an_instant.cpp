@@ -51,17 +51,6 @@ int zero_orders_of(const Run &run, std::size_t k, const Value &force) {
   return (by_definition || near == Near::perhaps) && force.is_zero() ? 1 : 0;
 }
 
-// Puts a held mass into question at the start of a run, when a decision was postponed, at a root of
-// its force, and when the force has jumped to a value that is small or negative.
-void question_held(Run &run, std::size_t k, bool at_start) {
-  const Contact &contact = run.motion.mode->contacts[k];
-  const Value force = evaluate(run.chain(), contact, run.motion);
-  const Near near = run.scratch.near[k];
-  if (at_start || is<Postponed>(run.stops[contact.stop].at) || near == Near::zero ||
-      near == Near::touch || rounded(force.value) <= force_in_question * force.terms)
-    add_resting(run, contact, zero_orders_of(run, k, force));
-}
-
 // The motion of the chain and of the forcing, within one unit of time, has a rounding. The unit is
 // that of the fastest mode, or the time so far where that is shorter, as on soft springs. A mass
 // whose bounces have died down below it is at rest with the others in question.
@@ -83,13 +72,14 @@ void question_dead_bounces(Run &run) {
   }
 }
 
-void gather_resting(Run &run, bool at_start) {
+void gather_resting(Run &run) {
   run.scratch.resting.clear();
   const List<Contact> &contacts = run.motion.mode->contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const AtStop &at = run.stops[contacts[k].stop].at;
     if (contacts[k].held)
-      question_held(run, k, at_start);
+      add_resting(run, contacts[k],
+                  zero_orders_of(run, k, evaluate(run.chain(), contacts[k], run.motion)));
     else if (is<Resting>(at) || is<Forceless>(at) || is<Postponed>(at))
       add_resting(run, contacts[k], 0);
   }
@@ -113,8 +103,8 @@ void set_stops(Run &run, const RestingMass &mass) {
 
 // Decides which masses stick after this instant, for all masses in question together, and enters
 // the contact mode that follows.
-void hold_or_release(Run &run, Recorders recorders, bool at_start) {
-  gather_resting(run, at_start);
+void hold_or_release(Run &run, Recorders recorders) {
+  gather_resting(run);
   Scratch &scratch = run.scratch;
   Motion &motion = run.motion;
   const Chain &chain = run.chain();
@@ -155,11 +145,11 @@ void forget_instant(Run &run) {
     if (!is<Forceless>(stop.at) && !is<Postponed>(stop.at)) stop.at = Evaluated{};
 }
 
-void handle_instant(Run &run, Recorders recorders, bool at_start) {
+void handle_instant(Run &run, Recorders recorders) {
   const ContactMode *before = run.motion.mode;
   gather_hits(run);
   apply_hits(run, recorders);
-  hold_or_release(run, recorders, at_start);
+  hold_or_release(run, recorders);
   follow_chatter(run, before);
 }
 
@@ -175,7 +165,7 @@ void handle_start(Run &run, Recorders recorders) {
   set_turn(chain, motion);
   run.stops.assign(chain.stops.size(), {});
   run.scratch.near.assign(chain.stops.size(), Near::perhaps);
-  handle_instant(run, recorders, true);
+  handle_instant(run, recorders);
 }
 
 void enter_limit(Run &run, Recorders recorders) {
@@ -186,7 +176,7 @@ void enter_limit(Run &run, Recorders recorders) {
   ++run.counters.chatter_limits;
   run.scratch.hits.clear();
   run.scratch.near.assign(run.chain().stops.size(), Near::no);
-  hold_or_release(run, recorders, false);
+  hold_or_release(run, recorders);
 }
 
 }  // namespace vibro_impact::detail

@@ -11,7 +11,7 @@ void forget_instant(Run &run);
 
 // Handles the events at the end of a flight, to which the run has been moved, or at the start of
 // the run. scratch.near tells which contacts have come to zero.
-void handle_instant(Run &run, Recorders recorders, bool at_start);
+void handle_instant(Run &run, Recorders recorders);
 
 // Handles the events at the start of a run. Masses at their stop that move into it have an impact,
 // and all masses at rest at a stop stick or are released.
