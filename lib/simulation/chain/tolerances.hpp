@@ -89,8 +89,6 @@ constexpr double polynomial_rounding = 0x1p-53;
 // Depth to which a hold force may fall below zero without a release, relative to the sum of the
 // moduli of the forces on its mass: eight roundings. The mass would leave its stop by some 1e-30.
 constexpr double touch_rounding = 0x1p-50;
-// Least first coefficient of a decided force: a positive number, far below every motion.
-constexpr double least_coefficient = 1e-290;
 // Time between simultaneous events, times the fastest rate: the rounding of one or two periods.
 constexpr double same_instant = 0x1p-46;
 // Time of a root, relative to its step, within which the gap that is left there is rounding. At a

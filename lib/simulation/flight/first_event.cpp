@@ -21,7 +21,7 @@ void insert_start(const Start &start, double unit, Polynomial &p) {
   if (zeros < 2) return;
   double first = start.rate;
   for (int n = 1; n <= zeros; ++n) first *= unit / n;
-  c[static_cast<std::size_t>(zeros)] = std::max(first, least_coefficient);
+  c[static_cast<std::size_t>(zeros)] = first;
 }
 
 // A bound of the fall of a gap over the step: u <= u_max, and u^n <= u_max^2 from order 2 on.
