@@ -108,11 +108,11 @@ bool any_force_begins(const Run &run) {
 }
 
 // Handles the end of a flight, to which the run has been moved.
-void end_flight(Run &run, const Real &tau, bool event, Recorders recorders) {
+void end_flight(Run &run, bool event, Recorders recorders) {
   forget_instant(run);
   event = event || any_force_begins(run);
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
-  run.hint = {.quiet_steps = quiet_steps, .time_passed = tau.hi > 0.0};
+  run.hint = {.quiet_steps = quiet_steps};
   if (!event) return;
   handle_instant(run, recorders);
   take_limit(run, recorders);
@@ -209,7 +209,7 @@ void fly_on(Run &run, Recorders recorders) {
   sample(run, end.tau, recorders);
   if (run.progress.over) return;
   move_to(run, end);
-  end_flight(run, end.tau, end.event || run.hint.postponed, recorders);
+  end_flight(run, end.event || run.hint.postponed, recorders);
 }
 
 }  // namespace

@@ -60,10 +60,7 @@ void gather_hits(Run &run) {
     if (!by_definition && !evaluate(run.chain(), contacts[k], run.motion).is_zero()) continue;
     const std::size_t i = contacts[k].mass;
     const Real closing = scaled(run.motion.v[i], contacts[k].sigma);
-    // A zero without any flight that does not close is rest within rounding.
-    const bool stays = !run.hint.time_passed && near == Near::zero && !(closing.hi > 0.0);
-    if (near == Near::rest || stays ||
-        !(std::abs(closing.hi) > zero_threshold * run.motion.v_terms[i]))
+    if (near == Near::rest || !(std::abs(closing.hi) > zero_threshold * run.motion.v_terms[i]))
       at = Resting{};
     else if (closing.hi > 0.0)
       scratch.hits.push_back({k, closing});

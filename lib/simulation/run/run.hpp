@@ -32,7 +32,6 @@ struct Problem {
 struct StepHint {
   double flight_time = infinity;  // expected until the next impact of a mass that was just hit
   long long quiet_steps = 0;      // steps since the latest event
-  bool time_passed = true;        // in the latest flight
   // A decision about a stop is postponed: the next step ends two roundings of the clock later, or
   // `least_delay` after t = 0.
   bool postponed = false;
