@@ -24,11 +24,6 @@ constexpr double step_time_rounding = 0x1p-2;
 // A gap and its speed this small, relative to the motion of the chain and of the forcing in one
 // unit of time, are below the rounding of twice the precision.
 constexpr double as_at_rest = 1e-32;
-// A term of a decision at rest below this has lost digits to underflow. The unit of its rates is
-// then slower by a factor, down to a share of the fastest rate.
-constexpr double least_term = 1e-280;
-constexpr double slower_unit = 0x1p-10;
-constexpr double slowest_unit = 0x1p-60;
 // Orders of a decision at rest that take as long as a step, for chains of 2 to 200 masses.
 constexpr int orders_as_a_step = 20;
 // Most radians of a mode that swings on. Its phase rounds to 1e-4 there.

@@ -3,8 +3,7 @@
 // its neighbours, which have been decided at the orders before.
 //
 // Derivatives of order n are carried in the unit rate^n. The rate is a power of two and rounds
-// nothing. At the fastest rate of the chain no derivative overflows. Beside a stiff link, those of
-// masses far from it may underflow, and the decision is made again at a slower rate.
+// nothing. At the fastest rate of the chain no derivative overflows.
 #include "rest.hpp"
 
 #include <algorithm>
@@ -16,7 +15,7 @@ namespace vibro_impact::detail {
 
 // The force of springs and dampers on a mass at order n, over rate^n.
 RestDecision::Term RestDecision::springs_on(const Chain &chain, std::size_t i) const {
-  const double damping = chain.beta * rate_;
+  const double damping = chain.beta * chain.rate_unit;
   Term force;
   const auto add_spring = [&](double stiffness, bool has_neighbour, std::size_t other) {
     if (stiffness == 0.0) return;
@@ -38,20 +37,8 @@ RestDecision::Term RestDecision::springs_on(const Chain &chain, std::size_t i) c
 
 int RestDecision::decide(const Chain &chain, const Motion &motion,
                          std::vector<RestingMass> &masses) {
-  rate_ = chain.rate_unit;
-  int orders = decide_by_order(chain, motion, masses);
-  while (underflown_ && rate_ > chain.rate_unit * slowest_unit) {
-    rate_ *= slower_unit;
-    orders += decide_by_order(chain, motion, masses);
-  }
-  return orders;
-}
-
-int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
-                                  std::vector<RestingMass> &masses) {
   const std::size_t n = chain.masses;
-  const double rate = rate_;
-  bool underflown = false;
+  const double rate = chain.rate_unit;
   kind_.resize(n);
   for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_}) order->resize(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -100,7 +87,6 @@ int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
       order_n_plus_2_[i] = {};
       if (kind_[i] != Kind::moving) continue;
       const Term force = force_at(i);
-      underflown = underflown || (force.terms > 0.0 && force.terms < least_term);
       const double inertia = chain.mass[i] * rate * rate;
       order_n_plus_2_[i] = {force.value / Real(inertia), force.terms / inertia};
     }
@@ -115,7 +101,6 @@ int RestDecision::decide_by_order(const Chain &chain, const Motion &motion,
     mass.forceless = kind_[mass.mass] == Kind::undecided;
     if (mass.forceless) mass.held = false;
   }
-  underflown_ = underflown && left > 0;
   return std::min(order + 1, most_orders);
 }
 

@@ -45,11 +45,7 @@ class RestDecision {
   std::vector<Term> order_n_, order_n_plus_1_, order_n_plus_2_;
   std::vector<Kind> kind_;
 
-  double rate_ = 1.0;        // the unit of time is 1 / rate
-  bool underflown_ = false;  // some derivative, with masses left undecided
-
   Term springs_on(const Chain &chain, std::size_t i) const;
-  int decide_by_order(const Chain &chain, const Motion &motion, std::vector<RestingMass> &masses);
 };
 
 }  // namespace vibro_impact::detail
