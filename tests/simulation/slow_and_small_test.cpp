@@ -4,6 +4,7 @@
 // feels its springs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -175,6 +176,27 @@ TEST(LongFlight, PassesOverNoImpactBehindAWeakLink) {
     const std::vector<Event> events = events_of(scene, 0.0, until);
     ASSERT_FALSE(events.empty());
     EXPECT_NEAR(events[0].time, impact, 1e-9 * impact) << stiffness[1];
+  }
+}
+
+// The motion behind a link below rounding is proportional to its stiffness: events do not depend on
+// it. A link of 1e-30 gives the reference, 1295.761108, to its six decimals.
+TEST(LongFlight, MovesAMassBehindALinkBelowRounding) {
+  for (const double link : {1e-30, 1e-31, 1e-60}) {
+    Scene scene = extremes::chain(2, 0.0618051);
+    scene.mass = {1.16465, 1.74353};
+    scene.stiffness = {0.0, link};
+    scene.ground = {1.92534, 0.323727};
+    scene.amplitude = {1.0, 0.0};
+    scene.omega = 0.00121257;
+    scene.restitution = 0.0;
+    scene.stops = {{2, Side::lower, 0.0}};
+    const std::vector<Event> events = events_of(scene, 0.0, 16494.0);
+    const auto stick = std::find_if(events.begin(), events.end(), [](const Event &event) {
+      return event.kind == EventKind::stick;
+    });
+    ASSERT_NE(stick, events.end()) << link;
+    EXPECT_NEAR(stick->time, 1295.761108, 1e-6) << link;
   }
 }
 

@@ -117,7 +117,8 @@ constexpr int exact_newton_steps = 4;
 constexpr double longest_correction = 1e-3;
 // Evaluations after which a long flight begins anew where it is, so that its run can be given up.
 constexpr int most_search_steps = 1000;
-// Bounds of one-sided rotations, as in LAPACK's dgesvj, and of their sweeps.
+// Bounds of one-sided rotations, relative to the terms of the product of two columns, and of their
+// sweeps.
 constexpr double rotation_rounding = 1e-30;
 constexpr int most_sweeps = 40;
 

@@ -67,8 +67,12 @@ void make_orthogonal(RealMatrix &factor, RealMatrix &vectors) {
       for (Index q = p + 1; q < n; ++q) {
         const Real pp = factor.col(p).squaredNorm(), qq = factor.col(q).squaredNorm(),
                    pq = factor.col(p).dot(factor.col(q));
-        const double scale = std::sqrt(rounded(pp)) * std::sqrt(rounded(qq));
-        if (!(std::abs(rounded(pq)) > rotation_rounding * scale)) continue;
+        // A weak link may be all that ties two columns: the rounding of their product is relative
+        // to its terms.
+        double terms = 0.0;
+        for (Index i = 0; i < factor.rows(); ++i)
+          terms += std::abs(factor(i, p).hi * factor(i, q).hi);
+        if (!(std::abs(rounded(pq)) > rotation_rounding * terms)) continue;
         // The mode of a rigid body has no tension, but for rounding.
         if (std::min(rounded(pp), rounded(qq)) < rotation_rounding * rotation_rounding * largest)
           continue;
