@@ -52,7 +52,7 @@ TEST_F(Runner, NumbersArePrintedAsTheyAreMeant) {
                   std::to_string(from + 1))
                   .status,
               0);
-    const truth::Rows rows = table("s.csv");
+    const vibro_impact::truth::Rows rows = table("s.csv");
     ASSERT_EQ(rows.size(), 101u);
     for (int k = 1; k < 100; ++k) {
       const std::string number = std::to_string(from * 100 + 100 + k);  // 1.00 is 100

@@ -29,7 +29,7 @@ void rotate(const Problem &problem, Sequence &s, Vector &u, size_t k) {
   }
   for (size_t j = 0; j < count; ++j)
     u(problem.time_at(j)) = before(problem.time_at((j + k) % count));
-  std::ranges::rotate(s.items, s.items.begin() + static_cast<Difference>(k));
+  std::rotate(s.items.begin(), s.items.begin() + static_cast<Difference>(k), s.items.end());
 }
 
 void re_express(const Problem &problem, const Sequence &from, const Sequence &to, Vector &u) {

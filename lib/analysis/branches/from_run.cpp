@@ -109,7 +109,7 @@ std::optional<SequenceOrbit> sequence_from_run(const Problem &problem, const Mot
     start = run.states[items[first].event];
     wraps = items.size() - 1 - first;
     times.clear();
-    std::ranges::rotate(items, items.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(first), items.end());
     for (const auto &[item, event] : items) {
       s.items.push_back(item);
       times.push_back(elapsed(orbit.instant, run.events[event].instant, clock));

@@ -150,7 +150,9 @@ std::optional<SpecialPoint> flip_of_parent(const Problem &problem, const Sequenc
                                            const Vector &u, double most) {
   if (half_of_period(problem, s, u) == 0) return {};
   const double near = u(0);
-  auto [half, v] = first_half(problem, s, u);
+  const SequenceOrbit first = first_half(problem, s, u);
+  const Sequence &half = first.first;
+  Vector v = first.second;
   if (!solve(problem, half, v, at_parameter(problem, half, near))) return {};
   const auto test = [&](double q) {
     if (!solve(problem, half, v, at_parameter(problem, half, q), true)) return infinity;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "orbit_tolerances.hpp"
+#include "vibro_impact/analysis/periodic_orbit.hpp"
 
 namespace vibro_impact {
 

@@ -74,16 +74,16 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
     for (const Event &event : events_of(motion))
       if (event.kind == EventKind::impact) record.impacts[index_of(event.mass)].push_back(event);
     const Instant section{first.instant.phase < start.instant.phase ? 0 : 1, start.instant.phase};
-    for (std::vector<Event> &of_mass : record.impacts)
-      std::ranges::rotate(of_mass, std::ranges::find_if(of_mass, [&section](const Event &event) {
-                            return !(event.instant < section);
-                          }));
+    for (std::vector<Event> &of_mass : record.impacts) {
+      const auto first_after = std::ranges::find_if(
+          of_mass, [&section](const Event &event) { return !(event.instant < section); });
+      std::rotate(of_mass.begin(), first_after, of_mass.end());
+    }
   }
   if (options.attractor && has_settled)
     record.attractor = attractor_mark(scene, found.motion.section);
   if (options.lyapunov) record.lyapunov = exponent_of(scene, found, options);
-  if (options.response)
-    record.response = response_of(scene, first, periods, options.settle.run);
+  if (options.response) record.response = response_of(scene, first, periods, options.settle.run);
   return record;
 }
 
