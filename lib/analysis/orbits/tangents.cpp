@@ -196,6 +196,7 @@ void Tangents::apply_stick(const MotionState &after) {
 
 Smooth<Eigen::MatrixXd> derivative_of(const Motion &motion, const Eigen::VectorXd &units) {
   const auto free = free_coordinates(motion.start().held);
+  if (free.empty()) return Eigen::MatrixXd(units.size(), 0);
   Eigen::MatrixXd first =
       Eigen::MatrixXd::Zero(units.size(), static_cast<Eigen::Index>(free.size()));
   for (std::size_t k = 0; k < free.size(); ++k) {
