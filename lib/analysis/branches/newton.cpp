@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/orbits/motion_state.hpp"
+#include "analysis/orbits/motion.hpp"
 #include "sequence.hpp"
 #include "tolerances.hpp"
 #include "vibro_impact/analysis/parameter.hpp"
@@ -12,10 +12,7 @@
 namespace vibro_impact::branches {
 
 Scene scene_at(const Problem &problem, double q) {
-  Scene scene = with(problem.scene, problem.parameter, q);
-  scene.displacement.resize(problem.masses(), 0.0);
-  move_inside(scene, scene.displacement);
-  return scene;
+  return with_start_inside(with(problem.scene, problem.parameter, q));
 }
 
 Vector units_of(const Problem &problem, const Sequence &s) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "analysis/orbits/newton.hpp"
 #include "tolerances.hpp"
 
 namespace vibro_impact::branches {
@@ -184,15 +185,13 @@ bool has_pair_on_the_circle(const Multipliers &multipliers) {
 // True if multipliers may cross the unit circle twice between two orbits: one lies near the circle,
 // or the largest one changes much, as next to a graze.
 bool may_cross_twice(const Place &a, const Place &b) {
-  const auto largest = [](const Place &at) {
-    return at.multipliers.empty() ? 0.0 : std::abs(at.multipliers.front());
-  };
+  const double at_a = largest_modulus(a.multipliers), at_b = largest_modulus(b.multipliers);
   const auto is_near = [](const auto &mu) {
     return std::abs(std::abs(mu) - 1.0) < near_the_circle;
   };
   return std::ranges::any_of(a.multipliers, is_near) ||
          std::ranges::any_of(b.multipliers, is_near) ||
-         std::max(largest(a), largest(b)) > 2.0 * std::min(largest(a), largest(b));
+         std::max(at_a, at_b) > 2.0 * std::min(at_a, at_b);
 }
 
 SpecialPoints special_points_in_part(const Problem &problem, const Place &a, const Place &b) {
