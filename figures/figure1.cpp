@@ -53,7 +53,7 @@ void draw(const std::filesystem::path &output) {
   const double period = Clock(scene.omega).period, to = paper::panel("figure2a").to;
   const double from = to - 2 * period;
   SampleRecorder samples(from, to, step);
-  EventRecorder recorder(from - period);
+  EventRecorder recorder(from - period, infinity);
   require_complete(simulate(scene, samples.to, figures::all_visible_chatter, samples, recorder));
   Table motion("t,x1,x2,action1,action2");
   for (std::size_t i = 0; i < samples.times.size(); ++i) {

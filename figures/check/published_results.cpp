@@ -51,7 +51,7 @@ OneImpactOrbit one_impact_orbit(const Arguments &p) {
   const auto [scene, guess] = after_impact(p);
   const PeriodicOrbit orbit = find_periodic_orbit(scene, guess, periods);
   if (!orbit.converged) throw std::runtime_error("no orbit of one impact: " + orbit.why_not);
-  EventRecorder recorder;
+  EventRecorder recorder(0.0, infinity);
   stroboscopic_map(scene, orbit.state, periods, {}, recorder);
   if (recorder.events.size() != scene.stops.size())
     throw std::runtime_error("the orbit has " + std::to_string(recorder.events.size()) +

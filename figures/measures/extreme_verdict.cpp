@@ -90,7 +90,7 @@ Relative sensitivity_of(const Scene &scene, double until, double period, const S
 ExtremeErrors measure(const Case &extreme, const EventTables &tables) {
   const Scene &scene = extreme.scene;
   const double period = period_of(scene);
-  EventRecorder recorder(extreme.from);
+  EventRecorder recorder(extreme.from, infinity);
   const Outcome outcome = require_complete(simulate(scene, extreme.until, recorder));
   const auto truth = extreme.truth == Truth::digits ? tables.at(extreme.name) : extreme.events;
   const truth::Differences differences =

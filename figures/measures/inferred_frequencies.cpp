@@ -73,7 +73,7 @@ Trial try_figure2(double omega) {
   const paper::AxisBox a = paper::panel("figure2a"), b = paper::panel("figure2b");
   SampleRecorder samples = scan_samples(a), close_up = scan_samples(b);
   const double ten_periods_before = a.to - 10.0 * Clock(omega).period;
-  EventRecorder events{std::min(ten_periods_before, b.from - Clock(omega).period)};
+  EventRecorder events{std::min(ten_periods_before, b.from - Clock(omega).period), infinity};
   require_complete(simulate(scene, a.to, all_visible_chatter, samples, close_up, events));
   int sticks[] = {0, 0};
   for (const Event &event : events.events)
@@ -92,7 +92,7 @@ Trial try_figure5a(double omega) {
   const paper::AxisBox box = paper::panel("figure5a");
   const double period = Clock(omega).period;
   SampleRecorder samples = scan_samples(box);
-  EventRecorder events{box.from - period};
+  EventRecorder events{box.from - period, infinity};
   require_complete(simulate(scene, box.to + period, all_visible_chatter, samples, events));
   const Chatter chatter = chatter_after(events.events, 1, box.from, invisible(box));
   int impacts = 0;  // of mass 2 while mass 1 sticks
@@ -114,7 +114,7 @@ Trial try_figure5b(double omega) {
   const Scene scene = with(paper::figure5b(), "omega", omega);
   const paper::AxisBox box = paper::panel("figure5b");
   SampleRecorder samples = scan_samples(box);
-  EventRecorder events{box.from};
+  EventRecorder events{box.from, infinity};
   require_complete(simulate(scene, box.to, all_visible_chatter, samples, events));
   double time = never, gap = infinity;  // mass 2 nearest its stop
   for (std::size_t i = 0; i < samples.times.size(); ++i) {

@@ -19,7 +19,7 @@ Range range_of(const SampleRecorder &samples, int mass) {
 
 std::vector<Event> events_of(const Scene &scene, double from, double until,
                              const RunOptions &options) {
-  EventRecorder recorder(from);
+  EventRecorder recorder(from, infinity);
   require_complete(simulate(scene, until, options, recorder));
   return recorder.events;
 }

@@ -20,7 +20,8 @@ std::string footer_of_run() {
   return R"(Example of a run:
   vibro-impact run --from 700 --events events.csv --samples samples.csv --plot run.png
 Events are impact, stick or release; contact_mode lists the sticking masses after the event (-, 1,
-2, 1+2), phase is the time within the forcing period, and impulse is m |v_before - v_after|.
+2, 1+2), phase is the time within the forcing period, and impulse is m |v_before - v_after|. At a
+stick, impulse is that of the infinitely many slower impacts of the chatter that it ends.
 A sample at the time of an event has the velocity before it, and one at the start of the run that
 after it.
 A Poincare section, with one point in each forcing period (P):

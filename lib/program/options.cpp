@@ -91,14 +91,17 @@ void add_settling(CLI::App &app, SettleOptions &options) {
 }
 
 void add_files_of_run(CLI::App &app, RunRequest &request) {
+  option(app, "--slowest", request.slowest, "SPEED",
+         "List and count the impacts of a chatter down to this speed; by default down to\n"
+         "1e-4 of the speed of its first impact");
   flag(app, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
   app.option_defaults()->configurable(false);  // the rows do not depend on these
   option(app, request.events, "Event table; - for standard output");
   option(app, request.samples, "Displacements time,x1,x2,...; - for standard output");
   option(app, request.summary,
-         "For each stop: impacts, their speeds, impulse and energy lost, sticks, time in\n"
-         "contact, impulse of the pressing force; - for standard output. Speeds are those of\n"
-         "resolved impacts; impulse and energy contain the limits of chatters, too");
+         "For each stop: impacts down to --slowest, the largest speed, impulse and energy lost,\n"
+         "sticks, time in contact, impulse of the pressing force; - for standard output.\n"
+         "Impulse and energy are those of all impacts, also of infinitely many");
   option(app, request.plot,
          "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
          "impacts of --events; .png, .pdf or .svg");

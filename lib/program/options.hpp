@@ -26,7 +26,8 @@ struct RunRequest : Common {
   std::optional<MotionState> start;
   RunOptions options;
   double until = 0.0, from = 0.0, every = 0.0;
-  bool velocities = false;  // beside the displacements of the samples
+  std::optional<double> slowest;  // impact of a chatter in the tables
+  bool velocities = false;        // beside the displacements of the samples
   Output events{"--events"}, samples{"--samples"}, summary{"--summary"}, plot{"--plot"},
       portrait{"--portrait"};
 };

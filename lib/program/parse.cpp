@@ -67,7 +67,6 @@ void check_combinations(const CLI::App &app) {
                                        {"--attractor", "--table"},
                                        {"--response", "--table"},
                                        {"--exponent-periods", "--lyapunov"},
-                                       {"--slowest", "--impacts"},
                                        {"--column", "--plot"},
                                        {"--column", "--vary"},
                                        {"--diagram", "--plot"},
@@ -80,6 +79,10 @@ void check_combinations(const CLI::App &app) {
   if (has(app, "--from") && !has(app, "--events") && !has(app, "--samples") &&
       !has(app, "--summary"))
     refuse("--from: needs --events, --samples or --summary");
+  if (has(app, "--slowest") && !has(app, "--impacts") && !has(app, "--events") &&
+      !has(app, "--summary"))
+    refuse("--slowest: needs {}",
+           app.get_option_no_throw("--impacts") != nullptr ? "--impacts" : "--events or --summary");
   for (const char *option : {"--longest", "--largest-period"})
     if (has(app, option) && has(app, "--near-start"))
       refuse("{}: bounds the settling, which --near-start omits", option);

@@ -18,14 +18,13 @@ namespace vibro_impact::runner {
 
 namespace {
 
-Table table_of(const EventRecorder &recorder, const Scene &scene) {
+Table table_of(const EventRecorder &recorder) {
   Table table(
       "time,mass,event,velocity_before,velocity_after,contact_mode,stop,side,phase,impulse");
   for (const Event &event : recorder.events) {
-    const double m = scene.mass[static_cast<std::size_t>(event.mass - 1)];
     table.row(event.time, event.mass, name(event.kind), event.velocity_before, event.velocity_after,
               contact_mode_name(event.held), event.stop, name(event.side), event.instant.phase,
-              m * std::abs(event.velocity_before - event.velocity_after));
+              event.taken.impulse);
   }
   return table;
 }
@@ -181,15 +180,15 @@ void check_outputs_of(const RunRequest &request, const Output &more, const Outpu
 }
 
 Outcome record_run(const RunRequest &request) {
-  EventRecorder events(request.from);
+  EventRecorder events(request.from, request.slowest);
   SampleTable samples(request);
   PortraitRecorder portrait(request);
-  Summary summary(request.scene, request.from, request.until);
+  TotalsRecorder totals(request.scene, request.from, request.until, request.slowest);
   std::vector<Recorder *> recorders;
   if (request.events.wanted()) recorders.push_back(&events);
   if (request.samples.wanted()) recorders.push_back(&samples);
   if (request.portrait.wanted()) recorders.push_back(&portrait);
-  if (request.summary.wanted()) recorders.push_back(&summary);
+  if (request.summary.wanted()) recorders.push_back(&totals);
   Outcome outcome;
   {
     ProgressRecorder progress(request.until);
@@ -199,10 +198,9 @@ Outcome record_run(const RunRequest &request) {
     outcome = simulation.advance(request.until, recorders);
   }
   outcome = require_complete(std::move(outcome));
-  for (const auto &[output, text] :
-       {std::pair{request.events, table_of(events, request.scene).text},
-        {request.samples, samples.table.text},
-        {request.summary, summary.table().text}})
+  for (const auto &[output, text] : {std::pair{request.events, table_of(events).text},
+                                     {request.samples, samples.table.text},
+                                     {request.summary, table_of(totals, request.scene).text}})
     if (output.wanted()) write_text(request.head + text, output.path);
   draw_pictures(request, portrait);
   return outcome;

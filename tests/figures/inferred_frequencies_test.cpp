@@ -32,7 +32,7 @@ TEST(AxisRule, AnAxisEndsAtTheFirstTickBeyondTheData) {
 TEST(AxisRule, AnImpactReachesTheStop) {
   const Scene scene = paper::figure2();
   SampleRecorder samples(716.0, 716.02, 0.015);
-  EventRecorder events{samples.from};
+  EventRecorder events{samples.from, infinity};
   require_complete(simulate(scene, samples.to, samples, events));
   ASSERT_EQ(std::count_if(events.events.begin(), events.events.end(),
                           [](const Event &event) { return event.mass == 2; }),

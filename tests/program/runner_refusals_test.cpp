@@ -106,6 +106,7 @@ const std::vector<BadCase> bad_cases = {
     {"run --velocities", "--velocities: needs --samples"},
     {"run --events e.csv --every 0.1", "--every: needs --samples"},
     {"run --until 10 --from 5", "--from: needs --events, --samples or --summary"},
+    {"run --until 10 --samples s.csv --slowest 0.1", "--slowest: needs --events or --summary"},
     {"orbit --longest 1 --table t.csv --vary displacement1=-0.1:0.1:5",
      "displacement1: is an initial state"},
     {sweep_files + omega + "--vary beta=0:1:2 --vary restitution=0:1:2 --plot p.png",

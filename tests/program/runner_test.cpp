@@ -31,7 +31,7 @@ TEST_F(Runner, TablesHoldTheLibrarysNumbersBitForBit) {
   for (const Event &event : events.events)
     expected.row(event.time, event.mass, name(event.kind), event.velocity_before,
                  event.velocity_after, contact_mode_name(event.held), event.stop, name(event.side),
-                 event.instant.phase, std::abs(event.velocity_after - event.velocity_before));
+                 event.instant.phase, event.taken.impulse);
   EXPECT_EQ(lines(result.out), lines(expected.text));
   EXPECT_GT(events.events.size(), 30u);
   const truth::Rows rows = table("s.csv");
@@ -66,12 +66,12 @@ TEST_F(Runner, NumbersArePrintedAsTheyAreMeant) {
   EXPECT_EQ(result.out.find(",-0,"), std::string::npos);
 }
 
-// The smaller the speed down to which chatter is resolved, the more impacts stand in the table; the
-// sticking phases are the same.
-TEST_F(Runner, ResolveChatterSetsHowFarChatterIsWrittenOut) {
+// The smaller the speed down to which chatter is listed or resolved, the more impacts stand in the
+// table; the sticking phases are the same. By default it is 1e-4 of the first impact, some 1e-5.
+TEST_F(Runner, SlowestAndResolveChatterSetHowFarChatterIsWrittenOut) {
   std::size_t before = 0;
   for (const char *option :
-       {"", "--resolve-chatter 1e-4", "--resolve-chatter 1e-8", "--resolve-chatter 0"}) {
+       {"--slowest 1e-2", "", "--slowest 1e-6", "--resolve-chatter 1e-8", "--resolve-chatter 0"}) {
     const Result result = run(std::string("run --until 100 --events - ") + option);
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.err.find(" 6 sticks, 5 releases"), std::string::npos) << result.err;

@@ -19,7 +19,7 @@ bool stay_out_of_reach(const Scene &scene, const Held &held, double left, double
   find_acceleration(chain, motion);
   detail::Chatter chatter;
   std::vector<double> jumps{jump, 0.0};
-  chatter.add({0}, left, scene.restitution, Clock(scene.omega), motion, jumps);
+  chatter.add({0}, left, scene.restitution, Clock(scene.omega), motion, jumps, {{}});
   const std::vector<detail::StopState> stops(2);
   return others_stay_out_of_reach(chain, chatter, motion, stops, left);
 }

@@ -1,4 +1,4 @@
-// The rules for the next event of a run.
+// The rules for the next event of a run, of which it lists the impacts that EventRecorder records.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,6 +29,9 @@ struct EventRules : Recorder {
   std::string broken = {};
 
   explicit EventRules(const Scene &of) : scene(of) {
+  }
+  double slowest_impact(double first, double) const override {
+    return slowest_listed({}, first);
   }
   void event(const Event &event, const Moment &moment) override {
     events.push_back(event);

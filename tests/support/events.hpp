@@ -41,13 +41,17 @@ inline double time_inside_chatter(const Scene &scene, double until,
   return latest + 0.25 * (events.back().time - latest);
 }
 
-// Calls a function with each event, and asks for the end of the run once it has returned true.
+// Calls a function with each event that EventRecorder records, and asks for the end of the run once
+// it has returned true.
 struct AtEvents : Recorder {
   std::function<bool(const Event &, const Moment &)> is_last;
   bool ended = false;
 
   explicit AtEvents(std::function<bool(const Event &, const Moment &)> function)
       : is_last(std::move(function)) {
+  }
+  double slowest_impact(double first, double) const override {
+    return slowest_listed({}, first);
   }
   void event(const Event &event, const Moment &moment) override {
     ended = is_last(event, moment) || ended;

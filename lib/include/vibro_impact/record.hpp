@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "event.hpp"
@@ -32,6 +33,10 @@ class Moment {
   // The force of the neighbours and the forcing on a held mass, F_p of Eqs. 12-13, positive towards
   // +x. It is NaN for a free mass.
   virtual double hold_force(int mass) const = 0;
+  // What the impacts at a stop (from 1) have taken up to this moment that no event has reported
+  // yet. They are impacts of a chatter, and the event at its limit reports them. Else it is zero.
+  // The impulses of all events and of this sum balance the momentum up to this moment.
+  virtual ImpactSum unreported(int stop) const = 0;
 };
 
 // The state at a moment of a run, which is in this contact mode.
@@ -46,8 +51,18 @@ struct Recorder {
   // A run calls `check` before it begins. It throws std::invalid_argument to refuse the scene.
   virtual void check(const Scene &) const {
   }
-  // A run calls `event` at every event.
+  // A run calls `event` at every event. Of the infinitely many impacts of a chatter that is carried
+  // to its limit, it reports those that were resolved to find the limit, and those that a recorder
+  // asks for. The event at the limit has the sums of the others.
   virtual void event(const Event &, const Moment &) {
+  }
+  // The least speed of the impacts that are to be reported. A run asks before it carries a chatter
+  // to its limit at the time `limit`; `first` is the speed of the first impact of this chatter. The
+  // impacts are then resolved beside the motion, which stays the same to the last bit. Infinity
+  // asks for no further impact. All recorders of a call hear the same events.
+  virtual double slowest_impact([[maybe_unused]] double first,
+                                [[maybe_unused]] double limit) const {
+    return infinity;
   }
   // A run calls `sample` at the time that `next_time` returns, and asks for the next time as it
   // begins, after every event and after every sample. Each time must be later than the latest
@@ -65,14 +80,28 @@ struct Recorder {
   }
 };
 
-// Records every event from time `from` on.
+// The speed, relative to the first impact of a chatter, down to which impacts are listed by
+// default.
+constexpr double listed_share = 1e-4;
+
+// The speed down to which the impacts of a chatter are listed: `slowest`, or a share of the first.
+inline double slowest_listed(const std::optional<double> &slowest, double first) {
+  return slowest.value_or(listed_share * first);
+}
+
+// Records every event from time `from` on. Impacts of a chatter are recorded down to the speed
+// `slowest`, or if it is empty down to `listed_share` of the first impact of the chatter. The
+// infinitely many slower ones are in the event at the limit.
 struct EventRecorder : Recorder {
   double from;
+  std::optional<double> slowest;
   std::vector<Event> events = {};
 
-  explicit EventRecorder(double from_time = 0.0) : from(from_time) {
+  explicit EventRecorder(double from_time = 0.0, std::optional<double> slowest_speed = {})
+      : from(from_time), slowest(slowest_speed) {
   }
   void check(const Scene &scene) const override;
+  double slowest_impact(double first, double limit) const override;
   void event(const Event &event, const Moment &) override;
 };
 

@@ -30,8 +30,9 @@
 namespace vibro_impact {
 
 struct RunOptions {
-  // A chatter of impacts slower than this ends at its limit. Every faster impact is resolved and
-  // reported. With 0, all impacts are resolved until the remaining ones lie below rounding.
+  // A chatter of impacts slower than this ends at its limit. The motion resolves every faster
+  // impact. Recorders may ask for slower ones, which do not change it. With 0, all impacts are
+  // resolved until the remaining ones lie below rounding.
   double limit_below_speed = infinity;
   // Largest estimated error of the time of a chatter limit, times the rate of the fastest mode, at
   // which the limit is accepted. It lies in (0, 1).
@@ -42,9 +43,9 @@ struct RunOptions {
   double flight_tolerance = 0x1p-59;
   // A run is given up after this many steps in one call of `advance`. Every impact ends a step, so
   // that this number bounds the impacts, too. Twenty orders of decisions who sticks take as long
-  // as a step, and count as one. A sample inside a chatter that is taken to its limit needs further
-  // impacts, at most as many again. An undamped mode of frequency w takes at least w/2 steps per
-  // unit of time while an impact is near.
+  // as a step, and count as one. A sample or a listed impact inside a chatter that is taken to its
+  // limit needs further impacts, which count for themselves. An undamped mode of frequency w takes
+  // at least w/2 steps per unit of time while an impact is near.
   long long max_steps = 10'000'000;
 };
 
@@ -88,7 +89,8 @@ class Simulation {
   const Scene &scene() const;
 
   // Goes on with other options. An event before the end of the latest call is not reported, also
-  // where the call ended inside a chatter that other options resolve further. Throws
+  // where the call ended inside a chatter that other options resolve further. Impacts of this
+  // chatter before the end that no recorder has asked for are then in no event. Throws
   // std::invalid_argument for options out of range.
   void set_options(const RunOptions &options);
 
@@ -98,11 +100,13 @@ class Simulation {
   void start_from(const MotionState &start);
 
   // Runs on to time `until`, counted from t = 0, and calls the recorders on the way. The events do
-  // not depend on the times at which calls end. The counters of the outcome are those of this call.
-  // Throws std::invalid_argument, with one line, for a time that is not finite or lies before the
-  // state of the simulation, for a sample before it, and if a recorder refuses the scene. Throws it
-  // also if some mode may still swing at the end, and its rate times the time to run exceeds 1e12:
-  // its phase then has a rounding of 1e-4. Passes on what a recorder throws.
+  // not depend on the times at which calls end. Which impacts of a chatter they list, and which the
+  // event at its limit sums up, depends on what the recorders ask for. The counters of the outcome
+  // are those of this call. Throws std::invalid_argument, with one line, for a time that is not
+  // finite or lies before the state of the simulation, for a sample before it, and if a recorder
+  // refuses the scene. Throws it also if some mode may still swing at the end, and its rate times
+  // the time to run exceeds 1e12: its phase then has a rounding of 1e-4. Passes on what a recorder
+  // throws.
   [[nodiscard]] Outcome advance(double until, std::span<Recorder *const> recorders);
   template <std::derived_from<Recorder>... Recorders>
   [[nodiscard]] Outcome advance(double until, Recorders &...recorders) {

@@ -10,3 +10,4 @@
 #include "scene_fields.hpp"
 #include "scene_text.hpp"
 #include "simulate.hpp"
+#include "totals.hpp"

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "twofold_instant.hpp"
+#include "vibro_impact/event.hpp"
 
 namespace vibro_impact::detail {
 
@@ -36,9 +37,13 @@ bool is(const AtStop &at) {
 struct StopState {
   AtStop at = {};
   double last_speed = 0.0;              // closing speed of the latest impact
+  double first_speed = 0.0;             // of the impact from which speeds fall
   int falling = 0;                      // see Event::falling
   TwofoldInstant since = {};            // instant of the impact from which speeds fall
   std::optional<Instant> changed = {};  // instant of the latest stick or release
+  // Sums of impacts of a chatter between its latest node and its limit: those that were reported,
+  // and those that the event at the limit will report.
+  ImpactSum reported = {}, unreported = {};
 };
 
 }  // namespace vibro_impact::detail

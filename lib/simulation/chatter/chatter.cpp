@@ -38,10 +38,12 @@ void Chatter::set_weights(double ratio) {
 }
 
 bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, double r,
-                  const Clock &clock, const Motion &motion, std::vector<double> &jumps) {
+                  const Clock &clock, const Motion &motion, std::vector<double> &jumps,
+                  const std::vector<ImpactShare> &shares) {
   if (!(stops == stops_ && flight_time < flight_time_)) {
     end();
     stops_ = stops;
+    sums_.assign(stops.size(), {});
     first_ = motion.now;
     if (r != restitution_) {
       restitution_ = r;
@@ -52,6 +54,10 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
     }
   }
   flight_time_ = flight_time;
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    sums_[k].impulse += shares[k].now.impulse;
+    sums_[k].energy += shares[k].now.energy;
+  }
   const double left = flight_time / (1.0 - r);
   if (impacts_++ % stride_ != 0) return false;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
@@ -73,6 +79,10 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
     store(v + gain, &node.v[i]);
     node.largest_jump = std::max({node.largest_jump, std::abs(jump[0]), std::abs(jump[1])});
   }
+  node.sums.resize(stops.size());
+  for (std::size_t k = 0; k < stops.size(); ++k)
+    node.sums[k] = {sums_[k].impulse + shares[k].later.impulse,
+                    sums_[k].energy + shares[k].later.energy};
   return true;
 }
 
@@ -111,6 +121,19 @@ bool Chatter::extrapolate(double tolerance, Motion &motion) const {
     store(v + v_change, &motion.v[i]);
   }
   return true;
+}
+
+ImpactSum Chatter::left_at(std::size_t k) const {
+  const ExactSum &latest = node(0).sums[k];
+  ImpactSum left{rounded(latest.impulse - sums_[k].impulse),
+                 rounded(latest.energy - sums_[k].energy)};
+  for (std::size_t before = 1; before < size_; ++before) {
+    const ExactSum &sum = node(before).sums[k];
+    const double weight = weights_[size_][before];
+    left += {weight * rounded(sum.impulse - latest.impulse),
+             weight * rounded(sum.energy - latest.energy)};
+  }
+  return left;
 }
 
 }  // namespace vibro_impact::detail

@@ -9,24 +9,37 @@
 
 #include "simulation/chain/motion.hpp"
 #include "simulation/chain/tolerances.hpp"
+#include "vibro_impact/event.hpp"
 
 namespace vibro_impact::detail {
+
+// What the impact at a stop of the chatter takes, and what all later ones do to leading order.
+struct ImpactShare {
+  ImpactSum now, later;
+};
+
+// An ImpactSum in twice the precision.
+struct ExactSum {
+  Real impulse = 0.0, energy = 0.0;
+};
 
 // An impact as a node of the extrapolation: what it predicts of the limit, to leading order.
 struct ChatterNode {
   Real time = 0.0;  // of the limit, since the first node
   std::vector<Real> x, v;
-  double largest_jump = 0.0;  // of a velocity, at all impacts to come
+  std::vector<ExactSum> sums;  // of all impacts at each stop since the first node
+  double largest_jump = 0.0;   // of a velocity, at all impacts to come
 };
 
 class Chatter {
  public:
   // The impacts at these stops at one instant: the time of the flight after them to leading order
-  // (x in (6)), the limit r of the restitution, and the changes of v at all impacts to come. A new
-  // chatter begins unless this one continues. Returns whether they are a node: it takes over the
-  // changes, in exchange for those of the node before.
+  // (x in (6)), the limit r of the restitution, the changes of v at all impacts to come, and what
+  // is taken at each of the stops. A new chatter begins unless this one continues. Returns whether
+  // they are a node: it takes over the changes, in exchange for those of the node before.
   bool add(const std::vector<std::size_t> &stops, double flight_time, double r, const Clock &clock,
-           const Motion &motion, std::vector<double> &jumps);
+           const Motion &motion, std::vector<double> &jumps,
+           const std::vector<ImpactShare> &shares);
   void end();
 
   // True if the latest impact is a node: a limit may be taken.
@@ -39,6 +52,9 @@ class Chatter {
   // Sets x and v to those at the limit, extrapolated. Returns false until the velocities have
   // settled within this tolerance of their jumps.
   bool extrapolate(double tolerance, Motion &motion) const;
+
+  // What all impacts after the latest node take at stop `k` of the chatter, extrapolated.
+  ImpactSum left_at(std::size_t k) const;
 
   const std::vector<std::size_t> &stops() const {
     return stops_;
@@ -53,6 +69,7 @@ class Chatter {
   using Weights = std::array<double, most_chatter_nodes>;  // of the latest node first
 
   std::vector<std::size_t> stops_;
+  std::vector<ExactSum> sums_;  // of the impacts so far, at each stop
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
   TwofoldInstant first_;       // the instant of the first node

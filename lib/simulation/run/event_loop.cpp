@@ -14,6 +14,14 @@ namespace vibro_impact::detail {
 
 namespace {
 
+// The fastest speed with which a mass has left a stop of the chatter under way.
+double rebound_speed(const Run &run) {
+  double speed = 0.0;
+  for (const std::size_t k : run.chatter.stops())
+    speed = std::max(speed, std::abs(run.motion.v[run.chain().stops[k].mass].hi));
+  return speed;
+}
+
 // Finds the limit of the chatter under way, as scratch.motion. Returns false when it is not
 // accurate enough, or when another contact may come to zero before it.
 bool find_limit(Run &run) {
@@ -21,11 +29,8 @@ bool find_limit(Run &run) {
   const Chatter &chatter = run.chatter;
   const RunOptions &options = run.problem.options;
   Scratch &scratch = run.scratch;
-  double speed = 0.0;
-  for (const std::size_t k : chatter.stops())
-    speed = std::max(speed, std::abs(run.motion.v[chain.stops[k].mass].hi));
   // The closing speed of the next impact may be a little above the latest rebound speed.
-  if (!(next_speed_factor * speed < options.limit_below_speed)) return false;
+  if (!(next_speed_factor * rebound_speed(run) < options.limit_below_speed)) return false;
   const double tolerance = options.chatter_tolerance / error_share;
   const std::optional<double> left = chatter.time_left(tolerance, run.motion.mode->fastest);
   if (!left) return false;
@@ -48,8 +53,10 @@ void take_limit(Run &run, Recorders recorders) {
       !run.chatter.is_at_node() || !find_limit(run))
     return;
   const Instant limit = run.scratch.motion.now.rounded();
-  if (run.progress.end < limit || run.progress.next_sample <= time_of(limit, run.problem.clock)) {
-    look_inside(run, limit, recorders);
+  const double slowest = slowest_impact(run, limit, recorders);
+  if (run.progress.end < limit || run.progress.next_sample <= time_of(limit, run.problem.clock) ||
+      next_speed_factor * rebound_speed(run) >= slowest) {
+    look_inside(run, limit, slowest, recorders);
     if (run.progress.over) return;
   }
   std::swap(run.motion, run.scratch.motion);
@@ -115,6 +122,12 @@ void end_flight(Run &run, bool event, Recorders recorders) {
   run.hint = {.quiet_steps = quiet_steps};
   if (!event) return;
   handle_instant(run, recorders);
+  if (run.progress.extent == Extent::inside_chatter && !run.scratch.hits.empty()) {
+    run.progress.lists = std::any_of(
+        run.scratch.hits.begin(), run.scratch.hits.end(),
+        [&run](const Hit &hit) { return rounded(hit.closing) >= run.progress.slowest; });
+    end_if_all_is_reported(run);
+  }
   take_limit(run, recorders);
 }
 
@@ -214,8 +227,12 @@ void fly_on(Run &run, Recorders recorders) {
 
 }  // namespace
 
-void advance(Run &run, const Instant &end, Recorders recorders, Extent extent) {
-  run.progress = {.end = end, .extent = extent, .next_sample = next_sample(recorders)};
+void advance(Run &run, const Instant &end, Recorders recorders, Extent extent, double slowest) {
+  run.progress = {.end = end,
+                  .extent = extent,
+                  .next_sample = next_sample(recorders),
+                  .slowest = slowest,
+                  .lists = slowest < infinity};
   run.ended_inside_chatter = false;
   if (run.start) handle_start(run, recorders);
   take_limit(run, recorders);  // a chatter may stand at a node since the call before

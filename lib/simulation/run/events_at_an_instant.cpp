@@ -95,10 +95,27 @@ void set_stops(Run &run, const RestingMass &mass) {
     stop.at = ExactZeros{mass.zeros + (mass.held ? 0 : 2), mass.first};
   if (mass.opposite) run.stops[*mass.opposite].at = Evaluated{};
   if (mass.held == mass.was_held) return;
-  stop = {.at = stop.at, .changed = run.motion.now.rounded()};
+  stop = {.at = stop.at,
+          .changed = run.motion.now.rounded(),
+          .reported = stop.reported,
+          .unreported = stop.unreported};
   const List<ChainStop> &stops = run.chain().stops;
   for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
     if (k != mass.stop && stops[k].mass == mass.mass) run.stops[k] = {};
+}
+
+// Reports the event of a mass that was in question, if it has one: a stick, a release, or the limit
+// of a chatter from which it leaves at once. The copy of a run inside a chatter has no limit.
+void report_decision(Run &run, const RestingMass &mass, Recorders recorders) {
+  StopState &stop = run.stops[mass.stop];
+  if (run.progress.extent != Extent::whole || is<Postponed>(stop.at)) return;
+  const ImpactSum taken = std::exchange(stop.unreported, {});
+  const bool released = mass.was_held && !mass.held;
+  if (mass.held != mass.was_held)
+    report_event(run, released ? EventKind::release : EventKind::stick, mass.stop, 0.0, 0.0,
+                 released && mass.zero_orders == 0, taken, recorders);
+  else if (taken != ImpactSum{})
+    report_event(run, EventKind::impact, mass.stop, 0.0, 0.0, false, taken, recorders);
 }
 
 // Decides which masses stick after this instant, for all masses in question together, and enters
@@ -127,14 +144,13 @@ void hold_or_release(Run &run, Recorders recorders) {
     scratch.held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
     motion.x[mass.mass] = chain.stops[mass.stop].position;
   }
-  if (scratch.held == motion.mode->held) return;
-  motion.mode = &run.modes.enter(chain, scratch.held, run.counters);
-  motion.acceleration_known = false;
+  if (scratch.held != motion.mode->held) {
+    motion.mode = &run.modes.enter(chain, scratch.held, run.counters);
+    motion.acceleration_known = false;
+  }
   for (const RestingMass &mass : scratch.resting) {
-    if (mass.held == mass.was_held) continue;
-    ++(mass.held ? run.counters.sticks : run.counters.releases);
-    report_event(run, mass.held ? EventKind::stick : EventKind::release, mass.stop, 0.0, 0.0,
-                 !mass.held && mass.zero_orders == 0, recorders);
+    if (mass.held != mass.was_held) ++(mass.held ? run.counters.sticks : run.counters.releases);
+    report_decision(run, mass, recorders);
   }
 }
 
@@ -170,7 +186,14 @@ void handle_start(Run &run, Recorders recorders) {
 
 void enter_limit(Run &run, Recorders recorders) {
   forget_instant(run);
-  for (const std::size_t k : run.chatter.stops()) run.stops[k].at = Resting{};
+  const std::vector<std::size_t> &stops = run.chatter.stops();
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    StopState &stop = run.stops[stops[k]];
+    stop.at = Resting{};
+    stop.unreported = run.chatter.left_at(k);
+    stop.unreported -= std::exchange(stop.reported, {});
+  }
+  run.past_impacts = 0;
   run.chatter.end();
   run.hint = {};
   ++run.counters.chatter_limits;

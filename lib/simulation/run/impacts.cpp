@@ -19,6 +19,7 @@ void count_impact(Run &run, StopState &stop, double speed) {
     if (stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
     stop.falling = 0;
     stop.since = run.motion.now;
+    stop.first_speed = speed;
   }
   stop.last_speed = speed;
 }
@@ -89,9 +90,8 @@ void apply_hits(Run &run, Recorders recorders) {
   for (const Hit &hit : hits) {
     const Contact &contact = contacts[hit.contact];
     const double closing = rounded(hit.closing);
-    const double leaving = chain.stops[contact.stop].law.after(closing);
-    report_event(run, EventKind::impact, contact.stop, contact.sigma * closing,
-                 -contact.sigma * leaving, false, recorders);
+    report_impact(run, contact.stop, closing, chain.stops[contact.stop].law.after(closing),
+                  recorders);
   }
   if (hits.empty()) return;
   find_acceleration(chain, motion);
@@ -116,6 +116,7 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
   Chatter &chatter = run.chatter;
   if (scratch.hits.empty() || motion.mode != mode_before) return chatter.end();
   scratch.stops.clear();
+  scratch.shares.clear();
   scratch.jumps.resize(chain.padded);
   std::ranges::fill(scratch.jumps, 0.0);
   double flight_time = 0.0, r = 0.0;
@@ -127,6 +128,10 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
     if (!scratch.stops.empty() && at_rest != r) return chatter.end();  // they part
     r = at_rest;
     scratch.stops.push_back(contact.stop);
+    // Each impulse is r times, and each energy r^2 times the one before.
+    const double v = leaving->first, m = chain.mass[contact.mass];
+    scratch.shares.push_back({taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
+                              {m * v * (1.0 + r) / (1.0 - r), 0.5 * m * v * v}});
     // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
     scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->first;
     flight_time = std::max(flight_time, hit.flight_time);
@@ -134,7 +139,8 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
   run.hint.flight_time = flight_time;
   // With r = 1 the impacts have no limit.
   if (!(r < 1.0 && flight_time < infinity)) return chatter.end();
-  if (chatter.add(scratch.stops, flight_time, r, run.problem.clock, motion, scratch.jumps))
+  if (chatter.add(scratch.stops, flight_time, r, run.problem.clock, motion, scratch.jumps,
+                  scratch.shares))
     ++run.counters.chatter_nodes;
 }
 

@@ -14,6 +14,7 @@ MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Insta
       chain_(run.chain()),
       motion_(motion),
       table_(run.scratch.flight.table),
+      stops_(run.stops),
       tau_(tau) {
 }
 
@@ -59,6 +60,12 @@ double MomentOfMotion::hold_force(int mass) const {
       [this](std::size_t j) { return v(j); }));
 }
 
+ImpactSum MomentOfMotion::unreported(int stop) const {
+  require(stop >= 1 && static_cast<std::size_t>(stop) <= stops_.size(), "stop ", stop,
+          ": the chain has ", stops_.size(), " stops");
+  return stops_[static_cast<std::size_t>(stop - 1)].unreported;
+}
+
 MotionState MomentOfMotion::state() const {
   return state_at(*this, motion_.mode->held);
 }
@@ -78,9 +85,40 @@ void stop_run(Run &run, Ending ending, std::string reason) {
   run.progress.reason = std::move(reason);
 }
 
+ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving) {
+  const double m = chain.mass[chain.stops[stop].mass];
+  return {m * (closing + leaving), 0.5 * m * (closing - leaving) * (closing + leaving)};
+}
+
+void report_impact(Run &run, std::size_t stop, double closing, double leaving,
+                   Recorders recorders) {
+  const ImpactSum taken = taken_by_impact(run.chain(), stop, closing, leaving);
+  Progress &progress = run.progress;
+  if (progress.extent != Extent::whole) {
+    if (++progress.impacts <= run.past_impacts) return;
+    StopState &state = run.stops[stop];
+    if (!(closing >= progress.slowest)) {
+      state.unreported += taken;
+      return;
+    }
+    state.reported += taken;
+  }
+  const double sigma = run.chain().stops[stop].sigma;
+  report_event(run, EventKind::impact, stop, sigma * closing, -sigma * leaving, false, taken,
+               recorders);
+}
+
+double slowest_impact(const Run &run, const Instant &limit, Recorders recorders) {
+  double first = 0.0, slowest = infinity;
+  for (const std::size_t k : run.chatter.stops()) first = std::max(first, run.stops[k].first_speed);
+  for (const Recorder *recorder : recorders)
+    slowest = std::min(slowest, recorder->slowest_impact(first, time_of(limit, run.problem.clock)));
+  return slowest;
+}
+
 void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
-                  bool by_a_jump, Recorders recorders) {
-  if (run.progress.extent != Extent::whole || recorders.empty()) return;
+                  bool by_a_jump, const ImpactSum &taken, Recorders recorders) {
+  if (recorders.empty()) return;
   const Stop &stop_of_event = run.scene().stops[stop];
   Event &event = run.scratch.event;
   event.kind = kind;
@@ -90,6 +128,7 @@ void report_event(Run &run, EventKind kind, std::size_t stop, double before, dou
   event.instant = run.motion.now.rounded();
   event.velocity_before = before;
   event.velocity_after = after;
+  event.taken = taken;
   event.falling = run.stops[stop].falling;
   event.by_a_jump = by_a_jump;
   event.held = run.motion.mode->held;

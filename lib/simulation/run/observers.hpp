@@ -14,12 +14,14 @@ class MomentOfMotion final : public Moment {
   double displacement(int mass) const override;
   double velocity(int mass) const override;
   double hold_force(int mass) const override;
+  ImpactSum unreported(int stop) const override;
   MotionState state() const;
 
  private:
   const Chain &chain_;
   const Motion &motion_;
   const TaylorTable &table_;
+  const std::vector<StopState> &stops_;
   double tau_;
 
   std::size_t index_of(int mass) const;
@@ -34,11 +36,20 @@ MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at);
 // Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
+// What an impact takes at a stop of the chain.
+ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving);
+
 // Reports an event at a stop, and ends the call when a recorder is done. `before` and `after` are
-// the velocities of an impact, else 0. Events inside a chatter, before the limit that the run
-// takes, are not reported.
+// the velocities of an impact, else 0.
 void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
-                  bool by_a_jump, Recorders recorders);
+                  bool by_a_jump, const ImpactSum &taken, Recorders recorders);
+
+// Reports an impact. Inside a chatter, before the limit that the run takes, it reports no impact of
+// the past and none that is too slow. A slow impact is added to those that are unreported.
+void report_impact(Run &run, std::size_t stop, double closing, double leaving, Recorders recorders);
+
+// The least speed of the impacts that recorders ask for, of the chatter with this limit.
+double slowest_impact(const Run &run, const Instant &limit, Recorders recorders);
 
 // The next time at which a recorder asks for a sample; infinite when there is none.
 double next_sample(Recorders recorders);

@@ -38,8 +38,13 @@ void EventRecorder::event(const Event &event, const Moment &) {
   events.push_back(event);
 }
 
+double EventRecorder::slowest_impact(double first, double limit) const {
+  return limit < from ? infinity : slowest_listed(slowest, first);
+}
+
 void EventRecorder::check(const Scene &) const {
   require(!std::isnan(from), "from = ", from, ": must be a time");
+  if (slowest) require(*slowest >= 0.0, "slowest = ", *slowest, ": must be non-negative");
 }
 
 void ImpactVelocityRecorder::event(const Event &event, const Moment &) {

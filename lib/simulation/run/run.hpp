@@ -55,14 +55,15 @@ struct Scratch {
   std::vector<Hit> hits;
   std::vector<std::size_t> stops;  // of a chatter
   std::vector<double> jumps;
+  std::vector<ImpactShare> shares;
   Held held;
   Event event;
 };
 
-// The part of a run that a call of `advance` resolves. The impacts of a chatter before its limit,
-// where a sample or an end lies, are resolved without taking the limit, and only samples are
-// reported: up to the end of the call, or up to the last sample before it.
-enum class Extent { whole, chatter, samples_of_chatter };
+// The part of a run that a call of `advance` resolves. The impacts of a chatter between its latest
+// node and its limit are resolved without taking the limit: up to an end there, or as far as
+// samples or impacts are asked for.
+enum class Extent { whole, end_in_chatter, inside_chatter };
 
 // The progress of one call of `advance`.
 struct Progress {
@@ -73,6 +74,11 @@ struct Progress {
   Extent extent = Extent::whole;
   // The time of the next sample. It changes when a recorder has been called.
   double next_sample = infinity;
+  // Of a call inside a chatter: the speed down to which impacts are reported, whether such impacts
+  // are still to come, and the number of impacts so far.
+  double slowest = infinity;
+  bool lists = false;
+  long long impacts = 0;
   MotionState last = {};  // the state at the end; empty before
 };
 
@@ -88,6 +94,9 @@ struct Run {
   StepHint hint = {};
   // The latest call ended inside a chatter, whose impacts after the latest node are not yet taken.
   bool ended_inside_chatter = false;
+  // The number of impacts between this node and the end of the latest call. They lie in the past:
+  // `reported` and `unreported` of the stops contain them.
+  long long past_impacts = 0;
   Counters counters = {};
   Progress progress = {};
   Scratch scratch = {};
@@ -103,6 +112,7 @@ struct Run {
 // Runs on to `end`, or until a recorder is done or the run is given up, and sets progress.last to
 // the state there. The motion of the run stays at the start of the flight that contains the end:
 // hence the flights do not depend on where a call ends.
-void advance(Run &run, const Instant &end, Recorders recorders, Extent extent = Extent::whole);
+void advance(Run &run, const Instant &end, Recorders recorders, Extent extent = Extent::whole,
+             double slowest = infinity);
 
 }  // namespace vibro_impact::detail

@@ -26,9 +26,8 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
     ++run.counters.states_computed;
     const MomentOfMotion moment = moment_at(run, since, at);
     if (!report_sample(run, moment, next, recorders)) {
-      if (run.progress.extent == Extent::samples_of_chatter &&
-          run.progress.next_sample > time_of(run.progress.end, clock))
-        return stop_run(run, Ending::reached);
+      end_if_all_is_reported(run);
+      if (run.progress.over) return;
       continue;
     }
     run.progress.last = moment.state();
@@ -52,12 +51,24 @@ void end_at_time(Run &run, Recorders recorders) {
   stop_run(run, Ending::reached);
 }
 
-void look_inside(Run &run, const Instant &limit, Recorders recorders) {
+void end_if_all_is_reported(Run &run) {
+  const Progress &progress = run.progress;
+  if (progress.extent == Extent::inside_chatter && !progress.lists &&
+      progress.next_sample > time_of(progress.end, run.problem.clock))
+    stop_run(run, Ending::reached);
+}
+
+void look_inside(Run &run, const Instant &limit, double slowest, Recorders recorders) {
   Run inside = run;
   inside.counters = {};
   const bool ends_inside = run.progress.end < limit;
   advance(inside, ends_inside ? run.progress.end : limit, recorders,
-          ends_inside ? Extent::chatter : Extent::samples_of_chatter);
+          ends_inside ? Extent::end_in_chatter : Extent::inside_chatter, slowest);
+  for (std::size_t k = 0; k < run.stops.size(); ++k) {
+    run.stops[k].reported = inside.stops[k].reported;
+    run.stops[k].unreported = inside.stops[k].unreported;
+  }
+  run.past_impacts = std::max(run.past_impacts, inside.progress.impacts);
   run.modes = std::move(inside.modes);  // with the modes that the copy has built
   run.counters.states_computed += inside.counters.states_computed;
   run.counters.modes_built += inside.counters.modes_built;

@@ -98,8 +98,10 @@ void Simulation::set_options(const RunOptions &options) {
   // It takes the steps of the copy that had found the end.
   if (run.ended_inside_chatter) {
     run.counters = {};
-    detail::advance(run, run.progress.last.instant, {}, detail::Extent::chatter);
+    detail::advance(run, run.progress.last.instant, {}, detail::Extent::end_in_chatter);
     run.ended_inside_chatter = false;
+    run.past_impacts = 0;
+    for (detail::StopState &stop : run.stops) stop.reported = stop.unreported = {};
   }
   run.problem.options = options;
   run.problem.orders = detail::OrderTable(options.flight_tolerance);
