@@ -26,6 +26,10 @@ struct MotionRecorder : Recorder {
         to(until),
         clock(of.scene.omega) {
   }
+  // Of a chatter whose limit lies behind the end, all impacts before the end are knots.
+  double slowest_impact(double, double limit) const override {
+    return limit > to ? 0.0 : infinity;
+  }
   double next_time() const override {
     if (samples.phase < 0.0)
       return samples.every < infinity ? sample_time(from, to, samples.every, taken) : infinity;
@@ -52,28 +56,6 @@ Motion next_motion(Simulation &simulation, const MotionState &from, int periods,
   const double until = time_after(motion.scene, from, periods);
   MotionRecorder recorder(motion, samples, until);
   MotionState last = require_complete(simulation.advance(until, recorder)).state;
-  // A run does not report the impacts of a chatter that lie before its end and are to be replaced
-  // by the limit behind it. They are resolved from the latest impact that was reported.
-  const Knot *latest = nullptr;
-  for (const Knot &knot : motion.knots)
-    if (knot.event) latest = &knot;
-  if (latest && latest->event->kind == EventKind::impact && latest->event->falling > 0) {
-    RunOptions all = options;
-    all.limit_below_speed = 0.0;
-    const MotionState after_impact = latest->state;
-    recorder.samples = {};
-    const auto first_sample = latest - motion.knots.data() + 1;
-    std::vector<Knot> sampled(motion.knots.begin() + first_sample, motion.knots.end());
-    motion.knots.resize(static_cast<std::size_t>(first_sample));
-    last = require_complete(Simulation(motion.scene, after_impact, all).advance(until, recorder))
-               .state;
-    for (Knot &sample : sampled) {
-      const auto later = std::ranges::find_if(motion.knots, [&sample](const Knot &knot) {
-        return sample.state.instant < knot.state.instant;
-      });
-      motion.knots.insert(later, std::move(sample));
-    }
-  }
   motion.knots.push_back({std::move(last)});
   motion.knots.back().state.instant = {from.instant.cycle + periods, from.instant.phase};
   return motion;
