@@ -203,10 +203,29 @@ void check_stops(Run &run) {
   }
 }
 
-// The only place that chooses the kind of a flight, by the number of steps without an event.
+// True when a motion may be on its way to a mass without force. Held masses let nothing pass.
+bool any_forceless_block_moves(const Run &run) {
+  const Held &held = run.motion.mode->held;
+  bool forceless = false, moves = false;  // in the block of free masses up to i
+  for (std::size_t i = 0; i < run.chain().masses; ++i) {
+    if (held[i] != 0) {
+      forceless = moves = false;
+      continue;
+    }
+    moves = moves || run.motion.v[i].hi != 0.0;
+    for (std::size_t k = 0; k < run.stops.size(); ++k)
+      forceless = forceless || (run.chain().stops[k].mass == i && is<Forceless>(run.stops[k].at));
+    if (forceless && moves) return true;
+  }
+  return false;
+}
+
+// The only place that chooses the kind of a flight, by the number of steps without an event. Only
+// steps notice a motion that comes to a mass without force.
 bool is_quiet(const Run &run) {
   const auto n = static_cast<long long>(run.chain().masses);
-  return run.hint.quiet_steps >= fewest_short_steps + n * n / short_steps_divisor;
+  if (run.hint.quiet_steps < fewest_short_steps + n * n / short_steps_divisor) return false;
+  return !any_forceless_block_moves(run);
 }
 
 // One flight of the loop.
