@@ -77,9 +77,12 @@ Step plan_step(Run &run) {
   Step step;
   step.length = std::min(
       longest, std::max(expected_flight_margin * run.hint.flight_time, shortest_step * longest));
-  if (run.hint.postponed) {  // the decision is made at the next instant of the clock
+  // A postponed decision is made at the next instant of the clock. Where a longest step ends before
+  // that instant, the decision is postponed again.
+  if (run.hint.postponed) {
     const double phase = run.motion.now.rounded().phase;
-    step.length = std::max(2.0 * (std::nextafter(phase, infinity) - phase), least_delay);
+    step.length =
+        std::min(longest, std::max(2.0 * (std::nextafter(phase, infinity) - phase), least_delay));
   }
   step.unit = 2.0 * leading_power(step.length);
   step.u_max = step.length / step.unit;

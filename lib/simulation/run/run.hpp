@@ -32,8 +32,8 @@ struct Problem {
 struct StepHint {
   double flight_time = infinity;  // expected until the next impact of a mass that was just hit
   long long quiet_steps = 0;      // steps since the latest event
-  // A decision about a stop is postponed: the next step ends two roundings of the clock later, or
-  // `least_delay` after t = 0.
+  // A decision about a stop is postponed: the next step ends at most two roundings of the clock
+  // later, or `least_delay` after t = 0.
   bool postponed = false;
 };
 
