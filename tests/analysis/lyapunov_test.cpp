@@ -48,6 +48,22 @@ TEST(Lyapunov, IsMinusInfinityWhereEveryPerturbationDiesOut) {
   EXPECT_TRUE(growth.sign_is_certain());
 }
 
+// A mass that bounces about its equilibrium at the stop takes half a turn of its damped oscillation
+// from impact to impact. Where it has come to rest at the stop, by underflow, the exponent is not
+// known: every perturbation bounces.
+TEST(Lyapunov, OfAMassThatBouncesToRestHasItsClosedForm) {
+  for (const double r : {0.85, 0.9}) {
+    Scene scene = extremes::one_mass(0.1, 0.0, 1.0, r, 0.0);
+    scene.displacement = {-1.0};
+    const double half_turn = std::acos(-1.0) / std::sqrt(1.0 - 0.05 * 0.05);
+    const Growth growth = *record_of(scene, {.lyapunov = true}).lyapunov;
+    EXPECT_NEAR(growth.exponent, -0.05 + std::log(r) / half_turn, 4.0 * growth.error);
+  }
+  Scene scene = extremes::one_mass(0.1, 0.0, 1.0, 0.3, 0.0);
+  scene.displacement = {-1.0};
+  EXPECT_FALSE(record_of(scene, {.lyapunov = true}).lyapunov.exists());
+}
+
 // Far from its stops the chain is linear: the slower of its modes decays at beta lambda_1 / 2.
 TEST(Lyapunov, OfALinearMotionIsTheSlowestDecay) {
   Scene scene = paper::figure2();

@@ -6,6 +6,7 @@
 #include "reference/scenes/extreme_scenes.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/run/observers.hpp"
+#include "vibro_impact/vibro_impact.hpp"
 
 namespace {
 
@@ -35,6 +36,14 @@ TEST(MissedEvent, IsSeenInTheDisplacement) {
   for (const double beyond : {1.0, 1e-3, 1e-12})
     EXPECT_EQ(reported(position + beyond), position + beyond);
   for (const double beyond : {0.0, 1e-16, 1e-14}) EXPECT_EQ(reported(position + beyond), position);
+}
+
+// A mass that bounces about its equilibrium at the stop becomes slower than any normal number.
+TEST(MissedEvent, IsNoneInAMotionThatUnderflows) {
+  Scene scene = extremes::one_mass(0.1, 0.0, 1.0, 0.5, 0.0);
+  scene.displacement = {-1.0};
+  const Outcome outcome = require_complete(simulate(scene, 4000.0));
+  EXPECT_EQ(outcome.state.displacement[0], 0.0);
 }
 
 // The run does not go on from a place beyond a stop.

@@ -195,7 +195,14 @@ void Tangents::apply_stick(const MotionState &after) {
 }
 
 Smooth<Eigen::MatrixXd> derivative_of(const Motion &motion, const Eigen::VectorXd &units) {
-  const auto free = free_coordinates(motion.start().held);
+  const MotionState &start = motion.start();
+  for (const Stop &stop : motion.scene.stops) {
+    const std::size_t i = index_of(stop.mass);
+    if (start.held[i] == 0 && start.displacement[i] == stop.position && start.velocity[i] == 0.0)
+      return Smooth<Eigen::MatrixXd>::none(
+          line("mass ", stop.mass, " is at rest at its stop without a force that holds it"));
+  }
+  const auto free = free_coordinates(start.held);
   if (free.empty()) return Eigen::MatrixXd(units.size(), 0);
   Eigen::MatrixXd first =
       Eigen::MatrixXd::Zero(units.size(), static_cast<Eigen::Index>(free.size()));
@@ -203,7 +210,7 @@ Smooth<Eigen::MatrixXd> derivative_of(const Motion &motion, const Eigen::VectorX
     const auto row = static_cast<Eigen::Index>(free[k]);
     first(row, static_cast<Eigen::Index>(k)) = units(row);
   }
-  Tangents tangents(motion.scene, motion.start(), first);
+  Tangents tangents(motion.scene, start, first);
   tangents.pass(motion.knots);
   const Smooth<Eigen::MatrixXd> last = tangents.get();
   if (!last.exists()) return last;

@@ -15,8 +15,8 @@
 // x^3 times a smooth function of x, which is extrapolated to x = 0 over consecutive impacts. A
 // sticking mass has no freedom: each costs the derivative two of its rank.
 //
-// The derivative does not exist where a mass grazes, where a mass comes to rest without a chatter,
-// and where two masses hit at one instant and a damper joins them: the jump of one velocity changes
+// The derivative does not exist where a mass grazes, where a mass comes to rest without a chatter
+// or is at rest at its stop without a force, and where two masses hit at one instant and a damper joins them: the jump of one velocity changes
 // the force on the other, so that the derivative depends on which mass is first.
 #pragma once
 

@@ -44,7 +44,7 @@ double MomentOfMotion::displacement(int mass) const {
     const double u = tau_ / table_.step.unit;
     terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table_.travel[i];
   }
-  return std::abs(place - inside) <= stop_rounding * terms ? inside : place;
+  return is_rounding_at_stop(std::abs(place - inside), terms) ? inside : place;
 }
 
 double MomentOfMotion::velocity(int mass) const {
