@@ -1,5 +1,5 @@
 // Branches of random scenes. Their ends are the same for another number of values, another order of
-// the stops and another unit of length. Their orbits are orbits of the simulation: the motion from
+// the stops and their mirror images. Their orbits are orbits of the simulation: the motion from
 // the state of a point returns to it with the same events.
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/random_scenes.hpp"
 #include "tests/support/special_points.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -128,6 +129,10 @@ TEST(RandomBranches, HaveEndsThatDependOnNothingElse) {
     RandomBranch other = of;
     std::ranges::reverse(other.scene.stops);
     expect_same(branch, branch_of(other, *from, of.range.count));
+    if (of.range.parameter.starts_with("amplitude")) continue;  // an amplitude changes its sign
+    const RandomBranch mirror{mirrored(of.scene), of.range};
+    if (const auto image = settled_orbit(mirror.scene))
+      expect_same(branch, branch_of(mirror, *image, of.range.count));
   }
   EXPECT_GT(branches, 20);
   EXPECT_GT(ends, branches);
