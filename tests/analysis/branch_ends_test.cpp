@@ -149,6 +149,12 @@ TEST(BranchEnds, ABorderOrbitOrMultiSlidingHasItsNameFromBothSides) {
        {Point::border_orbit, 0.432820952540498, 1e-13}});
   expect_special_points(paper + "0.2", {"restitution", 0, 0.7, 8},
                         {{Point::end_of_range, 0}, {Point::end_of_range, 0.7}});
+  // Newton's method comes to r = -1e-34, which is no coefficient of restitution.
+  expect_special_points(
+      "masses=2; beta=0.2; amplitude=0,0.8502; sine=0.4803,-0.1572; restitution=0.3; "
+      "stop=2:lower:-0.4104,1:upper:0.3709; omega=0.566811",
+      {"restitution", 0, 0.6, 31},
+      {{Point::end_of_range, 0}, {Point::border_orbit, 0.443218619173739, 1e-13}});
 }
 
 // A grazing between a release and the chatter after it.

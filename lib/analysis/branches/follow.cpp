@@ -82,7 +82,11 @@ bool go_on(Walk &walk, const Step &step, const std::optional<End> &collapse) {
     return false;
   }
   walk.add(step.at_end_of_range ? BranchPoint::end_of_range : BranchPoint::orbit, walk.here);
-  if (step.at_end_of_range) return false;
+  if (step.at_end_of_range) {  // the rounding of the parameter may lie beyond the range
+    Vector &u = walk.points.back().place.u;
+    u(0) = std::clamp(u(0), walk.low, walk.high);
+    return false;
+  }
   if (is_closed(walk)) return walk.end(BranchPoint::closed);
   const Sequence sequence = walk.here.sequence;
   if (!adapt(walk)) {
