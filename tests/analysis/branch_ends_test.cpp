@@ -276,6 +276,15 @@ TEST(BranchEnds, AStepKeepsToItsArc) {
        {Point::flip, 0.3768451288666817, 1e-12},
        {Point::parent_flip, 0.3839432493130274, 1e-12}},
       0, 600);
+  // A step beyond the flip of the parent would go on along the parent, whose periods are half.
+  for (const std::size_t count : {31u, 41u, 81u})
+    expect_special_points(
+        "masses=2; stiffness=1.95996,2; beta=0.02; amplitude=0,0.5; restitution=0.7; "
+        "stop=1:upper:0.1734; omega=1.26753",
+        {"omega", 1.0140224, 1.58441, count},
+        {{Point::parent_flip, 1.2665467605742, 1e-12},
+         {Point::parent_flip, 1.280430526804639, 1e-12}},
+        0, 600);
 }
 
 }  // namespace

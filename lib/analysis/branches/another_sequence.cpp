@@ -142,16 +142,19 @@ std::pair<Sequence, Vector> first_half(const Problem &problem, const Sequence &s
   return {half, u.head(problem.unknowns(half))};
 }
 
-void reduce_period(const Problem &problem, Sequence &s, Vector &u) {
-  while (const size_t half = half_of_period(problem, s, u)) {
-    if (2 * half != s.items.size()) return;
-    for (size_t k = 0; k < half; ++k) {
-      const double apart = u(problem.time_at(k)) - u(problem.time_at(k + half));
-      if (!(s.items[k] == s.items[k + half]) || std::abs(apart) * problem.scene.omega > same_flight)
-        return;
-    }
-    std::tie(s, u) = first_half(problem, s, u);
+bool repeats_after_half(const Problem &problem, const Sequence &s, const Vector &u) {
+  const size_t half = half_of_period(problem, s, u);
+  if (half == 0 || 2 * half != s.items.size()) return false;
+  for (size_t k = 0; k < half; ++k) {
+    const double apart = u(problem.time_at(k)) - u(problem.time_at(k + half));
+    if (!(s.items[k] == s.items[k + half]) || std::abs(apart) * problem.scene.omega > same_flight)
+      return false;
   }
+  return true;
+}
+
+void reduce_period(const Problem &problem, Sequence &s, Vector &u) {
+  while (repeats_after_half(problem, s, u)) std::tie(s, u) = first_half(problem, s, u);
 }
 
 MotionState quiet_state(const Problem &problem, const Sequence &s, const Vector &u,

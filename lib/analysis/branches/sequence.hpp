@@ -176,6 +176,8 @@ Vector divided(const Problem &problem, const Vector &u, size_t flight, double of
 Vector joined(const Problem &problem, const Vector &u, size_t k);
 // Gives each chatter the impacts that it needs, no more and no less. True if there were others.
 bool adapt_chatters(const Problem &problem, Sequence &s, Vector &u, Vector *tangent = nullptr);
+// True if an orbit repeats itself after half of its periods.
+bool repeats_after_half(const Problem &problem, const Sequence &s, const Vector &u);
 // Halves the periods of an orbit as long as it repeats itself after half of them.
 void reduce_period(const Problem &problem, Sequence &s, Vector &u);
 // The index of the item after half the periods from which the kinds of events repeat but for the

@@ -44,12 +44,14 @@ Step take_step(const Walk &walk) {
     return step;
   step.to = place_of(walk.problem, here.sequence, step.to.u, here.direction);
   // Along an arc, the chord has the mean direction of both ends. A chord to another branch has not.
+  // An orbit that repeats itself is one of the branch from which the periods were doubled.
   const Vector chord = step.to.u - here.u, mean = here.direction + step.to.direction;
   const double cosine = scaled_dot(walk, step.to.direction, here.direction),
                along = scaled_dot(walk, chord, mean),
                most = std::sqrt(scaled_dot(walk, chord, chord) * scaled_dot(walk, mean, mean));
-  step.found = (cosine >= least_cosine && along >= least_cosine_of_chord * most) ||
-               walk.step <= small_step * walk.longest;
+  step.found = ((cosine >= least_cosine && along >= least_cosine_of_chord * most) ||
+                walk.step <= small_step * walk.longest) &&
+               !repeats_after_half(walk.problem, step.to.sequence, step.to.u);
   return step;
 }
 
