@@ -1,46 +1,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/orbits/motion.hpp"
 #include "sequence.hpp"
 #include "simulation/for_analysis.hpp"
 #include "tolerances.hpp"
 #include "vibro_impact/analysis/parameter.hpp"
-#include "vibro_impact/simulate.hpp"
 
 namespace vibro_impact::branches {
 
 namespace {
 
-// The events of a run with the states after them.
-struct StateRecorder : Recorder {
-  Held held;
-  std::vector<Event> events = {};
-  std::vector<MotionState> states = {};
-
-  explicit StateRecorder(Held at_start) : held(std::move(at_start)) {
-  }
-  void event(const Event &event, const Moment &moment) override {
-    held = event.held;
-    events.push_back(event);
-    states.push_back(state_at(moment, held));
-  }
-};
-
-// An item of the sequence, and the event of the run that it is.
+// An item of the sequence, and the knot of the motion that it is.
 struct ItemOfRun {
   Item item;
-  size_t event;
+  const Knot *knot;
 };
 
-// The items of a run: the impact before a stick holds the mass. Nothing if a stick has none.
-std::optional<std::vector<ItemOfRun>> items_of(const std::vector<Event> &events) {
+// The items of a motion: the impact before a stick holds the mass. Nothing if a stick has none.
+std::optional<std::vector<ItemOfRun>> items_of(const Motion &motion) {
   std::vector<ItemOfRun> items;
-  for (size_t e = 0; e < events.size(); ++e) {
-    const Event &event = events[e];
+  for (const Knot &knot : motion.knots) {
+    if (!knot.event) continue;
+    const Event &event = *knot.event;
     const int stop = event.stop - 1;
-    if (event.kind == EventKind::impact) items.push_back({{Happening::impact, stop}, e});
+    if (event.kind == EventKind::impact) items.push_back({{Happening::impact, stop}, &knot});
     if (event.kind == EventKind::release)
-      items.push_back({{event.by_a_jump ? Happening::jump : Happening::release, stop}, e});
+      items.push_back({{event.by_a_jump ? Happening::jump : Happening::release, stop}, &knot});
     if (event.kind != EventKind::stick) continue;
     const auto last = std::find_if(items.rbegin(), items.rend(),
                                    [stop](const ItemOfRun &i) { return i.item.stop == stop; });
@@ -51,12 +37,12 @@ std::optional<std::vector<ItemOfRun>> items_of(const std::vector<Event> &events)
 }
 
 // The item at which the orbit begins: a release, which no chatter surrounds, or the fastest impact.
-size_t first_item(const std::vector<ItemOfRun> &items, const std::vector<Event> &events) {
+size_t first_item(const std::vector<ItemOfRun> &items) {
   size_t first = 0;
   double fastest = -1.0;
   for (size_t k = 0; k < items.size(); ++k) {
-    const auto &[item, event] = items[k];
-    const double speed = releases(item.what) ? infinity : std::abs(events[event].velocity_before);
+    const auto &[item, knot] = items[k];
+    const double speed = releases(item.what) ? infinity : std::abs(knot->event->velocity_before);
     if (item.what == Happening::hold || !(speed > fastest)) continue;
     fastest = speed;
     first = k;
@@ -84,13 +70,10 @@ std::vector<int> always_held(const Problem &problem, const Held &held,
 std::optional<SequenceOrbit> sequence_from_run(const Problem &problem, const MotionState &orbit,
                                                int periods) {
   const Clock clock(problem.scene.omega);
-  const double begin = time_of(orbit.instant, clock);
-  StateRecorder run(orbit.held);
   // The run resolves the impacts that the sequence has.
   const double slowest = 0.05 * last_flight * problem.length * rate_bound(problem.scene);
-  Simulation simulation(problem.scene, orbit, {.limit_below_speed = slowest});
-  if (simulation.advance(begin + periods * clock.period, run).ending != Ending::reached) return {};
-  const auto found = items_of(run.events);
+  const Motion motion = motion_of(problem.scene, orbit, periods, {.limit_below_speed = slowest});
+  const auto found = items_of(motion);
   if (!found) return {};
   std::vector<ItemOfRun> items = *found;
   Sequence s{
@@ -100,19 +83,18 @@ std::optional<SequenceOrbit> sequence_from_run(const Problem &problem, const Mot
   size_t wraps = 0;                   // the flight in which the run ends
   if (items.empty()) {
     s.items = {{Happening::start, 0}};
-    Simulation to_phase_zero(problem.scene, orbit);
-    start =
-        require_complete(to_phase_zero.advance(begin + clock.period - orbit.instant.phase)).state;
+    Simulation to_phase_zero(problem.scene, motion.start());
+    start = require_complete(to_phase_zero.advance(clock.period)).state;
     start.instant = {};
   } else {
-    const size_t first = first_item(items, run.events);
-    start = run.states[items[first].event];
+    const size_t first = first_item(items);
+    start = items[first].knot->state;
     wraps = items.size() - 1 - first;
     times.clear();
     std::rotate(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(first), items.end());
-    for (const auto &[item, event] : items) {
+    for (const auto &[item, knot] : items) {
       s.items.push_back(item);
-      times.push_back(elapsed(orbit.instant, run.events[event].instant, clock));
+      times.push_back(elapsed(motion.start().instant, knot->state.instant, clock));
     }
   }
   Vector u = Vector::Zero(problem.unknowns(s));

@@ -1,10 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "analysis/orbits/motion.hpp"
+#include "analysis/orbits/newton.hpp"
 #include "sequence.hpp"
 #include "tolerances.hpp"
 #include "vibro_impact/analysis/parameter.hpp"
@@ -109,10 +108,8 @@ Multipliers multipliers_of(const Problem &problem, const Sequence &s, const Dens
   if (!map.allFinite()) return {};
   // Angle, displacements and velocities count in their units.
   const Vector units = units_of(problem, s).segment(1, z + 1);
-  map = units.cwiseInverse().asDiagonal() * map * units.asDiagonal();
-  const Eigen::VectorXcd found = Eigen::EigenSolver<Dense>(map, false).eigenvalues();
-  Multipliers multipliers(found.begin(), found.end());
-  std::ranges::sort(multipliers, std::greater(), [](const auto &m) { return std::abs(m); });
+  Multipliers multipliers =
+      eigenvalues_of(units.cwiseInverse().asDiagonal() * map * units.asDiagonal());
   multipliers.pop_back();  // the event at the start ties the state to the angle
   return multipliers;
 }

@@ -38,6 +38,9 @@ inline double largest_modulus(const Multipliers &multipliers) {
   return multipliers.empty() ? 0.0 : std::abs(multipliers.front());
 }
 
+// The eigenvalues of a matrix, largest modulus first.
+Multipliers eigenvalues_of(const Eigen::MatrixXd &matrix);
+
 Smooth<Multipliers> multipliers_of(const NewtonOrbit &orbit);
 PeriodicOrbit as_periodic_orbit(const NewtonOrbit &orbit);
 

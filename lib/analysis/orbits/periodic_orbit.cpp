@@ -69,17 +69,15 @@ MotionState state_after_periods(const Scene &scene, int periods, const RunOption
   return state;
 }
 
-namespace {
-
-// The eigenvalues of a derivative in units of length, largest modulus first.
-Multipliers eigenvalues_of(const Eigen::MatrixXd &derivative) {
-  if (derivative.size() == 0) return {};
-  const Eigen::VectorXcd found =
-      Eigen::EigenSolver<Eigen::MatrixXd>(derivative, false).eigenvalues();
+Multipliers eigenvalues_of(const Eigen::MatrixXd &matrix) {
+  if (matrix.size() == 0) return {};
+  const Eigen::VectorXcd found = Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues();
   Multipliers multipliers(found.begin(), found.end());
   std::ranges::sort(multipliers, std::greater(), [](const auto &z) { return std::abs(z); });
   return multipliers;
 }
+
+namespace {
 
 // The state with its free lengths, in the order of `free_coordinates`, moved by a step.
 MotionState moved_by(const Eigen::VectorXd &step, const Eigen::VectorXd &units, MotionState at) {
