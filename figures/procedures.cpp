@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <string>
@@ -152,13 +153,17 @@ void add_starts(Table &table, double omega, std::size_t count) {
   const auto starts = random_starts(scene, count);
   const auto records =
       sweep(count, [&](std::size_t k) { return record_of(scene, starts[k], {.attractor = true}); });
-  std::vector<double> marks;
-  std::size_t sticking = 0;
+  std::vector<OrbitRecord> attractors;
+  std::size_t sticking = 0, unsettled = 0;
   for (const OrbitRecord &record : records) {
     sticking += record.counts.sticks[0] > 0;
-    if (record.attractor) marks.push_back(*record.attractor);
+    unsettled += record.period == 0;
+    if (record.period > 0 && std::ranges::none_of(attractors, [&](const OrbitRecord &attractor) {
+          return same_attractor(scene, attractor, record);
+        }))
+      attractors.push_back(record);
   }
-  table.row(omega, count, figures::distinct(marks).size(), count - marks.size(), sticking);
+  table.row(omega, count, attractors.size(), unsettled, sticking);
 }
 
 Table starts() {

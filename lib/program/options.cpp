@@ -186,7 +186,8 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
          "error is known from 640 on",
          1'000'000);
   flag(sweep, "--attractor", records.attractor,
-       "Add a number that attractors of one scene differ in, also mirror images");
+       "Add the number of the attractor to --table: 1, 2, ... as they appear there, among\n"
+       "motions that differ in their start alone. Mirror images are two attractors");
   flag(sweep, "--response", records.response,
        "Add the extremes and the root mean square of each displacement to --table");
   flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");

@@ -184,6 +184,11 @@ void complete(SweepRequest &request, const Words &words) {
   });
   if (request.parts > 1 && request.plot.wanted())
     refuse("--part {}: a picture needs all parts", words.part);
+  if (request.parts > 1 && request.records.attractor)
+    refuse(
+        "--part {}: attractors are numbered in the order of all rows; the states of --section "
+        "tell those of several parts apart",
+        words.part);
   if (!words.panels.empty() && (request.grid.axes.size() > 1 || !request.column.empty()))
     refuse("--panels {}: a picture of a column has one panel", words.panels);
   request.follow = request.follow || request.back;

@@ -54,12 +54,33 @@ Column column_of_plot(const SweepRequest &request) {
   return *found;
 }
 
-// The rows of a point in each table, its word in the map, and the reason why it has no record, if
-// it has none.
+// The rows of a point in each table, and what they were written of.
 struct Rows {
   SweepTables tables = {};
-  std::string word = {}, reason = {};
+  PointRecord point = {};
 };
+
+// The attractors of each scene as they appear, by its parameters but for those of the start.
+using Attractors = std::map<std::vector<double>, std::vector<OrbitRecord>>;
+
+// The number of the attractor on which the motion of a point has settled.
+int number_of(Attractors &attractors, const Grid &grid, std::size_t point,
+              const OrbitRecord &record) {
+  std::vector<double> values = grid.values(point);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (const std::string &what = grid.axes[k].parameter;
+        what.starts_with("displacement") || what.starts_with("velocity"))
+      values[k] = 0.0;
+  std::vector<OrbitRecord> &known = attractors[values];
+  const Scene scene = grid.scene_at(point);
+  const auto found = std::ranges::find_if(known, [&](const OrbitRecord &attractor) {
+    return same_attractor(scene, attractor, record);
+  });
+  const auto number = static_cast<int>(found - known.begin()) + 1;
+  if (found == known.end())
+    known.push_back({.period = record.period, .section = record.section, .size = record.size});
+  return number;
+}
 
 // The tables of a part of a sweep, to which threads add the rows in any order. Each is written as
 // soon as the rows before it are.
@@ -70,6 +91,8 @@ class SweepOutput {
         count_(count),
         next_(first),
         progress_("sweep", static_cast<double>(count)) {
+    if (request.plot.wanted() && request.grid.axes.size() == 2)
+      map_column_ = column_of_plot(request);
     constexpr Table SweepTables::*members[] = {&SweepTables::records, &SweepTables::impacts,
                                                &SweepTables::section};
     const SweepTables headers = sweep_tables(request.grid, request.records);
@@ -111,32 +134,42 @@ class SweepOutput {
   std::size_t count_, next_;
   Progress progress_;
   Map map_ = {};
+  std::optional<Column> map_column_ = {};  // where a map is drawn
   std::vector<std::pair<Table SweepTables::*, OpenOutput>> outputs_ = {};
   std::map<std::string, Missing> missing_ = {};  // by the kind of the reason
   std::mutex mutex_ = {};
   std::map<std::size_t, Rows> waiting_ = {};
+  Attractors attractors_ = {};
 
-  void write(std::size_t row, const Rows &rows) {
+  void write(std::size_t row, Rows rows) {
+    const Grid &grid = request_.grid;
+    const std::size_t point = point_of(request_, row);
+    std::optional<OrbitRecord> &record = rows.point.record;
+    if (request_.records.attractor && record && record->period > 0) {
+      record->attractor = number_of(attractors_, grid, point, *record);
+      record->impacts.clear();  // the other tables have their rows
+      record->section.clear();
+      rows.tables.records.text.clear();
+      add_rows(rows.tables, grid, request_.records, point, record);
+    }
     for (auto &[table, output] : outputs_) output.append((rows.tables.*table).text);
-    if (!rows.word.empty()) map_.add(request_.grid.values(point_of(request_, row)), rows.word);
-    if (rows.reason.empty()) return;
-    Missing &missing = missing_[kind_of_reason(rows.reason)];
+    if (map_column_) map_.add(grid.values(point), map_word(*map_column_, rows.point));
+    if (record) return;
+    Missing &missing = missing_[kind_of_reason(rows.point.reason)];
     if (missing.count++ == 0)
-      std::tie(missing.first, missing.reason_of_first) = std::tie(row, rows.reason);
+      std::tie(missing.first, missing.reason_of_first) = std::tie(row, rows.point.reason);
   }
 };
 
 // Adds the rows of a chain.
 void compute_chain(const SweepRequest &request, std::size_t chain, SweepOutput &output) {
-  PointRecord result;
-  const bool has_map = request.plot.wanted() && request.grid.axes.size() == 2;
+  std::optional<OrbitRecord> before;
   const std::size_t length = chain_length(request);
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
     const std::size_t point = point_of(request, row);
-    result = point_record(request.grid.scene_at(point), request.records, result.record);
-    Rows rows{.word = has_map ? map_word(column_of_plot(request), result) : "",
-              .reason = result.reason};
-    add_rows(rows.tables, request.grid, request.records, point, result.record);
+    Rows rows{.point = point_record(request.grid.scene_at(point), request.records, before)};
+    add_rows(rows.tables, request.grid, request.records, point, rows.point.record);
+    if (length > 1) before = rows.point.record;
     output.add(row, std::move(rows));
   }
 }

@@ -163,7 +163,7 @@ TEST(Refusals, OfSweepsAndRecords) {
       {record([](auto &o) { o.settle.largest_period = 0; }), "largest_period = 0: must lie from 1"},
       {[&] { mean_growth(good_scene, good_start, {.error = -1.0}); },
        "error = -1: must be non-negative"},
-      {[&] { attractor_mark(good_scene, {MotionState{}}); }, "displacement: 0 values"},
+      {[&] { same_attractor(good_scene, {.section = {{0.0}}}, {}); }, "a state of 1 coordinates"},
       {[&] { record_of(with(good_scene, "omega", 0.0)); }, "omega = 0"},
       {[&] { settle(good_scene, far); }, "period 9223372036854775807"},
       {[&] { mean_growth(good_scene, good_start, {.longest = 0}); }, "longest = 0"},

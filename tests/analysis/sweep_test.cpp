@@ -2,6 +2,7 @@
 // sweep; the points of grids and the rows of their tables.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "reference/scenes/extreme_scenes.hpp"
@@ -78,6 +80,7 @@ TEST(Sweep, RecordsAreRowsOfATable) {
   OrbitRecord record;
   record.lyapunov = Growth{0.0123456, 0.00123};
   record.period = 2;
+  record.attractor = 3;
   record.counts = {4, {1, 2}, {3, 4}, true};
   record.pairs = {EventPair::dual_sticking, EventPair::sticking_impact};
   SweepTables tables = sweep_tables(grid, options);
@@ -94,7 +97,7 @@ TEST(Sweep, RecordsAreRowsOfATable) {
                                                        {"dual_sticking", "1"},
                                                        {"lyapunov", "0.0123"},
                                                        {"lyapunov_error", "0.0012"},
-                                                       {"attractor", ""},
+                                                       {"attractor", "3"},
                                                        {"pairs", "DS SI"}};
   for (const auto &[name, value] : expected) {
     EXPECT_EQ(table.at(0).cell(name), value) << name;
@@ -119,23 +122,46 @@ TEST(Grid, TheLastAxisIsInnermost) {
   EXPECT_EQ(ratios.value(2), -0.04);
 }
 
-// The two orbits of a symmetric oscillator have equal counts and exponents, and other marks. Two
-// starts of one orbit have one mark. The mark of the rest of an unforced mass is zero.
-TEST(Sweep, MirrorOrbitsHaveOtherMarks) {
-  Scene scene = extremes::one_mass(0.1, 2.0, 2.0, 0.5, 0.5);
-  scene.stops.push_back({1, Side::lower, -0.5});
-  const RecordOptions options{.lyapunov = true, .attractor = true};
-  std::map<double, int> marks;
-  for (int k = 0; k <= 20; ++k) {
-    scene.displacement = {-0.5 + 0.05 * k};
-    scene.velocity = {1.5 * (k % 3 - 1)};
-    const OrbitRecord record = record_of(scene, options);
-    EXPECT_EQ(record.counts.impacts, std::vector{2});
-    ++marks[record.attractor.value()];
+// The attractors of the motions from starts x, v of one mass, each by its first record.
+std::vector<OrbitRecord> attractors_of(Scene scene, int starts, double x, double v) {
+  std::vector<OrbitRecord> attractors;
+  for (int k = 0; k < starts; ++k) {
+    scene.displacement = {x * (2.0 * k / (starts - 1) - 1.0)};
+    scene.velocity = {v * (k % 3 - 1)};
+    const OrbitRecord record = record_of(scene, {.attractor = true});
+    EXPECT_GT(record.period, 0) << k;
+    if (std::ranges::none_of(attractors, [&](const OrbitRecord &attractor) {
+          return same_attractor(scene, attractor, record);
+        }))
+      attractors.push_back(record);
   }
-  EXPECT_EQ(marks.size(), 2u);
-  Scene resting{.mass = {1.0}, .stiffness = {1.0}, .beta = 0.5, .velocity = {1.0}};
-  EXPECT_NEAR(record_of(resting, options).attractor.value(), 0.0, 1e-9);
+  return attractors;
+}
+
+// The two orbits of a symmetric oscillator have equal counts, and are mirror images. An orbit of
+// period two is the same from either of its forcing periods, as is the rest of an unforced mass,
+// which motions of other sizes have come to.
+TEST(Sweep, AttractorsAreToldApartByTheirOrbits) {
+  Scene symmetric = extremes::one_mass(0.1, 2.0, 2.0, 0.5, 0.5);
+  symmetric.stops.push_back({1, Side::lower, -0.5});
+  const std::vector<OrbitRecord> mirrored = attractors_of(symmetric, 21, 0.5, 1.5);
+  ASSERT_EQ(mirrored.size(), 2u);
+  EXPECT_EQ(mirrored[0].counts.impacts, mirrored[1].counts.impacts);
+  const Scene resting{.mass = {1.0}, .stiffness = {1.0}, .beta = 0.5};
+  EXPECT_EQ(attractors_of(resting, 9, 1.0, 1e3).size(), 1u);
+
+  OrbitRecord doubled = record_of(paper::figure3(0.688), {.attractor = true});
+  ASSERT_EQ(doubled.period, 2);
+  OrbitRecord other = doubled;
+  std::swap(other.section[0], other.section[1]);
+  const Scene scene = paper::figure3(0.688);
+  EXPECT_TRUE(same_attractor(scene, doubled, other));
+  const double shift = 1e-9 * doubled.size;
+  other.section[1][0] += 0.9 * shift;
+  EXPECT_TRUE(same_attractor(scene, doubled, other));
+  other.section[1][0] += 0.2 * shift;
+  EXPECT_FALSE(same_attractor(scene, doubled, other));
+  EXPECT_FALSE(same_attractor(scene, {}, {})) << "neither has settled";
 }
 
 }  // namespace

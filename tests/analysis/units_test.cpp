@@ -59,11 +59,12 @@ class Measured {
       add(record.lyapunov->error, -units_.time);
     }
     for (const EventPair pair : record.pairs) add(static_cast<int>(pair));
-    if (record.attractor) add(*record.attractor, units_.length);
+    add(record.size, units_.length);
     for (const std::vector<Event> &impacts : record.impacts)
       for (const Event &impact : impacts) add(impact.velocity_before, units_.length - units_.time);
     for (const Values &state : record.section)
-      for (const double x : state) add(x, units_.length);
+      for (std::size_t k = 0; k < state.size(); ++k)
+        add(state[k], units_.length - (k < state.size() / 2 ? 0 : units_.time));
     add(record.state);
   }
   const Values &values() const {
@@ -81,7 +82,7 @@ const std::vector<Units> all_units{{0},     {-500},    {-20},      {-10},       
 
 void measure_record(const Scene &scene, const Units &units, Measured &measured) {
   RecordOptions options{.lyapunov = true, .pairs = true};
-  options.impacts = options.attractor = true;
+  options.impacts = options.section = true;
   measured.add(record_of(scene, options));
   const SettledMotion motion = settle(scene, start_of(scene));
   measured.add(motion.periods_run);

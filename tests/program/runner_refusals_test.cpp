@@ -102,6 +102,8 @@ const std::vector<BadCase> bad_cases = {
     {sweep_files + omega + "--part 4/3", "--part: '4' must be a whole number from 1 to 3"},
     {sweep_files + omega + "--part 4", "--part: '4' must read K/N"},
     {"sweep --impacts i.csv --plot p.png --part 1/2 " + omega, "--part 1/2: a picture needs all"},
+    {sweep_files + omega + "--attractor --part 1/2",
+     "the states of --section tell those of several"},
     {"orbit --near-start --longest 5", "--longest: bounds the settling"},
     {"run --velocities", "--velocities: needs --samples"},
     {"run --events e.csv --every 0.1", "--every: needs --samples"},

@@ -41,7 +41,7 @@ constexpr int few_corrections = 6;          // Newton steps from a late motion
 constexpr double settle_tolerance = 1e-10;  // distance of two sections of a motion that repeats:
                                             // above the errors of rounding and of chatter limits
 constexpr double nonlinear_part = 0.1;      // of what a distance falls by in one return
-constexpr double same_orbit = 1e-9;         // distance of orbits of a period and of its divisor
+constexpr double same_orbit = 1e-9;         // distance of one orbit, found twice
 constexpr double graze_margin = 10.0;       // shift of a stop, in distances still to come
 constexpr int most_periods_run = 1'000'000'000;  // forcing periods of which no sum overflows
 constexpr int most_periods_of_orbit = 1000;      // forcing periods
@@ -53,7 +53,6 @@ constexpr int block_length = 40;          // forcing periods
 constexpr std::size_t least_blocks = 16;  // of a mean growth
 constexpr double least_change = 0.25;     // of ln of the length of a perturbation, by its norm
 constexpr double exponent_error = 1e-7;   // of ln|mu| at a state that has settled
-constexpr double mark_error = 0x1p-24;    // of the mark of an attractor, relative to its terms
 constexpr double slow_impact = 1e-4;      // speed, relative to the fastest impact
 constexpr int periods_counted = 40;       // forcing periods, of a motion that has not settled
 

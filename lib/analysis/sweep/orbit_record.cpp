@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -62,7 +61,8 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
       has_settled ? found.orbit.motion : motion_of(scene, first, periods, run, sections);
   record.counts =
       has_settled ? found.motion.counts : counts_of(scene, events_of(motion), periods, first.held);
-  if (options.section)
+  record.size = has_settled ? found.orbit.size : 0.0;
+  if (options.section || (options.attractor && has_settled))
     for (const MotionState &state : has_settled ? found.motion.section : samples_of(motion))
       record.section.push_back(coordinates(state));
   if (options.pairs) record.pairs = kinds_of_pairs(motion);
@@ -80,30 +80,31 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
       std::rotate(of_mass.begin(), first_after, of_mass.end());
     }
   }
-  if (options.attractor && has_settled)
-    record.attractor = attractor_mark(scene, found.motion.section);
   if (options.lyapunov) record.lyapunov = exponent_of(scene, found, options);
   if (options.response) record.response = response_of(scene, first, periods, options.settle.run);
   return record;
 }
 
-double attractor_mark(const Scene &scene, const std::vector<MotionState> &section) {
+bool same_attractor(const Scene &scene, const OrbitRecord &one, const OrbitRecord &other) {
   check(scene);
-  const std::vector<double> frequency = local_frequencies(scene);
-  double sum = 0.0, largest = 0.0;
-  for (const MotionState &state : section) {
-    require_fits(scene, state);
-    for (std::size_t i = 0; i < frequency.size(); ++i) {
-      const double weight = 1.0 + std::fmod(std::numbers::phi * static_cast<double>(i + 1), 1.0),
-                   x = weight * state.displacement[i],
-                   v = weight * std::numbers::sqrt2 / 2.0 * state.velocity[i] / frequency[i];
-      sum += x + v;
-      largest = std::max({largest, std::abs(x), std::abs(v)});
-    }
-  }
-  if (largest == 0.0) return 0.0;
-  const double unit = mark_error * std::ldexp(1.0, std::ilogb(largest));
-  return unit * std::round(sum / static_cast<double>(section.size()) / unit);
+  const std::vector<double> frequencies = local_frequencies(scene);
+  const std::size_t n = frequencies.size();
+  for (const OrbitRecord *record : {&one, &other})
+    for (const std::vector<double> &state : record->section)
+      require(state.size() == 2 * n, "section: a state of ", state.size(),
+              " coordinates, the chain has ", 2 * n);
+  if (one.period == 0 || one.period != other.period) return false;
+  const auto distance = [&](const std::vector<double> &a, const std::vector<double> &b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      sum = std::hypot(sum, a[i] - b[i], (a[n + i] - b[n + i]) / frequencies[i]);
+    return sum;
+  };
+  const double error = same_orbit * std::max(one.size, other.size);
+  return !one.section.empty() &&
+         std::ranges::any_of(other.section, [&](const std::vector<double> &state) {
+           return distance(one.section.front(), state) <= error;
+         });
 }
 
 PointRecord point_record(const Scene &scene, const RecordOptions &options,

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <tuple>
 
-#include "analysis/orbits/orbit_tolerances.hpp"
 #include "simulation/for_analysis.hpp"
 #include "vibro_impact/analysis/sweep.hpp"
 
@@ -70,10 +69,10 @@ std::vector<Column> record_columns(int masses, const RecordOptions &options) {
   }
   if (options.attractor)
     columns.push_back({"attractor",
-                       "a number that attractors of one scene differ in; empty: not settled",
+                       "number of the attractor among those of its scene; empty: not settled",
                        [](Table &row, const OrbitRecord &record) {
-                         if (!record.attractor) return row.cell(std::string_view());
-                         row.cell(*record.attractor, mark_error * std::abs(*record.attractor));
+                         if (record.attractor == 0) return row.cell(std::string_view());
+                         row.cell(record.attractor);
                        }});
   if (options.response)
     for (const auto &[name, meaning, member] :

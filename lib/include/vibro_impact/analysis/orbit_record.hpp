@@ -21,7 +21,7 @@ struct RecordOptions {
   bool impacts = false;                // every impact faster than `slowest`
   std::optional<double> slowest = {};  // >= 0; if empty, 1e-4 of the fastest impact
   bool section = false;                // the states at the phase of the start
-  bool attractor = false;              // the mark of the attractor
+  bool attractor = false;              // what same_attractor compares: section and size
   bool response = false;               // extremes and root mean square of each displacement
 };
 
@@ -34,10 +34,12 @@ struct OrbitRecord {
   // If asked for: per mass, in the order of time from the phase of the start on, the impacts over
   // the same periods as `counts`.
   std::vector<std::vector<Event>> impacts = {};
-  // If asked for: (x_1 .. x_N, x_1' .. x_N') at the beginning of each forcing period of `counts`.
+  // If asked for: (x_1 .. x_N, x_1' .. x_N') at the phase of the start in each forcing period of
+  // `counts`.
   std::vector<std::vector<double>> section = {};
-  std::optional<double> attractor = {};  // if asked for, of a motion that has settled
-  std::vector<Response> response = {};   // if asked for: of each mass, over the same periods
+  double size = 0.0;  // of a motion that has settled, to which the error of its orbit refers
+  int attractor = 0;  // its number among the records of a table, which gives it; 0: none
+  std::vector<Response> response = {};  // if asked for: of each mass, over the same periods
   // The state at which the motion settled, or that after SettleOptions::longest periods. It has the
   // phase of the start, and cycle count zero.
   MotionState state = {};
@@ -52,11 +54,13 @@ struct OrbitRecord {
 OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options);
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});
 
-// A number by which attractors of one scene are distinguished, also an orbit from its mirror image:
-// the mean over the section of sum_i c_i (x_i + v_i / w_i / 2^(1/2)), a length, where c_i lies
-// between 1 and 2 and is another for each mass. It is rounded to 2^-24 of its largest term, which
-// is far above the distance at which a motion counts as settled.
-double attractor_mark(const Scene &scene, const std::vector<MotionState> &section);
+// True if two motions of one scene have settled on the same orbit: a state of one is a state of the
+// other, in any of its forcing periods, within 1e-9 of the larger size of the two. Orbits are found
+// to some 1e-13 of their size. An orbit and its mirror image are two attractors. If an orbit has an
+// impact at the phase of the start to within its error, its states there may lie before or after
+// the impact, and it may count as two. The records have the sections that RecordOptions::attractor
+// asks for. Throws std::invalid_argument for a bad scene and for states of another chain.
+bool same_attractor(const Scene &scene, const OrbitRecord &one, const OrbitRecord &other);
 
 // The record of one point of a sweep, or the reason why there is none.
 struct PointRecord {
