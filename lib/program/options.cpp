@@ -193,7 +193,8 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
   flag(sweep, "--pairs", records.pairs, "Add the pairs of events of Table I that occur");
   flag(sweep, "--follow", request.follow,
        "Start each point at the settled state of its neighbour along the last range,\n"
-       "which goes down where `from` lies above `to`");
+       "which goes down where `from` lies above `to`. Points that are refused or given up\n"
+       "are passed over");
   flag(sweep, "--back", request.back, "Follow the last range to its end and back");
   sweep.option_defaults()->configurable(false);  // the rows do not depend on these
   option(sweep, request.tables[0], "Periods and counts of the settled motions");

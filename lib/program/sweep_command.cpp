@@ -20,8 +20,9 @@ namespace vibro_impact::runner {
 
 namespace {
 
-// The rows of a sweep form chains. Each point of a chain but the first starts where the motion of
-// the point before has settled. A sweep that follows no branch has chains of one point.
+// The rows of a sweep form chains. A point of a chain starts where the motion of the latest point
+// with a record has settled, and before there is one at the start of the scene. A sweep that
+// follows no branch has chains of one point.
 std::size_t chain_length(const SweepRequest &request) {
   if (!request.follow) return 1;
   return request.grid.axes.back().count * (request.back ? 2 : 1);
@@ -137,6 +138,8 @@ class SweepOutput {
   std::optional<Column> map_column_ = {};  // where a map is drawn
   std::vector<std::pair<Table SweepTables::*, OpenOutput>> outputs_ = {};
   std::map<std::string, Missing> missing_ = {};  // by the kind of the reason
+  bool is_missing_ = false;                      // the latest row
+  std::size_t after_missing_ = 0;                // rows behind it in the same chain
   std::mutex mutex_ = {};
   std::map<std::size_t, Rows> waiting_ = {};
   Attractors attractors_ = {};
@@ -154,6 +157,8 @@ class SweepOutput {
     }
     for (auto &[table, output] : outputs_) output.append((rows.tables.*table).text);
     if (map_column_) map_.add(grid.values(point), map_word(*map_column_, rows.point));
+    if (record && is_missing_ && row % chain_length(request_) > 0) ++after_missing_;
+    is_missing_ = !record;
     if (record) return;
     Missing &missing = missing_[kind_of_reason(rows.point.reason)];
     if (missing.count++ == 0)
@@ -168,8 +173,9 @@ void compute_chain(const SweepRequest &request, std::size_t chain, SweepOutput &
   for (std::size_t row = chain * length; row < (chain + 1) * length; ++row) {
     const std::size_t point = point_of(request, row);
     Rows rows{.point = point_record(request.grid.scene_at(point), request.records, before)};
-    add_rows(rows.tables, request.grid, request.records, point, rows.point.record);
-    if (length > 1) before = rows.point.record;
+    const std::optional<OrbitRecord> &record = rows.point.record;
+    if (length > 1 && record) before = record;
+    add_rows(rows.tables, request.grid, request.records, point, record);
     output.add(row, std::move(rows));
   }
 }
@@ -230,6 +236,11 @@ void SweepOutput::print_summary() const {
   for (const auto &[kind, rows] : missing_)
     fmt::print(stderr, "{} of {} points: {}; first at {}\n", rows.count, count_,
                rows.reason_of_first, values_of(request_, rows.first));
+  if (after_missing_ > 0)
+    fmt::print(stderr,
+               "{} of {} points start at the latest point with a record, or at the start of the "
+               "scene, because the point before has none\n",
+               after_missing_, count_);
   if (missing == count_ && request_.parts == 1)
     throw std::runtime_error("every point of the sweep was refused or given up");
 }

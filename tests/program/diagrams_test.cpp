@@ -65,6 +65,12 @@ TEST_F(Runner, ABranchIsFollowedUpAndDown) {
     EXPECT_EQ(down.at(k).number("impacts1") > 0.0, rows.at(81 + k).number("impacts1") > 0.0) << k;
 }
 
+// The start of the scene may lie beyond a stop at the points that are followed.
+TEST_F(Runner, AFollowedPointNeedsNoStartWithinItsStops) {
+  const Result moved = run("sweep --vary stop1=-0.3:0.1:9 --follow --table t.csv");
+  EXPECT_TRUE(moved.err.starts_with("9 points; 0 were")) << moved.err;
+}
+
 // The states of --section are those of a run at whole forcing periods, and every tenth period is
 // every 10P. The impacts of --impacts are those of the run, with the impulse m (1 + r) v. The
 // motion counts as settled at 1e-10.

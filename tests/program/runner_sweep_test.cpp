@@ -18,38 +18,47 @@ namespace {
 using namespace vibro_impact::testing;
 using namespace vibro_impact;
 
-// The rows of a grid from the library. With `back`, a point starts where the motion of the point
-// before has settled, along the inner axis to its end and back.
+// The rows of a grid from the library. With `back`, a point starts where the motion of the latest
+// point with a record has settled, along the inner axis to its end and back.
 SweepTables tables_of(const Grid &grid, const RecordOptions &options, bool back) {
   SweepTables tables = sweep_tables(grid, options);
   const std::size_t count = grid.axes.back().count, length = back ? 2 * count : 1;
-  PointRecord result;
+  std::optional<OrbitRecord> before;
   for (std::size_t row = 0; row < (back ? 2 : 1) * grid.points(); ++row) {
     const std::size_t k = row % length, first = back ? row / length * count : row,
                       point = first + (k < count ? k : length - 1 - k);
-    result = point_record(grid.scene_at(point), options,
-                          k > 0 ? result.record : std::optional<OrbitRecord>());
+    if (k == 0) before.reset();
+    const PointRecord result = point_record(grid.scene_at(point), options, before);
     add_rows(tables, grid, options, point, result.record);
+    if (back && result.record) before = result.record;
   }
   return tables;
 }
 
-// The tables are those of the library, to the byte. Branches are shared out whole.
+// The tables are those of the library, to the byte. Branches are shared out whole, and go on behind
+// points that are given up.
 TEST_F(Runner, ASweepGivesTheTablesOfTheLibrary) {
   const Grid grid{paper::figure2(), {{"omega", 0.25, 0.7, 19}, {"restitution", 0.3, 0.9, 4}}};
   const Grid branches{extremes::one_mass(0.1, 0.1, 1.0, 0.7, 0.3),
                       {{"restitution", 0.5, 0.8, 5}, {"omega", 1.1, 1.2, 9}}};
+  RecordOptions few_steps{.impacts = true, .section = true};
+  few_steps.settle.run.max_steps = 120;
   const struct {
     std::string arguments;
     SweepTables tables;
+    std::string said = "";
   } sweeps[] = {
       {"--vary omega=0.25:0.7:19 --vary restitution=0.3:0.9:4 --longest 100 --lyapunov --pairs "
        "--table t.csv",
        tables_of(grid, {.settle = {.longest = 100}, .lyapunov = true, .pairs = true}, false)},
       {"--vary restitution=0.5:0.8:5 --vary omega=1.1:1.2:9 --back --masses 1 --beta 0.1 "
        "--amplitude 0.1 --stop 1:upper:0.3 --table t.csv --impacts i.csv --section s.csv",
-       tables_of(branches, {.impacts = true, .section = true}, true)}};
-  for (const auto &[arguments, tables] : sweeps) {
+       tables_of(branches, {.impacts = true, .section = true}, true)},
+      {"--vary omega=1.05:1.45:81 --back --masses 1 --beta 0.1 --amplitude 0.1 --stop 1:upper:0.3 "
+       "--max-steps 120 --table t.csv --impacts i.csv --section s.csv",
+       tables_of({branches.scene, {{"omega", 1.05, 1.45, 81}}}, few_steps, true),
+       "\n1 of 162 points start at the latest point with a record"}};
+  for (const auto &[arguments, tables, said] : sweeps) {
     SCOPED_TRACE(arguments);
     const Result result = run("sweep " + arguments);
     ASSERT_EQ(result.status, 0) << result.err;
@@ -59,6 +68,7 @@ TEST_F(Runner, ASweepGivesTheTablesOfTheLibrary) {
     if (written == 1) continue;
     EXPECT_EQ(lines(contents(folder / "i.csv")), lines(tables.impacts.text));
     EXPECT_EQ(lines(contents(folder / "s.csv")), lines(tables.section.text));
+    EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
   }
 }
 

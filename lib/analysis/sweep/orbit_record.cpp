@@ -111,7 +111,8 @@ PointRecord point_record(const Scene &scene, const RecordOptions &options,
                          const std::optional<OrbitRecord> &before) {
   try {
     if (!before) return {record_of(scene, options), {}};
-    return {record_of(scene, start_near(scene, before->state), options), {}};
+    const Scene inside = with_start_inside(scene);
+    return {record_of(inside, start_near(inside, before->state), options), {}};
   } catch (const std::invalid_argument &refused) {
     return {{}, refused.what(), true};
   } catch (const std::runtime_error &given_up) {

@@ -69,8 +69,8 @@ struct PointRecord {
   bool refused = false;     // there is none because the scene was refused
 };
 
-// The record of the motion from the initial state of the scene, or near `before` where the point
-// before has a record, for a sweep that follows a branch.
+// The record of the motion from the initial state of the scene, or near the state of a record
+// `before`, for a sweep that follows a branch. Then the initial state may lie beyond the stops.
 PointRecord point_record(const Scene &scene, const RecordOptions &options,
                          const std::optional<OrbitRecord> &before = {});
 
