@@ -188,6 +188,27 @@ TEST(Procedures, TheTestWithoutPressingForceHoldsMass2BelowFigure5c) {
   EXPECT_NEAR(first_stick(0.01, 0.7, 1700.0), 1890.23, 0.01);
 }
 
+// The threshold of that test lies between the speeds of the last impacts of mass 2 before the
+// release, 6.46e-16 for Omega = 0.01 and 3.853e-9 in Figure 5(c) itself.
+TEST(Procedures, TheTestWithoutPressingForceExplainsFigure5cWithinARange) {
+  const auto holds_mass_2 = [](double omega, double slowest) {
+    Scene scene = paper::figure5c();
+    scene.omega = omega;
+    for (const Event &event : follow(scene, start_of(scene), 3.5 * Clock(omega).period,
+                                     {.slowest_impact = slowest, .holds_without_force = true})
+                                  .events) {
+      if (event.time < 2.5 * Clock(omega).period) continue;
+      if (event.mass == 1 && event.kind == EventKind::release) return false;
+      if (event.mass == 2 && event.kind == EventKind::stick) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(holds_mass_2(0.01, 6.4e-16));
+  EXPECT_TRUE(holds_mass_2(0.01, 6.5e-16));
+  EXPECT_FALSE(holds_mass_2(0.02, 3.85e-9));
+  EXPECT_TRUE(holds_mass_2(0.02, 3.86e-9));
+}
+
 // The motion between contacts is the exact one, and an impact acts at the first step beyond the
 // stop: at most a step, and what the steps before have added, after the exact one.
 TEST(Procedures, FixedStepsConvergeToTheExactMotion) {
@@ -219,6 +240,20 @@ TEST(Procedures, CoarseStepsContradictFigure4a) {
   EXPECT_EQ(sticks(omega, figures::in_steps(period / 1000)), 20);
   EXPECT_EQ(sticks(omega, figures::in_steps(0.025)), 20);
   EXPECT_EQ(sticks(omega, figures::in_steps(period / 50000)), 10);
+}
+
+// With no cut-off do such steps have 10 sticks in ten periods of Figure 4(a) and 20 in those of
+// Figure 4(b).
+TEST(Procedures, NoCutOffOfCoarseStepsShowsFigure4) {
+  for (const double parts : {500.0, 1000.0, 2000.0, 5000.0})
+    for (const int steps : {3, 5, 10, 15, 20, 30, 50}) {
+      const auto sticks_at = [&](const Scene &scene) {
+        const double step = Clock(scene.omega).period / parts;
+        return sticks(scene.omega, {.shortest_flight = (steps + 0.5) * step, .step = step});
+      };
+      EXPECT_FALSE(sticks_at(paper::figure4a()) == 10 && sticks_at(paper::figure4b()) == 20)
+          << parts << ' ' << steps;
+    }
 }
 
 // With Eq. 24 as printed, mass 1 moves about -s2/2 while mass 2 sticks. The difference of the two

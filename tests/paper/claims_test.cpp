@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 
 #include "figures/measures/runs.hpp"
+#include "reference/truth/table_reader.hpp"
 #include "tests/support/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 
@@ -74,6 +77,28 @@ TEST(Claims, TheExitBoundaryOfMass1HasThePhaseAndNoFrequency) {
   };
   EXPECT_NEAR(force(0.2, 0.3), force(0.6, 0.3), 1e-14);  // rounding
   EXPECT_GT(std::abs(force(0.2, 0.3) - force(0.2, 0.4)), 0.1);
+}
+
+// Our text has the labels of Figure 1: masses, springs, dampers, stops, displacements and forces of
+// two masses in (a) and (b), and those of mass N in (a). The drawing has them in its digest, where
+// the force is A cos(Omega t), on mass 1 alone in (b).
+TEST(Claims, Figure1HasTheLabelsOfTheText) {
+  std::ifstream file = truth::opened(SOURCE_DIR "/tests/pictures/figure1.txt");
+  const std::string digest{std::istreambuf_iterator<char>(file), {}};
+  const auto times_drawn = [&](const std::string &label) {
+    int count = 0;
+    for (auto at = digest.find(label); at != std::string::npos; at = digest.find(label, at + 1))
+      ++count;
+    return count;
+  };
+  for (const char quantity : {'m', 'k', 'c', 's', 'x'})
+    for (const char mass : {'1', '2'})
+      EXPECT_EQ(times_drawn(std::string{'"', '/', quantity, '/', '_', mass}), 2)
+          << quantity << mass;
+  for (const std::string quantity : {"m", "s", "x"})
+    EXPECT_EQ(times_drawn("\"/" + quantity + "/_N"), 1) << quantity;
+  EXPECT_EQ(times_drawn("\"/A/_1^ cos"), 2);
+  EXPECT_EQ(times_drawn("\"/A/_2^ cos") + times_drawn("\"/A/_N^ cos"), 2);
 }
 
 }  // namespace
