@@ -11,7 +11,7 @@
 # make build          build the library and the program only
 # make test-sanitize  run the tests of the library and the program under the address and
 #                     undefined-behaviour sanitizers (minutes)
-# make reference      recompute the 50-digit tables in reference/tables/ (about an hour)
+# make reference      recompute the 50-digit tables in reference/tables/ (more than an hour)
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
 # make clean          remove build/
 #
@@ -68,7 +68,7 @@ test-sanitize:
 
 reference: configured-runner
 	$(make_target) reference-generate
-	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c; do \
+	@for scene in figure2 figure4a figure4b figure5a figure5b figure5c chain10 chain200; do \
 	  $(folder)/bin/reference-generate $$scene reference/tables/$${scene}_events.csv || exit 2; done
 	@$(folder)/bin/reference-generate checked_numbers reference/tables/checked_numbers.csv || exit 2
 	@$(folder)/bin/reference-generate extremes reference/tables/extreme_events.csv || exit 2

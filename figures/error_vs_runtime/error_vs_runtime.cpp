@@ -128,7 +128,7 @@ int main(int argc, char **argv) {
     count_the_smallest_numbers_as_zero();
     std::vector<Problem> cases = problems(REFERENCE_DIR);
     if (chains == "yes")
-      for (const std::size_t masses : {10u, 200u}) cases.push_back(chain_problem(masses));
+      for (const int masses : {10, 200}) cases.push_back(chain_problem(REFERENCE_DIR, masses));
     const std::vector<Method> methods = all_methods();
     write(table_of(measured(cases, methods)), output / "error_vs_runtime.csv");
   };

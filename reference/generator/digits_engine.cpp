@@ -28,8 +28,8 @@ void each_turn(const Flow &flow, const Real &begin, const Real &end, const RateA
   for (Real a = begin; a < end; a += step) {
     const Real b = std::min<Real>(a + step, end);
     if (rising == (rate_at(b) > 0)) continue;
-    found(
-        bisect([&](const Real &tau) { return (rate_at(tau) > 0) == rising; }, a, b, Real("1e-36")));
+    found(bisect([&](const Real &tau) { return (rate_at(tau) > 0) == rising; }, a, b,
+                 Real("1e-36") * b));
     rising = !rising;
   }
 }
@@ -150,7 +150,7 @@ Real changing_frequency(const Scene &scene, const Real &near, const Real &far, c
     last = trial;
     return true;
   };
-  return bisect(as_near, near, far, bracket_width / far);
+  return bisect(as_near, near, far, bracket_width);
 }
 
 /// The frequency between `near` and `far` at which the count of the motion from rest jumps. Every
@@ -163,7 +163,7 @@ Real jumping_frequency(const Scene &scene, const Real &near, const Real &far, co
   const std::ptrdiff_t count_near = count_at(near);
   require(count_at(far) != count_near, near, far, "agree");
   return bisect([&](const Real &frequency) { return count_at(frequency) == count_near; }, near, far,
-                bracket_width / far);
+                bracket_width);
 }
 
 }  // namespace

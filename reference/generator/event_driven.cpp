@@ -38,6 +38,15 @@ Real first_step(const Scene &scene, const State &state,
   return step;
 }
 
+/// The signals of all stops.
+std::vector<std::optional<Signal>> signals_of(const Scene &scene, const State &state,
+                                              const Motion &motion) {
+  std::vector<std::optional<Signal>> signals;
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    signals.push_back(stop_signal(scene, state, i, motion));
+  return signals;
+}
+
 /// The next events along a flow: the time since its start and the stops concerned (several if at
 /// the same instant).
 struct NextEvents {
@@ -46,9 +55,14 @@ struct NextEvents {
 };
 
 /// Samples the flow until something happens or `horizon` is reached (then no stop is named). Zeros
-/// a thousand widths apart are one event.
+/// a thousand widths apart are one event. In a long chain a hundred masses may hit within one
+/// sampling step: the deepest one behind its stop is narrowed down first, and the others up to its
+/// event alone.
 NextEvents find_next(const Scene &scene, const State &state, const Flow &flow, const Real &horizon,
                      const Resolution &resolution) {
+  const auto end_of_event = [&](const Real &zero) {
+    return Real(zero + 1000 * resolution.roots.width_at(zero));
+  };
   auto signals = starting_signals(scene, state, motion_at(flow, Real(0)));
   for (const std::size_t i : state.decided) signals[i].reset();
   Real step = first_step(scene, state, signals, sampling_step(flow, Real(0)));
@@ -56,33 +70,40 @@ NextEvents find_next(const Scene &scene, const State &state, const Flow &flow, c
   while (a < horizon) {
     Real b = std::min<Real>(a + step, horizon);
     if (a < state.decided_for) b = std::min<Real>(b, state.decided_for);
-    const Motion motion = motion_at(flow, b);
+    Real end = b;  // of the search for zeros
+    Motion motion = motion_at(flow, end);
+    auto at_b = signals_of(scene, state, motion);
+    std::vector<std::size_t> searched;  // stops
+    for (std::size_t i = 0; i < signals.size(); ++i)
+      if (at_b[i] && signals[i]) searched.push_back(i);
+    std::ranges::sort(searched, {}, [&](std::size_t i) { return at_b[i]->value; });
     std::vector<std::pair<Real, std::size_t>> roots;
-    for (std::size_t i = 0; i < signals.size(); ++i) {
-      const auto at_b = stop_signal(scene, state, i, motion);
-      if (!at_b) continue;
-      if (!signals[i]) {  // nothing happens here before the time it is decided for
-        if (b >= state.decided_for) signals[i] = at_b;
-        continue;
-      }
+    for (const std::size_t i : searched) {
       const auto signal_at = [&](const Real &tau) {
         return *stop_signal(scene, state, i, motion_at(flow, tau));
       };
-      if (const auto root = first_fall(signal_at, a, *signals[i], b, *at_b, resolution.roots)) {
-        roots.emplace_back(*root, i);
-      }
-      signals[i] = at_b;
+      const auto root = first_fall(signal_at, a, *signals[i], end,
+                                   *stop_signal(scene, state, i, motion), resolution.roots);
+      if (!root) continue;
+      roots.emplace_back(*root, i);
+      if (end_of_event(*root) >= end) continue;
+      end = end_of_event(*root);
+      motion = motion_at(flow, end);
     }
     if (!roots.empty()) {
-      const Real first = std::min_element(roots.begin(), roots.end())->first;
+      const Real first = std::ranges::min_element(roots)->first;
       if (first < state.decided_for)
         throw std::runtime_error("an event comes before what has been decided stands");
       NextEvents next{first, {}};
       for (const auto &[time, stop] : roots) {
-        if (time - first <= 1000 * resolution.roots.width * first) next.stops.push_back(stop);
+        if (time <= end_of_event(first)) next.stops.push_back(stop);
       }
+      std::ranges::sort(next.stops);
       return next;
     }
+    // Nothing happens at a stop without a signal before the time it is decided for.
+    for (std::size_t i = 0; i < signals.size(); ++i)
+      if (at_b[i] && (signals[i] || b >= state.decided_for)) signals[i] = at_b[i];
     a = b;
     step = std::min<Real>(2 * step, sampling_step(flow, a));
   }

@@ -46,8 +46,7 @@ struct Excerpt {
 /// that ends it, and the sticking phase after it with its release.
 std::vector<Excerpt> excerpts() {
   const auto ten_periods = [](const char *scene) {
-    const double two_pi = 6.283185307179586477;
-    return 10.0 * two_pi / vibro_impact::paper::scene_named(scene).scene.omega;
+    return forcing_periods(10.0, vibro_impact::paper::scene_named(scene).scene);
   };
   return {{"figure2", "figure2", 0.0, ten_periods("figure2")},
           {"figure4", "figure4a", 0.0, ten_periods("figure4a")},
@@ -105,7 +104,7 @@ std::string work_precision_events() {
 
 constexpr const char *tables =
     "figure2, figure4a, figure4b, figure5a, figure5b, figure5c, checked_numbers, extremes, "
-    "work_precision_states, work_precision_events, number:<id of a key number>";
+    "work_precision_states, work_precision_events, chain10, chain200, number:<id of a key number>";
 
 /// Throws std::invalid_argument if there is no table or scene of that name.
 std::string table_named(const std::string &name) {
@@ -114,6 +113,8 @@ std::string table_named(const std::string &name) {
   if (name == "extremes") return extremes_table();
   if (name == "work_precision_states") return work_precision_states();
   if (name == "work_precision_events") return work_precision_events();
+  if (name == "chain10") return chain_table(10);
+  if (name == "chain200") return chain_table(200);
   for (const auto &[scene_name, scene, until, inferred] : vibro_impact::paper::named_scenes())
     if (name == scene_name)
       return events_table(simulate(in_digits(scene, until)).events, scene.mass.size());

@@ -4,6 +4,7 @@
 
 #include "in_digits.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace vibro_impact_reference {
@@ -15,10 +16,9 @@ struct Signal {
 };
 
 /// Bisection: `before` holds at a and no longer at b, on either side of a. Returns the end at b of
-/// a bracket of the wanted width, relative to b.
+/// a bracket of the wanted width.
 template <class Predicate>
-Real bisect(const Predicate &before, Real a, Real b, const Real &relative_width) {
-  const Real width = relative_width * b;
+Real bisect(const Predicate &before, Real a, Real b, const Real &width) {
   while (abs(b - a) > width) {
     const Real middle = (a + b) / 2;
     if (middle == a || middle == b) break;
@@ -31,6 +31,11 @@ Real bisect(const Predicate &before, Real a, Real b, const Real &relative_width)
 struct RootSearch {
   Real width = Real("1e-36");  // a bracket this part of its right end is a zero
   bool newton = false;  // steps by the rate, inside the bracket: fewer, and not to the last bit
+  Real least = 0;       // and so is a bracket this wide
+
+  Real width_at(const Real &b) const {
+    return std::max<Real>(width * b, least);
+  }
 };
 
 /// The signal falls through zero between a, where `before` holds of it, and b, where it does not.
@@ -40,14 +45,15 @@ template <class SignalAt, class Before>
 Real fall_between(const SignalAt &signal_at, const Before &before, Real a, Real b,
                   const RootSearch &search) {
   if (!search.newton)
-    return bisect([&](const Real &tau) { return before(signal_at(tau)); }, a, b, search.width);
+    return bisect([&](const Real &tau) { return before(signal_at(tau)); }, a, b,
+                  search.width_at(b));
   const Real rounding = Real("1e-49");  // of a signal of order one
   Real latest = b, last = b - a;
-  for (Signal signal = signal_at(b); b - a > search.width * b;) {
+  for (Signal signal = signal_at(b); b - a > search.width_at(b);) {
     Real next = signal.rate < 0 ? Real(latest - signal.value / signal.rate) : b;
     if (next <= a || next >= b || abs(next - latest) > last / 2) next = (a + b) / 2;
     last = abs(next - latest);
-    if (last <= search.width * b) return next;
+    if (last <= search.width_at(b)) return next;
     signal = signal_at(next);
     latest = next;
     (before(signal) ? a : b) = next;
@@ -73,7 +79,7 @@ std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const S
     const bool positive = at_a.curvature > 0;
     const Real m =
         bisect([&](const Real &tau) { return (signal_at(tau).curvature > 0) == positive; }, a, b,
-               search.width);
+               search.width_at(b));
     Signal at_m = signal_at(m);
     at_m.curvature = 0;  // so that neither part is cut again
     if (m < b) {
@@ -94,7 +100,7 @@ std::optional<Real> first_fall(const SignalAt &signal_at, const Real &a, const S
       const Signal s = signal_at(tau);
       return s.rate < 0 && s.value > 0;
     };
-    const Real low = bisect(above_and_falling, a, b, search.width);
+    const Real low = bisect(above_and_falling, a, b, search.width_at(b));
     return signal_at(low).value > 0 ? std::nullopt : std::optional(low);
   }
   if (at_b.value > 0) return std::nullopt;

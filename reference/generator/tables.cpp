@@ -1,5 +1,7 @@
 #include "tables.hpp"
 
+#include "reference/scenes/extreme_scenes.hpp"
+
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
@@ -44,6 +46,19 @@ std::string event_rows(const std::vector<Event> &events, const Vector &slowest,
 
 std::string events_table(const std::vector<Event> &events, std::size_t masses) {
   return columns + event_rows(events, Vector(masses, kept_speed), "");
+}
+
+double forcing_periods(double count, const vibro_impact::Scene &scene) {
+  return count * 6.283185307179586477 / scene.omega;
+}
+
+// Far from the ends of a long chain masses hit within 1e-50 of each other. Zeros closer than 1e-30
+// are one event, so that a time may be off by as much.
+std::string chain_table(int masses) {
+  const vibro_impact::Scene scene = vibro_impact::extremes::chain_of_stops(masses);
+  const Resolution resolution{.roots = {.newton = true, .least = Real("1e-33")}};
+  const Run run = simulate(in_digits(scene, forcing_periods(2.0, scene)), resolution);
+  return events_table(run.events, scene.mass.size());
 }
 
 namespace {

@@ -24,6 +24,11 @@ const char *const columns = "time,mass,event,velocity_before,velocity_after,cont
 /// The whole table of a scene of the paper.
 std::string events_table(const std::vector<Event> &events, std::size_t masses);
 
+double forcing_periods(double count, const vibro_impact::Scene &scene);
+
+/// The table of a chain of stops (extreme_scenes.hpp) in two forcing periods.
+std::string chain_table(int masses);
+
 /// The digits of a key number, by a formula (kind `formula`) or by a run (kind `computed`). Throws
 /// std::runtime_error naming the row.
 std::string digits_of(DigitsEngine &engine, const numbers::CheckedNumber &number);

@@ -46,4 +46,17 @@ inline Scene long_chain() {
   return scene;
 }
 
+// A chain of equal masses, each forced alike and with a stop on either side, for two forcing
+// periods. No mass sticks.
+inline Scene chain_of_stops(int masses) {
+  Scene scene = chain(masses, 0.1);
+  scene.amplitude.assign(scene.mass.size(), 0.1);
+  scene.omega = 0.2;
+  scene.restitution = 0.7;
+  for (int mass = 1; mass <= masses; ++mass)
+    for (const Side side : {Side::lower, Side::upper})
+      scene.stops.push_back({mass, side, sign(side) * 0.3});
+  return scene;
+}
+
 }  // namespace vibro_impact::extremes

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "reference/truth/event_comparison.hpp"
 #include "reference/truth/event_reader.hpp"
@@ -38,6 +39,15 @@ std::vector<Problem> problems(const std::filesystem::path &reference) {
     }
   }
   return all;
+}
+
+Problem chain_problem(const std::filesystem::path &reference, int masses) {
+  Problem problem{.name = fmt::format("chain{}", masses),
+                  .scene = extremes::chain_of_stops(masses)};
+  problem.start = start_of(problem.scene);
+  problem.until = 2.0 * Clock(problem.scene.omega).period;
+  problem.reference_events = truth::read_event_table(reference / (problem.name + "_events.csv"));
+  return problem;
 }
 
 void Result::record(double time, std::size_t i, EventKind kind, double velocity) {

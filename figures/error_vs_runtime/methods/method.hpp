@@ -14,8 +14,7 @@ namespace vibro_impact::comparison {
 using truth::event_at;
 
 // A piece of the motion of a scene, from a state at the time `from`, with its true events: those of
-// the 50-digit generator for two masses with one stop each. An instant has lost the last bits of
-// the time.
+// the 50-digit generator. An instant has lost the last bits of the time.
 struct Problem {
   std::string name;
   Scene scene;
@@ -29,10 +28,9 @@ struct Problem {
 // std::runtime_error naming the file that cannot be read or the scene that is not known.
 std::vector<Problem> problems(const std::filesystem::path &reference);
 
-// Two forcing periods from rest of a chain of equal masses, m = k = 1, beta = 0.1, A = 0.1 on each
-// mass, Omega = 0.2, r = 0.7, with stops at -0.3 and 0.3 on each. No mass sticks. The true events
-// are those of DOP853 in `long double`, which are known to about 1e-13.
-Problem chain_problem(std::size_t masses);
+// The motion from rest of a chain of 10 or 200 masses with two stops on each (extreme_scenes.hpp).
+// Reads chain10_events.csv or chain200_events.csv.
+Problem chain_problem(const std::filesystem::path &reference, int masses);
 
 // The result of a run of a method. `failure` is empty if the run reached its end. Otherwise it says
 // in one line where and why the run stopped.
