@@ -149,6 +149,11 @@ TEST(BranchEnds, ABorderOrbitOrMultiSlidingHasItsNameFromBothSides) {
        {Point::border_orbit, 0.432820952540498, 1e-13}});
   expect_special_points(paper + "0.2", {"restitution", 0, 0.7, 8},
                         {{Point::end_of_range, 0}, {Point::end_of_range, 0.7}});
+  // The border orbit of omega = 0.330982352875060877 lies at a parameter of 0.
+  expect_special_points(
+      paper + "0.330982352875060877; constant=0,-0.003", {"constant2", -0.01, 0.01, 21},
+      {{Point::border_orbit, -0.0094124460563004, 1e-13}, {Point::border_orbit, 0.0, 1e-13}}, 0,
+      2000);
   // Newton's method comes to r = -1e-34, which is no coefficient of restitution.
   expect_special_points(
       "masses=2; beta=0.2; amplitude=0,0.8502; sine=0.4803,-0.1572; restitution=0.3; "

@@ -62,6 +62,15 @@ TEST(Motion, ASectionInsideAChatterHasTheSameMultipliers) {
   EXPECT_GE(sections, 3);
 }
 
+// The impacts of a motion that has not settled are in the order of time, from the section on.
+TEST(Motion, HasTheImpactsOfAnIrregularMotionInTheirOrder) {
+  const OrbitRecord record =
+      record_of(paper::figure3(0.69), {.settle = {.longest = 50}, .impacts = true});
+  ASSERT_EQ(record.period, 0);
+  ASSERT_GT(record.impacts[0].size(), 40u);
+  EXPECT_TRUE(std::ranges::is_sorted(record.impacts[0], {}, &Event::instant));
+}
+
 // Two neighbours that a damper joins hit at one instant in every period: the derivative depends on
 // which is first, and there is no exponent. Reading it throws.
 TEST(Motion, HasNoDerivativeWhereDampedNeighboursHitAtOnce) {
@@ -251,6 +260,7 @@ TEST(RandomScenes, SettleOnOrbitsThatTheEngineConfirms) {
     const SettledMotion motion = settle(scene, start_of(scene));
     if (motion.period == 0) continue;
     const PeriodicOrbit &orbit = motion.orbit;
+    EXPECT_TRUE(orbit.converged && orbit.why_not.empty()) << orbit.why_not;
     ++settled;
     const double period = Clock(scene.omega).period;
     if (orbit.stable() && (orbit.multipliers.empty() || std::abs(orbit.multipliers[0]) < 0.9)) {

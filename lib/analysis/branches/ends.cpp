@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace vibro_impact::branches {
 
@@ -9,9 +10,10 @@ namespace {
 
 using Difference = std::ptrdiff_t;
 
-// The part of a step at which a test function that falls from a to b, b < 0, is zero.
-double zero_part(double a, double b) {
-  return a > 0.0 ? a / (a - b) : 0.5;
+// The part of a step at which a test function that falls from a to b, b < 0, is zero. Nothing if it
+// was below zero before.
+std::optional<double> zero_part(double a, double b) {
+  return a > 0.0 ? std::optional(a / (a - b)) : std::nullopt;
 }
 
 End end_of(BranchPoint kind, Extra extra, size_t item, const Sequence &s, const Vector &u) {
@@ -26,10 +28,11 @@ End end_of(BranchPoint kind, Extra extra, size_t item, const Sequence &s, const 
 
 // An end on the way from one orbit to another.
 End end_on_the_way(BranchPoint kind, Extra extra, size_t item, const Place &from, const Vector &to,
-                   double part) {
+                   std::optional<double> zero) {
+  const double part = zero.value_or(0.5);
   End end = end_of(kind, extra, item, from.sequence, from.u + part * (to - from.u));
   end.part = part;
-  if (part == 0.5) end.guess = Guess::nearby;
+  if (!zero) end.guess = Guess::nearby;
   return end;
 }
 
@@ -134,11 +137,11 @@ std::vector<End> ends_between(const Problem &problem, const Place &from, const V
     const Eigen::Index time = problem.time_at(k);
     if (to(time) < 0.0 && next.what != Happening::jump && item.what != Happening::start) {
       add(BranchPoint::coincidence, Extra::no_time, k, from.u(time), to(time));
-      if (problem.mass_of(item) == problem.mass_of(next)) ends.back().sequence = {};
+      ends.back().is_unexplained = problem.mass_of(item) == problem.mass_of(next);
     }
     if (item.what == Happening::jump && press_b > 0.0) {
       add(BranchPoint::jump, Extra::press, k, -press_a, -press_b);
-      ends.back().sequence = {};
+      ends.back().is_unexplained = true;
     }
   }
   // A symmetric orbit loses all its impacts at once. With the others as impacts without speed, the
@@ -150,7 +153,7 @@ std::vector<End> ends_between(const Problem &problem, const Place &from, const V
   }
   for (const Minimum &least : b.minima) {
     if (!(least.value < 0.0)) continue;
-    const double part = zero_part(value_before(least, a.minima), least.value);
+    const std::optional<double> part = zero_part(value_before(least, a.minima), least.value);
     const BranchPoint kind = least.is_press ? BranchPoint::multi_sliding : BranchPoint::graze;
     ends.push_back(end_on_the_way(kind, Extra::contact, 0, from, to, part));
     const double flight = std::max(ends.back().u(problem.time_at(least.flight)), 0.0);

@@ -3,10 +3,9 @@
 // equations are still smooth.
 //
 //   end                            condition
-//   graze, from either side        an item `touch` replaces the impact or is added, and its gap is
-//   0 multi-sliding                  an item `dip` is added, and its press is 0; from the split
-//   side
-//                                  the excursion of the mass is closed first
+//   graze, from either side        a `touch` replaces the impact or is added, and its gap is 0
+//   multi-sliding                  a `dip` is added, and its press is 0; from the split side the
+//                                  excursion of the mass is closed first
 //   border orbit, r = 0            the press at the impact is 0
 //   border orbit                   impacts are self-similar there: w = c f s^2 (border_constant)
 //   events of two masses at once   the flight between them has no length
@@ -45,16 +44,16 @@ struct End {
   Condition condition;
   Sequence sequence;
   Vector u;           // a guess, then the orbit
-  double part = 0.5;  // of the step
+  double part = 0.5;  // of the step: a guess, then that of the orbit
   Guess guess = Guess::at_part;
   bool replaces_impact = false;  // a graze from the side of the impact
+  bool is_unexplained = false;   // a change for which no end is known, as of a jump that ends
   size_t group = 0;              // of guesses for the same end; 0: none
   double expected = 0.0;         // the parameter of a collapse
   double error = 0.0;            // of the parameter, once it is solved
 };
 
-// The ends that the test functions find between two orbits of a sequence. A change for which no
-// end is known, as of a jump that ends, has an empty sequence.
+// The ends that the test functions find between two orbits of a sequence.
 std::vector<End> ends_between(const Problem &problem, const Place &from, const Vector &to,
                               const Inspection &seen_to);
 // The border orbits that the chatters of an orbit may come to.

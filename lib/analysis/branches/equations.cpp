@@ -83,6 +83,8 @@ struct Pass {
     for (size_t j = before.item; j <= k; ++j) time += u(problem.time_at(j));
     const double period = 2.0 * std::numbers::pi / model.omega.value;
     row /= time * std::pow(time / (before.power > 1 ? period : 1.0), before.power - 1);
+    // The denominator depends on the flights. Where Omega changes it, too, the row is zero at the
+    // solution.
     if (used > 1)
       for (size_t j = before.item; j <= k; ++j)
         row(problem.time_at(j) + 1) -= before.power * row(0) / time;

@@ -46,6 +46,8 @@ bool is_closed(const Walk &walk) {
 void renew_unit(Walk &walk) {
   for (const AtItem &item : walk.here.seen.items)
     walk.problem.length = std::max(walk.problem.length, item.after.y.abs().maxCoeff());
+  Vector &direction = walk.here.direction;
+  direction /= std::sqrt(scaled_dot(walk, direction, direction));
 }
 
 // Gives the chatters of the latest orbit the impacts that they need. False if it is lost.

@@ -14,7 +14,7 @@ struct Point {
   std::string why_lost = {};
 };
 
-// The branch from its first orbit on, at first towards range.to, of at most so many points.
+// The branch from its first orbit on, at first towards range.to, until it has so many points.
 std::vector<Point> follow(const Problem &problem, const Sequence &s, const Vector &u,
                           const Axis &range, int most_points);
 

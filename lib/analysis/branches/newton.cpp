@@ -94,7 +94,8 @@ Tangent tangent_of(const Problem &problem, const Sequence &s, const Dense &jacob
 
 Multipliers multipliers_of(const Problem &problem, const Sequence &s, const Dense &jacobian) {
   const Eigen::Index count = index(s.items.size()), z = index(2 * problem.masses());
-  // The equations of the events give the lengths of the flights by the angle and the state.
+  // The equations of the events give the lengths of the flights by the angle and the state. That of
+  // event k depends on the flights up to it: the matrix is lower triangular.
   const Dense by_times = jacobian.block(0, 2 + z, count, count),
               times = -by_times.triangularView<Eigen::Lower>().solve(
                   jacobian.block(0, 1, count, 1 + z));

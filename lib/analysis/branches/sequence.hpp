@@ -58,6 +58,10 @@ struct Problem {
   double width = 1.0;   // of the range of the parameter
   double length = 1.0;  // of the displacements
 
+  // The size of the parameter, to which its rounding refers.
+  double size_of(double q) const {
+    return std::max(std::abs(q), width);
+  }
   size_t masses() const {
     return scene.mass.size();
   }

@@ -56,7 +56,7 @@ double zero_of_interpolant(const std::vector<double> &parts, const std::vector<d
   return b;
 }
 
-// The zero of a test function on the chord of two orbits, by the secant method with bisections.
+// The zero of a test function on the chord of two orbits, by the regula falsi with bisections.
 struct Zero {
   const Problem &problem;
   const Place &a, &b;
@@ -169,8 +169,9 @@ std::optional<SpecialPoint> flip_of_parent(const Problem &problem, const Sequenc
     at_a = at_b;
     b = c;
     at_b = test(b);
-    if (!(step < 16.0 * rounding * std::abs(b)) && at_b != 0.0) continue;
-    return SpecialPoint{BranchPoint::parent_flip, half, v, step + 8.0 * rounding * std::abs(b)};
+    if (!(step < 16.0 * rounding * problem.size_of(b)) && at_b != 0.0) continue;
+    return SpecialPoint{BranchPoint::parent_flip, half, v,
+                        step + 8.0 * rounding * problem.size_of(b)};
   }
   return {};
 }

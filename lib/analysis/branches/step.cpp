@@ -62,15 +62,15 @@ bool belongs_to(const Walk &walk, const Step &step, End &end) {
   const double q = walk.here.parameter();
   if (end.guess == Guess::collapse)
     return std::abs(end.u(0) - end.expected) <
-           0.3 * std::abs(end.expected - (step.found ? step.to.u(0) : q));
+           near_collapse * std::abs(end.expected - (step.found ? step.to.u(0) : q));
   const double span = step.found ? step.to.u(0) - q : walk.step * walk.here.direction(0),
                part = span != 0.0 ? (end.u(0) - q) / span : end.part;
   if (end.guess == Guess::at_part) {
-    if (std::abs(part - end.part) > 0.6) return false;
+    if (std::abs(part - end.part) > far_from_prediction) return false;
   } else {
     const bool after_the_orbit_before =
         walk.before && (end.u(0) - walk.before->parameter()) * span > 0.0;
-    if (part > 1.5 || (part < -below_zero && !after_the_orbit_before)) return false;
+    if (part > beyond_the_step || (part < -below_zero && !after_the_orbit_before)) return false;
   }
   end.part = part;
   return true;
@@ -82,8 +82,8 @@ std::optional<End> nearest_of(const Walk &walk, const Step &step, std::vector<En
   std::optional<End> nearest;
   std::ranges::stable_sort(ends, {}, &End::part);
   for (End &end : ends) {
-    if (nearest &&
-        (end.part > nearest->part + 0.2 || (end.group != 0 && end.group == nearest->group)))
+    if (nearest && (end.part > nearest->part + far_behind_an_end ||
+                    (end.group != 0 && end.group == nearest->group)))
       continue;
     if (!solve_end(walk.problem, end) || !belongs_to(walk, step, end)) continue;
     const bool at_the_same_place = nearest && end.part < nearest->part + same_part;

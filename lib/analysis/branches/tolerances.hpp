@@ -28,6 +28,13 @@ constexpr double least_cosine_of_chord = 0.995;  // of the angle between a chord
 constexpr double farthest_from_guess = 0.3;
 
 constexpr double same_part = 1e-6;  // of a step, of two solutions at one place
+// A solved end belongs to a step if it lies this near to the part that a test function predicts, or
+// at most so far along the step where none does. Further guesses are not solved behind an end.
+constexpr double far_from_prediction = 0.6;
+constexpr double beyond_the_step = 1.5;
+constexpr double far_behind_an_end = 0.2;
+// A collapse lies this near to the parameter that its excursion predicts, relative to the distance.
+constexpr double near_collapse = 0.3;
 
 // Multipliers at this distance from the unit circle were seen to cross it twice in a step.
 constexpr double near_the_circle = 0.2;

@@ -19,13 +19,15 @@ struct Walk {
   int coincidences = 0;  // in a row
   std::vector<Point> points = {};
 
+  void add(BranchPoint kind, const Place &place, double error = 0.0) {
+    points.push_back({kind, place, error});
+  }
+  // The latest orbit ends the branch. It stands behind a special point as a point of its own.
   bool end(BranchPoint kind, std::string why_lost = {}) {
+    if (points.back().kind != BranchPoint::orbit) add(kind, here);
     points.back().kind = kind;
     points.back().why_lost = std::move(why_lost);
     return false;
-  }
-  void add(BranchPoint kind, const Place &place, double error = 0.0) {
-    points.push_back({kind, place, error});
   }
   // The end of the range in the direction of the tangent.
   double end_ahead() const {

@@ -1,4 +1,5 @@
-// Every tolerance of the analysis but those that its callers choose, each with its reason.
+// The tolerances of motions, orbits and sweeps but those that their callers choose, each with its
+// reason.
 #pragma once
 
 #include <cstddef>

@@ -145,7 +145,7 @@ NewtonOrbit newton(const Scene &scene, const MotionState &guess, int periods, in
     if (iteration == 0) orbit.image_of_guess = image;
     orbit.found = residual <= newton_tolerance * size ||
                   (residual <= rounding_of_orbit * size && residual > 0.5 * before);
-    if (kind == NewtonGuess::late_motion && residual > before)
+    if (kind == NewtonGuess::late_motion && residual > before && !orbit.found)
       return ended(line("residual = ", residual, " rises in iteration ", iteration));
     if (kind == NewtonGuess::anywhere || orbit.found || residual > much_nearer * before ||
         iteration == 0)

@@ -73,7 +73,7 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
     record.impacts.resize(scene.mass.size());
     for (const Event &event : events_of(motion))
       if (event.kind == EventKind::impact) record.impacts[index_of(event.mass)].push_back(event);
-    const Instant section{first.instant.phase < start.instant.phase ? 0 : 1, start.instant.phase};
+    const Instant section{first.instant.phase <= start.instant.phase ? 0 : 1, start.instant.phase};
     for (std::vector<Event> &of_mass : record.impacts) {
       const auto first_after = std::ranges::find_if(
           of_mass, [&section](const Event &event) { return !(event.instant < section); });

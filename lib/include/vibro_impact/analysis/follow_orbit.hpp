@@ -13,7 +13,8 @@
 //
 // A flight takes Taylor steps of the fastest mode: a branch with a stiff link of some 1e12 is lost.
 // Minima of gaps and pressing forces are looked for at six points in each of these steps. Two flips
-// or births of tori within an eighth of a step of the branch may both be missed.
+// or births of tori within a step of the branch may both be missed. A step next to multipliers of
+// about modulus 1 is divided into eight.
 #pragma once
 
 #include <vector>
@@ -50,7 +51,8 @@ const char *name(BranchPoint kind);
 // An orbit with the value of the parameter, and the counts of its events over one period. Its state
 // lies in the middle of the longest flight. At a special point the parameter has an estimated
 // error. At a graze to which an impact has slowed down, the
-// multipliers do not exist.
+// multipliers do not exist. The residual of the orbit is the largest difference of displacements
+// after its periods, by the equations of the branch.
 struct OrbitPoint {
   double parameter = 0.0, error = 0.0;
   PeriodicOrbit orbit = {};

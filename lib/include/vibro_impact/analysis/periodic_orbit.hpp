@@ -74,9 +74,9 @@ struct StroboscopicImage {
 StroboscopicImage stroboscopic_map_and_derivative(const Scene &scene, const MotionState &start,
                                                   int periods, const RunOptions &options = {});
 
-// The motion from `start` brought to the phase, within the next forcing period, that is farthest
-// from every event of that period and not between the impacts of a chatter and its limit. The
-// returned instant counts its forcing period as number 0.
+// The motion from `start` brought to the middle of the longest interval without events in the next
+// forcing period, which does not lie between the impacts of a chatter and its limit. The returned
+// instant counts its forcing period as number 0.
 MotionState at_quiet_phase(const Scene &scene, const MotionState &start,
                            const RunOptions &options = {});
 
