@@ -48,11 +48,12 @@ refuse(reference "(\\.\\./|lib/|figures/|tests/|program/|simulation/|analysis/|v
 refuse(reference/scenes "(figures|reference/(truth|numbers|generator))/")
 refuse(reference/truth "reference/(numbers|generator)/")
 # The questions to the two engines include nothing of either: scenes, tables, and the kinds of events.
+refuse(reference/numbers "vibro_impact/" "vibro_impact/event\\.hpp")
 refuse(reference/numbers "reference/(generator|truth/e)")
-refuse(reference/numbers "vibro_impact/(analysis|simulate|record|table|vibro_impact)")
 # The generator takes scenes, the names of their fields, cases and the kinds of events from the
 # project, and reads tables. It shares no true events.
-refuse(reference/generator "(vibro_impact/([a-df-rt-z]|event_|scene\\.)|reference/truth/event)")
+refuse(reference/generator "vibro_impact/" "vibro_impact/(event|scene_fields)\\.hpp")
+refuse(reference/generator "reference/truth/e" "reference/truth/extreme_cases\\.hpp")
 # A folder of figures may include the files that all drivers share.
 refuse(figures "(figures/)?(check|stability)/")
 foreach(folder / /check /measures /stability)

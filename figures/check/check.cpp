@@ -4,8 +4,10 @@
 // The last line says whether all of them passed.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "figures/driver.hpp"
 #include "fragments.hpp"
@@ -28,6 +30,10 @@ int main(int argc, char **argv) {
       {{"--reference", "Folder of the tables of references, if not the project's", &reference},
        {"--write", "Folder of the project, whose documents are written first", &written}},
       [&] {
+        if (!std::filesystem::exists(TABLES_DIR "/figure4a.csv"))
+          throw std::runtime_error(TABLES_DIR
+                                   ": the tables of the figures are missing; `make check` computes "
+                                   "them");
         const std::string measured = SOURCE_DIR "/figures/error_vs_runtime/measured.csv";
         const std::string folder = reference.empty() ? REFERENCE_DIR : reference;
         const Findings computed = findings(folder);
