@@ -58,13 +58,14 @@ struct EventRules : Recorder {
     const double sigma = sign(event.side);
     const auto side = static_cast<signed char>(event.side);
     const auto i = static_cast<std::size_t>(event.mass - 1);
-    const double r = stop.restitution.value_or(scene.restitution);
     const bool changed_now = changed[i] && !(*changed[i] < event.instant);
     switch (event.kind) {
       case EventKind::impact:
         if (held[i] != 0) return "impact of a held mass";
         if (!(sigma * event.velocity_before >= 0.0)) return "impact while leaving";
-        if (event.velocity_after != -(r * event.velocity_before)) return "impact law";
+        if (event.velocity_after !=
+            -sigma * law_of(scene, stop).after(sigma * event.velocity_before))
+          return "impact law";
         break;
       case EventKind::stick:
         if (held[i] != 0) return "stick of a held mass";

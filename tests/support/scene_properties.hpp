@@ -70,7 +70,7 @@ inline Witness witness_of(const Scene &scene, double until) {
 inline bool may_be_given_up(const Trial &trial, long long most_steps) {
   const Scene &scene = trial.scene;
   double elastic = scene.restitution;
-  for (const Stop &stop : scene.stops) elastic = std::max(elastic, law_of(scene, stop).restitution);
+  for (const Stop &stop : scene.stops) elastic = std::max(elastic, law_of(scene, stop).at_rest());
   const double half_periods = frequency_bound(scene) * trial.until / std::numbers::pi;
   return elastic >= 0.97 || scene.stops.size() >= 2 ||
          !(60.0 * half_periods < static_cast<double>(most_steps));

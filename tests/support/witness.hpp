@@ -171,7 +171,7 @@ class Witness : public Recorder {
   Real soon_lost(const Stop &stop, const Event &event) const {
     const Real press = std::max<Real>(0, this->press(stop, flown_, event.instant.phase)),
                mass = scene_.mass[static_cast<std::size_t>(stop.mass - 1)],
-               r = law_of(scene_, stop).restitution;
+               r = law_of(scene_, stop).at_rest();
     return press / mass * (1 - r) / 2 * std::numeric_limits<double>::epsilon() * event.time;
   }
 
