@@ -13,6 +13,7 @@
 #                     undefined-behaviour sanitizers (minutes)
 # make reference      recompute the 50-digit tables in reference/tables/ (more than an hour)
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
+# make deps           install the packages that are missing, and nothing else
 # make clean          remove build/
 #
 # Variable: preset=release, a preset of CMakePresets.json (release, werror, dev, clang, sanitize)
@@ -22,7 +23,7 @@ jobs   := $(shell nproc 2>/dev/null || echo 1)
 preset := release
 folder := build$(addprefix /,$(filter dev clang sanitize,$(preset)))
 
-.PHONY: help figures beyond pictures $(drawn) check build test test-sanitize reference docs clean
+.PHONY: help figures beyond pictures $(drawn) check build test test-sanitize reference docs deps clean
 .NOTPARALLEL:  # the targets share build/, and each uses all processors
 MAKEFLAGS += --no-print-directory
 
@@ -81,6 +82,9 @@ docs:
 	@(cat lib/Doxyfile; echo "OUTPUT_DIRECTORY = build/docs") | doxygen -
 	@ln -sfn /usr/share/javascript/mathjax build/docs/mathjax
 	@echo "written: build/docs/index.html"
+
+deps:
+	@.ci/packages runner figures tests
 
 clean:
 	@rm -rf build

@@ -37,6 +37,18 @@ foreach(source ${sources})
   run(${CMAKE_COMMAND} -E chdir ${folder} ./${example})
 endforeach()
 
+# The same by pkg-config.
+find_program(pkg_config pkg-config REQUIRED)
+file(GLOB_RECURSE found ${installed}/vibro_impact.pc)
+cmake_path(GET found PARENT_PATH pc_folder)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder}
+                        ${pkg_config} --cflags --libs vibro_impact
+                OUTPUT_VARIABLE options COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(options UNIX_COMMAND "${options}")
+list(GET sources 0 source)
+run(${compiler} ${source} -o ${folder}/by_pkg_config ${options})
+run(${CMAKE_COMMAND} -E chdir ${folder} ./by_pkg_config)
+
 # The installed program draws without the source tree.
 find_program(gnuplot gnuplot)
 if(gnuplot)

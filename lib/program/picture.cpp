@@ -21,7 +21,8 @@ std::string terminal_of(const Output &picture) {
   refuse("{}: must end in .png, .pdf or .svg", picture.given());
 }
 
-// The script stands beside the program, in the build folder as where it is installed.
+// The script stands beside the program, in the build folder as where it is installed, so that both
+// may be moved. Linux says where the program is; argv[0] has no folder if the shell found it.
 std::string script() {
   return fs::read_symlink("/proc/self/exe").parent_path() / "../share/vibro-impact/plot.gp";
 }
