@@ -94,6 +94,7 @@ std::string text_of(const std::string &fragment, const Sources &sources) {
   if (kind == "count_of_claims")
     return fmt::format("{}", count_of_claims(sources.claims, parts.at(1)));
   if (kind == "parameters") return '\n' + table_of_parameters();
+  if (kind == "changes_of_sticking") return '\n' + table_of_changes(sources.findings);
   if (kind == "procedures") return '\n' + table_of_procedures(sources.tables);
   if (kind == "count") return fmt::format("{}", count_of(sources.findings, parts.at(1)));
   const auto &[number, computed, failure] = number_of(sources.findings, kind);

@@ -9,8 +9,9 @@
 //   count:border_mass_+formula     how many numbers begin with one of these, or are of such a class
 //   procedures_windows:period 1 alone:from+to:.3f
 //                                  the cells in these columns of a table in the folder of tables,
-//                                  of all rows that begin with these cells, as 0.02,0.7,0
-//   parameters, procedures         tables of figures/README.md (page_tables.hpp)
+//                                  of all rows that begin with these cells, as 0.02,0.7
+//   parameters, changes_of_sticking, procedures
+//                                  tables of figures/README.md (page_tables.hpp)
 //   steppers, methods              the tables of error against run time
 //   grazing_speed                  the speed below which impacts are not compared
 // A format is one of {fmt}.

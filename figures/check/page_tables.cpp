@@ -51,6 +51,21 @@ std::string table_of_parameters() {
   return narrow_table(rows);
 }
 
+std::string table_of_changes(const Findings &findings) {
+  std::vector<truth::Cells> rows{{"mass", "border orbit", "multi-sliding", "jump"}};
+  for (const std::string mass : {"1", "2"}) {
+    truth::Cells &row = rows.emplace_back(1, mass);
+    for (const std::string change : {"border_mass_", "multi_sliding_mass_", "jump_mass_"}) {
+      std::vector<std::string> frequencies;
+      for (const auto &[number, computed, failure] : findings)
+        if (number.id.starts_with(change + mass))
+          frequencies.push_back(numbers::formatted(computed, number.format));
+      row.push_back(fmt::format("{}", fmt::join(frequencies, ", ")));
+    }
+  }
+  return narrow_table(rows);
+}
+
 namespace {
 
 // The runs of frequencies of a procedure.

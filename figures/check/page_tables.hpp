@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "claims.hpp"
+#include "findings.hpp"
 #include "reference/truth/table_reader.hpp"
 
 namespace vibro_impact::figures {
@@ -15,6 +15,9 @@ std::string narrow_table(const std::vector<truth::Cells> &rows);
 // The stops, the restitution, the frequency and the window of each figure. What is inferred stands
 // in italics.
 std::string table_of_parameters();
+
+// The frequencies at which the sticking phases of a mass change, by what happens there.
+std::string table_of_changes(const Findings &findings);
 
 // What each procedure makes of Figures 3, 4 and 5(c), by the tables of the driver in a folder: of
 // Figure 5(c), whether mass 2 never sticks, or does so once Omega or r is lower. Throws
