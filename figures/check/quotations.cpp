@@ -46,7 +46,9 @@ std::vector<std::string> numbers_without_origin(const std::string &name, const s
       std::fill_n(rest.begin() + static_cast<std::ptrdiff_t>(place), words.size(), ' ');
   }
   rest = without(rest, name_with_number);
-  static const std::regex number(R"((^|[^A-Za-z0-9_.])[-+]?\d[\d.]*(e-?\d+)?)");
+  static const std::regex number(R"((^|[^A-Za-z0-9_.])[-+]?\d[\d.]*(e-?\d+)?|)"
+                                 R"(\b([Tt]wo|[Tt]hree|[Ff]our|[Ff]ive|[Ss]ix|[Ss]even|[Ee]ight|)"
+                                 R"([Nn]ine|[Tt]en)\b)");
   for (std::sregex_iterator found(rest.begin(), rest.end(), number), end; found != end; ++found) {
     const auto place = static_cast<std::size_t>(found->position());
     faults.push_back(fmt::format("{}: '{}' is neither computed nor in the list of quotations: {}",

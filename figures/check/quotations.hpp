@@ -8,9 +8,10 @@
 
 namespace vibro_impact::figures {
 
-// A line for each number of a document that stands neither in a fragment nor in a quotation of it,
-// and for each quotation that the document has not. Names are no numbers: Figure 2, Eqs. 17-18,
-// Section 3.2, mass 1, x1. Neither are blocks of code, which a test runs, nor links.
+// A line for each number of a document, in digits or as a word from two to ten, that stands neither
+// in a fragment nor in a quotation of it, and for each quotation that the document has not. Names
+// are no numbers: Figure 2, Eqs. 17-18, Section 3.2, mass 1, x1. Neither are blocks of code, which
+// a test runs, nor links.
 std::vector<std::string> numbers_without_origin(const std::string &name, const std::string &text,
                                                 const std::vector<std::string> &quotations);
 

@@ -140,7 +140,11 @@ TEST(Documents, AnEditOfANumberIsSeen) {
   EXPECT_TRUE(is_seen(readme, "0.256 ", "0.255 "));
   EXPECT_TRUE(is_seen(readme, "Ω = 0.65", "Ω = 0.55"));
   EXPECT_TRUE(is_seen(readme, "137-148", "137-149"));
-  EXPECT_FALSE(is_seen(readme, "In Figure 3", "In Figure 4")) << "a name";
+  EXPECT_TRUE(is_seen(readme, "in ten periods", "in nine periods"));
+  EXPECT_TRUE(is_seen(readme, "In Figure 3", "In Figure 4")) << "a quotation has it";
+  EXPECT_TRUE(is_seen(page, "The five procedures", "The four procedures"));
+  EXPECT_EQ(numbers_without_origin("a", "Seven cut-offs, 2 steps and Figure 3", {}).size(), 2u);
+  EXPECT_FALSE(is_seen(page, "of Figure 2.", "of Figure 3.")) << "a name";
 }
 
 // Every digit of every decimal number that stands in prose.
