@@ -26,7 +26,7 @@ bool is_test(const std::string &named) {
   });
 }
 
-// What is wrong with a claim, empty if nothing is.
+// The fault of a claim; empty if it has none.
 std::string fault_of(const Claim &claim, const Findings &findings) {
   if (claim.decider.find('.') != std::string::npos)
     return is_test(claim.decider) ? "" : "there is no test " + claim.decider;

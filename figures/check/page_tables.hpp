@@ -19,9 +19,9 @@ std::string table_of_parameters();
 // The frequencies at which the sticking phases of a mass change, by what happens there.
 std::string table_of_changes(const Findings &findings);
 
-// What each procedure makes of Figures 3, 4 and 5(c), by the tables of the driver in a folder: of
-// Figure 5(c), whether mass 2 never sticks, or does so once Omega or r is lower. Throws
-// std::runtime_error for another outcome.
+// Figures 3, 4 and 5(c) by each procedure, from the tables of the driver in a folder. In Figure
+// 5(c) mass 2 never sticks, or does so once Omega or r is lower. Throws std::runtime_error for
+// another outcome.
 std::string table_of_procedures(const std::string &tables);
 
 }  // namespace vibro_impact::figures

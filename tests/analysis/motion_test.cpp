@@ -1,6 +1,6 @@
-// What is said about a motion does not depend on where its record begins and ends: counts, pairs,
-// derivatives and minima at sections next to events, and random scenes whose orbits are compared
-// with the engine run otherwise.
+// The record of a motion does not depend on where it begins and ends: counts, pairs, derivatives
+// and minima at sections next to events, and random scenes whose orbits are compared with the
+// engine run otherwise.
 #include <gtest/gtest.h>
 
 #include <algorithm>

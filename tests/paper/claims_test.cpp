@@ -36,7 +36,7 @@ TEST(Claims, AtRestitutionZeroAMassSticksWithoutChatter) {
 
 // Section 3.2: "the chatter peaks diminish approximately exponentially". A flight of the duration d
 // after an impact at the speed v rises by v d / 4 under a constant force, and both fall by r.
-// So the peaks fall by r^2 from impact to impact, but the impacts follow each other ever faster.
+// The peaks fall by r^2 from impact to impact, but the impacts follow each other ever faster.
 TEST(Claims, PeaksOfAChatterFallByTheSquareOfTheRestitution) {
   const auto impacts =
       select(events_of(paper::figure2(), 716.0, 722.1, figures::all_visible_chatter),
