@@ -157,10 +157,11 @@ void complete(RunRequest &request, const Words &words) {
   complete_samples(request, words.every, words.until);
 }
 
-// Adds to the options of an orbit, which has at most 1,000 periods, its range and its samples.
+// Adds to the options of an orbit its range, and its samples over the most periods that it may have.
 void complete(OrbitRequest &request, const Words &words) {
   if (request.scene.omega == 0.0) refuse("--omega 0: an orbit needs a forcing period");
-  request.until = 1000.0 * Clock(request.scene.omega).period;
+  const int periods = request.period > 0 ? request.period : request.settle.largest_period;
+  request.until = periods * Clock(request.scene.omega).period;
   complete_samples(request, words.every_in_orbit, "the end");
   if (words.ranges.empty()) return;
   if (words.ranges.size() > 1) refuse("--vary: an orbit is followed along one range");

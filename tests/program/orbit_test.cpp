@@ -48,6 +48,13 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
     EXPECT_NEAR(samples.at(0).number(coordinate), samples.at(8).number(coordinate), 1e-12);
 }
 
+// The number of samples is bounded by the periods that are looked for: a thousand would be too many.
+TEST_F(Runner, SamplesOfAnOrbitMayBeDense) {
+  const Result result = run("orbit --omega 0.625 --samples s.csv --every 5e-5P");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(table("s.csv").size(), 20001u);
+}
+
 // At Omega = 0.69 the motion is chaotic. At 0.688 it settles to period 2, which period 1 has lost
 // its stability to: a multiplier is below -1.
 TEST_F(Runner, OrbitsAreFoundNextToChaosOrRefusedWithTheReason) {
