@@ -28,9 +28,11 @@ Finding checked(const std::string &id, const numbers::Printed &printed, double c
   return {number, computed};
 }
 
-// Two key numbers, of which the second differs from the paper, two claims, and a table.
+// Two key numbers, of which the second differs from the paper, two claims, and a table in a folder
+// of the test, since several tests run at once.
 Sources sources() {
-  const std::string folder = PROGRAM_DIR "/../tables_of_tests/documents";
+  const std::string folder = std::string(PROGRAM_DIR "/../tables_of_tests/") +
+                             ::testing::UnitTest::GetInstance()->current_test_info()->name();
   std::filesystem::create_directories(folder);
   std::ofstream(folder + "/speeds.csv")
       << "motion,r,from,to\nat rest,0.69999999999999996,1.5,1.5\nat rest,0.3,2.5e-12,3.5\n";
