@@ -194,14 +194,16 @@ TEST_F(Runner, PartsThatWereKilledAreComputedWhenTheCommandIsGivenAgain) {
   EXPECT_EQ(parts, contents(folder / "t.csv"));
 }
 
-// The jobs of the help run as a script of the shell: with few points, on this machine, and with a
-// loop in the place of Slurm.
+// The jobs of the help, which the README shows, too, run as a script of the shell: with few points,
+// on this machine, and with a loop in the place of Slurm.
 TEST_F(Runner, TheJobsOfTheHelpRun) {
   const std::string help = run("sweep --help").out;
   const std::size_t begin = help.find("  parallel "), end = help.find("\n\n", begin);
   ASSERT_LT(end, help.size());
   std::string jobs = help.substr(begin, end - begin);
   jobs = std::regex_replace(jobs, std::regex("\nThe table [^\n]*"), "");
+  const auto outdented = std::regex_replace(jobs, std::regex("(^|\n)  "), "$1");
+  EXPECT_NE(contents(SOURCE_DIR "/README.md").find(outdented), std::string::npos) << outdented;
   for (const auto &[from, to] :
        {std::pair{"1001", "3"},
         {"one,two", ":"},
