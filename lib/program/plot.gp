@@ -46,6 +46,10 @@ label(name) = name eq 'omega' ? 'Ω' : name eq 'beta' ? 'β' : name eq 'restitut
   begins(name, 'displacement') ? 'initial x_{'.number(name, 'displacement').'}' : \
   begins(name, 'velocity') ? 'initial v_{'.number(name, 'velocity').'}' : \
   begins(name, 'stop') ? 's_{'.number(name, 'stop').'}' : \
+  begins(name, 'amplitude') ? 'A_{'.number(name, 'amplitude').'}' : \
+  begins(name, 'lowest') ? 'smallest x_{'.number(name, 'lowest').'}' : \
+  begins(name, 'highest') ? 'largest x_{'.number(name, 'highest').'}' : \
+  begins(name, 'rms') ? 'root mean square of x_{'.number(name, 'rms').'}' : \
   begins(name, 'impacts') ? 'impacts'.of_mass(name, 'impacts') : \
   begins(name, 'sticks') ? 'sticking phases'.of_mass(name, 'sticks') : \
   strlen(name) < 4 && name[1:1] eq 'x' ? 'x_{'.name[2:*].'}' : plain(name)

@@ -23,6 +23,7 @@ if(name STREQUAL "plot")
       "sweep --omega 0.69 --vary displacement1=-0.6:0.3:4 --vary restitution=0.5:0.9:5 --table t.csv --plot plot_map.svg"
       "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.2:2 --response --table t.csv --column rms1 --plot plot_rms.svg"
       "sweep --vary omega=0.3:0.5:3 --vary beta=0.1:0.1:1 --table t.csv --column sticks2 --plot plot_row.svg"
+      "orbit --omega 0.6 --vary omega=0.57:0.61:21 --table t.csv --plot plot_branch.svg"
       "sweep --vary omega=0.04:0.4:5:log --section s.csv --panels 2 --plot plot_states.svg")
     separate_arguments(command UNIX_COMMAND "${command}")
     execute_process(COMMAND ${build}/bin/vibro-impact ${command} WORKING_DIRECTORY ${tables}
