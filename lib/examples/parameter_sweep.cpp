@@ -14,7 +14,7 @@ using namespace vibro_impact;
 
 // A row of numbers: period, sticks of both masses, fastest impact of mass 1.
 std::vector<double> observed(const Scene &scene) {
-  const SettledMotion motion = settle(scene, start_of(scene));
+  const SettledMotion motion = settle(scene);
   if (motion.period == 0) return {0.0, NAN, NAN, NAN};
   const double p = motion.period, T = Clock(scene.omega).period,
                begin = time_of(motion.state.instant, Clock(scene.omega));

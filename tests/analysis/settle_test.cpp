@@ -145,7 +145,7 @@ TEST(Settle, SaysThePeriodOrTheOneThatTheMotionApproaches) {
                {"damped slowly", with(turning, "beta", 0.02), {.longest = 300}, 1},
                {"at rest", resting, {.longest = 60}, 1}};
   for (const auto &[name, scene, options, period, approached] : cases) {
-    const SettledMotion motion = settle(scene, start_of(scene), options);
+    const SettledMotion motion = settle(scene, options);
     EXPECT_EQ(motion.period, period) << name;
     EXPECT_EQ(motion.approached, approached) << name;
     EXPECT_LE(motion.periods_run, options.longest) << name;
@@ -163,7 +163,7 @@ TEST(Settle, WhatIsStillToComeIsKnownOfAMotionThatTurns) {
   for (int k = 0; k <= 400; ++k) {
     scene.omega = 20.0 + 0.45 * k;
     SCOPED_TRACE(scene.omega);
-    const SettledMotion motion = settle(scene, start_of(scene));
+    const SettledMotion motion = settle(scene);
     ASSERT_EQ(motion.period, 1);
     const std::complex<double> turn(0.0, scene.omega),
         x = 1e4 / (1e4 + turn * (turn + scene.beta * 1e4));
@@ -212,7 +212,7 @@ TEST(Settle, AnyPhaseMayBeTheSection) {
 // The record of a motion has counts of its events, and only what is asked for.
 TEST(Record, HasOnlyWhatIsAskedFor) {
   const Scene settling = paper::figure3(0.55);
-  const OrbitRecord bare = record_of(settling, {});
+  const OrbitRecord bare = record_of(settling);
   EXPECT_GT(bare.period, 0);
   EXPECT_FALSE(bare.lyapunov.exists());
   EXPECT_TRUE(bare.impacts.empty());

@@ -84,7 +84,7 @@ void measure_record(const Scene &scene, const Units &units, Measured &measured) 
   RecordOptions options{.lyapunov = true, .pairs = true};
   options.impacts = options.section = true;
   measured.add(record_of(scene, options));
-  const SettledMotion motion = settle(scene, start_of(scene));
+  const SettledMotion motion = settle(scene);
   measured.add(motion.periods_run);
   measured.add(motion.orbit.state);
   measured.add(mean_growth(scene, start_of(scene), {.longest = 100})->exponent, -units.time);

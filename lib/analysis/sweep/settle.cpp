@@ -225,4 +225,8 @@ SettledMotion settle(const Scene &scene, const MotionState &start, const SettleO
   return settled(scene, start, options).motion;
 }
 
+SettledMotion settle(const Scene &scene, const SettleOptions &options) {
+  return settle(scene, start_of(scene), options);
+}
+
 }  // namespace vibro_impact

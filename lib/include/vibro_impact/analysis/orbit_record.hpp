@@ -51,7 +51,8 @@ struct OrbitRecord {
 // exponent of any other motion is the mean growth of tangents (lyapunov.hpp). Pairs of events are
 // looked for over two periods, so that every sticking phase is whole in one of them. Throws as
 // `settle` does, and std::invalid_argument for options out of range.
-OrbitRecord record_of(const Scene &scene, const MotionState &start, const RecordOptions &options);
+OrbitRecord record_of(const Scene &scene, const MotionState &start,
+                      const RecordOptions &options = {});
 OrbitRecord record_of(const Scene &scene, const RecordOptions &options = {});
 
 // True if two motions of one scene have settled on the same orbit: a state of one is a state of the

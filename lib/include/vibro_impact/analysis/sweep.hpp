@@ -9,7 +9,7 @@
 //     const Scene scene{.mass = {1}, .stiffness = {1}, .beta = 0.1, .amplitude = {0.5},
 //                       .omega = 0.8, .restitution = 0.7, .stops = {{1, Side::upper, 0.2}}};
 //     const Grid grid{scene, {{"omega", 0.5, 1.0, 11}, {"restitution", 0.5, 0.9, 5}}};
-//     const auto period = [](const Scene &s) { return settle(s, start_of(s)).period; };
+//     const auto period = [](const Scene &s) { return settle(s).period; };
 //     for (const int periods : sweep(grid, period)) std::printf("%d\n", periods);
 //   }
 #pragma once
