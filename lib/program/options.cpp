@@ -101,7 +101,8 @@ void add_files_of_run(CLI::App &app, RunRequest &request) {
   option(app, request.summary,
          "For each stop: impacts down to --slowest, the largest speed, impulse and energy lost,\n"
          "sticks, time in contact, impulse of the pressing force; - for standard output.\n"
-         "Impulse and energy are those of all impacts, also of infinitely many");
+         "Impulse and energy are those of all impacts, also of infinitely many. The extremes\n"
+         "of the displacement of each mass and its root mean square are printed");
   option(app, request.plot,
          "Picture of the tables, by gnuplot: displacements, stops and sticking of --samples,\n"
          "impacts of --events; .png, .pdf or .svg");

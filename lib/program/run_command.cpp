@@ -13,6 +13,7 @@
 #include "picture.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
+#include "vibro_impact/analysis/response.hpp"
 
 namespace vibro_impact::runner {
 
@@ -141,6 +142,13 @@ void draw_pictures(const RunRequest &request, const PortraitRecorder &portrait) 
        {portrait.is_section ? "points" : "lines", lower, upper});
 }
 
+// Prints a line for each mass.
+void print(const std::vector<Response> &responses) {
+  for (std::size_t i = 0; i < responses.size(); ++i)
+    fmt::print(stderr, "mass {}: displacement from {:.7g} to {:.7g}, root mean square {:.7g}\n",
+               i + 1, responses[i].lowest, responses[i].highest, responses[i].rms);
+}
+
 // The coefficients of restitution of the stops, each once, or that of the scene without stops.
 std::string restitutions_of(const Scene &scene) {
   std::vector<double> values;
@@ -184,11 +192,12 @@ Outcome record_run(const RunRequest &request) {
   SampleTable samples(request);
   PortraitRecorder portrait(request);
   TotalsRecorder totals(request.scene, request.from, request.until, request.slowest);
+  ResponseRecorder response(request.scene, request.from, request.until);
   std::vector<Recorder *> recorders;
   if (request.events.wanted()) recorders.push_back(&events);
   if (request.samples.wanted()) recorders.push_back(&samples);
   if (request.portrait.wanted()) recorders.push_back(&portrait);
-  if (request.summary.wanted()) recorders.push_back(&totals);
+  if (request.summary.wanted()) recorders.insert(recorders.end(), {&totals, &response});
   Outcome outcome;
   {
     ProgressRecorder progress(request.until);
@@ -202,6 +211,7 @@ Outcome record_run(const RunRequest &request) {
                                      {request.samples, samples.table.text},
                                      {request.summary, table_of(totals, request.scene).text}})
     if (output.wanted()) write_text(request.head + text, output.path);
+  print(response.responses());
   draw_pictures(request, portrait);
   return outcome;
 }

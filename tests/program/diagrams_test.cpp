@@ -1,5 +1,6 @@
 // The diagrams of the program: impacts, sections, branches, and their pictures.
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -195,7 +196,21 @@ TEST_F(Runner, ASweepHasTheResponseOfEachMass) {
     const std::string omega = rows.at(k).cell("omega");
     EXPECT_EQ(rows.at(k).number("lowest1"), -0.3);
     EXPECT_EQ(rows.at(k).number("highest2"), 0.1);
-    ASSERT_EQ(run("orbit --omega " + omega + " --samples s.csv --every 0.0005P").status, 0);
+    const Result orbit =
+        run("orbit --omega " + omega + " --samples s.csv --every 0.0005P --summary -");
+    ASSERT_EQ(orbit.status, 0);
+    for (const std::string mass : {"1", "2"}) {
+      const std::string begin = "mass " + mass + ": displacement from ";
+      const std::size_t at = orbit.err.find(begin);
+      ASSERT_LT(at, orbit.err.size()) << orbit.err;
+      double lowest = 0.0, highest = 0.0, rms = 0.0;
+      ASSERT_EQ(std::sscanf(orbit.err.c_str() + at + begin.size(),
+                            "%lf to %lf, root mean square %lf", &lowest, &highest, &rms),
+                3);
+      EXPECT_NEAR(lowest, rows.at(k).number("lowest" + mass), 1e-7);
+      EXPECT_NEAR(highest, rows.at(k).number("highest" + mass), 1e-7);
+      EXPECT_NEAR(rms, rows.at(k).number("rms" + mass), 1e-7);
+    }
     for (const std::string mass : {"1", "2"}) {
       double lowest = infinity, highest = -infinity, sum = 0.0;
       const truth::Rows samples = table("s.csv");

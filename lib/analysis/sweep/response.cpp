@@ -13,94 +13,96 @@ namespace {
 
 constexpr double samples_of_a_period = 128.0, most_samples = 4096.0;  // of a forcing period
 
-// A point of a curve x(t), and its slope.
-struct Node {
-  double time, x, v;
-};
-
-// The cubic between two nodes, x(u) = a.x + h a.v u + second u^2 + third u^3 with 0 <= u <= 1.
+// The cubic x(u) = x + h v u + second u^2 + third u^3, 0 <= u <= 1, between two nodes at a distance
+// of h in time.
 struct Cubic {
-  Node a;
-  double h, second, third;
+  double x, v, h, second, third;
 
-  Cubic(const Node &from, const Node &to) : a(from), h(to.time - from.time) {
+  Cubic(const auto &from, const auto &to) : x(from.x), v(from.v), h(to.time - from.time) {
     const double rise = to.x - from.x;
     second = 3.0 * rise - h * (2.0 * from.v + to.v);
     third = h * (from.v + to.v) - 2.0 * rise;
   }
   double operator()(double u) const {
-    return a.x + u * (h * a.v + u * (second + u * third));
-  }
-};
-
-struct ResponseRecorder : Recorder {
-  double interval, last_sample;
-  std::vector<Response> responses;
-  std::vector<Node> nodes;  // the latest of each mass
-
-  ResponseRecorder(const Scene &scene, const MotionState &start) : responses(scene.mass.size()) {
-    const double period = Clock(scene.omega).period,
-                 local = 2.0 * std::numbers::pi / std::ranges::max(local_frequencies(scene));
-    last_sample = time_of(start.instant, Clock(scene.omega));
-    interval = std::max(std::min(period, local) / samples_of_a_period, period / most_samples);
-    for (std::size_t i = 0; i < responses.size(); ++i) {
-      nodes.push_back({last_sample, start.displacement[i], start.velocity[i]});
-      responses[i] = {nodes[i].x, nodes[i].x, 0.0};
-    }
-  }
-  double next_time() const override {
-    return last_sample + interval;
-  }
-  void sample(const Moment &moment) override {
-    last_sample = moment.time;
-    for (int mass = 1; mass <= moment.masses(); ++mass)
-      add(mass, {moment.time, moment.displacement(mass), moment.velocity(mass)});
-  }
-  void event(const Event &event, const Moment &moment) override {
-    add(event.mass, {moment.time, moment.displacement(event.mass), event.velocity_before});
-    nodes[static_cast<std::size_t>(event.mass) - 1].v = event.velocity_after;
-  }
-
-  // Adds the curve of a mass up to a node. `rms` is the integral of x^2 meanwhile, by Simpson's
-  // rule.
-  void add(int mass, const Node &node) {
-    const auto i = static_cast<std::size_t>(mass) - 1;
-    const Cubic x(nodes[i], node);
-    Response &response = responses[i];
-    const auto extend = [&](double value) {
-      response.lowest = std::min(response.lowest, value);
-      response.highest = std::max(response.highest, value);
-    };
-    extend(node.x);
-    // The slope of the cubic is zero at u = h v / (-second +- root).
-    const double root = std::sqrt(std::max(0.0, x.second * x.second - 3.0 * x.third * x.h * x.a.v));
-    for (const double u : {x.h * x.a.v / (-x.second + root), x.h * x.a.v / (-x.second - root)})
-      if (u > 0.0 && u < 1.0) extend(x(u));
-    response.rms += x.h / 6.0 * (x.a.x * x.a.x + 4.0 * x(0.5) * x(0.5) + node.x * node.x);
-    nodes[i] = node;
+    return x + u * (h * v + u * (second + u * third));
   }
 };
 
 }  // namespace
 
+ResponseRecorder::ResponseRecorder(const Scene &scene, double from_time, double to_time)
+    : from(from_time), to(to_time), scene_(scene), latest_sample_(from_time) {
+  interval_ =
+      2.0 * std::numbers::pi / std::ranges::max(local_frequencies(scene)) / samples_of_a_period;
+  if (scene.omega == 0.0) return;
+  const double period = Clock(scene.omega).period;
+  interval_ = std::max(std::min(period / samples_of_a_period, interval_), period / most_samples);
+}
+
+double ResponseRecorder::next_time() const {
+  if (latest_.empty()) return from;
+  return latest_sample_ < to ? std::min(latest_sample_ + interval_, to) : infinity;
+}
+
+void ResponseRecorder::sample(const Moment &moment) {
+  latest_sample_ = moment.time;
+  for (int mass = 1; mass <= moment.masses(); ++mass) {
+    const Node node{moment.time, moment.displacement(mass), moment.velocity(mass)};
+    if (latest_.size() == scene_.mass.size()) {
+      add(mass, node);
+    } else {
+      latest_.push_back(node);
+      sums_.push_back({node.x, node.x, 0.0});
+    }
+  }
+}
+
+void ResponseRecorder::event(const Event &event, const Moment &moment) {
+  if (latest_.empty() || latest_sample_ >= to) return;
+  add(event.mass, {moment.time, moment.displacement(event.mass), event.velocity_before});
+  latest_[index_of(event.mass)].v = event.velocity_after;
+}
+
+// Adds the curve of a mass up to a node. The integral of x^2 is that of Simpson's rule.
+void ResponseRecorder::add(int mass, const Node &node) {
+  const Cubic x(latest_[index_of(mass)], node);
+  Response &sum = sums_[index_of(mass)];
+  const auto extend = [&sum](double value) {
+    sum.lowest = std::min(sum.lowest, value);
+    sum.highest = std::max(sum.highest, value);
+  };
+  extend(node.x);
+  // The slope of the cubic is zero at u = h v / (-second +- root).
+  const double root = std::sqrt(std::max(0.0, x.second * x.second - 3.0 * x.third * x.h * x.v));
+  for (const double u : {x.h * x.v / (-x.second + root), x.h * x.v / (-x.second - root)})
+    if (u > 0.0 && u < 1.0) extend(x(u));
+  sum.rms += x.h / 6.0 * (x.x * x.x + 4.0 * x(0.5) * x(0.5) + node.x * node.x);
+  latest_[index_of(mass)] = node;
+}
+
+std::vector<Response> ResponseRecorder::responses() const {
+  std::vector<Response> found = sums_;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    Response &response = found[i];
+    response.rms = latest_sample_ > from ? std::sqrt(response.rms / (latest_sample_ - from))
+                                         : std::abs(response.lowest);
+    // A curve that ends at a stop may pass it by its rounding.
+    for (const Stop &stop : scene_.stops) {
+      if (index_of(stop.mass) != i) continue;
+      if (is_beyond(stop, response.lowest)) response.lowest = stop.position;
+      if (is_beyond(stop, response.highest)) response.highest = stop.position;
+    }
+  }
+  return found;
+}
+
 std::vector<Response> response_of(const Scene &scene, const MotionState &start, int periods,
                                   const RunOptions &options) {
   require_fits(scene, start);
-  ResponseRecorder recorder(scene, start);
-  const MotionState end = stroboscopic_map(scene, start, periods, options, recorder);
-  const double time = time_after(scene, start, periods);
-  for (std::size_t i = 0; i < end.displacement.size(); ++i) {
-    recorder.add(static_cast<int>(i) + 1, {time, end.displacement[i], end.velocity[i]});
-    recorder.responses[i].rms =
-        std::sqrt(recorder.responses[i].rms / (time - time_of(start.instant, Clock(scene.omega))));
-  }
-  // A curve that ends at a stop may pass it by its rounding.
-  for (const Stop &stop : scene.stops) {
-    Response &response = recorder.responses[static_cast<std::size_t>(stop.mass) - 1];
-    if (is_beyond(stop, response.lowest)) response.lowest = stop.position;
-    if (is_beyond(stop, response.highest)) response.highest = stop.position;
-  }
-  return recorder.responses;
+  ResponseRecorder recorder(scene, time_of(start.instant, Clock(scene.omega)),
+                            time_after(scene, start, periods));
+  stroboscopic_map(scene, start, periods, options, recorder);
+  return recorder.responses();
 }
 
 }  // namespace vibro_impact
