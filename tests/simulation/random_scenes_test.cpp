@@ -14,6 +14,7 @@
 #include "reference/truth/scene_reader.hpp"
 #include "tests/support/contact_scenes.hpp"
 #include "tests/support/events.hpp"
+#include "tests/support/long_flight_scenes.hpp"
 #include "tests/support/scene_properties.hpp"
 
 namespace {
@@ -67,7 +68,10 @@ constexpr Distribution distributions[] = {
     {"short hop", short_hop, 20000, 1e-8, scenes / 6},
     {"elastic", elastic_chain, 300000, 2e-13, scenes / 6, broken_by_energy},
     {"touching forces", touching_forces, 20000, 2e-13, scenes / 6, broken_by_touches},
-    {"dipping forces", dipping_forces, 40000, 2e-13, scenes / 6, broken_by_dips}};
+    {"dipping forces", dipping_forces, 40000, 2e-13, scenes / 6, broken_by_dips},
+    {"touching below zero", touching_below_zero, 20000, 2e-13, scenes / 6, broken_by_a_touch},
+    {"weak links", weak_links, 20000, 2e-13, scenes / 10, broken_by_series},
+    {"fast modes", fast_modes, 20000, 2e-13, scenes, broken_by_a_release}};
 
 Distribution distribution_named(const std::string &name) {
   for (const Distribution &distribution : distributions)

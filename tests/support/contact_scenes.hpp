@@ -2,6 +2,7 @@
 // width, no loss at an impact, a short hop, and a hold force that touches zero.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "wide_scenes.hpp"
@@ -117,13 +118,24 @@ inline Trial touching_forces(unsigned seed) {
   return {scene, 20.0 * Clock(scene.omega).period};
 }
 
-// The same with forces that fall below zero by 1e-14 to 1e-8 of their amplitudes, once in each
-// period.
+// The same with forces that fall below zero once in each period, by 4e-15 to 1e-8 of their
+// amplitudes, which is at least twice the depth of a touch. Half of them are next to it.
 inline Trial dipping_forces(unsigned seed) {
   Trial trial = touching_forces(seed);
   Draw draw{std::mt19937(~seed)};
-  for (double &constant : trial.scene.constant) constant *= 1.0 - draw.spread(1e-14, 1e-8);
+  for (double &constant : trial.scene.constant)
+    constant *= 1.0 - (draw.one_in(2) ? draw.spread(4e-15, 1e-13) : draw.spread(1e-14, 1e-8));
   trial.until = 19.5 * Clock(trial.scene.omega).period;
+  return trial;
+}
+
+// The same with forces a (sin(Omega t) - 1 + d), whose dips have at most an eighth of the depth of
+// a touch, which is eight roundings of the sum of the two forces. At the start they press.
+inline Trial touching_below_zero(unsigned seed) {
+  Trial trial = touching_forces(seed);
+  Draw draw{std::mt19937(~seed)};
+  trial.scene.sine = std::exchange(trial.scene.amplitude, {});
+  for (double &constant : trial.scene.constant) constant *= 1.0 - draw.uniform(0.0, 0x1p-52);
   return trial;
 }
 

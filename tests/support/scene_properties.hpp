@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "event_rules.hpp"
+#include "events.hpp"
 #include "reference/generator/event_driven.hpp"
 #include "wide_scenes.hpp"
 #include "witness.hpp"
@@ -208,6 +209,12 @@ inline std::string broken_by_touches(const Run &run) {
   return static_cast<double>(run.events.size()) <= run.scene.masses() + 3.0 * touches
              ? ""
              : fmt::format("{} events at {:.0f} touches", run.events.size(), touches);
+}
+
+// No mass is released at a touch.
+inline std::string broken_by_a_touch(const Run &run) {
+  const auto releases = select(run.events, EventKind::release).size();
+  return releases == 0 ? "" : fmt::format("{} releases", releases);
 }
 
 // Each mass is free in the dip at the start, and is released in each of the nineteen that follow.
