@@ -1,6 +1,6 @@
 // Chains with one link so stiff and damped that it does not stretch: the motion does not depend on
 // its stiffness. Between 1e14 and 1e18 it changes by some multiples of 1e-14, relative to the
-// forces. At 1e18 the hold force of a mass beside the link has a rounding of 1e-13, within which
+// forces. At 1e18 the hold force of a mass beside the link counts as zero below 1e-9, within which
 // the mass may leave its stop and come back. The tolerance of 1e-8 leaves room for the sensitivity
 // of masses that bounce some twenty times.
 #include <gtest/gtest.h>
