@@ -70,7 +70,7 @@ double fastest_impact(const PeriodicOrbit &orbit, std::size_t mass) {
 // The table of a branch, with the parameter along it, or of one orbit, without rows.
 Table empty_table(std::size_t n, const std::optional<Axis> &range) {
   return Table(
-      (range ? range->parameter + "," : "") + "kind,period,residual,stable,phase,contact_mode" +
+      (range ? range->parameter + "," : "") + "kind,period,residual,stability,phase,contact_mode" +
       numbered_columns("x", n) + numbered_columns("v", n) + numbered_columns("impacts", n) +
       numbered_columns("sticks", n) + numbered_columns("fastest", n) +
       numbered_columns("multiplier", 2 * n, "_re") + numbered_columns("multiplier", 2 * n, "_im"));
@@ -85,7 +85,7 @@ Table table_of(const std::vector<OrbitPoint> &branch, const std::optional<Axis> 
     table.cell(name(kind));
     table.cell(counts.periods);
     table.cell(orbit.residuals.empty() ? NAN : orbit.residuals.back());
-    table.cell(orbit.stable() ? 1 : 0);
+    table.cell(name(orbit.stability()));
     table.cell(orbit.state.instant.phase);
     table.cell(contact_mode_name(orbit.state.held));
     for (const double coordinate : coordinates(orbit.state)) table.cell(coordinate);

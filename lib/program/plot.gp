@@ -117,7 +117,7 @@ if (kind eq 'branch') {
   special(name) = strstrt('|orbit|coincidence|closed|end of range|', '|'.name.'|') == 0
   # The names of special points stand above and below them in turn.
   side_of(kind) = special(kind) ? (found = found + 1, found % 2) : 2
-  on_side(side, y) = special(strcol('kind')) || column('stable') == side ? y : NaN
+  on_side(side, y) = special(strcol('kind')) || (strcol('stability') eq 'stable') == side ? y : NaN
   set multiplot layout panels,1
   do for [panel in ARG3] {
     impacts = begins(panel, 'fastest')  # which a diagram has in rows of all masses

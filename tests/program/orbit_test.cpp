@@ -23,7 +23,7 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
   ASSERT_EQ(result.status, 0) << result.err;
   const truth::Row row = table("t.csv").at(0);
   for (const char *column :
-       {"period", "residual", "stable", "x1", "v2", "impacts1", "multiplier1_re", "multiplier4_im"})
+       {"period", "residual", "stability", "x1", "v2", "impacts1", "multiplier1_re", "multiplier4_im"})
     EXPECT_NE(result.out.find(std::string(column) + " = " + row.cell(column) + "\n"),
               std::string::npos)
         << column << " is not in " << result.out;
@@ -64,7 +64,7 @@ TEST_F(Runner, OrbitsAreFoundNextToChaosOrRefusedWithTheReason) {
   EXPECT_NE(run("orbit --omega 0.688" + samples).out.find("\nperiod = 2\n"), std::string::npos);
   EXPECT_EQ(table("s.csv").size(), 5u) << "over both periods";
   ASSERT_EQ(run("orbit --omega 0.688 --period 1 --table t.csv").status, 0);
-  EXPECT_EQ(table("t.csv").at(0).cell("stable"), "0");
+  EXPECT_EQ(table("t.csv").at(0).cell("stability"), "unstable");
   EXPECT_LT(table("t.csv").at(0).number("multiplier1_re"), -1.0);
 }
 
@@ -88,7 +88,7 @@ TEST_F(Runner, ABranchHasARowForEachPointAndEndsAtTheGrazeInClosedForm) {
                            branch.at(row).number("multiplier1_im")),
                 std::exp(-0.1 * std::numbers::pi / omega), 1e-13)
         << omega;
-    EXPECT_EQ(branch.at(row).cell("stable"), "1");
+    EXPECT_EQ(branch.at(row).cell("stability"), "stable");
     if (row == 0) continue;
     EXPECT_GT(omega, branch.at(row - 1).number("omega"));
     EXPECT_EQ(branch.at(row).cell("kind"), row < last ? "orbit" : "end of range");
