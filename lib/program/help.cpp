@@ -21,7 +21,8 @@ std::string footer_of_run() {
   vibro-impact run --from 700 --events events.csv --samples samples.csv --plot run.png
 Events are impact, stick or release; contact_mode lists the sticking masses after the event (-, 1,
 2, 1+2), phase is the time within the forcing period, and impulse is m |v_before - v_after|. At a
-stick, impulse is that of the infinitely many slower impacts of the chatter that it ends.
+stick, impulse is that of the infinitely many impacts of its chatter that have no row: also of those
+before --from. If a run ends within a chatter, its slower impacts are in --summary alone.
 A sample at the time of an event has the velocity before it, and one at the start of the run that
 after it.
 A Poincare section, with one point in each forcing period (P):
@@ -63,7 +64,7 @@ displacement at one phase:
     --section states.csv --plot states.png
 A resonance curve:
   vibro-impact sweep --masses 1 --amplitude 0.1 --stop 1:upper:0.3 --vary omega=0.5:1.5:101 \
-    --response --column highest1 --table response.csv --plot response.png
+    --response --column rms1 --table response.csv --plot response.png
 The points are those of nested loops, the first range outermost. They are computed on
 OMP_NUM_THREADS threads, and the tables do not depend on their number. A point that is refused, as
 for a start beyond a stop, or given up has empty cells in --table and no rows in the others. The

@@ -92,8 +92,8 @@ void add_settling(CLI::App &app, SettleOptions &options) {
 
 void add_files_of_run(CLI::App &app, RunRequest &request) {
   option(app, "--slowest", request.slowest, "SPEED",
-         "List and count the impacts of a chatter down to this speed; by default down to\n"
-         "1e-4 of the speed of its first impact");
+         "Count the impacts of a chatter down to this speed, and list these and all that\n"
+         "the run resolves; by default down to 1e-4 of the speed of its first impact");
   flag(app, "--velocities", request.velocities, "Add the velocities v1,v2,... to --samples");
   app.option_defaults()->configurable(false);  // the rows do not depend on these
   option(app, request.events, "Event table; - for standard output");
@@ -158,7 +158,9 @@ void add_orbit_options(CLI::App &orbit, OrbitRequest &request, Words &words) {
          "fastest impact of each mass, multipliers multiplier1_re,...,multiplier1_im,...");
   option(orbit, "--column", request.column, "NAME",
          "With --vary, --plot shows the branch, stable parts full and unstable ones dashed,\n"
-         "with its special points: this column of --table; default: the fastest impacts");
+         "with its special points: this column of --table; default: the fastest impacts.\n"
+         "At a fold the parameter turns round, at a flip the period doubles, and at a graze\n"
+         "a mass touches a stop without speed. \"most points\": 1000 rows were written");
   option(orbit, "--diagram", request.diagram, "FILE",
          "Draw the branch over this table of a sweep along the same range: its --impacts, or\n"
          "with --column one that has the column");
@@ -207,8 +209,9 @@ void add_sweep_options(CLI::App &sweep, SweepRequest &request, Words &words) {
   option(sweep, request.plot,
          "Picture by gnuplot. With one range: --impacts against the parameter, without them\n"
          "--section (displacements), with --column this column of --table. With two ranges:\n"
-         "a map of --column, with a colour for each of its most frequent values, and for\n"
-         "points where no period was found. .png, .pdf or .svg");
+         "a map of --column, with a colour for each of its most frequent values. A motion is\n"
+         "\"irregular\" if it comes near no orbit, and of one that does so too slowly no period\n"
+         "is found. A motion without impacts has no point. .png, .pdf or .svg");
   option(sweep, "--column", request.column, "NAME", "Column of --table in --plot; of maps: period");
   option(sweep, "--part", words.part, "K/N",
          "Compute the K-th of N consecutive parts of the points alone. The tables of all\n"
