@@ -157,7 +157,8 @@ void complete(RunRequest &request, const Words &words) {
   complete_samples(request, words.every, words.until);
 }
 
-// Adds to the options of an orbit its range, and its samples over the most periods that it may have.
+// Adds to the options of an orbit its range, and its samples over the most periods that it may
+// have.
 void complete(OrbitRequest &request, const Words &words) {
   if (request.scene.omega == 0.0) refuse("--omega 0: an orbit needs a forcing period");
   const int periods = request.period > 0 ? request.period : request.settle.largest_period;

@@ -22,8 +22,8 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
   const Result result = run("orbit --omega 0.625" + files);
   ASSERT_EQ(result.status, 0) << result.err;
   const truth::Row row = table("t.csv").at(0);
-  for (const char *column :
-       {"period", "residual", "stability", "x1", "v2", "impacts1", "multiplier1_re", "multiplier4_im"})
+  for (const char *column : {"period", "residual", "stability", "x1", "v2", "impacts1",
+                             "multiplier1_re", "multiplier4_im"})
     EXPECT_NE(result.out.find(std::string(column) + " = " + row.cell(column) + "\n"),
               std::string::npos)
         << column << " is not in " << result.out;
@@ -48,7 +48,8 @@ TEST_F(Runner, AnOrbitIsThatOfTheLibraryAndItsSamplesClose) {
     EXPECT_NEAR(samples.at(0).number(coordinate), samples.at(8).number(coordinate), 1e-12);
 }
 
-// The number of samples is bounded by the periods that are looked for: a thousand would be too many.
+// The number of samples is bounded by the periods that are looked for: a thousand would be too
+// many.
 TEST_F(Runner, SamplesOfAnOrbitMayBeDense) {
   const Result result = run("orbit --omega 0.625 --samples s.csv --every 5e-5P");
   ASSERT_EQ(result.status, 0) << result.err;

@@ -16,8 +16,9 @@
 // sticking mass has no freedom: each costs the derivative two of its rank.
 //
 // The derivative does not exist where a mass grazes, where a mass comes to rest without a chatter
-// or is at rest at its stop without a force, and where two masses hit at one instant and a damper joins them: the jump of one velocity changes
-// the force on the other, so that the derivative depends on which mass is first.
+// or is at rest at its stop without a force, and where two masses hit at one instant and a damper
+// joins them: the jump of one velocity changes the force on the other, so that the derivative
+// depends on which mass is first.
 #pragma once
 
 #include <map>

@@ -62,8 +62,8 @@ struct SettledMotion {
 };
 
 // Follows the motion from `start`, or from the initial state of the scene, until it has settled.
-// Throws std::invalid_argument for what `simulate` refuses, for a scene without a forcing period and
-// for options out of range, and std::runtime_error when the run is given up.
+// Throws std::invalid_argument for what `simulate` refuses, for a scene without a forcing period
+// and for options out of range, and std::runtime_error when the run is given up.
 SettledMotion settle(const Scene &scene, const MotionState &start,
                      const SettleOptions &options = {});
 SettledMotion settle(const Scene &scene, const SettleOptions &options = {});
