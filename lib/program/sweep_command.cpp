@@ -148,11 +148,9 @@ class SweepOutput {
     const Grid &grid = request_.grid;
     const std::size_t point = point_of(request_, row);
     std::optional<OrbitRecord> &record = rows.point.record;
-    if (request_.records.attractor && record && record->period > 0) {
-      record->attractor = number_of(attractors_, grid, point, *record);
-      record->impacts.clear();  // the other tables have their rows
-      record->section.clear();
-      rows.tables.records.text.clear();
+    if (request_.records.attractor) {
+      if (record && record->period > 0)
+        record->attractor = number_of(attractors_, grid, point, *record);
       add_rows(rows.tables, grid, request_.records, point, record);
     }
     for (auto &[table, output] : outputs_) output.append((rows.tables.*table).text);
@@ -175,7 +173,9 @@ void compute_chain(const SweepRequest &request, std::size_t chain, SweepOutput &
     Rows rows{.point = point_record(request.grid.scene_at(point), request.records, before)};
     const std::optional<OrbitRecord> &record = rows.point.record;
     if (length > 1 && record) before = record;
-    add_rows(rows.tables, request.grid, request.records, point, record);
+    // An attractor has its number only where the rows are written in order.
+    if (!request.records.attractor)
+      add_rows(rows.tables, request.grid, request.records, point, record);
     output.add(row, std::move(rows));
   }
 }

@@ -59,7 +59,7 @@ struct Problem {
   double length = 1.0;  // of the displacements
 
   // The size of the parameter, to which its rounding refers.
-  double size_of(double q) const {
+  double parameter_size(double q) const {
     return std::max(std::abs(q), width);
   }
   size_t masses() const {

@@ -17,7 +17,7 @@ bool lengthen_border(const Problem &problem, End &end) {
   double before = infinity;
   for (int more = 0; more < most_impacts; ++more) {
     const size_t k = end.condition.item;
-    const double left = end.u(problem.time_at(k)), size = problem.size_of(end.u(0));
+    const double left = end.u(problem.time_at(k)), size = problem.parameter_size(end.u(0));
     if (!(left > 0.0)) return false;
     if (left * rate_bound(problem.scene) < 0.1 * last_flight) return true;
     const Model model(problem.scene, problem.parameter, end.u(0));

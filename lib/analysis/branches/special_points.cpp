@@ -169,9 +169,9 @@ std::optional<SpecialPoint> flip_of_parent(const Problem &problem, const Sequenc
     at_a = at_b;
     b = c;
     at_b = test(b);
-    if (!(step < 16.0 * rounding * problem.size_of(b)) && at_b != 0.0) continue;
+    if (!(step < 16.0 * rounding * problem.parameter_size(b)) && at_b != 0.0) continue;
     return SpecialPoint{BranchPoint::parent_flip, half, v,
-                        step + 8.0 * rounding * problem.size_of(b)};
+                        step + 8.0 * rounding * problem.parameter_size(b)};
   }
   return {};
 }

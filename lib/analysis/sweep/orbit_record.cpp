@@ -87,23 +87,18 @@ OrbitRecord record_of(const Scene &scene, const MotionState &start, const Record
 
 bool same_attractor(const Scene &scene, const OrbitRecord &one, const OrbitRecord &other) {
   check(scene);
-  const std::vector<double> frequencies = local_frequencies(scene);
-  const std::size_t n = frequencies.size();
+  const std::size_t coordinates = 2 * scene.mass.size();
   for (const OrbitRecord *record : {&one, &other})
     for (const std::vector<double> &state : record->section)
-      require(state.size() == 2 * n, "section: a state of ", state.size(),
-              " coordinates, the chain has ", 2 * n);
+      require(state.size() == coordinates, "section: a state of ", state.size(),
+              " coordinates, the chain has ", coordinates);
   if (one.period == 0 || one.period != other.period) return false;
-  const auto distance = [&](const std::vector<double> &a, const std::vector<double> &b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-      sum = std::hypot(sum, a[i] - b[i], (a[n + i] - b[n + i]) / frequencies[i]);
-    return sum;
-  };
+  const Eigen::VectorXd units = length_units(scene);
   const double error = same_orbit * std::max(one.size, other.size);
   return !one.section.empty() &&
          std::ranges::any_of(other.section, [&](const std::vector<double> &state) {
-           return distance(one.section.front(), state) <= error;
+           const Eigen::VectorXd apart = view(one.section.front()) - view(state);
+           return apart.cwiseQuotient(units).stableNorm() <= error;
          });
 }
 
