@@ -10,7 +10,7 @@
 
 namespace vibro_impact::runner {
 
-// What a map shows of a point: the value of a continuous column, or the class of the point. A class
+// A map shows the value of a continuous column at a point, or the class of the point. A class
 // is a number, as a period, or has a name where there is none.
 std::string map_word(const Column &column, const PointRecord &result);
 

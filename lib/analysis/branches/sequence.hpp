@@ -19,7 +19,7 @@ namespace vibro_impact::branches {
 using Vector = Eigen::VectorXd;
 using Dense = Eigen::MatrixXd;
 
-// What happens at an item of a sequence, and the equation that it gives.
+// The kind of an item of a sequence, and the equation that it gives.
 enum class Happening {
   start,    // no event: the angle is a multiple of 2 pi
   impact,   // gap = 0

@@ -214,7 +214,7 @@ SpecialPoints special_points_in_part(const Problem &problem, const Place &a, con
       found.ends_the_branch = true;
       return found;
     }
-    // Where the branch turns round, the parameter is stationary.
+    // The parameter is stationary where the branch turns round.
     const Test test = turns ? Test([](const Place &at) { return at.direction(0); })
                             : [](const Place &at) { return product_of(at.multipliers, -1.0); };
     const bool located = add(zero.find_between(BranchPoint::branching, test));

@@ -7,7 +7,7 @@
 
 namespace vibro_impact::branches {
 
-// What a walk along the branch knows.
+// The state of a walk along the branch.
 struct Walk {
   Problem problem;
   double low, high;             // the ends of the range
@@ -62,8 +62,8 @@ Place place_of_end(const Problem &problem, const End &end);
 
 // The events of two masses at one instant change places. False if there is no orbit beyond.
 bool exchange(Walk &walk, const End &end);
-// Where two chatters pass through each other, many coincidences follow each other. A run beyond
-// all of them has the new order. False if none is found.
+// Many coincidences follow each other where two chatters pass through each other. A run beyond all
+// of them has the new order. False if none is found.
 bool pass_coincidences(Walk &walk);
 
 }  // namespace vibro_impact::branches

@@ -26,7 +26,7 @@ struct MotionRecorder : Recorder {
         to(until),
         clock(of.scene.omega) {
   }
-  // Of a chatter whose limit lies behind the end, all impacts before the end are knots.
+  // All impacts before the end are knots, also of a chatter whose limit lies behind the end.
   double slowest_impact(double, double limit) const override {
     return limit > to ? 0.0 : infinity;
   }

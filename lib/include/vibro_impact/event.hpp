@@ -34,7 +34,7 @@ constexpr bool changes_contact_mode(EventKind kind) {
 // The held masses of a contact mode as text: `-` for none, or `1`, `2`, `1+2`.
 std::string contact_mode_name(const Held &held);
 
-// What impacts at a stop take: the impulse of the stop on its mass, away from the stop, and the
+// The sums of impacts at a stop: the impulse of the stop on its mass, away from the stop, and the
 // kinetic energy that is lost.
 struct ImpactSum {
   double impulse = 0.0, energy = 0.0;
@@ -64,8 +64,8 @@ struct Event {
   int falling = 0;         // impacts at this stop before this one, each slower than the one before
   bool by_a_jump = false;  // a release where the force jumped or began, not at a root
   Held held = {};          // the contact mode after the event
-  // What an impact takes. A chatter that is carried to its limit has infinitely many impacts. Its
-  // event at the limit has what those take that no event before has reported. This event is the
+  // The sums of an impact. A chatter that is carried to its limit has infinitely many impacts. Its
+  // event at the limit has the sums of those that no event before has reported. This event is the
   // stick, or an impact with both velocities 0 if the mass is released at once.
   ImpactSum taken = {};
 

@@ -33,8 +33,8 @@ class Moment {
   // The force of the neighbours and the forcing on a held mass, F_p of Eqs. 12-13, positive towards
   // +x. It is NaN for a free mass.
   virtual double hold_force(int mass) const = 0;
-  // What the impacts at a stop (from 1) have taken up to this moment that no event has reported
-  // yet. They are impacts of a chatter, and the event at its limit reports them. Else it is zero.
+  // The sums of the impacts at a stop (from 1) up to this moment that no event has reported yet.
+  // They are impacts of a chatter, and the event at its limit reports them. Else they are zero.
   // The impulses of all events and of this sum balance the momentum up to this moment.
   virtual ImpactSum unreported(int stop) const = 0;
 };

@@ -1,4 +1,5 @@
-// What each stop takes from its mass in a part of a run: sums over events and over two states.
+// Impulses, energies and times of contact of each stop in a part of a run: sums over events and
+// over two states.
 #pragma once
 
 #include <optional>

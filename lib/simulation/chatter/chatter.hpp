@@ -13,7 +13,7 @@
 
 namespace vibro_impact::detail {
 
-// What the impact at a stop of the chatter takes, and what all later ones do to leading order.
+// The sums of an impact at a stop of the chatter, and of all later ones to leading order.
 struct ImpactShare {
   ImpactSum now, later;
 };
@@ -53,7 +53,7 @@ class Chatter {
   // settled within this tolerance of their jumps.
   bool extrapolate(double tolerance, Motion &motion) const;
 
-  // What all impacts after the latest node take at stop `k` of the chatter, extrapolated.
+  // The sums of all impacts after the latest node at stop `k` of the chatter, extrapolated.
   ImpactSum left_at(std::size_t k) const;
 
   const std::vector<std::size_t> &stops() const {

@@ -94,7 +94,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   };
   bool any_touches = false;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
-    // Of stops that come earlier in the list, a root was found that may lie far beyond the first.
+    // Stops that come earlier in the list have a root that may lie far beyond the first.
     if (roots[k] > u + tolerance(u)) continue;
     near[k] = Near::perhaps;
     if (roots[k] != u) continue;

@@ -190,8 +190,8 @@ FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motio
                              double end, std::vector<Near> &near, Counters &counters) {
   while (!is_at_event_) {
     const double l = l_, step = next_step(counters);
-    // Where a hidden contact may appear, the step is made also if it goes beyond the end of the
-    // call: the contact may appear before that end.
+    // The step goes beyond the end of the call where a hidden contact may appear: it may do so
+    // before that end.
     const bool is_last = u_ + step >= end && !(longest_blind_step() < longest_step);
     if (u_ >= end || is_last) {
       l_ = l;  // the next call makes this step

@@ -36,7 +36,7 @@ MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at);
 // Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
-// What an impact takes at a stop of the chain.
+// The sum of one impact at a stop of the chain.
 ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving);
 
 // Reports an event at a stop, and ends the call when a recorder is done. `before` and `after` are

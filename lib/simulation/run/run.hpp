@@ -74,7 +74,7 @@ struct Progress {
   Extent extent = Extent::whole;
   // The time of the next sample. It changes when a recorder has been called.
   double next_sample = infinity;
-  // Of a call inside a chatter: the speed down to which impacts are reported, whether such impacts
+  // A call inside a chatter has the speed down to which impacts are reported, whether such impacts
   // are still to come, and the number of impacts so far.
   double slowest = infinity;
   bool lists = false;

@@ -50,9 +50,9 @@ const char *name(BranchPoint kind);
 
 // An orbit with the value of the parameter, and the counts of its events over one period. Its state
 // lies in the middle of the longest flight. At a special point the parameter has an estimated
-// error. At a graze to which an impact has slowed down, the
-// multipliers do not exist. The residual of the orbit is the largest difference of displacements
-// after its periods, by the equations of the branch.
+// error. The multipliers do not exist at a graze to which an impact has slowed down. The residual
+// of the orbit is the largest difference of displacements after its periods, by the equations of
+// the branch.
 struct OrbitPoint {
   double parameter = 0.0, error = 0.0;
   PeriodicOrbit orbit = {};

@@ -3,8 +3,8 @@
 // At the section of the stroboscopic map (the phase of the start) the state z_n is compared with
 // those before it. The distance of two states is a length: with the frequency w of a mass between
 // neighbours that stand still (Omega on no spring), it is the norm of all differences of x and v/w.
-// Where a state comes near to that of p periods before, Newton's method looks for an orbit of p
-// periods from there, at a phase away from events. A motion has settled on this orbit z* if
+// Newton's method looks for an orbit of p periods where a state comes near to that of p periods
+// before, at a phase away from events. A motion has settled on this orbit z* if
 //   - the orbit is stable, and attracts the motion from where it is: what the image of the motion
 //     differs by from its image by the derivative, |P(z) - z* - DP (z - z*)|, is at most
 //     (1 - |mu|) |z - z*| / 10. Or the orbit is not unstable, and the motion has returned within
