@@ -160,6 +160,30 @@ TEST(BranchEnds, ABorderOrbitOrMultiSlidingHasItsNameFromBothSides) {
       "stop=2:lower:-0.4104,1:upper:0.3709; omega=0.566811",
       {"restitution", 0, 0.6, 31},
       {{Point::end_of_range, 0}, {Point::border_orbit, 0.443218619173739, 1e-13}});
+  // It comes to r = -1e-32 at the first orbit.
+  expect_special_points(
+      "masses=3; stiffness=2,0.70684,0.5; amplitude=1,1,-0.8183; restitution=0; "
+      "stop=1:upper:0.2895,1:lower:-0.2245; omega=0.194378",
+      {"restitution", 0, 0.3, 31}, {{Point::end_of_range, 0}, {Point::end_of_range, 0.3}}, 0, 600);
+}
+
+// A late impact of a chatter that changes places with an event of another mass may move the orbit
+// by little. The branch ends there, for any number of values.
+TEST(BranchEnds, ASmallJumpEndsABranch) {
+  expect_special_points(
+      "masses=4; stiffness=0.5,2,0.5,0.28784; beta=0.2; amplitude=0,0.2,0.2,0.7506; "
+      "restitution=0.5; stop=1:lower:-0.0606,2:lower:-0.4737; omega=0.325372",
+      {"omega", 0.2602976, 0.406715, 41},
+      {{Point::end_of_range, 0.2602976}, {Point::jump, 0.364436718544396}}, 0, 600);
+}
+
+// Far from its limit, a chatter of few impacts has a force that grows during a flight.
+TEST(BranchEnds, AChatterGrowsFromOneImpactWithTheRestitution) {
+  expect_special_points(
+      "masses=3; stiffness=0.5,3.10092,0.5; beta=0.05; amplitude=1,0.5,0.2; restitution=0; "
+      "stop=2:upper:0.2824,2:lower:-0.0597,1:lower:-0.0825; omega=0.748412",
+      {"restitution", 0, 0.3, 31}, {{Point::end_of_range, 0}, {Point::graze, 0.02168206514, 1e-11}},
+      0, 600);
 }
 
 // A grazing between a release and the chatter after it.

@@ -69,7 +69,7 @@ bool lengthen_chatter(const Problem &problem, Sequence &s, Vector &u, Vector *ta
     left += u(problem.time_at(j));
     if (j + 1 < s.items.size() && problem.mass_of(s.items[j + 1]) == mass) break;
   }
-  if (left < 3.0 * flight) return false;
+  if (left < flight) return false;
   size_t at = k;  // events of other masses may lie before the next impact
   double offset = flight;
   while (u(problem.time_at(at)) < offset) offset -= u(problem.time_at(at++));
@@ -98,9 +98,12 @@ bool adapt_one(const Problem &problem, Sequence &s, Vector &u, Vector *tangent) 
     if (s.items[k].what != Happening::hold) continue;
     const ModelStop &stop = model.stop(s.items[k].stop);
     const double speed = rebound(stop, seen.items[k].speed).speed,
-                 acceleration = seen.items[k].press * model.inverse_mass[stop.mass].value;
-    if (!(speed > 0.0) || !(acceleration > 0.0)) continue;
-    const double flight = 2.0 * speed / acceleration;
+                 inverse_mass = model.inverse_mass[stop.mass].value,
+                 a = seen.items[k].press * inverse_mass, b = seen.items[k].slope * inverse_mass;
+    // The gap w t - a t^2 / 2 - b t^3 / 6 is zero again, in the form without cancellation. Near a
+    // border orbit, b t is as large as a.
+    const double flight = 2.0 * speed / (0.5 * a + std::sqrt(0.25 * a * a + 2.0 / 3.0 * b * speed));
+    if (!(a > 0.0) || !(flight > 0.0)) continue;
     if (flight * rate > last_flight) {
       if (lengthen_chatter(problem, s, u, tangent, k, flight)) return true;
     } else if (k > 1 && s.items[k - 1] == Item{Happening::impact, s.items[k].stop} &&

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tolerances.hpp"
 #include "walk.hpp"
 
 namespace vibro_impact::branches {
@@ -56,7 +57,7 @@ bool exchange(Walk &walk, const End &end) {
   re_express(problem, before, s, u);
   const Condition no_time{.extra = Extra::no_time, .item = k};
   const bool has_orbit =
-      solve(problem, s, u, no_time, true) && std::abs(u(0) - end.u(0)) < 1e-6 * problem.width;
+      solve(problem, s, u, no_time, true) && std::abs(u(0) - end.u(0)) < exchanged * problem.width;
   if (!has_orbit) {
     walk.add(BranchPoint::jump, place_of_end(problem, end), end.error);
     return false;

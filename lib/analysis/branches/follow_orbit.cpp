@@ -33,6 +33,7 @@ std::optional<SequenceOrbit> first_orbit(const Problem &problem, const OrbitPoin
   reduce_period(problem, s, u);
   adapt_chatters(problem, s, u);
   if (!solve(problem, s, u, at_parameter(problem, s, q), true)) return {};
+  u(0) = q;  // Newton's method comes to it but for rounding, which may lie beyond its bounds
   return first;
 }
 

@@ -112,8 +112,9 @@ Inspection inspect(const Problem &problem, const Sequence &s, const Vector &u) {
         state.touched[stop.mass] = item.stop;
         if (item.what == Happening::hold) state.held[stop.mass] = item.stop;
         if (item.what == Happening::hold || after == 0.0) {
-          flow.expand(state, 1, 2);
+          flow.expand(state, 1, 3);
           seen.press = press(item.stop);
+          seen.slope = press(item.stop, 1) / flow.radian();
         }
       }
       if (releases(item.what)) {

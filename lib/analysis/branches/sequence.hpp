@@ -152,7 +152,7 @@ Multipliers multipliers_of(const Problem &problem, const Sequence &s, const Dens
 struct AtItem {
   double speed = 0.0;  // closing speed of an impact
   double press = 0.0;  // on the mass: after a hold, after an impact without rebound, at a release
-  double slope = 0.0;  // of the press at a release
+  double slope = 0.0;  // of the press, at the same events
   State after;
 };
 // A local minimum of a gap or a press, or the press after an event.

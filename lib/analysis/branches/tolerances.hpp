@@ -33,6 +33,9 @@ constexpr double same_part = 1e-6;  // of a step, of two solutions at one place
 constexpr double far_from_prediction = 0.6;
 constexpr double beyond_the_step = 1.5;
 constexpr double far_behind_an_end = 0.2;
+// Events that exchange their places move the parameter by no more, relative to the range, where the
+// branch goes on. It jumps elsewhere, also by little, as at a late impact of a chatter.
+constexpr double exchanged = 1e-9;
 // A collapse lies this near to the parameter that its excursion predicts, relative to the distance.
 constexpr double near_collapse = 0.3;
 
