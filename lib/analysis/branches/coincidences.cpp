@@ -59,7 +59,14 @@ bool exchange(Walk &walk, const End &end) {
   const bool has_orbit =
       solve(problem, s, u, no_time, true) && std::abs(u(0) - end.u(0)) < exchanged * problem.width;
   if (!has_orbit) {
-    walk.add(BranchPoint::jump, place_of_end(problem, end), end.error);
+    const Place place = place_of_end(problem, end);
+    // The limit of a chatter lies behind its hold, by a flight of the last length or less.
+    const size_t at = end.condition.item, next = (at + 1) % count;
+    const bool at_a_hold = end.sequence.items[at].what == Happening::hold ||
+                           end.sequence.items[next].what == Happening::hold;
+    const double by_time = place.direction(0) / place.direction(problem.time_at(at)),
+                 after_hold = at_a_hold ? last_flight / rate_bound(problem.scene) : 0.0;
+    walk.add(BranchPoint::jump, place, end.error + std::abs(by_time) * after_hold);
     return false;
   }
   // On the new side the flight between the events grows.
