@@ -10,18 +10,19 @@
 # make check          compare every key number, published number and fragment of a document
 # make build          build the library and the program only
 # make test-sanitize  run the tests of the library and the program under the address and
-#                     undefined-behaviour sanitizers (minutes)
+#                     undefined-behaviour sanitizers, and sweeps under the thread sanitizer (minutes)
 # make reference      recompute the 50-digit tables in reference/tables/ (more than an hour)
 # make docs           write the public headers and the walk through one impact as HTML, build/docs
 # make deps           install the packages that are missing, and nothing else
 # make clean          remove build/
 #
-# Variable: preset=release, a preset of CMakePresets.json (release, werror, dev, clang, sanitize)
+# Variable: preset=release, a preset of CMakePresets.json (release, werror, dev, clang, sanitize, threads)
 
 drawn  := $(filter-out style,$(basename $(notdir $(wildcard figures/*.gp figures/*/*.gp))))
 jobs   := $(shell nproc 2>/dev/null || echo 1)
 preset := release
-folder := build$(addprefix /,$(filter dev clang sanitize,$(preset)))
+tests  := test_programs
+folder := build$(addprefix /,$(filter dev clang sanitize threads,$(preset)))
 
 .PHONY: help figures beyond pictures $(drawn) check build test test-sanitize reference docs deps clean
 .NOTPARALLEL:  # the targets share build/, and each uses all processors
@@ -56,7 +57,7 @@ $(drawn): configured-figures
 	@cmake --build --preset $(preset) --target draw_$@
 
 test: configured-tests
-	$(make_target) test_programs
+	$(make_target) $(tests)
 	@ctest --preset $(preset) -j $(jobs)
 
 check: configured-runner
@@ -66,6 +67,7 @@ check: configured-runner
 test-sanitize:
 	@.ci/packages clang
 	@$(MAKE) test preset=sanitize
+	@$(MAKE) test preset=threads tests="analysis_tests program_tests vibro-impact"
 
 reference: configured-runner
 	$(make_target) reference-generate
