@@ -98,13 +98,13 @@ if(NOT output MATCHES "${stick}[0-9]* mass 2 stick")
   message(SEND_ERROR "the program of README.md: ${output}")
 endif()
 
-# The lines of a header above `#pragma once` that are indented by three are a program.
+# The lines of a header above `#pragma once` that are indented by five are a program.
 set(headers simulate analysis/periodic_orbit analysis/sweep)
 set(outputs "[1-9][0-9]* impacts" "\nstable" "1\n1\n")
 foreach(header expected IN ZIP_LISTS headers outputs)
   file(READ ${source}/lib/include/vibro_impact/${header}.hpp program)
   string(REGEX REPLACE "\n#pragma once.*" "\n" program "${program}")
-  string(REGEX REPLACE "(^|\n)//( [^ ][^\n]*)?" "\\1" program "${program}")
+  string(REGEX REPLACE "(^|\n)///( [^ ][^\n]*)?" "\\1" program "${program}")
   string(REPLACE "/" "_" name ${header})
   output_of(${name} "${program}" output)
   if(NOT output MATCHES "${expected}")

@@ -1,18 +1,19 @@
-// The numbers of a scene in one list, without its stops. Parameters of sweeps, scene files and the
-// options of the program follow this list. A new field of a scene is added to Scene and to this
-// list, enters the equations of motion, and has its values checked by `check`.
+/// \file
+/// The numbers of a scene in one list, without its stops. Parameters of sweeps, scene files and the
+/// options of the program follow this list. A new field of a scene is added to Scene and to this
+/// list, enters the equations of motion, and has its values checked by `check`.
 #pragma once
 
 #include "scene.hpp"
 
 namespace vibro_impact {
 
-// A field that is one number, or a list with one number for each mass.
+/// A field that is one number, or a list with one number for each mass.
 template <class Value>
 struct SceneField {
-  const char *name;  // that of the member
+  const char *name;  ///< that of the member
   Value Scene::*value;
-  bool optional;  // an empty list stands for zeros
+  bool optional;  ///< an empty list stands for zeros
   const char *meaning;
 };
 

@@ -1,10 +1,11 @@
-// The fields of a scene in words, as scene files and tables of scenes have them: `omega = 0.2`,
-// `mass = 1,1,2`, `stop = 1:lower:-0.3,2:upper:0.1`.
-//
-// A number is read as std::from_chars reads it. A list has a number for each mass, with commas
-// between them; one number stands for equal ones. A stop reads mass:side:position, or with a
-// restitution of its own mass:side:position:restitution. `none` stands for no stop. `masses` is the
-// number of masses, all of mass 1 on links of stiffness 1, and comes before the lists.
+/// \file
+/// The fields of a scene in words, as scene files and tables of scenes have them: `omega = 0.2`,
+/// `mass = 1,1,2`, `stop = 1:lower:-0.3,2:upper:0.1`.
+///
+/// A number is read as std::from_chars reads it. A list has a number for each mass, with commas
+/// between them; one number stands for equal ones. A stop reads mass:side:position, or with a
+/// restitution of its own mass:side:position:restitution. `none` stands for no stop. `masses` is
+/// the number of masses, all of mass 1 on links of stiffness 1, and comes before the lists.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +22,11 @@
 
 namespace vibro_impact {
 
-// Values in words. Each function that reads throws std::invalid_argument with one line naming the
-// word and the rule.
+/// Values in words. Each function that reads throws std::invalid_argument with one line naming the
+/// word and the rule.
 namespace words {
 
-// The beginning of a text that was given, for a message: printable, and short.
+/// The beginning of a text that was given, for a message: printable, and short.
 inline std::string shown(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string begin(text.substr(0, longest));
@@ -38,7 +39,7 @@ inline std::string shown(std::string_view text) {
   throw std::invalid_argument("'" + shown(words) + "' " + std::string(rule));
 }
 
-// The parts of a text between separators.
+/// The parts of a text between separators.
 inline std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -49,7 +50,7 @@ inline std::vector<std::string_view> parts_of(std::string_view text, char separa
   return parts;
 }
 
-// A finite number or not; from_chars knows no locale, no leading space and no plus sign.
+/// A finite number or not; from_chars knows no locale, no leading space and no plus sign.
 inline double number_of(std::string_view word) {
   double value = 0.0;
   const char *end = word.data() + word.size();
@@ -59,7 +60,7 @@ inline double number_of(std::string_view word) {
   return value;
 }
 
-// A whole number from 1 to `most`.
+/// A whole number from 1 to `most`.
 inline long long count_of(std::string_view word, long long most) {
   const double value = number_of(word);
   if (!(value >= 1.0 && value <= static_cast<double>(most) && value == std::floor(value)))
@@ -83,7 +84,7 @@ inline Stop stop_in(std::string_view word) {
   return stop;
 }
 
-// The shortest digits that give the number again.
+/// The shortest digits that give the number again.
 inline std::string words_of(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
@@ -97,7 +98,7 @@ inline std::string words_of(const Stop &stop) {
   return words;
 }
 
-// With commas between them.
+/// With commas between them.
 template <class Value>
 std::string joined(const std::vector<Value> &values) {
   std::string words;
@@ -107,9 +108,9 @@ std::string joined(const std::vector<Value> &values) {
 
 }  // namespace words
 
-// Gives the field `name` of a scene, its `masses` or its stops (`stop`) the value in these words.
-// Returns false if there is no such field. Throws std::invalid_argument with one line naming the
-// word and the rule; `check` judges the values.
+/// Gives the field `name` of a scene, its `masses` or its stops (`stop`) the value in these words.
+/// Returns false if there is no such field. Throws std::invalid_argument with one line naming the
+/// word and the rule; `check` judges the values.
 inline bool set_field(Scene &scene, std::string_view name, std::string_view given) {
   if (name == "masses") {
     scene.mass.assign(static_cast<std::size_t>(words::mass_of(given)), 1.0);
@@ -143,13 +144,13 @@ inline bool set_field(Scene &scene, std::string_view name, std::string_view give
   return false;
 }
 
-// A field of a scene by its name, and its value in words.
+/// A field of a scene by its name, and its value in words.
 struct FieldInWords {
   std::string name, words;
 };
 
-// All fields of a scene. Those with words, given to set_field in this order, make the same scene
-// again, bit by bit. One number stands for equal ones, and an empty list has no words.
+/// All fields of a scene. Those with words, given to set_field in this order, make the same scene
+/// again, bit by bit. One number stands for equal ones, and an empty list has no words.
 inline std::vector<FieldInWords> fields_in_words(const Scene &scene) {
   std::vector<FieldInWords> fields{{"masses", std::to_string(scene.masses())}};
   for (const auto &field : list_fields) {

@@ -1,4 +1,5 @@
-// All headers of the simulation. analysis/analysis.hpp has those of the analysis of many runs.
+/// \file
+/// All headers of the simulation. analysis/analysis.hpp has those of the analysis of many runs.
 #pragma once
 
 #include "counters.hpp"

@@ -1,4 +1,5 @@
-// All headers of the analysis: what is asked of many runs. vibro_impact.hpp has the simulation.
+/// \file
+/// All headers of the analysis: what is asked of many runs. vibro_impact.hpp has the simulation.
 #pragma once
 
 #include "event_pairs.hpp"

@@ -1,4 +1,5 @@
-// A dense matrix by rows, for what the analysis hands out.
+/// \file
+/// A dense matrix by rows, for what the analysis hands out.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@ namespace vibro_impact {
 
 struct Matrix {
   std::size_t rows = 0, columns = 0;
-  std::vector<double> values = {};  // rows x columns, row by row
+  std::vector<double> values = {};  ///< rows x columns, row by row
 
   double &operator()(std::size_t row, std::size_t column) {
     return values[row * columns + column];

@@ -1,4 +1,5 @@
-// A value that exists only where a motion is smooth: its derivative, and what follows from it.
+/// \file
+/// A value that exists only where a motion is smooth: its derivative, and what follows from it.
 #pragma once
 
 #include <stdexcept>
@@ -7,8 +8,8 @@
 
 namespace vibro_impact {
 
-// A value, or the reason why it does not exist. Reading a value that does not exist throws
-// std::domain_error with the reason.
+/// A value, or the reason why it does not exist. Reading a value that does not exist throws
+/// std::domain_error with the reason.
 template <class T>
 class Smooth {
  public:
@@ -25,7 +26,7 @@ class Smooth {
   bool exists() const {
     return why_not_.empty();
   }
-  // One line; empty if the value exists.
+  /// One line; empty if the value exists.
   const std::string &why_not() const {
     return why_not_;
   }
@@ -46,7 +47,7 @@ class Smooth {
     return &value();
   }
 
-  // The elements, if T is a container.
+  /// The elements, if T is a container.
   auto begin() const {
     return value().begin();
   }
