@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "reference/scenes/extreme_scenes.hpp"
@@ -17,79 +16,6 @@ namespace {
 
 using namespace vibro_impact;
 using namespace vibro_impact::testing;
-
-// Everything stands after a while. From then on a step is as long as the time before.
-TEST(AtRest, AChainThatStandsTakesFewSteps) {
-  const Scene scene{.mass = {1.0, 1.0},
-                    .stiffness = {1.0, 1e9},
-                    .beta = 0.1,
-                    .constant = {1.0, 0.0},
-                    .omega = 0.0,
-                    .stops = {{1, Side::upper, 1.001}}};
-  const Outcome outcome = require_complete(simulate(scene, 1e9));
-  EXPECT_LT(outcome.counters.expansions, 5000);
-  EXPECT_NEAR(outcome.state.displacement[0], 1.0, 1e-15);
-  EXPECT_NEAR(outcome.state.displacement[1], 1.0, 1e-15);
-}
-
-// Mass 2 bounces on its stop at its rest position, r times as fast after each half period, when
-// mass 1 is released beside it. The release is at a quarter period of the forcing, and mass 2 then
-// moves as the free chain from rest.
-TEST(AtRest, AReleaseBesideADecayedChatterGoesOn) {
-  for (const double r : {0.1, 1e-4}) {
-    const Scene scene{.mass = {1.0, 1.0},
-                      .stiffness = {1.0, 1.0},
-                      .amplitude = {1.0, 0.0},
-                      .omega = 0.01,
-                      .restitution = r,
-                      .stops = {{1, Side::upper, 0.0}, {2, Side::upper, 0.0}},
-                      .velocity = {0.0, -0.1}};
-    EventRecorder events;
-    const Outcome outcome = require_complete(simulate(scene, 200.0, events));
-    const std::vector<Event> releases = select(events.events, EventKind::release, 1);
-    ASSERT_EQ(releases.size(), 1u) << r;
-    EXPECT_NEAR(releases[0].time, 157.07963267948965865, 3e-14 * 157.0);
-    EXPECT_NEAR(outcome.state.displacement[1], -0.39796319816975922, 1e-13) << r;
-  }
-  const Scene other{.mass = {1.0, 1.0},
-                    .stiffness = {0.004, 1.0},
-                    .amplitude = {0.1, 0.0},
-                    .omega = 0.012422360248447204,
-                    .restitution = 1e-4,
-                    .stops = {{1, Side::upper, 0.0}, {2, Side::upper, 0.0}},
-                    .velocity = {0.0, -0.1}};
-  const std::vector<Event> releases = select(events_of(other, 0.0, 130.0), EventKind::release, 1);
-  ASSERT_FALSE(releases.empty());
-  EXPECT_NEAR(releases.back().time, 126.449104306989186, 3e-14 * 126.0);
-}
-
-// The neighbours of mass 2 or 3 are released when this mass, which no force acts on, has just hit
-// its stop at 1e-229. Its acceleration is then a sum of forces, zero but for rounding, which must
-// not bring it back. A forcing moves the first chain. In the second one two heavy masses at the
-// ends press the neighbours, for a quarter of their period.
-TEST(AtRest, AMassWhoseChatterHasDecayedLeavesWithTheOthers) {
-  const Scene forced{.mass = {1.0, 1.0, 1.0},
-                     .stiffness = {0.004, 2.7, 2.7},
-                     .amplitude = {0.9, 0.3, 0.0},
-                     .omega = std::sqrt(2.7) / 40.0,
-                     .restitution = 1e-12,
-                     .stops = {{1, Side::upper, 0.0}, {2, Side::upper, 0.0}, {3, Side::upper, 0.0}},
-                     .velocity = {0.0, 0.0, -0.17}};
-  const Scene free{.mass = {800.0, 1.0, 1.0, 1.0, 800.0},
-                   .stiffness = {0.7, 2.0, 2.7, 2.7, 2.0},
-                   .ground = {0.0, 0.0, 0.0, 0.0, 0.7},
-                   .omega = 0.0,
-                   .restitution = 1e-12,
-                   .stops = {{2, Side::upper, 0.0}, {3, Side::upper, 0.0}, {4, Side::upper, 0.0}},
-                   .displacement = {1.0, 0.0, 0.0, 0.0, 0.6},
-                   .velocity = {0.0, 0.0, -0.17, 0.0, 0.0}};
-  for (const auto &[scene, until] : {std::pair{forced, 39.0}, {free, 28.0}}) {
-    const Outcome outcome = require_complete(simulate(scene, until));
-    EXPECT_EQ(outcome.counters.releases, 2);
-    EXPECT_EQ(outcome.counters.sticks, 2);
-    EXPECT_LT(outcome.counters.impacts, 30);
-  }
-}
 
 // All 100 masses are at rest on their stops but the first, which moves away. The decision about the
 // others takes 200 orders, ten steps.
@@ -139,37 +65,6 @@ TEST(AtRest, NothingHoldsAMassThatNoForcePresses) {
       require_complete(simulate(scene, 30.0 / scene.omega, found));
     }
   EXPECT_GT(sticks, 1000);
-}
-
-// A mass at the middle of three, held at its stop, is released by a jump of its force when the
-// damper to the neighbour on either side passes on the impact of that neighbour. The impact itself
-// decides this: no further step looks for the root of a force that is negative already.
-TEST(AtRest, AnImpactOfEitherNeighbourReleasesByAJump) {
-  for (const int hit : {1, 3}) {
-    const auto neighbour = static_cast<std::size_t>(hit - 1);
-    Scene scene{.mass = {1.0, 1.0, 1.0},
-                .stiffness = {1.0, 1.0, 1.0},
-                .beta = 1.0,
-                .constant = {0.0, 0.1, 0.0},
-                .ground = {0.0, 0.0, 1.0},
-                .omega = 0.0,
-                .restitution = 1.0,
-                .stops = {{2, Side::upper, 0.0}, {hit, Side::upper, 0.1}},
-                .displacement = {0.0, 0.0, 0.0},
-                .velocity = {0.0, 0.0, 0.0}};
-    scene.velocity[neighbour] = 1.0;
-    EventRecorder recorder;
-    const Outcome outcome = require_complete(simulate(scene, 0.3, recorder));
-    const std::vector<Event> &events = recorder.events;
-    ASSERT_EQ(events.size(), 3u) << hit;
-    EXPECT_EQ(outcome.counters.expansions, 2) << "to the impact, and to the end";
-    EXPECT_EQ(events[0].kind, EventKind::stick);
-    EXPECT_EQ(events[1].kind, EventKind::impact);
-    EXPECT_EQ(events[1].mass, hit);
-    EXPECT_EQ(events[2].kind, EventKind::release);
-    EXPECT_EQ(events[2].instant, events[1].instant);
-    EXPECT_TRUE(events[2].by_a_jump) << hit;
-  }
 }
 
 // A force P and the neighbour that approaches its stop at -0.25 press a mass into its stop. The

@@ -142,21 +142,6 @@ TEST(Economy, AChatterTableOnlyWhereChatterCanBe) {
   EXPECT_LE(all_motion.impacts, 63);
 }
 
-// Mass 1 chatters, mass 2 is held beside it, and mass 3 rests at a stop at the same place: no force
-// acts on mass 3, which does not keep the chatter from its limit.
-TEST(Economy, AMassThatRestsWithoutForceRefusesNoLimit) {
-  const Scene scene{.mass = {1.0, 1.0, 1.0},
-                    .stiffness = {1.0, 1.0, 1.0},
-                    .constant = {2.0, 2.0, 0.0},
-                    .omega = 0.0,
-                    .restitution = 0.7,
-                    .stops = {{1, Side::upper, 0.1}, {2, Side::upper, 0.1}, {3, Side::upper, 0.1}},
-                    .displacement = {0.05, 0.1, 0.1}};
-  const Counters counters = simulate(scene, 20.0).counters;
-  EXPECT_EQ(counters.sticks, 2);
-  EXPECT_LT(counters.impacts, 20);  // 90 when each is resolved until the rest lies below rounding
-}
-
 // If nothing can happen, without stops or out of their reach for ever, there is one closed-form
 // evaluation per sample and one for the state at the end. Expansions come before it, as many as
 // cost what the modes do. With stops nothing is evaluated that nobody asked for.
