@@ -36,9 +36,8 @@ void each_turn(const Flow &flow, const Real &begin, const Real &end, const RateA
 
 // --- Frequencies --------------------------------------------------------------------------------
 
-/// Forcing periods: for the motion from rest to settle, for the motion to settle that begins near
-/// the settled one, and counted over. The slowest motion to settle is that at border_mass_2_3.
-constexpr int settling_from_rest = 300, settling_from_near = 10, counted = 4;
+/// Forcing periods: for the motion to settle that begins near the settled one, and counted over.
+constexpr int settling_from_near = 10, counted = 4;
 
 /// Both motions at the jump are reached within 60 periods from rest, to the same frequency in
 /// double precision as after 800.
@@ -131,7 +130,8 @@ Extremes extremes(const Run &run, std::size_t mass, const Real &from, const Real
 /// known to have the same count as `near`, so that the unsettled part of a trial is small beside
 /// the bracket. Throws std::logic_error if the counts at the ends agree, or if the motion of `near`
 /// does not reach to 2 near - far, where the first extrapolation begins.
-Real changing_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count) {
+Real changing_frequency(const Scene &scene, const Real &near, const Real &far, const Count &count,
+                        int settling_from_rest) {
   const auto settled_count = [&](MotionAt &motion) {
     carry_on(scene, motion, settling_from_near);
     return count(carry_on(scene, motion, counted));
@@ -223,15 +223,16 @@ Real DigitsEngine::least_pressing(const NamedScene &asked, std::size_t stop) {
 
 Real DigitsEngine::changing_frequency(const vibro_impact::Scene &scene, int mass, double near,
                                       double far, numbers::Change motion) {
-  const auto frequency_of = motion == numbers::Change::from_rest
-                                ? jumping_frequency
-                                : vibro_impact_reference::changing_frequency;
   const Count sticks = [mass](const Run &run) {
     return std::count_if(run.events.begin(), run.events.end(), [mass](const Event &event) {
       return event.kind == EventKind::stick && event.mass == index(mass);
     });
   };
-  return frequency_of(in_digits(scene, 0.0), Real(near), Real(far), sticks);
+  const Scene asked = in_digits(scene, 0.0);
+  if (motion == numbers::Change::from_rest)
+    return jumping_frequency(asked, Real(near), Real(far), sticks);
+  return vibro_impact_reference::changing_frequency(asked, Real(near), Real(far), sticks,
+                                                    settling_from_rest);
 }
 
 Real DigitsEngine::grazing_frequency(vibro_impact::Scene scene, int mass, double near, double far) {
@@ -243,7 +244,7 @@ Real DigitsEngine::grazing_frequency(vibro_impact::Scene scene, int mass, double
     return extremes(run, index(mass), Real(0), Real("1e9")).highest >= place;
   };
   return vibro_impact_reference::changing_frequency(in_digits(scene, 0.0), Real(near), Real(far),
-                                                    reaches);
+                                                    reaches, settling_from_rest);
 }
 
 }  // namespace vibro_impact_reference

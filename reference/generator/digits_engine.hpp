@@ -24,6 +24,9 @@ class DigitsEngine {
  public:
   using Number = Real;
 
+  /// Forcing periods in which a motion from rest settles. The slowest is that at border_mass_2_3.
+  int settling_from_rest = 300;
+
   std::vector<numbers::TimedEvent<Real>> events(const NamedScene &asked);
   Real period(const vibro_impact::Scene &scene);
   Extremes range(const NamedScene &asked, int mass, const numbers::Interval<double> &window);
