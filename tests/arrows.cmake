@@ -1,4 +1,4 @@
-# The layers, read off the includes: who may include whom. cmake -D source=... -P arrows.cmake
+# The layers, read off the includes: `a <- b` says that b may include a. cmake -D source=... -P arrows.cmake
 #
 #   reference/scenes <- reference/truth <- reference/numbers <- reference/generator
 #                                                               public headers of the simulation
