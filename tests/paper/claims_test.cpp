@@ -34,7 +34,7 @@ TEST(Claims, AtRestitutionZeroAMassSticksWithoutChatter) {
   }
 }
 
-// Section 3.2: "the chatter peaks diminish approximately exponentially". A flight of the duration d
+// Section 3.2: "chatter peaks diminish approximately exponentionally" [sic]. A flight of duration d
 // after an impact at the speed v rises by v d / 4 under a constant force, and both fall by r.
 // The peaks fall by r^2 from impact to impact, but the impacts follow each other ever faster.
 TEST(Claims, PeaksOfAChatterFallByTheSquareOfTheRestitution) {
