@@ -15,8 +15,8 @@ set label 1 '(a)' at screen 0.01, screen 0.965
 set xlabel 'Ω {/*0.85 (dashed: ends of the first row)}'
 set xrange [0.28:0.42]; set xtics 0.01
 set yrange [rows - 0.4:-0.6]  # row 0 is the header
-set label 2 'printed: 0.3 to 0.35' at 0.325, 0 center front
-set label 3 '0.37 to 0.4' at 0.385, 0 center front
+set label 2 'printed: ≈0.3 to ≈0.35' at 0.325, 0 center front
+set label 3 '≈0.37 to ≈0.4' at 0.385, 0 center front
 set ytics scale 0
 plot for [k = 1:2] '+' using (window_from[k]):(rows):(window_from[k]):(window_to[k]):(-0.6):(rows) every ::::0 \
     with boxxyerror fillcolor rgb '#d9d9d9' fillstyle solid noborder, \

@@ -86,8 +86,8 @@ std::string table_of_procedures(const std::string &tables) {
              above = truth::read_rows(tables + "/procedures_sticking.csv"),
              figures = truth::read_rows(tables + "/procedures_figures.csv");
   std::vector<truth::Cells> rows{
-      {"procedure", "no complete chatter", "Figure 4", "Figure 5(c)", "above 0.5"},
-      {"*printed*", "*0.3–0.35, 0.37–0.4*", "*1, 2*", "*if lower*", "*none*"}};
+      {"procedure", "no complete chatter", "Figure 4", "Figure 5(c)", "above 0.5 (step 0.01)"},
+      {"*printed*", "*≈0.3–0.35, ≈0.37–0.4*", "*1, 2*", "*if lower*", "*none*"}};
   for (const truth::Row &row : figures) {
     const std::string &name = row.cell("procedure");
     const bool sticks = row.number("lower_omega") > 0.0 && row.number("lower_r") > 0.0;

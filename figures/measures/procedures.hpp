@@ -26,9 +26,9 @@ struct Procedure {
   double step = 0.0;
 };
 
-// Fixed steps, with a mass held after a flight shorter than ten steps.
-inline Procedure in_steps(double step) {
-  return {.shortest_flight = 10.5 * step, .step = step};
+// Fixed steps, with a pressed mass held after a flight of at most so many steps.
+inline Procedure in_steps(double step, int cut_off = 10) {
+  return {.shortest_flight = (cut_off + 0.5) * step, .step = step};
 }
 
 // Events, and the state at the end.
