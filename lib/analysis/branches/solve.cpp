@@ -49,7 +49,7 @@ bool solve(const Problem &problem, const Sequence &s, Vector &u, const Condition
   Vector scale;
   Eigen::PartialPivLU<Dense> lu;
   double before = infinity;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < newton_iterations; ++iteration) {
     const bool fresh = !(before < near);
     Equations equations = evaluate(problem, s, u, &condition, fresh);
     if (!equations.values.allFinite()) return false;

@@ -10,7 +10,7 @@ constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 // Newton's method. A step shorter than `near` keeps the Jacobian. A solution off the special points
 // serves the next step alone and needs few digits.
-constexpr int most_iterations = 16;
+constexpr int newton_iterations = 16;
 constexpr double longest_correction = 2.0;
 constexpr double near = 1e-4;
 constexpr double solved = 1e-9, solved_by_old_jacobian = 1e-12;
