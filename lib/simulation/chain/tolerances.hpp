@@ -80,10 +80,6 @@ constexpr int most_root_iterations = 10000;
 // none follows: a step leaves out its fifth power. One is ordinary.
 constexpr int most_newton_steps = 8;
 constexpr double newton_accuracy = 1e-3;
-// The power 27 of a time this long, or longer, is a normal number. Powers of a shorter time have
-// underflown where a sum of theirs differs from Horner's rule by more than sixteen roundings.
-constexpr double least_without_underflow = 0x1p-37;
-constexpr double sum_rounding = 0x1p-49;
 // Rounding of a polynomial, relative to the sum of the moduli of its terms.
 constexpr double polynomial_rounding = 0x1p-53;
 // Depth to which a hold force may fall below zero without a release, relative to the sum of the

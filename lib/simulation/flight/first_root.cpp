@@ -130,15 +130,6 @@ inline double corrected(double newton, const Jet &jet, double curvature) {
   return newton * (1.0 + std::clamp(correction, -curvature, curvature));
 }
 
-// True if a power of u has lost digits to underflow, in a term that counts.
-bool powers_underflow(const Polynomial &p, int zeros, double u) {
-  if (!(u < least_without_underflow)) return false;
-  double sum = 0.0;  // by Horner's rule, which takes no power
-  for (int n = p.order; n >= zeros; --n)
-    sum = sum * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
-  return !(std::abs(sum - sum_of_moduli(0, p, zeros, u)) <= sum_rounding * sum);
-}
-
 // The root near u, where the slope of q(u) = p(u) / u^zeros hardly varies.
 std::optional<double> polished(const Polynomial &p, int zeros, double u, const Jet &jet,
                                double newton, double curvature, double u_max) {
@@ -150,7 +141,9 @@ std::optional<double> polished(const Polynomial &p, int zeros, double u, const J
     v += change;
   }
   if (v > u_max) return std::nullopt;
-  if (powers_underflow(p, zeros, v)) return std::numeric_limits<double>::quiet_NaN();
+  // The square has underflown and lost digits, and the polynomial is no line.
+  if (v * v < std::numeric_limits<double>::min() && curvature > polynomial_rounding)
+    return std::numeric_limits<double>::quiet_NaN();
   return std::max(v, 0.0);  // or not a number
 }
 
