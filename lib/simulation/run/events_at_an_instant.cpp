@@ -27,28 +27,17 @@ void add_resting(Run &run, const Contact &contact, int zero_orders) {
                      .zero_orders = zero_orders});
 }
 
-// True when a neighbour has an impact, whose jump the damper between them passes on.
-bool is_pushed(const Run &run, std::size_t mass) {
-  if (!(run.chain().beta > 0.0)) return false;
-  const List<Contact> &contacts = run.motion.mode->contacts;
-  return std::any_of(run.scratch.hits.begin(), run.scratch.hits.end(), [&](const Hit &hit) {
-    const std::size_t other = contacts[hit.contact].mass;
-    return other + 1 == mass || mass + 1 == other;
-  });
-}
-
 // The number of orders of the force on a held mass that count as exactly zero at this instant:
 //
 //   2  the force touches zero, with its slope
-//   1  it is at its root
-//   1  it is zero but for rounding: next to a root, or at its root after the impact of a neighbour
+//   1  it is at its root, or zero but for rounding: next to a root, or with an impact whose jump a
+//      damper passes on
 //   0  it has jumped elsewhere, or was never near zero
 int zero_orders_of(const Run &run, std::size_t k, const Value &force) {
-  const Contact &contact = run.motion.mode->contacts[k];
   const Near near = run.scratch.near[k];
-  const bool by_definition = near == Near::zero || near == Near::touch;
-  if (by_definition && !is_pushed(run, contact.mass)) return near == Near::touch ? 2 : 1;
-  return (by_definition || near == Near::perhaps) && force.is_zero() ? 1 : 0;
+  if (near == Near::no) return 0;
+  if (near == Near::perhaps || !run.scratch.hits.empty()) return force.is_zero() ? 1 : 0;
+  return near == Near::touch ? 2 : 1;
 }
 
 // The motion of the chain and of the forcing, within one unit of time, has a rounding. The unit is
