@@ -12,19 +12,15 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// Puts a mass into question. Of a mass at both its stops the force chooses one.
+// Puts a mass into question.
 void add_resting(Run &run, const Contact &contact, int zero_orders) {
-  std::vector<RestingMass> &resting = run.scratch.resting;
-  for (RestingMass &mass : resting) {
-    if (mass.mass != contact.mass) continue;
-    mass.opposite = contact.stop;
-    return;
-  }
-  resting.push_back({.stop = contact.stop,
-                     .mass = contact.mass,
-                     .sigma = contact.sigma,
-                     .was_held = contact.held,
-                     .zero_orders = zero_orders});
+  for (const RestingMass &mass : run.scratch.resting)
+    if (mass.mass == contact.mass) return;
+  run.scratch.resting.push_back({.stop = contact.stop,
+                                 .mass = contact.mass,
+                                 .sigma = contact.sigma,
+                                 .was_held = contact.held,
+                                 .zero_orders = zero_orders});
 }
 
 // The number of orders of the force on a held mass that count as exactly zero at this instant:
@@ -82,7 +78,6 @@ void set_stops(Run &run, const RestingMass &mass) {
     stop.at = Forceless{};
   else  // the gap of a released mass has two zeros more than its acceleration
     stop.at = ExactZeros{mass.zeros + (mass.held ? 0 : 2), mass.first};
-  if (mass.opposite) run.stops[*mass.opposite].at = Evaluated{};
   if (mass.held == mass.was_held) return;
   stop = {.at = stop.at,
           .changed = run.motion.now.rounded(),

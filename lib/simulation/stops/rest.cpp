@@ -72,12 +72,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
           order < mass.zero_orders || !(abs(force.value) > zero_threshold * force.terms);
       if (is_zero) continue;
       --left;
-      double push = mass.sigma * force.value.hi;
-      if (mass.opposite && push < 0.0) {
-        std::swap(mass.stop, *mass.opposite);
-        mass.sigma = -mass.sigma;
-        push = -push;
-      }
+      const double push = mass.sigma * force.value.hi;
       mass.held = push > 0.0;
       kind_[i] = mass.held ? Kind::held : Kind::moving;
       mass.first = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);

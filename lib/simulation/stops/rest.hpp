@@ -3,7 +3,6 @@
 // (lib/README.md, "Held masses").
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "simulation/chain/motion.hpp"
@@ -14,9 +13,6 @@ namespace vibro_impact::detail {
 struct RestingMass {
   std::size_t stop = 0, mass = 0;
   double sigma = 1.0;
-  // The other stop of the mass, if twice the precision does not tell the two apart. The force
-  // chooses one of them.
-  std::optional<std::size_t> opposite = {};
   bool was_held = false;
   int zero_orders = 0;  // derivatives of the force, from order 0 on, that are exactly zero
   // The decision.
