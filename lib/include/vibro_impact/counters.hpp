@@ -8,15 +8,12 @@ struct Counters {
   long long expansions = 0;          ///< Taylor expansions of the flow
   long long coefficients = 0;        ///< Taylor orders, summed over the expansions
   long long search_steps = 0;        ///< evaluations of a long flight in search of its end
-  long long out_of_reach = 0;        ///< gaps and hold forces out of reach of zero over a step
-  long long roots_dismissed = 0;     ///< polynomials shown positive by one lower bound
   long long roots_searched = 0;      ///< polynomials iterated on
   long long root_iterations = 0;     ///< guaranteed steps taken by those iterations
   long long impacts = 0;             ///< impacts resolved one by one
   long long sticks = 0;              ///< masses that came to stick
   long long releases = 0;            ///< masses released
   long long rest_orders = 0;         ///< orders of forces computed to decide who sticks
-  long long chatter_nodes = 0;       ///< impacts entered into a chatter table
   long long chatter_limits = 0;      ///< complete chatters that ended at their limit
   long long chatter_incomplete = 0;  ///< five or more falling impacts at a stop that end in flight
   long long modes_built = 0;         ///< contact modes entered for the first time

@@ -37,7 +37,7 @@ void Chatter::set_weights(double ratio) {
   }
 }
 
-bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, double r,
+void Chatter::add(const std::vector<std::size_t> &stops, double flight_time, double r,
                   const Clock &clock, const Motion &motion, std::vector<double> &jumps,
                   const std::vector<ImpactShare> &shares) {
   if (!(stops == stops_ && flight_time < flight_time_)) {
@@ -59,7 +59,7 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
     sums_[k].energy += shares[k].now.energy;
   }
   const double left = flight_time / (1.0 - r);
-  if (impacts_++ % stride_ != 0) return false;
+  if (impacts_++ % stride_ != 0) return;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
   if (size_ > 0 && std::abs(left / left_ - ratio_) > ratio_change * ratio_) size_ = 0;
   if (size_ == 0) duration_ = left;
@@ -83,7 +83,6 @@ bool Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
   for (std::size_t k = 0; k < stops.size(); ++k)
     node.sums[k] = {sums_[k].impulse + shares[k].later.impulse,
                     sums_[k].energy + shares[k].later.energy};
-  return true;
 }
 
 // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.

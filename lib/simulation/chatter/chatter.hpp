@@ -35,9 +35,9 @@ class Chatter {
  public:
   // The impacts at these stops at one instant: the time of the flight after them to leading order
   // (x in (6)), the limit r of the restitution, the changes of v at all impacts to come, and what
-  // is taken at each of the stops. A new chatter begins unless this one continues. Returns whether
-  // they are a node: it takes over the changes, in exchange for those of the node before.
-  bool add(const std::vector<std::size_t> &stops, double flight_time, double r, const Clock &clock,
+  // is taken at each of the stops. A new chatter begins unless this one continues. A node
+  // takes over the changes, in exchange for those of the node before.
+  void add(const std::vector<std::size_t> &stops, double flight_time, double r, const Clock &clock,
            const Motion &motion, std::vector<double> &jumps,
            const std::vector<ImpactShare> &shares);
   void end();

@@ -68,10 +68,8 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     near[k] = Near::no;
     roots[k] = infinity;
     if (start.idle) continue;
-    if (!contact.held && start.zeros == 0 && start.value > travel_of(table, contact, start)) {
-      ++counters.out_of_reach;
+    if (!contact.held && start.zeros == 0 && start.value > travel_of(table, contact, start))
       continue;
-    }
     Polynomial &p = polynomials[k];
     read(chain, motion, table, contact, p);
     insert_start(start, step.unit, p);

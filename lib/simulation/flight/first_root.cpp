@@ -172,10 +172,7 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
   if (c[0] < 0.0) return 0.0;
   Jet jet{c[0], c[1], c[2], c[3], c[4]};  // coefficients beyond the order are zero
   const double fifth = sum_of_moduli(5, p, zeros, u_max);
-  if (lower_bound(jet, fifth, u_max) > 0.0) {
-    ++counters.roots_dismissed;
-    return std::nullopt;
-  }
+  if (lower_bound(jet, fifth, u_max) > 0.0) return std::nullopt;
   const double sum = jet.value + jet.slope + jet.second + jet.third + jet.fourth + fifth;
   if (!std::isfinite(sum)) return std::numeric_limits<double>::quiet_NaN();
   ++counters.roots_searched;

@@ -139,9 +139,8 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
   run.hint.flight_time = flight_time;
   // With r = 1 the impacts have no limit.
   if (!(r < 1.0 && flight_time < infinity)) return chatter.end();
-  if (chatter.add(scratch.stops, flight_time, r, run.problem.clock, motion, scratch.jumps,
-                  scratch.shares))
-    ++run.counters.chatter_nodes;
+  chatter.add(scratch.stops, flight_time, r, run.problem.clock, motion, scratch.jumps,
+              scratch.shares);
 }
 
 }  // namespace vibro_impact::detail
