@@ -24,6 +24,7 @@ void Chatter::end() {
 void Chatter::set_weights(double ratio) {
   std::array<Weights, most_chatter_nodes> column{};  // entry k ends with node k, the oldest first
   weights_ = {};
+  weights_ratio_ = ratio;
   for (std::size_t k = 0; k < most_chatter_nodes; ++k) column[k][k] = 1.0;
   double power = ratio;
   for (std::size_t count = 2; count <= most_chatter_nodes; ++count) {
@@ -45,13 +46,9 @@ void Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
     stops_ = stops;
     sums_.assign(stops.size(), {});
     first_ = motion.now;
-    if (r != restitution_) {
-      restitution_ = r;
-      stride_ =
-          static_cast<std::size_t>(std::ceil(std::max(1.0, std::log(node_ratio) / std::log(r))));
-      ratio_ = std::pow(r, static_cast<double>(stride_));
-      set_weights(ratio_);
-    }
+    stride_ =
+        static_cast<std::size_t>(std::ceil(std::max(1.0, std::log(node_ratio) / std::log(r))));
+    ratio_ = std::pow(r, static_cast<double>(stride_));
   }
   flight_time_ = flight_time;
   for (std::size_t k = 0; k < stops.size(); ++k) {
@@ -65,6 +62,7 @@ void Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
   if (size_ == 0) duration_ = left;
   newest_ = (newest_ + 1) % most_chatter_nodes;
   size_ = std::min(size_ + 1, most_chatter_nodes);
+  if (size_ == fewest_chatter_nodes && weights_ratio_ != ratio_) set_weights(ratio_);
   left_ = left;
   jumps_.swap(jumps);
   ChatterNode &node = ring_[newest_];

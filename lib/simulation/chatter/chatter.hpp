@@ -75,7 +75,8 @@ class Chatter {
   TwofoldInstant first_;       // the instant of the first node
   double left_ = 0.0;          // the time from the latest to the limit, to leading order,
   std::vector<double> jumps_;  // and the jumps of the velocities at all impacts after it
-  double flight_time_ = 0.0, duration_ = 0.0, restitution_ = -1.0, ratio_ = 0.0;
+  double flight_time_ = 0.0, duration_ = 0.0, ratio_ = 0.0;
+  double weights_ratio_ = -1.0;  // the ratio of the weights, which the least accepted nodes set
   std::array<Weights, most_chatter_nodes + 1> weights_{};  // for each number of nodes
 
   const ChatterNode &node(std::size_t before_latest) const;
