@@ -24,11 +24,16 @@ void insert_start(const Start &start, double unit, Polynomial &p) {
   c[static_cast<std::size_t>(zeros)] = first;
 }
 
-// A bound of the fall of a gap over the step: u <= u_max, and u^n <= u_max^2 from order 2 on.
-double travel_of(const TaylorTable &table, const Contact &contact, const Start &start) {
-  const Step &step = table.step;
-  return travel_margin * (table.travel[contact.mass] * step.u_max * step.u_max +
-                          step.length * std::max(0.0, -start.rate));
+// True if a gap stays positive up to u_max by a parabola below it, (4) of lib/README.md.
+bool stays_positive(const TaylorTable &table, const Contact &contact, const Start &start,
+                    double u_max) {
+  const double g2 = -contact.sigma * table.of_order(2)[contact.mass],
+               g3 = -contact.sigma * table.of_order(3)[contact.mass],
+               rest = travel_margin * table.travel[contact.mass] - std::abs(g2) - std::abs(g3);
+  const double slope = start.rate * table.step.unit,
+               second = g2 + u_max * std::min(0.0, g3 - u_max * rest);
+  const double lowest = second > 0.0 ? std::clamp(-0.5 * slope / second, 0.0, u_max) : u_max;
+  return start.value + std::min(0.0, travel_margin * lowest * (slope + lowest * second)) > 0.0;
 }
 
 }  // namespace
@@ -68,13 +73,13 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     near[k] = Near::no;
     roots[k] = infinity;
     if (start.idle) continue;
-    if (!contact.held && start.zeros == 0 && start.value > travel_of(table, contact, start))
+    const double u_search = std::min(step.u_max, event ? u + tolerance(u) : u);
+    if (!contact.held && start.zeros == 0 && stays_positive(table, contact, start, u_search))
       continue;
     Polynomial &p = polynomials[k];
     read(chain, motion, table, contact, p);
     insert_start(start, step.unit, p);
-    const std::optional<double> root =
-        first_root(p, std::min(step.u_max, event ? u + tolerance(u) : u), counters);
+    const std::optional<double> root = first_root(p, u_search, counters);
     if (!root) continue;
     if (!std::isfinite(*root)) return {*root, true};
     roots[k] = *root;
