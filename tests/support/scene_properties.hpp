@@ -248,6 +248,9 @@ inline Verdict try_scene(const Trial &trial, long long most_steps, double share,
                                                                                        : "";
   });
   require_that([&] {
+    return outcome.reason.find("an event was missed") != std::string::npos ? "missed an event" : "";
+  });
+  require_that([&] {
     for (const double x : outcome.state.displacement)
       if (!std::isfinite(x)) return "not finite";
     return "";

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simulation/for_analysis.hpp"
 #include "tolerances.hpp"
 #include "walk.hpp"
 

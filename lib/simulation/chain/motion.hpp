@@ -31,6 +31,9 @@ struct Motion {
   double step_time = 0.0;
 };
 
+// The largest terms of a displacement, beside which others may be zero.
+double largest_terms(const Motion &motion);
+
 // Sets all masses to rest at zero. The time, the turn and the contact mode stay.
 void clear(const Chain &chain, Motion &motion);
 

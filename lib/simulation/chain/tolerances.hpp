@@ -9,17 +9,19 @@ namespace vibro_impact::detail {
 
 // Decisions.
 
-// A displacement beyond a stop by this much, relative to the terms of the gap, is rounding, and is
-// reported as the position of the stop. Sums of a step err by some 1e-15 of them. Below the normal
-// numbers of double precision, any displacement is.
-constexpr double stop_rounding = 1e-13;
-constexpr bool is_rounding_at_stop(double beyond, double terms) {
-  return beyond <= stop_rounding * terms + std::numeric_limits<double>::min();
-}
 // A number is zero if it lies below this times the sum of the moduli of its terms over the latest
 // flight. Numbers of twice the precision err by 2^-102 = 2e-31 of that in an operation: this leaves
 // room for 10^4 operations on the way. A gap or force that is truly smaller was never seen.
 constexpr double zero_threshold = 1e-26;
+// A displacement beyond a stop by this much, relative to the terms of the gap, is rounding, and is
+// reported as the position of the stop. Sums of a step err by some 1e-15 of them. So is one that is
+// zero beside the motion of the chain, as of a mass that a wave has not reached: the orders of a
+// step end before it. Below the normal numbers of double precision, any displacement is.
+constexpr double stop_rounding = 1e-13;
+constexpr bool is_rounding_at_stop(double beyond, double terms, double terms_of_chain) {
+  return beyond <= stop_rounding * terms + zero_threshold * terms_of_chain +
+                       std::numeric_limits<double>::min();
+}
 // Rounding of the second-order change of a step, which is found in double precision: eight
 // roundings. It tells which contacts come to zero at the same instant.
 constexpr double change_rounding = 0x1p-50;

@@ -201,7 +201,9 @@ void check_stops(Run &run) {
   const Motion &motion = run.motion;
   for (const ChainStop &stop : run.chain().stops) {
     const double gap = rounded(scaled(stop.position - motion.x[stop.mass], stop.sigma));
-    if (!is_rounding_at_stop(-gap, std::abs(stop.position) + motion.x_terms[stop.mass]))
+    if (!(gap < 0.0)) continue;
+    const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];
+    if (!is_rounding_at_stop(-gap, terms, largest_terms(motion)))
       return give_up_beyond_stop(run, stop.mass, motion.now.rounded());
   }
 }
