@@ -206,6 +206,8 @@ TEST(Totals, OfAWindowThatBeginsInsideAChatterLeaveOutItsPast) {
   EXPECT_NEAR(stop.taken.impulse, 1.8272e-5, 1e-9);
   EXPECT_NEAR(stop.taken.impulse, resolved.taken.impulse, 1e-13);
   EXPECT_NEAR(stop.taken.energy, resolved.taken.energy, 1e-13);
+  EXPECT_EQ(totals(scene, 16.2437, 100.0).at(0).impacts,
+            totals(scene, 16.2437, 100.0, all_impacts).at(0).impacts);
 }
 
 // With r = 0 the first impact is the last: the sticks replace no impacts.

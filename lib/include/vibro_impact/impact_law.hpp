@@ -6,7 +6,8 @@
 /// file alone, unless it needs more numbers per stop than r. The law must have two properties. A
 /// mass leaves no faster than it came. The ratio after(v) / v is smooth down to v = 0, so that the
 /// impacts of a chatter form a smooth sequence. Tests that contain numbers of Newton's law fail
-/// with another law.
+/// with another law. `Tangents.*`, `RandomBranches.*` and `random_scenes_test` but its elastic
+/// chains must pass.
 #pragma once
 
 namespace vibro_impact {
