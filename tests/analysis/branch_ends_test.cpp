@@ -20,64 +20,7 @@ using namespace vibro_impact;
 using namespace vibro_impact::testing;
 using Point = BranchPoint;
 
-// A scene in the words of a scene file: `masses = 1; amplitude = 0.1; ...`. What is not given is as
-// in the paper.
-Scene scene_of(std::string_view text) {
-  Scene scene;
-  scene.beta = 0.1;
-  scene.restitution = 0.7;
-  for (const std::string_view field : words::parts_of(text, ';')) {
-    const auto trimmed = [](std::string_view word) {
-      const std::size_t first = word.find_first_not_of(' ');
-      return word.substr(first, word.find_last_not_of(' ') + 1 - first);
-    };
-    const auto parts = words::parts_of(field, '=');
-    if (!set_field(scene, trimmed(parts[0]), trimmed(parts[1])))
-      throw std::invalid_argument(std::string(field) + ": is no field");
-  }
-  return scene;
-}
 const std::string paper = "masses=2; amplitude=0.5,0; stop=1:lower:-0.3,2:upper:0.1; omega=";
-
-struct Special {
-  Point kind;
-  double parameter;
-  double within = 1e-14;  // of the parameter
-};
-
-// The branch from its end towards range.from to its end towards range.to.
-std::vector<OrbitPoint> branch_of(const Scene &scene, const Axis &range, int period = 0,
-                                  int longest = 2000) {
-  const OrbitRecord settled = record_of(scene, {.settle = {.longest = longest}});
-  const MotionState near = at_quiet_phase(scene, settled.state);
-  const int periods = period > 0 ? period : std::max(settled.period, 1);
-  Axis reversed = range;
-  std::swap(reversed.from, reversed.to);
-  const auto up = follow_orbit(scene, near, range, {.periods = periods});
-  auto branch = follow_orbit(scene, near, reversed, {.periods = periods});
-  if (up.back().kind == Point::closed) return up;
-  std::ranges::reverse(branch);
-  branch.insert(branch.end(), up.begin() + 1, up.end());
-  return branch;
-}
-
-// Orbits that were found by other means have these special points, and no others, in this order.
-void expect_special_points(const std::string &scene, const Axis &range,
-                           const std::vector<Special> &expected, int period = 0,
-                           int longest = 2000) {
-  SCOPED_TRACE(scene);
-  for (const std::size_t factor : {1u, 2u}) {
-    Axis axis = range;
-    axis.count = factor * (range.count - 1) + 1;
-    const auto special = special_points_of(branch_of(scene_of(scene), axis, period, longest));
-    ASSERT_EQ(special.size(), expected.size()) << factor;
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-      EXPECT_STREQ(name(special[k].kind), name(expected[k].kind)) << k;
-      EXPECT_NEAR(special[k].parameter, expected[k].parameter, expected[k].within) << k;
-      EXPECT_LT(special[k].error, 10.0 * expected[k].within) << k;
-    }
-  }
-}
 
 // A symmetric or one-sided oscillator grazes where the amplitude of the steady motion is that of
 // the stop: |1 - Omega^2 + i beta Omega| = A / s.

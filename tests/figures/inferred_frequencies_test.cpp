@@ -42,7 +42,7 @@ TEST(AxisRule, AnImpactReachesTheStop) {
   EXPECT_LT(shown(scene, {2}, samples, {}).highest, 0.1 - 1e-4);
 }
 
-// Those of the 6,801 tried values that fit stand in figures/README.md (key_numbers).
+// The values that fit, among 6,801, stand in figures/README.md (key_numbers).
 TEST(InferredFrequencies, TheRuleOfChoiceLeavesTheOneThatIsDrawn) {
   EXPECT_EQ(choice_among({0.1825, 0.1912, 0.2, 0.2088, 0.2354, 0.2531, 0.2797, 0.3499, 0.3586}),
             paper::figure2().omega);

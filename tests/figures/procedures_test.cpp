@@ -20,7 +20,7 @@ using namespace vibro_impact;
 using namespace vibro_impact::testing;
 using figures::follow, figures::Procedure, truth::Rows, vibro_impact::testing::events_of;
 
-// Of the procedures that show Figure 4, one sticking phase a period in (a) and two in (b), five end
+// Six procedures show Figure 4, one sticking phase a period in (a) and two in (b). Five of them end
 // the first window of Figure 3 at 0.33, to two decimals. Steps of T/1914 end it at 0.345 and begin
 // the next one at 0.347. Steps of 0.025 alone have both windows of the paper within 0.01, and they
 // do not show Figure 4. The page quotes all windows (key_numbers).

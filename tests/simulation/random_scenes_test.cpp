@@ -125,18 +125,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryProperty, ::testing::ValuesIn(distribution
 TEST(ChatteringScenes, HoldTheirMassesWhenAllImpactsDo) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
-    const Scene scene = chattering_scene(seed);
-    std::vector<Event> held[2];
-    for (const bool all : {false, true}) {
-      const RunOptions options = all ? all_impacts : RunOptions{};
-      for (const Event &event : events_of(scene, 0.0, 15.0, options))
-        if (event.kind != EventKind::impact) held[all].push_back(event);
-    }
-    ASSERT_EQ(held[0].size(), held[1].size());
-    for (std::size_t i = 0; i < held[0].size(); ++i) {
-      EXPECT_EQ(held[0][i].mass, held[1][i].mass);
-      EXPECT_NEAR(held[0][i].time, held[1][i].time, 1e-13);
-    }
+    expect_holds_of_all_impacts(chattering_scene(seed), 15.0, 1e-13);
   }
 }
 

@@ -1,6 +1,9 @@
 // Events of runs, as many tests read them.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -68,6 +71,19 @@ inline std::vector<Event> select(const std::vector<Event> &events, EventKind kin
   for (const Event &event : events)
     if (event.kind == kind && (!mass || event.mass == *mass)) selected.push_back(event);
   return selected;
+}
+
+// Runs that may take limits stick and release at the times of runs that resolve every impact.
+inline void expect_holds_of_all_impacts(const Scene &scene, double until, double within) {
+  std::vector<Event> held[2];
+  for (const bool all : {false, true})
+    for (const Event &event : events_of(scene, 0.0, until, all ? all_impacts : RunOptions{}))
+      if (event.kind != EventKind::impact) held[all].push_back(event);
+  ASSERT_EQ(held[0].size(), held[1].size());
+  for (std::size_t i = 0; i < held[0].size(); ++i) {
+    EXPECT_EQ(held[0][i].mass, held[1][i].mass);
+    EXPECT_NEAR(held[0][i].time, held[1][i].time, within);
+  }
 }
 
 }  // namespace vibro_impact::testing

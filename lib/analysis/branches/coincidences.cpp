@@ -61,13 +61,16 @@ bool exchange(Walk &walk, const End &end) {
       solve(problem, s, u, no_time, true) && std::abs(u(0) - end.u(0)) < exchanged * problem.width;
   if (!has_orbit) {
     const Place place = place_of_end(problem, end);
-    // The limit of a chatter lies behind its hold, by a flight of the last length or less.
-    const size_t at = end.condition.item, next = (at + 1) % count;
-    const bool at_a_hold = end.sequence.items[at].what == Happening::hold ||
-                           end.sequence.items[next].what == Happening::hold;
-    const double by_time = place.direction(0) / place.direction(problem.time_at(at)),
-                 after_hold = at_a_hold ? last_flight / rate_bound(problem.scene) : 0.0;
-    walk.add(BranchPoint::jump, place, end.error + std::abs(by_time) * after_hold);
+    const Item &item = end.sequence.items[end.condition.item],
+               &next = end.sequence.items[(end.condition.item + 1) % count];
+    double error = end.error;
+    if (item.what == Happening::hold || next.what == Happening::hold) {
+      // The limit of a chatter lies behind its hold, by a flight of the last length or less.
+      const double by_time =
+          place.direction(0) / place.direction(problem.time_at(end.condition.item));
+      error += std::abs(by_time) * last_flight / rate_bound(problem.scene);
+    }
+    walk.add(BranchPoint::jump, place, error);
     return false;
   }
   // On the new side the flight between the events grows.

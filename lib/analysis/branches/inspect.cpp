@@ -99,11 +99,12 @@ Inspection inspect(const Problem &problem, const Sequence &s, const Vector &u) {
     if (item.what != Happening::start) {
       const ModelStop &stop = model.stop(item.stop);
       const Eigen::Index i = index(stop.mass);
-      if (releases(item.what) || item.what == Happening::dip) {
+      const auto see_press = [&] {
         flow.expand(state, 1, 3);
         seen.press = press(item.stop);
         seen.slope = press(item.stop, 1) / flow.radian();
-      }
+      };
+      if (releases(item.what) || item.what == Happening::dip) see_press();
       seen.speed = stop.sigma * state.v(i, 0);
       if (hits(item.what)) {
         const double after = rebound(stop, seen.speed).speed;
@@ -111,11 +112,7 @@ Inspection inspect(const Problem &problem, const Sequence &s, const Vector &u) {
         state.v(i, 0) = item.what == Happening::hold ? 0.0 : -stop.sigma * after;
         state.touched[stop.mass] = item.stop;
         if (item.what == Happening::hold) state.held[stop.mass] = item.stop;
-        if (item.what == Happening::hold || after == 0.0) {
-          flow.expand(state, 1, 3);
-          seen.press = press(item.stop);
-          seen.slope = press(item.stop, 1) / flow.radian();
-        }
+        if (item.what == Happening::hold || after == 0.0) see_press();
       }
       if (releases(item.what)) {
         state.held[stop.mass] = -1;
