@@ -9,9 +9,8 @@
 namespace vibro_impact::figures {
 
 // A line for each number of a document, in digits or as a word from two to ten, that stands neither
-// in a fragment nor in a quotation of it, and for each quotation that the document has not. Names
-// are no numbers: Figure 2, Eqs. 17-18, Section 3.2, mass 1, x1. Neither are blocks of code, which
-// a test runs, nor links.
+// in a fragment nor in a quotation of it, and for each quotation that the document has not. Numbers
+// in names (mass 1, Eq. 7, x1) and in blocks of code count. The targets of links do not.
 std::vector<std::string> numbers_without_origin(const std::string &name, const std::string &text,
                                                 const std::vector<std::string> &quotations);
 
