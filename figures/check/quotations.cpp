@@ -38,7 +38,7 @@ std::vector<std::string> numbers_without_origin(const std::string &name, const s
     for (; place != std::string::npos; place = kept.find(words, place + words.size()))
       std::fill_n(rest.begin() + static_cast<std::ptrdiff_t>(place), words.size(), ' ');
   }
-  static const std::regex number(R"([-+]?\d[\d.]*(e-?\d+)?|)"
+  static const std::regex number(R"([-+]?\d[\d.]*(e-?\d+)?|²|³|)"
                                  R"(\b([Tt]wo|[Tt]hree|[Ff]our|[Ff]ive|[Ss]ix|[Ss]even|[Ee]ight|)"
                                  R"([Nn]ine|[Tt]en)\b)");
   for (std::sregex_iterator found(rest.begin(), rest.end(), number), end; found != end; ++found) {
