@@ -12,9 +12,9 @@ set datafile separator comma
 # eval page('figure2', rows, columns) opens a page for so many panels; all sizes and fonts are those
 # of the PNG, a hundred pixels of which make a centimetre of the PDF.
 font = "font 'Liberation Serif,22'"
-terminal(width, height) = kind eq 'png' ? \
-  sprintf("pngcairo size %d,%d %s linewidth 2 dashlength 1.2", width, height, font) : kind eq 'svg' ? \
-  sprintf("svg size %d,%d %s linewidth 2", width, height, font) : \
+terminal(width, height) = kind ne 'pdf' ? \
+  sprintf("%s size %d,%d %s linewidth 2 dashlength 1.2", kind eq 'png' ? 'pngcairo' : 'svg', \
+          width, height, font) : \
   sprintf("pdfcairo size %gcm,%gcm %s fontscale 0.45 pointscale 0.4", 0.01 * width, 0.01 * height, font)
 opened(name, width, height) = sprintf("set terminal %s; set output '%s/%s.%s'", \
                                       terminal(width, height), data, name, kind)

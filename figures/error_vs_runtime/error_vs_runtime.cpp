@@ -49,12 +49,6 @@ double seconds_of(const Trial &trial) {
   return processor_seconds() - begin;
 }
 
-// Run times are per forcing period, and for less than a period, per run.
-double runs_counted(const Problem &problem) {
-  const double length = problem.until - problem.from;
-  return std::max(1.0, length / Clock(problem.scene.omega).period);
-}
-
 void add_sample(Trial &trial, double seconds) {
   trial.microseconds.push_back(1e6 * seconds / static_cast<double>(trial.runs_per_sample) /
                                runs_counted(*trial.problem));

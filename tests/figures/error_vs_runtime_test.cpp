@@ -52,6 +52,16 @@ TEST(ErrorAgainstRunTime, EveryMethodHasTheErrorsOfTheCommittedTable) {
   for (const Method &method : methods) EXPECT_GE(compared[method.name], 5) << method.name;
 }
 
+// The motions of two figures last ten forcing periods, the others less than one, the chains two.
+// The ends of the problems are given to 1e-15 of their length.
+TEST(ErrorAgainstRunTime, TheTimeOfARunIsForAForcingPeriodOrForAShorterRun) {
+  for (const Problem &problem : all_problems()) {
+    const bool ten = problem.name == "figure2" || problem.name == "figure4";
+    const bool two = problem.name.starts_with("chain");
+    EXPECT_NEAR(runs_counted(problem), ten ? 10.0 : two ? 2.0 : 1.0, 1e-12) << problem.name;
+  }
+}
+
 // A method that would leave out a force refuses the scene in one line, which names the force.
 TEST(ErrorAgainstRunTime, AMethodThatDoesNotKnowAForceRefusesTheScene) {
   for (const auto &[name, force] : {std::pair{"sine", &Scene::sine},

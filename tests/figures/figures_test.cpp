@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "figures/measures/inferred_frequencies.hpp"
+#include "figures/measures/runs.hpp"
 #include "reference/numbers/checked_number.hpp"
 #include "tests/support/tables.hpp"
 
@@ -204,6 +205,38 @@ TEST(Figure4, TheForceAsIfHeldJoinsTheStickingPhases) {
   EXPECT_NEAR(t[static_cast<std::size_t>(highest - force.begin())], 14.173, 0.01)
       << "where the force of (a) turns back";
   EXPECT_GT(*highest, 6e-4) << "it grows by 7 per unit of the frequency";
+}
+
+// A neighbour's impact lets go of a mass by a jump of its hold force, through strong dampers: the
+// recorder gives no force there. In Figure 4(b), all releases are at a root of the force.
+TEST(Figure4, ARecordedReleaseByAJumpHasNoForce) {
+  const Scene jumping{.mass = {1.0, 1.0},
+                      .stiffness = {1.0, 1.0},
+                      .beta = 0.7,
+                      .amplitude = {0.8, 0.3},
+                      .omega = 0.5,
+                      .restitution = 0.5,
+                      .stops = {{1, Side::upper, 0.2}, {2, Side::upper, 0.2}}};
+  int jumps = 0, roots = 0;
+  for (const Scene &scene : {jumping, paper::figure4b()}) {
+    EventRecorder events(100.0);
+    figures::StickingPhaseRecorder phases(1, 0, 100.0, 200.0, 1.0);
+    require_complete(simulate(scene, 200.0, events));
+    require_complete(simulate(scene, 200.0, phases));
+    std::erase_if(phases.rows, [](const auto &row) { return row.kind != "release"; });
+    const auto released = select(events.events, EventKind::release, 1);
+    ASSERT_EQ(phases.rows.size(), released.size());
+    for (std::size_t i = 0; i < released.size(); ++i) {
+      ++(released[i].by_a_jump ? jumps : roots);
+      if (released[i].by_a_jump) {
+        EXPECT_TRUE(std::isnan(phases.rows[i].force));
+      } else {
+        EXPECT_EQ(phases.rows[i].force, 0.0);
+      }
+    }
+  }
+  EXPECT_GT(jumps, 0);
+  EXPECT_GT(roots, 0);
 }
 
 // A sticking mass is released where the force on it is zero (Eqs. 20 and 23), which is what the

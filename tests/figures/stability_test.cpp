@@ -9,6 +9,7 @@
 #include "reference/truth/event_comparison.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/rates.hpp"
+#include "tests/support/tables.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -89,6 +90,30 @@ TEST(Extremes, WithZeroOrAllForcesAgreeHoweverChatterIsResolved) {
     }
   }
   EXPECT_EQ(compared, 30);
+}
+
+// The columns of the driver's table are what their names say. 1e-15 is the rounding of a cell.
+TEST(Extremes, TheTableHasTheMeasuresOfItsColumns) {
+  const truth::Rows rows = truth::read_rows(
+      vibro_impact::testing::tables_of("stability", "stability_cells") + "/stability.csv");
+  const std::vector<Case> cases = extreme_cases();
+  ASSERT_EQ(rows.size(), cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].name == "1e+06 periods") continue;
+    const ExtremeErrors measured = measure(cases[i], reference());
+    const auto expect = [&](const char *column, double value) {
+      EXPECT_NEAR(rows[i].number(column), value, 1e-15 * std::abs(value)) << column;
+    };
+    SCOPED_TRACE(cases[i].name);
+    EXPECT_EQ(rows[i].cell("case"), cases[i].name);
+    EXPECT_EQ(rows[i].cell("group"), cases[i].group);
+    expect("events", static_cast<double>(measured.events));
+    expect("time_error", measured.error.time);
+    expect("time_sensitivity", measured.sensitivity.time);
+    expect("velocity_error", measured.error.velocity);
+    expect("velocity_sensitivity", measured.sensitivity.velocity);
+    expect("penetration", measured.penetration);
+  }
 }
 
 Case case_named(const std::string &name) {

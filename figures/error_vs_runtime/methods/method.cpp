@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "reference/scenes/extreme_scenes.hpp"
@@ -48,6 +49,10 @@ Problem chain_problem(const std::filesystem::path &reference, int masses) {
   problem.until = 2.0 * Clock(problem.scene.omega).period;
   problem.reference_events = truth::read_event_table(reference / (problem.name + "_events.csv"));
   return problem;
+}
+
+double runs_counted(const Problem &problem) {
+  return std::max(1.0, (problem.until - problem.from) / Clock(problem.scene.omega).period);
 }
 
 void Result::record(double time, std::size_t i, EventKind kind, double velocity) {

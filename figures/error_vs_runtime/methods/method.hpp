@@ -32,6 +32,10 @@ std::vector<Problem> problems(const std::filesystem::path &reference);
 // Reads chain10_events.csv or chain200_events.csv.
 Problem chain_problem(const std::filesystem::path &reference, int masses);
 
+// The number by which the time of a run is divided: the forcing periods of a problem, or 1 if it is
+// shorter than a period.
+double runs_counted(const Problem &problem);
+
 // The result of a run of a method. `failure` is empty if the run reached its end. Otherwise it says
 // in one line where and why the run stopped.
 struct Result {
