@@ -1,6 +1,7 @@
 // The scenes of tests/scenes: files of the program, with comments that say why a scene is there.
 // `vibro-impact run --scene FILE` with the options of each line `# run` comes to its end, and has
-// what the lines `# expect` say. These compare a quantity with a number or another quantity:
+// what the lines `# expect` say. Other comments stand before the settings. The lines compare a
+// quantity with a number or another quantity:
 //   impacts, sticks, releases, expansions   counters of the run
 //   events, jumps   events that are listed, and releases by a jump of the force
 //   x1, x2, ...     displacements at the end
@@ -69,12 +70,15 @@ void expect(const std::string &line, const Quantities &found) {
       << line << ": is " << words::words_of(quantity);
 }
 
-// The rest of each line of a file that begins with `mark`.
+// The rest of each line of a file that begins with `mark`, after the first setting.
 std::vector<std::string> marked_lines(const std::string &path, const std::string &mark) {
   std::ifstream file(path);
   std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with(mark)) lines.push_back(line.substr(mark.size()));
+  bool is_set = false;
+  for (std::string line; std::getline(file, line);) {
+    is_set = is_set || !line.starts_with("#");
+    if (is_set && line.starts_with(mark)) lines.push_back(line.substr(mark.size()));
+  }
   return lines;
 }
 
@@ -89,8 +93,10 @@ class Scenes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Scenes, HaveWhatTheirFilesExpect) {
   const std::string path = SOURCE_DIR "/tests/scenes/" + GetParam() + ".scene";
-  const std::vector<std::string> runs = marked_lines(path, "# run ");
+  const std::vector<std::string> runs = marked_lines(path, "# run "),
+                                 expected = marked_lines(path, "# expect ");
   EXPECT_FALSE(runs.empty());
+  EXPECT_EQ(marked_lines(path, "#").size(), runs.size() + expected.size()) << "an unknown mark";
   for (const std::string &options : runs) {
     SCOPED_TRACE("vibro-impact run --scene " + path + " " + options);
     std::vector<const char *> arguments{"vibro-impact", "run", "--scene", path.c_str()};
@@ -100,7 +106,7 @@ TEST_P(Scenes, HaveWhatTheirFilesExpect) {
     const runner::Request request =
         runner::parse(static_cast<int>(arguments.size()), arguments.data());
     const Quantities found = quantities_of(std::get<runner::RunRequest>(request));
-    for (const std::string &line : marked_lines(path, "# expect ")) expect(line, found);
+    for (const std::string &line : expected) expect(line, found);
   }
 }
 
