@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/scenes/paper_scenes.hpp"
+#include "simulation/run/chatter_limit.hpp"
 #include "simulation/run/events_at_an_instant.hpp"
 #include "tests/support/windows.hpp"
 
@@ -92,7 +93,8 @@ TEST(Listing, EndsAChatterThatIsReleasedAtOnceWithAnImpactWithoutSpeed) {
   EventRecorder events;
   Recorder *const recorders[] = {&events};
   detail::Run run{.problem = {std::make_shared<const Scene>(scene), {}}, .start = start_of(scene)};
-  detail::handle_start(run, {});
+  detail::put_at_start(run);
+  detail::handle_instant(run, {});
   std::vector<double> jumps(2, 0.0);
   run.chatter.add({0}, 1.0, 0.5, run.problem.clock, run.motion, jumps, {{{8.0, 9.0}, {2.0, 3.0}}});
   detail::enter_limit(run, recorders);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "chatter_limit.hpp"
 #include "events_at_an_instant.hpp"
 #include "observers.hpp"
 #include "samples.hpp"
@@ -13,55 +14,6 @@
 namespace vibro_impact::detail {
 
 namespace {
-
-// The fastest speed with which a mass has left a stop of the chatter under way.
-double rebound_speed(const Run &run) {
-  double speed = 0.0;
-  for (const std::size_t k : run.chatter.stops())
-    speed = std::max(speed, std::abs(run.motion.v[run.chain().stops[k].mass].hi));
-  return speed;
-}
-
-// Finds the limit of the chatter under way, as scratch.motion. Returns false when it is not
-// accurate enough, or when another contact may come to zero before it.
-bool find_limit(Run &run) {
-  const Chain &chain = run.chain();
-  const Chatter &chatter = run.chatter;
-  const RunOptions &options = run.problem.options;
-  Scratch &scratch = run.scratch;
-  // The closing speed of the next impact may be a little above the latest rebound speed.
-  if (!(next_speed_factor * rebound_speed(run) < options.limit_below_speed)) return false;
-  const double tolerance = options.chatter_tolerance / error_share;
-  const std::optional<double> left = chatter.time_left(tolerance, run.motion.mode->fastest);
-  if (!left) return false;
-  find_acceleration(chain, run.motion);
-  if (!others_stay_out_of_reach(chain, chatter, run.motion, run.stops, *left)) return false;
-  Motion &motion = scratch.motion;
-  motion = run.motion;
-  if (!chatter.extrapolate(tolerance, motion)) return false;
-  motion.acceleration_known = false;
-  motion.step_time = 0.0;
-  pass(*left, run.problem.clock, motion.now);
-  set_turn(chain, motion);
-  return true;
-}
-
-// Moves the run to the limit of a chatter, if it stands just after an impact that is a node of the
-// extrapolation, and the limit is found.
-void take_limit(Run &run, Recorders recorders) {
-  if (run.progress.over || run.progress.extent != Extent::whole || run.hint.quiet_steps > 0 ||
-      !run.chatter.is_at_node() || !find_limit(run))
-    return;
-  const Instant limit = run.scratch.motion.now.rounded();
-  const double slowest = slowest_impact(run, limit, recorders);
-  if (run.progress.end < limit || run.progress.next_sample <= time_of(limit, run.problem.clock) ||
-      next_speed_factor * rebound_speed(run) >= slowest) {
-    look_inside(run, limit, slowest, recorders);
-    if (run.progress.over) return;
-  }
-  std::swap(run.motion, run.scratch.motion);
-  enter_limit(run, recorders);
-}
 
 // The longest step of a mode. A mode without a rate, as a free fall, is exact at any length and
 // takes steps as long as the time before.
@@ -117,6 +69,13 @@ bool any_force_begins(const Run &run) {
                      });
 }
 
+// Handles the events at the motion of the run, and follows the chatter of its impacts.
+void handle_events(Run &run, Recorders recorders) {
+  const ContactMode *before = run.motion.mode;
+  handle_instant(run, recorders);
+  follow_chatter(run, before);
+}
+
 // Handles the end of a flight, to which the run has been moved.
 void end_flight(Run &run, bool event, Recorders recorders) {
   forget_instant(run);
@@ -124,13 +83,8 @@ void end_flight(Run &run, bool event, Recorders recorders) {
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
   run.hint = {.quiet_steps = quiet_steps};
   if (!event) return;
-  handle_instant(run, recorders);
-  if (run.progress.extent == Extent::inside_chatter && !run.scratch.hits.empty()) {
-    run.progress.lists = std::any_of(
-        run.scratch.hits.begin(), run.scratch.hits.end(),
-        [&run](const Hit &hit) { return rounded(hit.closing) >= run.progress.slowest; });
-    end_if_all_is_reported(run);
-  }
+  handle_events(run, recorders);
+  note_listed_impacts(run);
   take_limit(run, recorders);
 }
 
@@ -258,7 +212,10 @@ void advance(Run &run, const Instant &end, Recorders recorders, Extent extent, d
                   .slowest = slowest,
                   .lists = slowest < infinity};
   run.ended_inside_chatter = false;
-  if (run.start) handle_start(run, recorders);
+  if (run.start) {
+    put_at_start(run);
+    handle_events(run, recorders);
+  }
   take_limit(run, recorders);  // a chatter may stand at a node since the call before
   while (!run.progress.over) {
     fly_on(run, recorders);

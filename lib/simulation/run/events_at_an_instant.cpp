@@ -102,8 +102,8 @@ void report_decision(Run &run, const RestingMass &mass, Recorders recorders) {
     report_event(run, EventKind::impact, mass.stop, 0.0, 0.0, false, taken, recorders);
 }
 
-// Decides which masses stick after this instant, for all masses in question together, and enters
-// the contact mode that follows.
+}  // namespace
+
 void hold_or_release(Run &run, Recorders recorders) {
   gather_resting(run);
   Scratch &scratch = run.scratch;
@@ -138,22 +138,19 @@ void hold_or_release(Run &run, Recorders recorders) {
   }
 }
 
-}  // namespace
-
 void forget_instant(Run &run) {
   for (StopState &stop : run.stops)
     if (!is<Forceless>(stop.at) && !is<Postponed>(stop.at)) stop.at = Evaluated{};
 }
 
 void handle_instant(Run &run, Recorders recorders) {
-  const ContactMode *before = run.motion.mode;
+  close_gap(run);
   gather_hits(run);
   apply_hits(run, recorders);
   hold_or_release(run, recorders);
-  follow_chatter(run, before);
 }
 
-void handle_start(Run &run, Recorders recorders) {
+void put_at_start(Run &run) {
   const Chain &chain = run.chain();
   const MotionState state = *std::exchange(run.start, std::nullopt);
   Motion &motion = run.motion;
@@ -165,25 +162,6 @@ void handle_start(Run &run, Recorders recorders) {
   set_turn(chain, motion);
   run.stops.assign(chain.stops.size(), {});
   run.scratch.near.assign(chain.stops.size(), Near::perhaps);
-  handle_instant(run, recorders);
-}
-
-void enter_limit(Run &run, Recorders recorders) {
-  forget_instant(run);
-  const std::vector<std::size_t> &stops = run.chatter.stops();
-  for (std::size_t k = 0; k < stops.size(); ++k) {
-    StopState &stop = run.stops[stops[k]];
-    stop.at = Resting{};
-    stop.unreported = run.chatter.left_at(k);
-    stop.unreported -= std::exchange(stop.reported, {});
-  }
-  run.past_impacts = 0;
-  run.chatter.end();
-  run.hint = {};
-  ++run.counters.chatter_limits;
-  run.scratch.hits.clear();
-  run.scratch.near.assign(run.chain().stops.size(), Near::no);
-  hold_or_release(run, recorders);
 }
 
 }  // namespace vibro_impact::detail

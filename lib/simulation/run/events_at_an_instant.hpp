@@ -1,5 +1,4 @@
-// The events at one instant: the impacts, the decision which masses stick or are released, and the
-// chatter to which the impacts belong.
+// The events at one instant: the impacts, and the decision which masses stick or are released.
 #pragma once
 
 #include "run.hpp"
@@ -13,11 +12,12 @@ void forget_instant(Run &run);
 // the run. scratch.near tells which contacts have come to zero.
 void handle_instant(Run &run, Recorders recorders);
 
-// Handles the events at the start of a run. Masses at their stop that move into it have an impact,
-// and all masses at rest at a stop stick or are released.
-void handle_start(Run &run, Recorders recorders);
+// Decides which masses stick after this instant, for all masses in question together, and enters
+// the contact mode that follows.
+void hold_or_release(Run &run, Recorders recorders);
 
-// Puts the run at the limit of its chatter: the masses hit come to rest there.
-void enter_limit(Run &run, Recorders recorders);
+// Puts the run at its start, where any contact may be zero: masses at their stop that move into it
+// have an impact, and all masses at rest at a stop stick or are released.
+void put_at_start(Run &run);
 
 }  // namespace vibro_impact::detail

@@ -30,6 +30,8 @@ double flight_after(const Motion &motion, const Contact &contact, double speed) 
   return press > 0.0 ? 2.0 * speed / press : infinity;
 }
 
+}  // namespace
+
 // The motion stands at the time of a root that a double has rounded, with a gap of a rounding left.
 // To put the mass hit onto its stop would move it in the field of its springs: the gap has a
 // preferred sign, and the energy of an elastic chain would drift. Hence the time until the gap is
@@ -46,10 +48,7 @@ void close_gap(Run &run) {
   }
 }
 
-}  // namespace
-
 void gather_hits(Run &run) {
-  close_gap(run);
   Scratch &scratch = run.scratch;
   scratch.hits.clear();
   const List<Contact> &contacts = run.motion.mode->contacts;
@@ -107,40 +106,6 @@ void apply_hits(Run &run, Recorders recorders) {
     stop.at = Resting{};
     ++run.counters.chatter_limits;
   }
-}
-
-void follow_chatter(Run &run, const ContactMode *mode_before) {
-  const Chain &chain = run.chain();
-  const Motion &motion = run.motion;
-  Scratch &scratch = run.scratch;
-  Chatter &chatter = run.chatter;
-  if (scratch.hits.empty() || motion.mode != mode_before) return chatter.end();
-  scratch.stops.clear();
-  scratch.shares.clear();
-  scratch.jumps.resize(chain.padded);
-  std::ranges::fill(scratch.jumps, 0.0);
-  double flight_time = 0.0, r = 0.0;
-  for (const Hit &hit : scratch.hits) {
-    const Contact &contact = motion.mode->contacts[hit.contact];
-    const auto *leaving = std::get_if<ExactZeros>(&run.stops[contact.stop].at);
-    if (!leaving || leaving->zeros > 1) return chatter.end();  // it has come to rest
-    const double at_rest = chain.stops[contact.stop].law.at_rest();
-    if (!scratch.stops.empty() && at_rest != r) return chatter.end();  // they part
-    r = at_rest;
-    scratch.stops.push_back(contact.stop);
-    // Each impulse is r times, and each energy r^2 times the one before.
-    const double v = leaving->first, m = chain.mass[contact.mass];
-    scratch.shares.push_back({taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
-                              {m * v * (1.0 + r) / (1.0 - r), 0.5 * m * v * v}});
-    // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
-    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->first;
-    flight_time = std::max(flight_time, hit.flight_time);
-  }
-  run.hint.flight_time = flight_time;
-  // With r = 1 the impacts have no limit.
-  if (!(r < 1.0 && flight_time < infinity)) return chatter.end();
-  chatter.add(scratch.stops, flight_time, r, run.problem.clock, motion, scratch.jumps,
-              scratch.shares);
 }
 
 }  // namespace vibro_impact::detail

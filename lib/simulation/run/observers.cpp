@@ -109,14 +109,6 @@ void report_impact(Run &run, std::size_t stop, double closing, double leaving,
                recorders);
 }
 
-double slowest_impact(const Run &run, const Instant &limit, Recorders recorders) {
-  double first = 0.0, slowest = infinity;
-  for (const std::size_t k : run.chatter.stops()) first = std::max(first, run.stops[k].first_speed);
-  for (const Recorder *recorder : recorders)
-    slowest = std::min(slowest, recorder->slowest_impact(first, time_of(limit, run.problem.clock)));
-  return slowest;
-}
-
 void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
                   bool by_a_jump, const ImpactSum &taken, Recorders recorders) {
   if (recorders.empty()) return;

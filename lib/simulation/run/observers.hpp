@@ -48,9 +48,6 @@ void report_event(Run &run, EventKind kind, std::size_t stop, double before, dou
 // the past and none that is too slow. A slow impact is added to those that are unreported.
 void report_impact(Run &run, std::size_t stop, double closing, double leaving, Recorders recorders);
 
-// The least speed of the impacts that recorders ask for, of the chatter with this limit.
-double slowest_impact(const Run &run, const Instant &limit, Recorders recorders);
-
 // The next time at which a recorder asks for a sample; infinite when there is none.
 double next_sample(Recorders recorders);
 

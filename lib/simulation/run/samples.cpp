@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "chatter_limit.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chain/tolerances.hpp"
@@ -49,33 +50,6 @@ void end_at_time(Run &run, Recorders recorders) {
     if (x < chain.lowest[i] || x > chain.highest[i]) give_up_beyond_stop(run, i, run.progress.end);
   }
   stop_run(run, Ending::reached);
-}
-
-void end_if_all_is_reported(Run &run) {
-  const Progress &progress = run.progress;
-  if (progress.extent == Extent::inside_chatter && !progress.lists &&
-      progress.next_sample > time_of(progress.end, run.problem.clock))
-    stop_run(run, Ending::reached);
-}
-
-void look_inside(Run &run, const Instant &limit, double slowest, Recorders recorders) {
-  Run inside = run;
-  inside.counters = {};
-  const bool ends_inside = run.progress.end < limit;
-  advance(inside, ends_inside ? run.progress.end : limit, recorders,
-          ends_inside ? Extent::end_in_chatter : Extent::inside_chatter, slowest);
-  for (std::size_t k = 0; k < run.stops.size(); ++k) {
-    run.stops[k].reported = inside.stops[k].reported;
-    run.stops[k].unreported = inside.stops[k].unreported;
-  }
-  run.past_impacts = std::max(run.past_impacts, inside.progress.impacts);
-  run.modes = std::move(inside.modes);  // with the modes that the copy has built
-  run.counters.states_computed += inside.counters.states_computed;
-  run.counters.modes_built += inside.counters.modes_built;
-  run.progress.next_sample = inside.progress.next_sample;
-  if (!ends_inside && inside.progress.ending == Ending::reached) return;
-  run.progress = std::move(inside.progress);
-  run.ended_inside_chatter = true;
 }
 
 void give_up_beyond_range(Run &run, const Instant &instant) {
