@@ -7,8 +7,45 @@
 
 namespace vibro_impact::detail {
 
-void LongFlight::begin(const Chain &chain, const Clock &clock, const Motion &motion,
-                       const std::vector<Start> &starts, double flown) {
+namespace {
+
+// True when a motion may be on its way to a mass without force. Held masses let nothing pass.
+bool any_forceless_block_moves(const Chain &chain, const Motion &motion,
+                               const std::vector<StopState> &stops) {
+  bool forceless = false, moves = false;  // in the block of free masses up to i
+  for (std::size_t i = 0; i < chain.masses; ++i) {
+    if (motion.mode->held[i] != 0) {
+      forceless = moves = false;
+      continue;
+    }
+    moves = moves || motion.v[i].hi != 0.0;
+    for (std::size_t k = 0; k < stops.size(); ++k)
+      forceless = forceless || (chain.stops[k].mass == i && is<Forceless>(stops[k].at));
+    if (forceless && moves) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool LongFlight::takes_over(const Chain &chain, const Motion &motion,
+                            const std::vector<StopState> &stops, long long quiet_steps) const {
+  if (is_under_way()) return true;
+  const auto n = static_cast<long long>(chain.masses);
+  return quiet_steps >= fewest_short_steps + n * n / short_steps_divisor &&
+         !any_forceless_block_moves(chain, motion, stops);
+}
+
+void LongFlight::end(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion) {
+  origin_ = at(chain, clock, motion, tau);
+  motion = origin_;
+  form_ = nullptr;
+}
+
+void LongFlight::begin(const Chain &chain, const Clock &clock, const std::vector<Start> &starts,
+                       Motion &motion) {
+  const Real flown = elapsed(origin_.now, motion.now, clock);
+  motion = origin_;
   form_ = std::make_shared<const ModalForm>(modal_form(chain, *motion.mode, blocks_));
   start_ = modal_state(chain, *form_, motion);
   forces_ = forces_from(*form_, motion);
@@ -22,7 +59,7 @@ void LongFlight::begin(const Chain &chain, const Clock &clock, const Motion &mot
   for (std::size_t j = 0; j < form_->size(); ++j)
     coordinates_[j].modulus = std::hypot(forces_[j].a.hi, forces_[j].b.hi);
   l_ = fastest_ > 0.0 ? 1.0 / fastest_ : longest_step;
-  evaluate(chain, clock, motion, flown);
+  evaluate(chain, clock, motion, rounded(flown));
   hidden_.assign(values_.size(), false);
   for (std::size_t k = 0; k < values_.size(); ++k)
     hidden_[k] = !starts_[k].idle && values_[k].is_zero();

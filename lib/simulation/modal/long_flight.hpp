@@ -19,12 +19,20 @@ class LongFlight {
   bool is_under_way() const {
     return form_ != nullptr;
   }
-  // The flight from `motion` has no event in the time `flown`.
-  void begin(const Chain &chain, const Clock &clock, const Motion &motion,
-             const std::vector<Start> &starts, double flown);
-  void end() {
-    form_ = nullptr;
+  // True if the flight is under way, or takes over after so many steps without an event. Where a
+  // motion may be on its way to a mass without force it does not: only steps notice its arrival.
+  bool takes_over(const Chain &chain, const Motion &motion, const std::vector<StopState> &stops,
+                  long long quiet_steps) const;
+  // Keeps the start of the first of the steps without an event.
+  void set_origin(const Motion &motion) {
+    origin_ = motion;
   }
+  // Sets the motion back to the origin, where the flight begins: a slow coordinate has lost digits
+  // in the steps. Of the starts, which are those of now, it takes only which contacts are idle.
+  void begin(const Chain &chain, const Clock &clock, const std::vector<Start> &starts,
+             Motion &motion);
+  // Ends the flight at the time tau: moves the motion there, which is the origin of the next.
+  void end(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion);
 
   // Searches the first event, and counts the steps of the search. The time is infinite when the
   // call ends before any event. Without an event the flight may begin anew where it is: it ends
@@ -53,6 +61,7 @@ class LongFlight {
   };
   struct Bound;
 
+  Motion origin_;
   Blocks blocks_;
   std::shared_ptr<const ModalForm> form_;
   ModalState start_, state_;  // at the start of the flight, and at u

@@ -101,17 +101,13 @@ FlightEnd search_step(Run &run) {
                                          scratch.near, run.counters);
 }
 
-// Searches a flight in closed form, up to the end of the call. The flight begins where that of the
-// steps before has begun: a slow coordinate has lost digits in them. Of the starts, which are those
-// of now, it takes only which contacts are idle.
+// Searches a flight in closed form, up to the end of the call.
 FlightEnd search_far(Run &run) {
   const Chain &chain = run.chain();
   const Clock &clock = run.problem.clock;
   if (!run.long_flight.is_under_way()) {
     set_starts(run);
-    const Real flown = elapsed(run.flight_start.now, run.motion.now, clock);
-    run.motion = run.flight_start;
-    run.long_flight.begin(chain, clock, run.motion, run.scratch.starts, rounded(flown));
+    run.long_flight.begin(chain, clock, run.scratch.starts, run.motion);
   }
   return run.long_flight.search(chain, clock, run.motion, time_to_end(run), run.scratch.near,
                                 run.counters);
@@ -131,12 +127,8 @@ void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
   const Clock &clock = run.problem.clock;
   Scratch &scratch = run.scratch;
-  if (run.long_flight.is_under_way()) {
-    run.flight_start = run.long_flight.at(chain, clock, run.motion, end.tau);
-    run.motion = run.flight_start;
-    return run.long_flight.end();
-  }
-  if (!end.event && run.hint.quiet_steps == 0) run.flight_start = run.motion;
+  if (run.long_flight.is_under_way()) return run.long_flight.end(chain, clock, end.tau, run.motion);
+  if (!end.event && run.hint.quiet_steps == 0) run.long_flight.set_origin(run.motion);
   const double tau = end.tau.hi;
   if (!(tau > 0.0)) return;
   move_along(chain, clock, scratch.flight.table, tau, run.motion);
@@ -162,37 +154,13 @@ void check_stops(Run &run) {
   }
 }
 
-// True when a motion may be on its way to a mass without force. Held masses let nothing pass.
-bool any_forceless_block_moves(const Run &run) {
-  const Held &held = run.motion.mode->held;
-  bool forceless = false, moves = false;  // in the block of free masses up to i
-  for (std::size_t i = 0; i < run.chain().masses; ++i) {
-    if (held[i] != 0) {
-      forceless = moves = false;
-      continue;
-    }
-    moves = moves || run.motion.v[i].hi != 0.0;
-    for (std::size_t k = 0; k < run.stops.size(); ++k)
-      forceless = forceless || (run.chain().stops[k].mass == i && is<Forceless>(run.stops[k].at));
-    if (forceless && moves) return true;
-  }
-  return false;
-}
-
-// The only place that chooses the kind of a flight, by the number of steps without an event. Only
-// steps notice a motion that comes to a mass without force.
-bool is_quiet(const Run &run) {
-  const auto n = static_cast<long long>(run.chain().masses);
-  if (run.hint.quiet_steps < fewest_short_steps + n * n / short_steps_divisor) return false;
-  return !any_forceless_block_moves(run);
-}
-
 // One flight of the loop.
 void fly_on(Run &run, Recorders recorders) {
   if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
   check_stops(run);
   if (run.progress.over) return;
-  const bool far = run.long_flight.is_under_way() || is_quiet(run);
+  const bool far =
+      run.long_flight.takes_over(run.chain(), run.motion, run.stops, run.hint.quiet_steps);
   const FlightEnd end = far ? search_far(run) : search_step(run);
   if (end.event && !std::isfinite(end.tau.hi)) return give_up_without_root(run, end.tau.hi);
   const double remaining = time_to_end(run);

@@ -90,7 +90,6 @@ struct Run {
   std::vector<StopState> stops = {};  // one for each stop of the scene
   Chatter chatter = {};
   LongFlight long_flight = {};
-  Motion flight_start = {};  // where the flight began whose latest steps had no event
   StepHint hint = {};
   // The latest call ended inside a chatter, whose impacts after the latest node are not yet taken.
   bool ended_inside_chatter = false;
