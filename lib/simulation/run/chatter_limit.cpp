@@ -23,7 +23,7 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
   std::ranges::fill(scratch.jumps, 0.0);
   double flight_time = 0.0, r = 0.0;
   for (const Hit &hit : scratch.hits) {
-    const Contact &contact = motion.mode->contacts[hit.contact];
+    const Contact &contact = hit.contact;
     const auto *leaving = std::get_if<ExactZeros>(&run.stops[contact.stop].at);
     if (!leaving || leaving->zeros > 1) return chatter.end();  // it has come to rest
     const double at_rest = chain.stops[contact.stop].law.at_rest();
@@ -128,7 +128,7 @@ void enter_limit(Run &run, Recorders recorders) {
   run.hint = {};
   ++run.counters.chatter_limits;
   run.scratch.hits.clear();
-  run.scratch.near.assign(run.chain().stops.size(), Near::no);
+  run.scratch.near.assign(run.motion.mode->contacts.size(), Near::no);
   hold_or_release(run, recorders);
 }
 

@@ -51,7 +51,7 @@ Step plan_step(Run &run) {
 void set_starts(Run &run) {
   const List<Contact> &contacts = run.motion.mode->contacts;
   run.scratch.starts.resize(contacts.size());
-  run.scratch.near.resize(run.chain().stops.size());
+  run.scratch.near.resize(contacts.size());
   find_acceleration(run.chain(), run.motion);
   for (std::size_t k = 0; k < contacts.size(); ++k)
     run.scratch.starts[k] =

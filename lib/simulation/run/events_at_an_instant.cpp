@@ -15,12 +15,8 @@ namespace {
 // Puts a mass into question.
 void add_resting(Run &run, const Contact &contact, int zero_orders) {
   for (const RestingMass &mass : run.scratch.resting)
-    if (mass.mass == contact.mass) return;
-  run.scratch.resting.push_back({.stop = contact.stop,
-                                 .mass = contact.mass,
-                                 .sigma = contact.sigma,
-                                 .was_held = contact.held,
-                                 .zero_orders = zero_orders});
+    if (mass.contact.mass == contact.mass) return;
+  run.scratch.resting.push_back({.contact = contact, .zero_orders = zero_orders});
 }
 
 // The number of orders of the force on a held mass that count as exactly zero at this instant:
@@ -73,33 +69,33 @@ void gather_resting(Run &run) {
 
 // Sets the states of the stops of a mass after its decision.
 void set_stops(Run &run, const RestingMass &mass) {
-  StopState &stop = run.stops[mass.stop];
+  StopState &stop = run.stops[mass.contact.stop];
   if (mass.forceless)
     stop.at = Forceless{};
   else  // the gap of a released mass has two zeros more than its acceleration
     stop.at = ExactZeros{mass.zeros + (mass.held ? 0 : 2), mass.first};
-  if (mass.held == mass.was_held) return;
+  if (mass.held == mass.contact.held) return;
   stop = {.at = stop.at,
           .changed = run.motion.now.rounded(),
           .reported = stop.reported,
           .unreported = stop.unreported};
   const List<ChainStop> &stops = run.chain().stops;
   for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
-    if (k != mass.stop && stops[k].mass == mass.mass) run.stops[k] = {};
+    if (k != mass.contact.stop && stops[k].mass == mass.contact.mass) run.stops[k] = {};
 }
 
 // Reports the event of a mass that was in question, if it has one: a stick, a release, or the limit
 // of a chatter from which it leaves at once. The copy of a run inside a chatter has no limit.
 void report_decision(Run &run, const RestingMass &mass, Recorders recorders) {
-  StopState &stop = run.stops[mass.stop];
+  StopState &stop = run.stops[mass.contact.stop];
   if (run.progress.extent != Extent::whole || is<Postponed>(stop.at)) return;
   const ImpactSum taken = std::exchange(stop.unreported, {});
-  const bool released = mass.was_held && !mass.held;
-  if (mass.held != mass.was_held)
-    report_event(run, released ? EventKind::release : EventKind::stick, mass.stop, 0.0, 0.0,
+  const bool released = mass.contact.held && !mass.held;
+  if (mass.held != mass.contact.held)
+    report_event(run, released ? EventKind::release : EventKind::stick, mass.contact.stop, 0.0, 0.0,
                  released && mass.zero_orders == 0, taken, recorders);
   else if (taken != ImpactSum{})
-    report_event(run, EventKind::impact, mass.stop, 0.0, 0.0, false, taken, recorders);
+    report_event(run, EventKind::impact, mass.contact.stop, 0.0, 0.0, false, taken, recorders);
 }
 
 }  // namespace
@@ -112,28 +108,29 @@ void hold_or_release(Run &run, Recorders recorders) {
   if (scratch.resting.empty()) return;
   if (motion.turned > 0) set_turn(chain, motion);
   for (const RestingMass &mass : scratch.resting)
-    place(mass.mass, chain.stops[mass.stop].position, 0.0, motion);
+    place(mass.contact.mass, mass.contact.position, 0.0, motion);
   run.counters.rest_orders += scratch.rest.decide(chain, motion, scratch.resting);
   scratch.held = motion.mode->held;
   for (RestingMass &mass : scratch.resting) {
-    const std::optional<Instant> &changed = run.stops[mass.stop].changed;
+    const std::optional<Instant> &changed = run.stops[mass.contact.stop].changed;
     // A mass does not stick and leave, or leave and stick, at one instant of the clock.
-    if (mass.held != mass.was_held && changed && !(*changed < motion.now.rounded())) {
-      run.stops[mass.stop].at = Postponed{};
+    if (mass.held != mass.contact.held && changed && !(*changed < motion.now.rounded())) {
+      run.stops[mass.contact.stop].at = Postponed{};
       run.hint.postponed = true;
-      mass.held = mass.was_held;
+      mass.held = mass.contact.held;
     } else {
       set_stops(run, mass);
     }
-    scratch.held[mass.mass] = static_cast<signed char>(mass.held ? mass.sigma : 0.0);
-    motion.x[mass.mass] = chain.stops[mass.stop].position;
+    scratch.held[mass.contact.mass] =
+        static_cast<signed char>(mass.held ? mass.contact.sigma : 0.0);
+    motion.x[mass.contact.mass] = mass.contact.position;
   }
   if (scratch.held != motion.mode->held) {
     motion.mode = &run.modes.enter(chain, scratch.held, run.counters);
     motion.acceleration_known = false;
   }
   for (const RestingMass &mass : scratch.resting) {
-    if (mass.held != mass.was_held) ++(mass.held ? run.counters.sticks : run.counters.releases);
+    if (mass.held != mass.contact.held) ++(mass.held ? run.counters.sticks : run.counters.releases);
     report_decision(run, mass, recorders);
   }
 }
@@ -161,7 +158,7 @@ void put_at_start(Run &run) {
     place(i, state.displacement[i], state.velocity[i], motion);
   set_turn(chain, motion);
   run.stops.assign(chain.stops.size(), {});
-  run.scratch.near.assign(chain.stops.size(), Near::perhaps);
+  run.scratch.near.assign(motion.mode->contacts.size(), Near::perhaps);
 }
 
 }  // namespace vibro_impact::detail

@@ -63,17 +63,16 @@ void gather_hits(Run &run) {
     if (near == Near::rest || !(std::abs(closing.hi) > zero_threshold * run.motion.v_terms[i]))
       at = Resting{};
     else if (closing.hi > 0.0)
-      scratch.hits.push_back({k, closing});
+      scratch.hits.push_back({contacts[k], closing});
   }
 }
 
 void apply_hits(Run &run, Recorders recorders) {
   const Chain &chain = run.chain();
   Motion &motion = run.motion;
-  const List<Contact> &contacts = motion.mode->contacts;
   std::vector<Hit> &hits = run.scratch.hits;
   for (const Hit &hit : hits) {
-    const Contact &contact = contacts[hit.contact];
+    const Contact &contact = hit.contact;
     const ImpactLaw &law = chain.stops[contact.stop].law;
     StopState &stop = run.stops[contact.stop];
     const double closing = rounded(hit.closing);
@@ -87,7 +86,7 @@ void apply_hits(Run &run, Recorders recorders) {
       stop.at = Resting{};
   }
   for (const Hit &hit : hits) {
-    const Contact &contact = contacts[hit.contact];
+    const Contact &contact = hit.contact;
     const double closing = rounded(hit.closing);
     report_impact(run, contact.stop, closing, chain.stops[contact.stop].law.after(closing),
                   recorders);
@@ -95,7 +94,7 @@ void apply_hits(Run &run, Recorders recorders) {
   if (hits.empty()) return;
   find_acceleration(chain, motion);
   for (Hit &hit : hits) {
-    const Contact &contact = contacts[hit.contact];
+    const Contact &contact = hit.contact;
     StopState &stop = run.stops[contact.stop];
     const auto *leaving = std::get_if<ExactZeros>(&stop.at);
     if (!leaving) continue;

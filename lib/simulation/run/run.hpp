@@ -37,9 +37,9 @@ struct StepHint {
   bool postponed = false;
 };
 
-// An impact of an instant: the contact of the mode, and the speed at which the mass came.
+// An impact of an instant, and the speed at which the mass came.
 struct Hit {
-  std::size_t contact = 0;
+  Contact contact;
   Real closing = 0.0;
   double flight_time = infinity;  // expected after it, to leading order
 };
@@ -47,9 +47,9 @@ struct Hit {
 // Storage that is reused from event to event. No value passes from one event to the next.
 struct Scratch {
   Flight flight;
-  std::vector<Start> starts;
-  std::vector<Near> near;
-  Motion motion;  // at the limit of a chatter
+  std::vector<Start> starts;  // one for each contact of the mode
+  std::vector<Near> near;     // likewise
+  Motion motion;              // at the limit of a chatter
   RestDecision rest;
   std::vector<RestingMass> resting;
   std::vector<Hit> hits;

@@ -46,7 +46,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
     order_n_[i] = {motion.x[i], motion.x_terms[i]};
     order_n_plus_1_[i] = {motion.v[i] * (1.0 / rate), motion.v_terms[i] / rate};
   }
-  for (const RestingMass &mass : masses) kind_[mass.mass] = Kind::undecided;
+  for (const RestingMass &mass : masses) kind_[mass.contact.mass] = Kind::undecided;
   Real cosine = motion.turn.cosine, sine = motion.turn.sine;
   double power = 1.0;  // (Omega / rate)^order
   const int most_orders = 2 * static_cast<int>(n) + 4;
@@ -64,7 +64,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
   std::size_t left = masses.size();
   for (; order < most_orders; ++order) {
     for (RestingMass &mass : masses) {
-      const std::size_t i = mass.mass;
+      const std::size_t i = mass.contact.mass;
       if (kind_[i] != Kind::undecided) continue;
       mass.zeros = order;
       const Term force = force_at(i);
@@ -72,7 +72,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
           order < mass.zero_orders || !(abs(force.value) > zero_threshold * force.terms);
       if (is_zero) continue;
       --left;
-      const double push = mass.sigma * force.value.hi;
+      const double push = mass.contact.sigma * force.value.hi;
       mass.held = push > 0.0;
       kind_[i] = mass.held ? Kind::held : Kind::moving;
       mass.first = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
@@ -93,7 +93,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
     power *= slower.hi;
   }
   for (RestingMass &mass : masses) {
-    mass.forceless = kind_[mass.mass] == Kind::undecided;
+    mass.forceless = kind_[mass.contact.mass] == Kind::undecided;
     if (mass.forceless) mass.held = false;
   }
   return std::min(order + 1, most_orders);

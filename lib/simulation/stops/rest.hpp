@@ -11,9 +11,7 @@ namespace vibro_impact::detail {
 
 // A mass at rest at a stop that may stick or leave.
 struct RestingMass {
-  std::size_t stop = 0, mass = 0;
-  double sigma = 1.0;
-  bool was_held = false;
+  Contact contact;      // before the decision: of a held mass or of a free one
   int zero_orders = 0;  // derivatives of the force, from order 0 on, that are exactly zero
   // The decision.
   bool held = false;
