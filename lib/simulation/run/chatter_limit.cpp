@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "endings.hpp"
 #include "events_at_an_instant.hpp"
 #include "observers.hpp"
 #include "simulation/chain/tolerances.hpp"

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "chatter_limit.hpp"
+#include "endings.hpp"
 #include "events_at_an_instant.hpp"
 #include "observers.hpp"
 #include "samples.hpp"
-#include "simulation/chain/require.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -113,15 +113,6 @@ FlightEnd search_far(Run &run) {
                                 run.counters);
 }
 
-// Gives the run up: a search has found no root, for the reason that its result tells.
-void give_up_without_root(Run &run, double root) {
-  const Instant now = run.motion.now.rounded();
-  if (std::isnan(root)) return give_up_beyond_range(run, now);
-  stop_run(run, Ending::given_up,
-           line("a root is not found in ", most_root_iterations,
-                " iterations after t = ", time_of(now, run.problem.clock), ", given up"));
-}
-
 // Moves the run to the end of the flight that was searched.
 void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
@@ -135,34 +126,15 @@ void move_to(Run &run, const FlightEnd &end) {
   scratch.flight.place_released(scratch.starts, tau, run.motion);
 }
 
-bool is_in_range(const Motion &motion) {
-  for (std::size_t i = 0; i < motion.x.size(); ++i)
-    if (!(std::abs(motion.x[i].hi) <= largest_motion && std::abs(motion.v[i].hi) <= largest_motion))
-      return false;
-  return true;
-}
-
-// Gives the run up when the motion lies beyond a stop by more than rounding: an event was missed.
-void check_stops(Run &run) {
-  const Motion &motion = run.motion;
-  for (const ChainStop &stop : run.chain().stops) {
-    const double gap = rounded(scaled(stop.position - motion.x[stop.mass], stop.sigma));
-    if (!(gap < 0.0)) continue;
-    const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];
-    if (!is_rounding_at_stop(-gap, terms, largest_terms(motion)))
-      return give_up_beyond_stop(run, stop.mass, motion.now.rounded());
-  }
-}
-
 // One flight of the loop.
 void fly_on(Run &run, Recorders recorders) {
-  if (!is_in_range(run.motion)) return give_up_beyond_range(run, run.motion.now.rounded());
-  check_stops(run);
+  check_motion(run);
   if (run.progress.over) return;
   const bool far =
       run.long_flight.takes_over(run.chain(), run.motion, run.stops, run.hint.quiet_steps);
   const FlightEnd end = far ? search_far(run) : search_step(run);
-  if (end.event && !std::isfinite(end.tau.hi)) return give_up_without_root(run, end.tau.hi);
+  check_search(run, end);
+  if (run.progress.over) return;
   const double remaining = time_to_end(run);
   if (end.tau.hi > remaining || remaining == 0.0) return end_at_time(run, recorders);
   sample(run, end.tau, recorders);
@@ -187,14 +159,7 @@ void advance(Run &run, const Instant &end, Recorders recorders, Extent extent, d
   take_limit(run, recorders);  // a chatter may stand at a node since the call before
   while (!run.progress.over) {
     fly_on(run, recorders);
-    const long long steps = run.counters.expansions + run.counters.search_steps +
-                            run.counters.rest_orders / orders_as_a_step;
-    if (!run.progress.over && steps >= run.problem.options.max_steps)
-      stop_run(
-          run, Ending::given_up,
-          line("at least ", run.problem.options.max_steps, " steps, given up at t = ",
-               time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
-               run.motion.mode->fastest, "; RunOptions::max_steps (--max-steps) can allow more"));
+    check_steps(run);
   }
   // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty())

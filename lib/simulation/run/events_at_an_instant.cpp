@@ -13,10 +13,10 @@ namespace vibro_impact::detail {
 namespace {
 
 // Puts a mass into question.
-void add_resting(Run &run, const Contact &contact, int zero_orders) {
+void add_resting(Run &run, const Contact &contact, int known_zeros) {
   for (const RestingMass &mass : run.scratch.resting)
     if (mass.contact.mass == contact.mass) return;
-  run.scratch.resting.push_back({.contact = contact, .zero_orders = zero_orders});
+  run.scratch.resting.push_back({.contact = contact, .known_zeros = known_zeros});
 }
 
 // The number of orders of the force on a held mass that count as exactly zero at this instant:
@@ -25,30 +25,30 @@ void add_resting(Run &run, const Contact &contact, int zero_orders) {
 //   1  it is at its root, or zero but for rounding: next to a root, or with an impact whose jump a
 //      damper passes on
 //   0  it has jumped elsewhere, or was never near zero
-int zero_orders_of(const Run &run, std::size_t k, const Value &force) {
+int known_zeros_of(const Run &run, std::size_t k, const Value &force) {
   const Near near = run.scratch.near[k];
   if (near == Near::no) return 0;
   if (near == Near::perhaps || !run.scratch.hits.empty()) return force.is_zero() ? 1 : 0;
   return near == Near::touch ? 2 : 1;
 }
 
-// The motion of the chain and of the forcing, within one unit of time, has a rounding. The unit is
-// that of the fastest mode, or the time so far where that is shorter, as on soft springs. A mass
+// The motion of the chain and of the forcing, within a window of time, has a rounding. The window
+// is that of the fastest mode, or the time so far where that is shorter, as on soft springs. A mass
 // whose bounces have died down below it is at rest with the others in question.
 void question_dead_bounces(Run &run) {
   const Chain &chain = run.chain();
   const Motion &motion = run.motion;
   double speed = 0.0;
   for (std::size_t i = 0; i < chain.masses; ++i) speed = std::max(speed, std::abs(motion.v[i].hi));
-  const double unit = std::min(1.0 / chain.rate_bound,
-                               time_of(motion.now.rounded(), run.problem.clock)),
-               rounding = as_at_rest * (speed + chain.force_bound * unit);
+  const double window = std::min(1.0 / chain.rate_bound,
+                                 time_of(motion.now.rounded(), run.problem.clock)),
+               rounding = as_at_rest * (speed + chain.force_bound * window);
   for (const Contact &contact : motion.mode->contacts) {
     const StopState &stop = run.stops[contact.stop];
     const bool bounces = stop.falling > 0 && (is<Evaluated>(stop.at) || is<ExactZeros>(stop.at));
     if (contact.held || !bounces) continue;
     const Value value = evaluate(chain, contact, motion);
-    if (rounded(value.value) <= rounding * unit && std::abs(value.rate.hi) <= rounding)
+    if (rounded(value.value) <= rounding * window && std::abs(value.rate.hi) <= rounding)
       add_resting(run, contact, 0);
   }
 }
@@ -60,7 +60,7 @@ void gather_resting(Run &run) {
     const AtStop &at = run.stops[contacts[k].stop].at;
     if (contacts[k].held)
       add_resting(run, contacts[k],
-                  zero_orders_of(run, k, evaluate(run.chain(), contacts[k], run.motion)));
+                  known_zeros_of(run, k, evaluate(run.chain(), contacts[k], run.motion)));
     else if (is<Resting>(at) || is<Forceless>(at) || is<Postponed>(at))
       add_resting(run, contacts[k], 0);
   }
@@ -73,7 +73,7 @@ void set_stops(Run &run, const RestingMass &mass) {
   if (mass.forceless)
     stop.at = Forceless{};
   else  // the gap of a released mass has two zeros more than its acceleration
-    stop.at = ExactZeros{mass.zeros + (mass.held ? 0 : 2), mass.first};
+    stop.at = ExactZeros{mass.decided_zeros + (mass.held ? 0 : 2), mass.decided};
   if (mass.held == mass.contact.held) return;
   stop = {.at = stop.at,
           .changed = run.motion.now.rounded(),
@@ -93,7 +93,7 @@ void report_decision(Run &run, const RestingMass &mass, Recorders recorders) {
   const bool released = mass.contact.held && !mass.held;
   if (mass.held != mass.contact.held)
     report_event(run, released ? EventKind::release : EventKind::stick, mass.contact.stop, 0.0, 0.0,
-                 released && mass.zero_orders == 0, taken, recorders);
+                 released && mass.known_zeros == 0, taken, recorders);
   else if (taken != ImpactSum{})
     report_event(run, EventKind::impact, mass.contact.stop, 0.0, 0.0, false, taken, recorders);
 }
@@ -123,7 +123,6 @@ void hold_or_release(Run &run, Recorders recorders) {
     }
     scratch.held[mass.contact.mass] =
         static_cast<signed char>(mass.held ? mass.contact.sigma : 0.0);
-    motion.x[mass.contact.mass] = mass.contact.position;
   }
   if (scratch.held != motion.mode->held) {
     motion.mode = &run.modes.enter(chain, scratch.held, run.counters);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "endings.hpp"
 #include "simulation/chain/require.hpp"
 
 namespace vibro_impact::detail {
@@ -77,13 +78,6 @@ MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at) {
     return {run, run.long_flight.at(run.chain(), run.problem.clock, run.motion, since), at};
   }
   return {run, run.motion, at, tau.hi};
-}
-
-void stop_run(Run &run, Ending ending, std::string reason) {
-  if (run.progress.over) return;
-  run.progress.over = true;
-  run.progress.ending = ending;
-  run.progress.reason = std::move(reason);
 }
 
 ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving) {

@@ -33,9 +33,6 @@ class MomentOfMotion final : public Moment {
 // put `tau` below 0, which is the start. The moment is valid until the run goes on.
 MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at);
 
-// Ends the call of `advance`. The first ending and reason of a call are kept.
-void stop_run(Run &run, Ending ending, std::string reason = {});
-
 // The sum of one impact at a stop of the chain.
 ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving);
 

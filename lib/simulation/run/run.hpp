@@ -60,9 +60,10 @@ struct Scratch {
   Event event;
 };
 
-// The part of a run that a call of `advance` resolves. The impacts of a chatter between its latest
-// node and its limit are resolved without taking the limit: up to an end there, or as far as
-// samples or impacts are asked for.
+// The part of a run that a call of `advance` resolves. A copy of a run resolves the impacts of a
+// chatter between its latest node and its limit, which it does not take. With `end_in_chatter` it
+// goes to the end of the call. With `inside_chatter` it ends as soon as no sample and no impact is
+// left to be reported.
 enum class Extent { whole, end_in_chatter, inside_chatter };
 
 // The progress of one call of `advance`.

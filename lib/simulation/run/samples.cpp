@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "chatter_limit.hpp"
+#include "endings.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
 #include "simulation/chain/tolerances.hpp"
@@ -50,18 +51,6 @@ void end_at_time(Run &run, Recorders recorders) {
     if (x < chain.lowest[i] || x > chain.highest[i]) give_up_beyond_stop(run, i, run.progress.end);
   }
   stop_run(run, Ending::reached);
-}
-
-void give_up_beyond_range(Run &run, const Instant &instant) {
-  stop_run(run, Ending::given_up,
-           line("the motion leaves the range of double precision before t = ",
-                time_of(instant, run.problem.clock), ", given up"));
-}
-
-void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant) {
-  stop_run(run, Ending::given_up,
-           line("mass ", mass + 1, " lies beyond its stop at t = ",
-                time_of(instant, run.problem.clock), ", given up: an event was missed"));
 }
 
 }  // namespace vibro_impact::detail

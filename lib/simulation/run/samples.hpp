@@ -15,10 +15,4 @@ void sample(Run &run, const Real &tau, Recorders recorders);
 // Ends the call at its end, on the step or long flight of the run.
 void end_at_time(Run &run, Recorders recorders);
 
-// Gives the run up: the motion leaves the range of double precision before this instant.
-void give_up_beyond_range(Run &run, const Instant &instant);
-
-// Gives the run up: a mass (from 0) lies beyond its stop at this instant.
-void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant);
-
 }  // namespace vibro_impact::detail

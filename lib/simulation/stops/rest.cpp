@@ -61,23 +61,23 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
     }
     return force;
   };
-  std::size_t left = masses.size();
+  std::size_t undecided = masses.size();
   for (; order < most_orders; ++order) {
     for (RestingMass &mass : masses) {
       const std::size_t i = mass.contact.mass;
       if (kind_[i] != Kind::undecided) continue;
-      mass.zeros = order;
+      mass.decided_zeros = order;
       const Term force = force_at(i);
       const bool is_zero =
-          order < mass.zero_orders || !(abs(force.value) > zero_threshold * force.terms);
+          order < mass.known_zeros || !(abs(force.value) > zero_threshold * force.terms);
       if (is_zero) continue;
-      --left;
+      --undecided;
       const double push = mass.contact.sigma * force.value.hi;
       mass.held = push > 0.0;
       kind_[i] = mass.held ? Kind::held : Kind::moving;
-      mass.first = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
+      mass.decided = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
     }
-    if (left == 0) break;
+    if (undecided == 0) break;
     for (std::size_t i = 0; i < n; ++i) {
       order_n_plus_2_[i] = {};
       if (kind_[i] != Kind::moving) continue;

@@ -12,12 +12,12 @@ namespace vibro_impact::detail {
 // A mass at rest at a stop that may stick or leave.
 struct RestingMass {
   Contact contact;      // before the decision: of a held mass or of a free one
-  int zero_orders = 0;  // derivatives of the force, from order 0 on, that are exactly zero
+  int known_zeros = 0;  // derivatives of the force, from order 0 on, that are exactly zero
   // The decision.
   bool held = false;
   bool forceless = false;  // no force of any order: the mass is free and stays at rest
-  int zeros = 0;           // orders of the force that are zero
-  double first = 0.0;      // the modulus of the next: of the force if it is held, else of x''
+  int decided_zeros = 0;   // orders of the force that are zero
+  double decided = 0.0;    // the modulus of the next: of the force if it is held, else of x''
 };
 
 // The storage of a decision, which is reused.

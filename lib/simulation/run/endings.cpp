@@ -1,0 +1,75 @@
+#include "endings.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "simulation/chain/require.hpp"
+#include "simulation/chain/tolerances.hpp"
+
+namespace vibro_impact::detail {
+
+namespace {
+
+bool is_in_range(const Motion &motion) {
+  for (std::size_t i = 0; i < motion.x.size(); ++i)
+    if (!(std::abs(motion.x[i].hi) <= largest_motion && std::abs(motion.v[i].hi) <= largest_motion))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+void stop_run(Run &run, Ending ending, std::string reason) {
+  if (run.progress.over) return;
+  run.progress.over = true;
+  run.progress.ending = ending;
+  run.progress.reason = std::move(reason);
+}
+
+void give_up_beyond_range(Run &run, const Instant &instant) {
+  stop_run(run, Ending::given_up,
+           line("the motion leaves the range of double precision before t = ",
+                time_of(instant, run.problem.clock), ", given up"));
+}
+
+void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant) {
+  stop_run(run, Ending::given_up,
+           line("mass ", mass + 1, " lies beyond its stop at t = ",
+                time_of(instant, run.problem.clock), ", given up: an event was missed"));
+}
+
+void check_motion(Run &run) {
+  const Motion &motion = run.motion;
+  const Instant now = motion.now.rounded();
+  if (!is_in_range(motion)) return give_up_beyond_range(run, now);
+  for (const ChainStop &stop : run.chain().stops) {
+    const double gap = rounded(scaled(stop.position - motion.x[stop.mass], stop.sigma));
+    if (!(gap < 0.0)) continue;
+    const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];
+    if (!is_rounding_at_stop(-gap, terms, largest_terms(motion)))
+      return give_up_beyond_stop(run, stop.mass, now);
+  }
+}
+
+void check_search(Run &run, const FlightEnd &end) {
+  if (!end.event || std::isfinite(end.tau.hi)) return;
+  const Instant now = run.motion.now.rounded();
+  if (std::isnan(end.tau.hi)) return give_up_beyond_range(run, now);
+  stop_run(run, Ending::given_up,
+           line("a root is not found in ", most_root_iterations,
+                " iterations after t = ", time_of(now, run.problem.clock), ", given up"));
+}
+
+void check_steps(Run &run) {
+  const Counters &counters = run.counters;
+  const long long steps =
+      counters.expansions + counters.search_steps + counters.rest_orders / orders_as_a_step;
+  const long long most = run.problem.options.max_steps;
+  if (steps < most) return;
+  stop_run(run, Ending::given_up,
+           line("at least ", most, " steps, given up at t = ",
+                time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
+                run.motion.mode->fastest, "; RunOptions::max_steps (--max-steps) can allow more"));
+}
+
+}  // namespace vibro_impact::detail

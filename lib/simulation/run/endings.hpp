@@ -1,0 +1,27 @@
+// The endings of a call: its end or a recorder that is done, and the reasons to give the run up.
+#pragma once
+
+#include "run.hpp"
+
+namespace vibro_impact::detail {
+
+// Ends the call of `advance`. The first ending and reason of a call are kept.
+void stop_run(Run &run, Ending ending, std::string reason = {});
+
+// Gives the run up: the motion leaves the range of double precision before this instant.
+void give_up_beyond_range(Run &run, const Instant &instant);
+
+// Gives the run up: a mass (from 0) lies beyond its stop at this instant.
+void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant);
+
+// Gives the run up when the motion, just after its events, has left the range of double precision,
+// or lies beyond a stop by more than rounding: an event was missed.
+void check_motion(Run &run);
+
+// Gives the run up when a flight ends at an event without a time: the search for it has failed.
+void check_search(Run &run, const FlightEnd &end);
+
+// Gives the run up when the call has taken its steps.
+void check_steps(Run &run);
+
+}  // namespace vibro_impact::detail
