@@ -139,10 +139,11 @@ TEST(Orbits, AreFoundToTheSizeOfTheirMotion) {
   EXPECT_TRUE(orbit.converged) << orbit.why_not;
 }
 
-// The largest multiplier at eight sections, by two codes, has the modulus 0.452094400(5).
+// The largest multiplier at eight sections, by two codes, has the modulus 0.452094400(5). The
+// motion is irregular at first: from displacements below 1e-14 it settles after 93 to 442 periods.
 TEST(Orbits, GiveTheExponentNextToAGraze) {
   const Scene scene = paper::figure3(0.6745);
-  const OrbitRecord record = record_of(scene, {.lyapunov = true});
+  const OrbitRecord record = record_of(scene, {.settle = {.longest = 2000}, .lyapunov = true});
   ASSERT_EQ(record.period, 10);
   EXPECT_NEAR(record.lyapunov->exponent, std::log(0.4520944) / (10 * Clock(0.6745).period), 2e-10);
 }
