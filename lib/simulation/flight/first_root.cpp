@@ -1,106 +1,58 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "polynomial.hpp"
 #include "simulation/chain/tolerances.hpp"
-#include "simulation/chain/twofold.hpp"
 #include "vibro_impact/instant.hpp"
 
 namespace vibro_impact::detail {
 
 namespace {
 
-// Sums run over packets of four terms c_n u^n, because a chain of dependent operations as long as
-// the polynomial would be slower.
-struct Packet {
-  Pair first{}, last{};
-
-  friend Packet operator*(const Packet &a, const Packet &b) {
-    return {a.first * b.first, a.last * b.last};
+// n! / (5! (n - 5)!)
+const auto five_of = [] {
+  std::array<double, max_order + 1> numbers{};
+  for (std::size_t n = 5; n < numbers.size(); ++n) {
+    const auto order = static_cast<double>(n);
+    numbers[n] = order * (order - 1.0) * (order - 2.0) * (order - 3.0) * (order - 4.0) / 120.0;
   }
-  Packet &operator+=(const Packet &other) {
-    first += other.first;
-    last += other.last;
-    return *this;
-  }
-  double sum() const {
-    const Pair both = first + last;
-    return both[0] + both[1];
-  }
-};
-
-// binomial[k][n] = n! / (k! (n - k)!). The k-th derivative of u^n is k! binomial[k][n] u^(n - k).
-const auto binomial = [] {
-  std::array<Terms, 6> table{};
-  for (std::size_t n = 0; n < table[0].size(); ++n) {
-    table[0][n] = 1.0;
-    for (std::size_t k = 1; k < table.size() && n > 0; ++k)
-      table[k][n] = table[k][n - 1] + table[k - 1][n - 1];
-  }
-  return table;
+  return numbers;
 }();
 
-Packet packet(const double *numbers) {
-  return {pair(numbers), pair(numbers + 2)};
+// A bound of |q^(5)| / 5! on [0, u], q(u) = p(u) / u^zeros.
+double fifth_bound(const Polynomial &p, int zeros, double u) {
+  const double *c = p.coefficient.data() + zeros;
+  double sum = 0.0;
+  for (int n = p.order - zeros; n >= 5; --n)
+    sum = sum * u + five_of[static_cast<std::size_t>(n)] * std::abs(c[n]);
+  return sum;
 }
 
-Packet moduli(const Packet &a) {
-  return {modulus(a.first), modulus(a.last)};
-}
-
-// 1, x, x^2, x^3.
-Packet powers_of(double x) {
-  return {Pair{1.0, x}, Pair{x * x, x * x * x}};
-}
-
-// The factor that leads to the next four powers.
-Packet fourth_power_of(double x) {
-  const double power = x * x * x * x;
-  return {Pair{power, power}, Pair{power, power}};
-}
-
-Packet binomials(int k, int n) {
-  return packet(binomial[static_cast<std::size_t>(k)].data() + n);
+// The sum of the moduli of the terms of q at u.
+double sum_of_moduli(const Polynomial &p, int zeros, double u) {
+  double sum = 0.0;
+  for (int n = p.order; n >= zeros; --n)
+    sum = sum * u + std::abs(p.coefficient[static_cast<std::size_t>(n)]);
+  return sum;
 }
 
 }  // namespace
 
 Jet jet_at(const Polynomial &p, int zeros, double u) {
-  const double *c = p.coefficient.data() + zeros;
-  const double inverse = 1.0 / std::max(u, std::numeric_limits<double>::min());
-  const Packet next = fourth_power_of(u);
-  Packet power = powers_of(u);
-  Packet value, slope, second, third, fourth;
-  for (int n = 0; n <= p.order - zeros; n += 4) {
-    const Packet term = packet(c + n) * power;
-    value += term;
-    slope += binomials(1, n) * term;
-    second += binomials(2, n) * term;
-    third += binomials(3, n) * term;
-    fourth += binomials(4, n) * term;
-    power = power * next;
+  Jet jet{};
+  for (int n = p.order; n >= zeros; --n) {
+    jet.fourth = jet.fourth * u + jet.third;
+    jet.third = jet.third * u + jet.second;
+    jet.second = jet.second * u + jet.slope;
+    jet.slope = jet.slope * u + jet.value;
+    jet.value = jet.value * u + p.coefficient[static_cast<std::size_t>(n)];
   }
-  // The products run from left to right: a sum that has underflown stays zero.
-  return {value.sum(), slope.sum() * inverse, second.sum() * inverse * inverse,
-          third.sum() * inverse * inverse * inverse,
-          fourth.sum() * inverse * inverse * inverse * inverse};
+  return jet;
 }
 
 namespace {
-
-// The sum of the moduli of the terms of q^(k) / k! at u, q(u) = p(u) / u^zeros. It bounds q^(k) /
-// k! on [0, u].
-inline double sum_of_moduli(int k, const Polynomial &p, int zeros, double u) {
-  const double *c = p.coefficient.data() + zeros + k;
-  const Packet next = fourth_power_of(u);
-  Packet sum, power = powers_of(u);
-  for (int n = 0; n <= p.order - zeros - k; n += 4) {
-    sum += binomials(k, n + k) * moduli(packet(c + n)) * power;
-    power = power * next;
-  }
-  return sum.sum();
-}
 
 // A lower bound over [u, u + h] of the polynomial with this jet at u and |p^(5)| / 5! <= fifth. It
 // is the minimum of a parabola below the polynomial, with the least second coefficient that the
@@ -155,7 +107,7 @@ double positive_stretch(const Polynomial &p, int zeros, double u, double u_max, 
   for (double stretch = u_max - u; u + stretch > u; stretch *= 0.5) {
     const double end = u + stretch;
     // The bound of p^(5) over the whole step is far too large for a small polynomial near 0.
-    const double fifth_to_end = end < 0.25 ? sum_of_moduli(5, p, zeros, end) : fifth;
+    const double fifth_to_end = end < 0.25 ? fifth_bound(p, zeros, end) : fifth;
     if (lower_bound(jet, fifth_to_end, stretch) > rounding) return stretch;
   }
   return 0.0;
@@ -171,7 +123,7 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
   const double *c = p.coefficient.data() + zeros;
   if (c[0] < 0.0) return 0.0;
   Jet jet{c[0], c[1], c[2], c[3], c[4]};  // coefficients beyond the order are zero
-  const double fifth = sum_of_moduli(5, p, zeros, u_max);
+  const double fifth = fifth_bound(p, zeros, u_max);
   if (lower_bound(jet, fifth, u_max) > 0.0) return std::nullopt;
   const double sum = jet.value + jet.slope + jet.second + jet.third + jet.fourth + fifth;
   if (!std::isfinite(sum)) return std::numeric_limits<double>::quiet_NaN();
@@ -188,7 +140,7 @@ std::optional<double> first_root(const Polynomial &p, double u_max, Counters &co
     if (jet.slope < 0.0 && curvature <= 0.25)
       return polished(p, zeros, u, jet, newton, curvature, u_max);
     const double rounding =
-        polynomial_rounding * (u > 0.0 ? sum_of_moduli(0, p, zeros, u) : jet.value);
+        polynomial_rounding * (u > 0.0 ? sum_of_moduli(p, zeros, u) : jet.value);
     // From more than twice the rounding a step goes a share of the way to a tangency. With less the
     // steps would become ever shorter.
     if (!(jet.value > 2.0 * rounding)) return u;

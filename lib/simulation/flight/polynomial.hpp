@@ -12,8 +12,8 @@ namespace vibro_impact::detail {
 // The largest order of a step, for the least `flight_tolerance` and for gaps with many zeros.
 constexpr int max_order = 27;
 
-// One number for each order. Loops read packets of four, also beyond the last order.
-using Terms = std::array<double, max_order + 8>;
+// One number for each order, and four beyond the last.
+using Terms = std::array<double, max_order + 5>;
 
 // p(u) = sum of coefficient_n u^n, n = 0, ..., order. Four zeros follow the last coefficient.
 struct Polynomial {
@@ -26,8 +26,7 @@ struct Jet {
   double value, slope, second, third, fourth;
 };
 
-// The jet about u of p(u) / u^zeros, whose first `zeros` coefficients are zero. About 0 its
-// derivatives come out as 0.
+// The jet about u of p(u) / u^zeros, whose first `zeros` coefficients are zero.
 Jet jet_at(const Polynomial &p, int zeros, double u);
 
 // The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
