@@ -95,8 +95,6 @@ constexpr double root_rounding = 1e-13;
 // Two roots u1 < u2 of a step may be one instant only if u2 - u1 is also at most this times u1,
 // however small u1 is.
 constexpr double same_instant_of_flight = 0x1p-16;
-// A gap below this share of its terms, of a mass just released, is taken from its polynomial.
-constexpr double small_gap = 1e-3;
 
 // Long flights.
 

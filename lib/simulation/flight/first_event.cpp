@@ -110,18 +110,4 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   return {u * step.unit, true};
 }
 
-void Flight::place_released(const std::vector<Start> &starts, double tau, Motion &motion) const {
-  const List<Contact> &contacts = motion.mode->contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Contact &contact = contacts[k];
-    if (starts[k].zeros < 2 || starts[k].idle || contact.held) continue;
-    const double unit = table.step.unit;
-    const Jet jet = jet_at(polynomials[k], 0, tau / unit);
-    const std::size_t i = contact.mass;
-    if (!(jet.value < small_gap * (std::abs(contact.position) + motion.x_terms[i]))) continue;
-    motion.x[i] = contact.position - contact.sigma * Real(jet.value);
-    motion.v[i] = -contact.sigma * jet.slope / unit;
-  }
-}
-
 }  // namespace vibro_impact::detail

@@ -47,10 +47,6 @@ struct Flight {
   FlightEnd find_first_event(const Chain &chain, const Motion &motion, const Step &step,
                              const std::vector<Start> &starts, std::vector<Near> &near,
                              Counters &counters);
-
-  // Sets the gaps of masses that were released at the start of the step, at its time tau. Their
-  // polynomials have exact zeros, while the motion has the rounding of the displacements.
-  void place_released(const std::vector<Start> &starts, double tau, Motion &motion) const;
 };
 
 }  // namespace vibro_impact::detail

@@ -123,7 +123,6 @@ void move_to(Run &run, const FlightEnd &end) {
   const double tau = end.tau.hi;
   if (!(tau > 0.0)) return;
   move_along(chain, clock, scratch.flight.table, tau, run.motion);
-  scratch.flight.place_released(scratch.starts, tau, run.motion);
 }
 
 // One flight of the loop.
