@@ -9,11 +9,9 @@ namespace vibro_impact::detail {
 
 void clear(const Chain &chain, Motion &motion) {
   for (List<Real> *list : {&motion.x, &motion.v}) list->assign(chain.padded, 0.0);
-  for (List<double> *list :
-       {&motion.acceleration, &motion.x_terms, &motion.v_terms, &motion.x_change, &motion.v_change})
+  for (List<double> *list : {&motion.acceleration, &motion.x_terms, &motion.v_terms})
     list->assign(chain.padded, 0.0);
   motion.acceleration_known = false;
-  motion.step_time = 0.0;
 }
 
 Turn turn_at(const Chain &chain, const Real &phase) {
@@ -31,7 +29,6 @@ void set_turn(const Chain &chain, Motion &motion) {
 // order and are found in double precision. From time to time the turn is computed anew.
 void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motion) {
   pass(tau, clock, motion.now);
-  motion.step_time = tau;
   motion.acceleration_known = false;
   if (chain.omega == 0.0) return;
   if (++motion.turned > most_turns) return set_turn(chain, motion);
@@ -99,12 +96,11 @@ void place(std::size_t mass, const Real &x, const Real &v, Motion &motion) {
   motion.v[mass] = v;
   motion.x_terms[mass] = std::abs(x.hi);
   motion.v_terms[mass] = std::abs(v.hi);
-  motion.x_change[mass] = motion.v_change[mass] = 0.0;
   motion.acceleration_known = false;
 }
 
 bool Value::is_zero() const {
-  return abs(value) <= zero_threshold * terms + rounding;
+  return abs(value) <= zero_threshold * terms;
 }
 
 Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion) {
@@ -112,14 +108,10 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
   const double sigma = contact.sigma;
   if (!contact.held)
     return {scaled(contact.position - motion.x[i], sigma), scaled(motion.v[i], -sigma),
-            std::abs(contact.position) + motion.x_terms[i],
-            change_rounding * (motion.x_change[i] +
-                               step_time_rounding * motion.step_time * std::abs(motion.v[i].hi))};
+            std::abs(contact.position) + motion.x_terms[i]};
   const auto &[cosine, sine] = motion.turn;
   double rate = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
-  const double late = step_time_rounding * motion.step_time;
   Value value;
-  value.rounding = motion.step_time > 0.0 ? std::abs(chain.a[i]) + std::abs(chain.b[i]) : 0.0;
   value.terms = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
                 chain.ground[i] * motion.x_terms[i];
   const auto add_link = [&](double stiffness, std::size_t other, bool exists) {
@@ -127,8 +119,6 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
     if (!exists) return;
     rate += stiffness * (motion.v[other].hi + chain.beta * motion.acceleration[other]);
     value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);
-    value.rounding += stiffness * (motion.x_change[other] + late * std::abs(motion.v[other].hi) +
-                                   chain.beta * motion.v_change[other]);
   };
   add_link(chain.link[i], i - 1, i > 0);
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1, true);
@@ -137,7 +127,6 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
       [&](std::size_t j) -> const Real & { return motion.v[j]; });
   value.value = scaled(force, sigma);
   value.rate = sigma * rate;
-  value.rounding *= change_rounding;
   return value;
 }
 

@@ -25,10 +25,6 @@ struct Motion {
   // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
   // passes x = 0 onto a stop at 0 has no terms at that instant.
   List<double> x_terms, v_terms;
-  // The latest step has added these to x and v in double precision, in the time step_time. All
-  // three are 0 after a flight in closed form.
-  List<double> x_change, v_change;
-  double step_time = 0.0;
 };
 
 // The largest terms of a displacement, beside which others may be zero.
@@ -79,8 +75,7 @@ void place(std::size_t mass, const Real &x, const Real &v, Motion &motion);
 // The gap or the pressing force of a contact and its rate. The rate of a force is rounded.
 struct Value {
   Real value, rate;
-  double terms = 0.0;     // the sum of the moduli of the terms of the value
-  double rounding = 0.0;  // of the value, in the latest step
+  double terms = 0.0;  // the sum of the moduli of the terms of the value
   bool is_zero() const;
 };
 

@@ -22,12 +22,6 @@ constexpr bool is_rounding_at_stop(double beyond, double terms, double terms_of_
   return beyond <= stop_rounding * terms + zero_threshold * terms_of_chain +
                        std::numeric_limits<double>::min();
 }
-// Rounding of the second-order change of a step, which is found in double precision: eight
-// roundings. It tells which contacts come to zero at the same instant.
-constexpr double change_rounding = 0x1p-50;
-// Rounding of the time of an event in a step, in units of `change_rounding`: one unit in the last
-// place.
-constexpr double step_time_rounding = 0x1p-2;
 // A gap and its speed this small, relative to the motion of the chain and of the forcing in one
 // unit of time, are below the rounding of twice the precision.
 constexpr double as_at_rest = 1e-32;
@@ -87,14 +81,11 @@ constexpr double polynomial_rounding = 0x1p-53;
 // Depth to which a hold force may fall below zero without a release, relative to the sum of the
 // moduli of the forces on its mass: eight roundings. The mass would leave its stop by some 1e-30.
 constexpr double touch_rounding = 0x1p-50;
-// Time between simultaneous events, times the fastest rate: the rounding of one or two periods.
-constexpr double same_instant = 0x1p-46;
 // Time of a root, relative to its step, within which the gap that is left there is rounding. At a
 // slow impact it is more than one unit in the last place.
 constexpr double root_rounding = 1e-13;
-// Two roots u1 < u2 of a step may be one instant only if u2 - u1 is also at most this times u1,
-// however small u1 is.
-constexpr double same_instant_of_flight = 0x1p-16;
+// Two roots u1 < u2 of a step are one instant if u2 - u1 is at most this times u1: eight roundings.
+constexpr double same_instant = 0x1p-50;
 
 // Long flights.
 

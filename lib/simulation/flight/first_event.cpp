@@ -58,11 +58,6 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
                                    Counters &counters) {
   const ContactMode &mode = *motion.mode;
   expand(chain, motion, step, table);
-  // Two roots may be one instant if they differ by at most so much.
-  const double radians = mode.fastest > 0.0 ? same_instant / (mode.fastest * step.unit) : infinity;
-  const auto tolerance = [radians](double u) {
-    return std::min(radians, same_instant_of_flight * u);
-  };
   if (polynomials.size() < mode.contacts.size()) polynomials.resize(mode.contacts.size());
   roots.resize(mode.contacts.size());
   double u = step.u_max;
@@ -73,7 +68,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     near[k] = Near::no;
     roots[k] = infinity;
     if (start.idle) continue;
-    const double u_search = std::min(step.u_max, event ? u + tolerance(u) : u);
+    const double u_search = std::min(step.u_max, u + same_instant * u);
     if (!contact.held && start.zeros == 0 && stays_positive(table, contact, start, u_search))
       continue;
     Polynomial &p = polynomials[k];
@@ -98,9 +93,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   bool any_touches = false;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     // Stops that come earlier in the list have a root that may lie far beyond the first.
-    if (roots[k] > u + tolerance(u)) continue;
-    near[k] = Near::perhaps;
-    if (roots[k] != u) continue;
+    if (roots[k] > u + same_instant * u) continue;
     near[k] = touches(k) ? Near::touch : Near::zero;
     any_touches = any_touches || near[k] == Near::touch;
   }

@@ -17,9 +17,10 @@ struct Start {
   bool idle = false;  // the contact stays at zero
 };
 
-// The place of a contact at the end of a flight. The first to come there are zero by definition;
-// others may be so within rounding. Two are zero with their rate: a hold force that touches zero
-// and stays positive but for rounding, and the gap of a mass that has come to rest at its stop.
+// The place of a contact at the end of a flight. At its root a contact is zero by definition. At
+// the start of a run and the end of a long flight others may be so within rounding. Two are zero
+// with their rate: a hold force that touches zero and stays positive but for rounding, and the gap
+// of a mass that has come to rest at its stop.
 enum class Near : char { no, perhaps, zero, touch, rest };
 
 // True if a hold force falls below zero by no more than the rounding of its terms near a root,

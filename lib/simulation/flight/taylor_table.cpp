@@ -282,11 +282,9 @@ void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
     store(x + (v * Pair{tau, tau} + value), &motion.x[i]);
     store(v + slope, &motion.v[i]);
-    const Pair change = modulus(value), v_change = modulus(slope), speed = modulus(v.hi);
-    put(change, &motion.x_change[i]);
-    put(v_change, &motion.v_change[i]);
-    put(modulus(x.hi) + tau * speed + change, &motion.x_terms[i]);
-    put(speed + v_change, &motion.v_terms[i]);
+    const Pair speed = modulus(v.hi);
+    put(modulus(x.hi) + tau * speed + modulus(value), &motion.x_terms[i]);
+    put(speed + modulus(slope), &motion.v_terms[i]);
   }
   pass_time(chain, clock, tau, motion);
 }

@@ -130,7 +130,6 @@ void fly(const ModalForm &form, double omega, const ModalState &start,
 
 void set_masses(const ModalForm &form, const ModalState &state, Motion &motion) {
   for (std::size_t i = 0; i < motion.mode->held.size(); ++i) {
-    motion.x_change[i] = motion.v_change[i] = 0.0;
     if (motion.mode->held[i] != 0) continue;
     Real x = 0.0, v = 0.0;
     double x_terms = 0.0, v_terms = 0.0;
@@ -146,7 +145,6 @@ void set_masses(const ModalForm &form, const ModalState &state, Motion &motion) 
     motion.x_terms[i] = x_terms;
     motion.v_terms[i] = v_terms;
   }
-  motion.step_time = 0.0;
   motion.acceleration_known = false;
 }
 

@@ -73,7 +73,6 @@ Motion *find_limit(Run &run) {
   limit = run.motion;
   if (!chatter.extrapolate(tolerance, limit)) return nullptr;
   limit.acceleration_known = false;
-  limit.step_time = 0.0;
   pass(*left, run.problem.clock, limit.now);
   set_turn(chain, limit);
   return &limit;

@@ -113,6 +113,22 @@ FlightEnd search_far(Run &run) {
                                 run.counters);
 }
 
+// The motion stands at the time tau of a root that a double has rounded, with a gap of a rounding
+// left. To put the mass hit onto its stop would move it in the field of its springs: the gap has a
+// preferred sign, and the energy of an elastic chain would drift. Hence the time until the gap is
+// zero passes for all masses.
+void close_gap(Run &run, double tau) {
+  Motion &motion = run.motion;
+  for (std::size_t k = 0; k < motion.mode->contacts.size(); ++k) {
+    const Contact &contact = motion.mode->contacts[k];
+    if (contact.held || run.scratch.near[k] != Near::zero) continue;
+    const Value gap = evaluate(run.chain(), contact, motion);
+    const double time = -gap.value.hi / gap.rate.hi;
+    if (gap.rate.hi < 0.0 && std::abs(time) <= root_rounding * tau)
+      return let_rounding_pass(run.chain(), run.problem.clock, time, motion);
+  }
+}
+
 // Moves the run to the end of the flight that was searched.
 void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
@@ -123,6 +139,7 @@ void move_to(Run &run, const FlightEnd &end) {
   const double tau = end.tau.hi;
   if (!(tau > 0.0)) return;
   move_along(chain, clock, scratch.flight.table, tau, run.motion);
+  if (end.event) close_gap(run, tau);
 }
 
 // One flight of the loop.

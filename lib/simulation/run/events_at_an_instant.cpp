@@ -140,7 +140,6 @@ void forget_instant(Run &run) {
 }
 
 void handle_instant(Run &run, Recorders recorders) {
-  close_gap(run);
   gather_hits(run);
   apply_hits(run, recorders);
   hold_or_release(run, recorders);

@@ -32,22 +32,6 @@ double flight_after(const Motion &motion, const Contact &contact, double speed) 
 
 }  // namespace
 
-// The motion stands at the time of a root that a double has rounded, with a gap of a rounding left.
-// To put the mass hit onto its stop would move it in the field of its springs: the gap has a
-// preferred sign, and the energy of an elastic chain would drift. Hence the time until the gap is
-// zero passes for all masses. After a long flight, whose time has twice the precision, none passes.
-void close_gap(Run &run) {
-  Motion &motion = run.motion;
-  for (std::size_t k = 0; k < motion.mode->contacts.size(); ++k) {
-    const Contact &contact = motion.mode->contacts[k];
-    if (contact.held || run.scratch.near[k] != Near::zero) continue;
-    const Value gap = evaluate(run.chain(), contact, motion);
-    const double time = -gap.value.hi / gap.rate.hi;
-    if (gap.rate.hi < 0.0 && std::abs(time) <= root_rounding * motion.step_time)
-      return let_rounding_pass(run.chain(), run.problem.clock, time, motion);
-  }
-}
-
 void gather_hits(Run &run) {
   Scratch &scratch = run.scratch;
   scratch.hits.clear();

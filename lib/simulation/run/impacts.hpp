@@ -5,9 +5,6 @@
 
 namespace vibro_impact::detail {
 
-// Lets the rounding of the time of a root pass for all masses.
-void close_gap(Run &run);
-
 // Finds the contacts that have come to zero, into scratch.hits those with an impact. A mass that
 // comes to its stop without speed is at rest there.
 void gather_hits(Run &run);
