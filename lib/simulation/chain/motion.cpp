@@ -110,14 +110,14 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
     return {scaled(contact.position - motion.x[i], sigma), scaled(motion.v[i], -sigma),
             std::abs(contact.position) + motion.x_terms[i]};
   const auto &[cosine, sine] = motion.turn;
-  double rate = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
+  double slope = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
   Value value;
   value.terms = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
                 chain.ground[i] * motion.x_terms[i];
   const auto add_link = [&](double stiffness, std::size_t other, bool exists) {
     value.terms += stiffness * motion.x_terms[i];
     if (!exists) return;
-    rate += stiffness * (motion.v[other].hi + chain.beta * motion.acceleration[other]);
+    slope += stiffness * (motion.v[other].hi + chain.beta * motion.acceleration[other]);
     value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);
   };
   add_link(chain.link[i], i - 1, i > 0);
@@ -126,7 +126,7 @@ Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion)
       chain, i, motion.turn, [&](std::size_t j) -> const Real & { return motion.x[j]; },
       [&](std::size_t j) -> const Real & { return motion.v[j]; });
   value.value = scaled(force, sigma);
-  value.rate = sigma * rate;
+  value.slope = sigma * slope;
   return value;
 }
 

@@ -72,14 +72,14 @@ Real force_at_rest(const Chain &chain, std::size_t i, const Turn &turn, const Di
 // Puts a mass, at an instant, to a displacement and a velocity that are known exactly.
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion);
 
-// The gap or the pressing force of a contact and its rate. The rate of a force is rounded.
+// The gap or the pressing force of a contact and its slope. The slope of a force is rounded.
 struct Value {
-  Real value, rate;
+  Real value, slope;
   double terms = 0.0;  // the sum of the moduli of the terms of the value
   bool is_zero() const;
 };
 
-// The rate of a force needs the acceleration.
+// The slope of a force is that of the acceleration of the motion, known or not.
 Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion);
 
 // The sum of the moduli of the forces on a mass at rest (from 0): springs by their stretch, dampers

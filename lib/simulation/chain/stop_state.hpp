@@ -15,11 +15,11 @@ struct Evaluated {};
 // The mass is free and at rest at the stop, and not yet decided.
 struct Resting {};
 // The derivatives of order 0, ..., zeros - 1 of what is evaluated at the contact, the gap of a free
-// mass or the force on a held one, are exactly zero. The next one is `first` > 0: after an impact
-// the speed (zeros = 1), after a decision the derivative that has decided.
+// mass or the force on a held one, are exactly zero. The next one is positive: after an impact the
+// speed (zeros = 1), after a decision the derivative that has decided.
 struct ExactZeros {
   int zeros = 0;
-  double first = 0.0;
+  double derivative = 0.0;  // of order `zeros`
 };
 // No force acts on the mass, to all orders. It is free, and stays at rest at the stop.
 struct Forceless {};

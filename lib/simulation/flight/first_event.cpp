@@ -13,15 +13,15 @@ namespace {
 void insert_start(const Start &start, double unit, Polynomial &p) {
   Terms &c = p.coefficient;
   c[0] = start.value;
-  c[1] = start.rate * unit;
+  c[1] = start.derivative * unit;
   if (start.zeros == 0) return;
   // A mass that leaves in an order beyond that of the step does so in its last order.
   const int zeros = std::min(start.zeros, p.order);
   std::fill_n(c.begin(), zeros, 0.0);
   if (zeros < 2) return;
-  double first = start.rate;
-  for (int n = 1; n <= zeros; ++n) first *= unit / n;
-  c[static_cast<std::size_t>(zeros)] = first;
+  double term = start.derivative;
+  for (int n = 1; n <= zeros; ++n) term *= unit / n;
+  c[static_cast<std::size_t>(zeros)] = term;
 }
 
 // True if a gap stays positive up to u_max by a parabola below it, (4) of lib/README.md.
@@ -30,7 +30,7 @@ bool stays_positive(const TaylorTable &table, const Contact &contact, const Star
   const double g2 = -contact.sigma * table.of_order(2)[contact.mass],
                g3 = -contact.sigma * table.of_order(3)[contact.mass],
                rest = travel_margin * table.travel[contact.mass] - std::abs(g2) - std::abs(g3);
-  const double slope = start.rate * table.step.unit,
+  const double slope = start.derivative * table.step.unit,
                second = g2 + u_max * std::min(0.0, g3 - u_max * rest);
   const double lowest = second > 0.0 ? std::clamp(-0.5 * slope / second, 0.0, u_max) : u_max;
   return start.value + std::min(0.0, travel_margin * lowest * (slope + lowest * second)) > 0.0;
@@ -46,11 +46,11 @@ bool only_touches(double slope, double second, double terms) {
 Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion) {
   if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
   if (const auto *known = std::get_if<ExactZeros>(&at); known && known->zeros > 0)
-    return {.rate = known->first, .zeros = known->zeros};
+    return {.derivative = known->derivative, .zeros = known->zeros};
   const Value value = evaluate(chain, contact, motion);
   if (rounded(value.value) <= zero_threshold * value.terms)
-    return {.rate = rounded(value.rate), .zeros = 1};
-  return {.value = rounded(value.value), .rate = rounded(value.rate)};
+    return {.derivative = rounded(value.slope), .zeros = 1};
+  return {.value = rounded(value.value), .derivative = rounded(value.slope)};
 }
 
 FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, const Step &step,

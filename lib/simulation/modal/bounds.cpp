@@ -9,11 +9,12 @@
 
 namespace vibro_impact::detail {
 
-// A contact is bounded from below by its value, its rate, its derivatives of order 2 to `order` and
-// a bound of the next one. Parts of the motion that turn within the time are taken out of these,
-// and lower the value by their amplitude instead. Derivatives of order n are in units of unit^-n:
+// A contact is bounded from below by its value, its slope, its derivatives of order 2 to `order`
+// and a bound of the next one. Parts of the motion that turn within the time are taken out of
+// these, and lower the value by their amplitude instead. Derivatives of order n are in units of
+// unit^-n:
 //
-//   g(s) >= value + rate s + sum_(n=2)^order g_n (s/unit)^n / n!
+//   g(s) >= value + slope s + sum_(n=2)^order g_n (s/unit)^n / n!
 //           - remainder (s/unit)^(order+1) / (order+1)!
 //
 // Parts cancel each other: the slow ones of identical oscillators at a mass that hardly moves, and
@@ -22,7 +23,7 @@ namespace vibro_impact::detail {
 struct LongFlight::Bound {
   int order = 2;
   double length = 0.0, unit = 0.0;
-  Real value = 0.0, rate = 0.0;
+  Real value = 0.0, slope = 0.0;
   double remainder = 0.0;
   std::array<Real, max_order + 1> derivative{};
 
@@ -32,7 +33,7 @@ struct LongFlight::Bound {
       value -= part.value + part.amplitude;
       return;
     }
-    rate += part.slope;
+    slope += part.slope;
     const Real d = part.damping * unit, stiff = part.stiffness * unit * unit;
     Real before = part.value, latest = part.slope * unit;
     for (int n = 2; n <= order + 1; ++n) {
@@ -48,7 +49,7 @@ struct LongFlight::Bound {
     Polynomial p;
     p.order = order + 1;
     p.coefficient[0] = value.hi;
-    p.coefficient[1] = rate.hi * length;
+    p.coefficient[1] = slope.hi * length;
     double power = length / unit;
     for (int n = 2; n <= order + 1; ++n) {
       power *= length / unit / n;
@@ -59,8 +60,9 @@ struct LongFlight::Bound {
   }
 };
 
-// The derivatives of all coordinates at u, in this unit. Those of a stiff coordinate cancel, as do
-// those of different coordinates at a mass that hardly moves: twice the precision keeps them.
+// The derivatives of all coordinates at `searched_to_`, in this unit. Those of a stiff coordinate
+// cancel, as do those of different coordinates at a mass that hardly moves: twice the precision
+// keeps them.
 void LongFlight::find_derivatives(double unit, int order) {
   if (unit == unit_ && order <= order_) return;
   unit_ = unit;
@@ -99,14 +101,16 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
   Real y = c.deviation, dy = c.dy;  // of the free part
   if (c.modulus > 0.0) {
     // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
-    // s = (a - i b) / (lambda - Omega^2 + i kappa Omega), which is no number at resonance.
+    // s = (a - i b) / (lambda - Omega^2 + i kappa Omega).
     const Real square = Real(omega_) * omega_;
     const ComplexOf<Real> s = ComplexOf<Real>{c.force.a, -c.force.b} /
                               ComplexOf<Real>{o.lambda - square, o.kappa * omega_};
     const double root = std::sqrt(o.lambda.hi),
                  whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
     const bool turns = std::min(root, omega_) * length > 1.0 && !o.has_two_decays();
-    if (turns && !(std::hypot(s.re.hi, s.im.hi) <= whole))
+    // False at resonance, where s is no number.
+    const bool splits_well = std::hypot(s.re.hi, s.im.hi) <= whole;
+    if (turns && !splits_well)
       return use(Part{weight * (y + d * dy), 0.0, o.kappa, o.lambda, o.rate,
                       size * whole * (1.0 + d * root)});
     const Real steady = s.re, slope = -(omega_ * s.im);
@@ -149,7 +153,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
       each_part(w, c, form_->exact[j], weight, l, [&bound](const Part &part) { bound.add(part); });
       continue;
     }
-    bound.rate += weight * (c.dy + damping * c.derivative[2] / bound.unit);
+    bound.slope += weight * (c.dy + damping * c.derivative[2] / bound.unit);
     for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
       bound.derivative[n] += weight * c.derivative[n];
       if (damping > 0.0) bound.derivative[n] += weight * (damping * c.derivative[n + 1]);
@@ -179,7 +183,7 @@ double LongFlight::longest_blind_step() const {
       });
   }
   if (rate == 0.0) return longest_step;
-  return std::min(blind_radians / rate, std::max(u_, 1.0 / fastest_));
+  return std::min(blind_radians / rate, std::max(searched_to_, 1.0 / fastest_));
 }
 
 }  // namespace vibro_impact::detail

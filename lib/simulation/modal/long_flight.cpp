@@ -78,12 +78,13 @@ bool LongFlight::look_at_hidden() {
   return below;
 }
 
-// Evaluates the motion and all contacts at the time u of the flight.
-void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u) {
-  u_ = u;
+// Evaluates the motion and all contacts at a time of the flight, which has been searched to there.
+void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &start,
+                          double time) {
+  searched_to_ = time;
   order_ = 0;
-  at(chain, clock, start, u);
-  const ComplexOf<Real> wave = wave_at(Real(u) * omega_);
+  at(chain, clock, start, time);
+  const ComplexOf<Real> wave = wave_at(Real(time) * omega_);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
     const ModalForce<Real> &f = forces_[j];
@@ -139,23 +140,25 @@ double LongFlight::next_step(Counters &counters) {
   return step;
 }
 
-// True if an event is at u: a contact is zero, or has a simple root within the rounding of its
-// time.
+// True if the search has come to an event: a contact is zero, or has a simple root within the
+// rounding of its time.
 bool LongFlight::is_root() const {
   for (std::size_t k = 0; k < values_.size(); ++k) {
-    const double value = values_[k].value.hi, rate = values_[k].rate.hi;
-    if (!starts_[k].idle && !hidden_[k] && rate <= 0.0 &&
-        (value <= zero_threshold * values_[k].terms || value <= -time_rounding * u_ * rate))
+    const double value = values_[k].value.hi, slope = values_[k].slope.hi;
+    if (!starts_[k].idle && !hidden_[k] && slope <= 0.0 &&
+        (value <= zero_threshold * values_[k].terms ||
+         value <= -time_rounding * searched_to_ * slope))
       return true;
   }
   return false;
 }
 
-// The earliest root, which lies within rounding of u, by Newton's steps in twice the precision.
+// The earliest root, which lies within rounding of `searched_to_`, by Newton's steps in twice the
+// precision.
 Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &start,
                          std::vector<Near> &near) {
   const List<Contact> &contacts = start.mode->contacts;
-  Real tau = u_;
+  Real tau = searched_to_;
   std::fill(near.begin(), near.end(), Near::perhaps);
   if (look_at_hidden()) {
     for (std::size_t k = 0; k < hidden_.size(); ++k)
@@ -168,13 +171,13 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (starts_[i].idle || hidden_[i]) continue;
       const Value value = detail::evaluate(chain, contacts[i], at(chain, clock, start, tau));
-      if (!(value.rate.hi < 0.0)) continue;
-      const Real newton = -value.value / value.rate;
+      if (!(value.slope.hi < 0.0)) continue;
+      const Real newton = -value.value / value.slope;
       if (!(newton < earliest)) continue;
       earliest = newton;
       first = i;
     }
-    if (!(std::abs(earliest.hi) <= longest_correction * u_)) break;
+    if (!(std::abs(earliest.hi) <= longest_correction * searched_to_)) break;
     std::fill(near.begin(), near.end(), Near::perhaps);
     near[first] = Near::zero;
     if (earliest.hi == 0.0) break;
@@ -212,7 +215,7 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
 // Goes back to the time, after `before`, at which a hidden contact is first seen below zero.
 void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const Motion &start,
                                  double before, Counters &counters) {
-  double after = u_;
+  double after = searched_to_;
   while (after - before > time_rounding * after) {
     const double middle = before + 0.5 * (after - before);
     if (middle == before || middle == after) break;  // next to 0 no time lies between
@@ -229,22 +232,22 @@ FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motio
     const double l = l_, step = next_step(counters);
     // The step goes beyond the end of the call where a hidden contact may appear: it may do so
     // before that end.
-    const bool is_last = u_ + step >= end && !(longest_blind_step() < longest_step);
-    if (u_ >= end || is_last) {
+    const bool is_last = searched_to_ + step >= end && !(longest_blind_step() < longest_step);
+    if (searched_to_ >= end || is_last) {
       l_ = l;  // the next call makes this step
       return {infinity, false};
     }
-    const double before = u_;
-    evaluate(chain, clock, start, u_ + step);
+    const double before = searched_to_;
+    evaluate(chain, clock, start, searched_to_ + step);
     ++counters.search_steps;
     const bool appears = look_at_hidden();
     if (appears) find_appearance(chain, clock, start, before, counters);
-    if (appears || is_root() || u_ == before)
+    if (appears || is_root() || searched_to_ == before)
       is_at_event_ = true;
     else if (++evaluations_ >= most_search_steps)
-      return {u_, false};
+      return {searched_to_, false};
   }
-  // Also for a call that goes on after one that ended between u and the event.
+  // Also for a call that goes on after one that ended between `searched_to_` and the event.
   return {refined(chain, clock, start, near), true};
 }
 

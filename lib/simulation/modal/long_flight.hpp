@@ -13,7 +13,7 @@
 namespace vibro_impact::detail {
 
 // A flight under way. The calls of a run may end within it: its search stands between them, at the
-// time u of the flight, and does not depend on where they end.
+// time `searched_to_` of the flight, and does not depend on where they end.
 class LongFlight {
  public:
   bool is_under_way() const {
@@ -44,8 +44,8 @@ class LongFlight {
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
 
  private:
-  // A coordinate at u, the derivatives that have been found of it, in units of unit_^-n, and its
-  // deviation from the static displacement.
+  // A coordinate at `searched_to_`, the derivatives that have been found of it, in units of
+  // unit_^-n, and its deviation from the static displacement.
   struct Coordinate {
     Real y = 0.0, dy = 0.0;
     std::array<Real, max_order + 3> derivative{};
@@ -64,26 +64,26 @@ class LongFlight {
   Motion origin_;
   Blocks blocks_;
   std::shared_ptr<const ModalForm> form_;
-  ModalState start_, state_;  // at the start of the flight, and at u
+  ModalState start_, state_;  // at the start of the flight, and searched to
   std::vector<ModalForce<Real>> forces_;
   std::vector<Start> starts_;
   Motion motion_;  // at the time that was evaluated last,
   Real motion_tau_ = -1.0;
   std::vector<Coordinate> coordinates_;
-  std::vector<ModalForce<double>> watch_forces_;  // of the watches at u
-  std::vector<Value> values_;                     // of the contacts at u
+  std::vector<ModalForce<double>> watch_forces_;  // of the watches there
+  std::vector<Value> values_;                     // of the contacts there
   double omega_ = 0.0, fastest_ = 0.0;            // of the forcing; the fastest rate
   // Whether the value of a contact lies below the rounding of its modal coordinates. It then
   // keeps its sign, by definition, until it is seen.
   std::vector<char> hidden_;
-  double u_ = 0.0;
-  double unit_ = 0.0;  // of the derivatives found at u,
+  double searched_to_ = 0.0;
+  double unit_ = 0.0;  // of the derivatives found there,
   int order_ = 0;      // up to this order
   double l_ = 0.0;     // the time for which bounds are made
   int evaluations_ = 0;
-  bool is_at_event_ = false;  // the search has found an event next to u
+  bool is_at_event_ = false;  // the search has found an event there
 
-  void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double u);
+  void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double time);
   void find_derivatives(double unit, int order);
   double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
                           double length) const;

@@ -32,11 +32,11 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
     r = at_rest;
     scratch.stops.push_back(contact.stop);
     // Each impulse is r times, and each energy r^2 times the one before.
-    const double v = leaving->first, m = chain.mass[contact.mass];
+    const double v = leaving->derivative, m = chain.mass[contact.mass];
     scratch.shares.push_back({taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
                               {m * v * (1.0 + r) / (1.0 - r), 0.5 * m * v * v}});
     // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
-    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->first;
+    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->derivative;
     flight_time = std::max(flight_time, hit.flight_time);
   }
   run.hint.flight_time = flight_time;

@@ -123,8 +123,8 @@ void close_gap(Run &run, double tau) {
     const Contact &contact = motion.mode->contacts[k];
     if (contact.held || run.scratch.near[k] != Near::zero) continue;
     const Value gap = evaluate(run.chain(), contact, motion);
-    const double time = -gap.value.hi / gap.rate.hi;
-    if (gap.rate.hi < 0.0 && std::abs(time) <= root_rounding * tau)
+    const double time = -gap.value.hi / gap.slope.hi;
+    if (gap.slope.hi < 0.0 && std::abs(time) <= root_rounding * tau)
       return let_rounding_pass(run.chain(), run.problem.clock, time, motion);
   }
 }

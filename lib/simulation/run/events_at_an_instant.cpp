@@ -48,7 +48,7 @@ void question_dead_bounces(Run &run) {
     const bool bounces = stop.falling > 0 && (is<Evaluated>(stop.at) || is<ExactZeros>(stop.at));
     if (contact.held || !bounces) continue;
     const Value value = evaluate(chain, contact, motion);
-    if (rounded(value.value) <= rounding * window && std::abs(value.rate.hi) <= rounding)
+    if (rounded(value.value) <= rounding * window && std::abs(value.slope.hi) <= rounding)
       add_resting(run, contact, 0);
   }
 }

@@ -82,7 +82,7 @@ void apply_hits(Run &run, Recorders recorders) {
     StopState &stop = run.stops[contact.stop];
     const auto *leaving = std::get_if<ExactZeros>(&stop.at);
     if (!leaving) continue;
-    hit.flight_time = flight_after(motion, contact, leaving->first);
+    hit.flight_time = flight_after(motion, contact, leaving->derivative);
     const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest()),
                  passed = rounded(elapsed(stop.since, motion.now, run.problem.clock));
     if (!(time_left < chatter_end * passed)) continue;
