@@ -1,6 +1,7 @@
 #include "first_event.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "simulation/chain/tolerances.hpp"
@@ -34,6 +35,33 @@ bool stays_positive(const TaylorTable &table, const Contact &contact, const Star
                second = g2 + u_max * std::min(0.0, g3 - u_max * rest);
   const double lowest = second > 0.0 ? std::clamp(-0.5 * slope / second, 0.0, u_max) : u_max;
   return start.value + std::min(0.0, travel_margin * lowest * (slope + lowest * second)) > 0.0;
+}
+
+// True if no contact is below zero, but for rounding, at points before u. This is a check of debug
+// builds, which shares nothing with the search for roots.
+[[maybe_unused]] bool none_is_passed(const Chain &chain, const Motion &motion,
+                                     const TaylorTable &table, const std::vector<Start> &starts,
+                                     double u) {
+  constexpr int points = 64;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    if (starts[k].idle) continue;
+    const Contact &contact = motion.mode->contacts[k];
+    Polynomial p;
+    read(chain, motion, table, contact, p);
+    insert_start(starts[k], table.step.unit, p);
+    const double forces = contact.held ? sum_of_forces(chain, contact.mass, motion) : 0.0;
+    for (int point = 1; point < points; ++point) {
+      const double place = u * point / points;
+      double value = 0.0, moduli = 0.0;
+      for (int n = p.order; n >= 0; --n) {
+        const double c = p.coefficient[static_cast<std::size_t>(n)];
+        value = value * place + c;
+        moduli = moduli * place + std::abs(c);
+      }
+      if (value < -touch_rounding * (moduli + forces)) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -81,6 +109,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
     if (!event || *root < u) u = *root;
     event = true;
   }
+  assert(none_is_passed(chain, motion, table, starts, u));
   if (!event) return {step.length, false};
   // A force that falls to less than its rounding, and not below it by more, touches zero.
   const auto touches = [&](std::size_t k) {
