@@ -25,7 +25,9 @@ double longest_step_of(const Run &run) {
 }
 
 Step plan_step(Run &run) {
-  const double longest = longest_step_of(run);
+  const double of_mode = longest_step_of(run);
+  double &longest = run.hint.longest_step;
+  longest = std::clamp(longest, shortest_between_events * of_mode, of_mode);
   Step step;
   step.length = std::min(
       longest, std::max(expected_flight_margin * run.hint.flight_time, shortest_step * longest));
@@ -76,12 +78,14 @@ void handle_events(Run &run, Recorders recorders) {
   follow_chatter(run, before);
 }
 
-// Handles the end of a flight, to which the run has been moved.
-void end_flight(Run &run, bool event, Recorders recorders) {
+// Handles the end of a flight of the length tau, to which the run has been moved.
+void end_flight(Run &run, double tau, bool event, Recorders recorders) {
   forget_instant(run);
   event = event || any_force_begins(run);
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
-  run.hint = {.quiet_steps = quiet_steps};
+  const double longest =
+      event ? 0.5 * (run.hint.longest_step + longest_in_flights * tau) : infinity;
+  run.hint = {.quiet_steps = quiet_steps, .longest_step = longest};
   if (!event) return;
   handle_events(run, recorders);
   note_listed_impacts(run);
@@ -156,7 +160,7 @@ void fly_on(Run &run, Recorders recorders) {
   sample(run, end.tau, recorders);
   if (run.progress.over) return;
   move_to(run, end);
-  end_flight(run, end.event || run.hint.postponed, recorders);
+  end_flight(run, end.tau.hi, end.event || run.hint.postponed, recorders);
 }
 
 }  // namespace

@@ -32,6 +32,9 @@ struct Problem {
 struct StepHint {
   double flight_time = infinity;  // expected until the next impact of a mass that was just hit
   long long quiet_steps = 0;      // steps since the latest event
+  // `longest_in_flights` times a mean of the latest flights, of which each counts half as much as
+  // the next one. Without an event in the latest step, only the mode bounds the length.
+  double longest_step = infinity;
   // A decision about a stop is postponed: the next step ends at most two roundings of the clock
   // later, or `least_delay` after t = 0.
   bool postponed = false;
