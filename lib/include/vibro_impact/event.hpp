@@ -67,7 +67,7 @@ struct Event {
   Held held = {};          ///< the contact mode after the event
   /// The sums of an impact. A chatter that is carried to its limit has infinitely many impacts. Its
   /// event at the limit has the sums of those that no event before has reported. This event is the
-  /// stick, or an impact with both velocities 0 if the mass is released at once.
+  /// stick, or an impact with both velocities 0 if the mass does not stick.
   ImpactSum taken = {};
 
   bool operator==(const Event &) const = default;

@@ -1,6 +1,6 @@
 /// \file
-/// The moments that a run reports, and small recorders that collect them. A run computes and stores
-/// nothing that no recorder asks for. All quantities are non-dimensional.
+/// The moments that a run reports, and small recorders that collect them. A run computes no
+/// state and stores no event that no recorder asks for. All quantities are non-dimensional.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ class Moment {
   virtual int masses() const = 0;
   virtual double displacement(int mass) const = 0;
   virtual double velocity(int mass) const = 0;
-  /// The force of the neighbours and the forcing on a held mass, F_p of Eqs. 12-13, positive
-  /// towards +x. It is NaN for a free mass.
+  /// The force on a held mass without the reaction of its stop, F_p of Eqs. 12-13, positive towards
+  /// +x: of its springs and dampers, the forcing and the constant force. It is NaN for a free mass.
   virtual double hold_force(int mass) const = 0;
   /// The sums of the impacts at a stop (from 1) up to this moment that no event has reported yet.
   /// They are impacts of a chatter, and the event at its limit reports them. Else they are zero.

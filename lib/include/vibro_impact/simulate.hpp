@@ -35,8 +35,9 @@ struct RunOptions {
   /// impact. Recorders may ask for slower ones, which do not change it. With 0, all impacts are
   /// resolved until the remaining ones lie below rounding.
   double limit_below_speed = infinity;
-  /// Largest estimated error of the time of a chatter limit, times the rate of the fastest mode, at
-  /// which the limit is accepted. It lies in (0, 1).
+  /// Largest estimated error at which a chatter limit is accepted: of its time, relative to the
+  /// duration of the chatter and to 1 / rate of the fastest mode, and of the velocities, relative
+  /// to their jumps. It lies in (0, 1).
   double chatter_tolerance = 1e-13;
   /// Largest remainder of the Taylor series of a step, relative to its second-order term, from
   /// 1e-21 to below 1. The order of the series follows from it. The default lies so far below

@@ -1,4 +1,4 @@
-// Bounds of the rates of a chain.
+// Bounds of the rates of a chain (scene.cpp).
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,11 @@ struct Evaluated {};
 struct Resting {};
 // The derivatives of order 0, ..., zeros - 1 of what is evaluated at the contact, the gap of a free
 // mass or the force on a held one, are exactly zero. The next one is positive: after an impact the
-// speed (zeros = 1), after a decision the derivative that has decided.
+// speed, after a decision the derivative that has decided, of the order z of the force:
+//
+//   gap after an impact     1 zero         the speed
+//   gap after a release     z + 2 zeros    the derivative of order z of x''
+//   force after a stick     z zeros        the derivative of order z of the force
 struct ExactZeros {
   int zeros = 0;
   double derivative = 0.0;  // of order `zeros`
@@ -24,7 +28,7 @@ struct ExactZeros {
 // No force acts on the mass, to all orders. It is free, and stays at rest at the stop.
 struct Forceless {};
 // A mass neither sticks nor is released at the instant of the latest of these events. The decision
-// is made again two roundings of the clock later.
+// is made again at a later instant of the clock.
 struct Postponed {};
 
 using AtStop = std::variant<Evaluated, Resting, ExactZeros, Forceless, Postponed>;

@@ -22,8 +22,8 @@ constexpr bool is_rounding_at_stop(double beyond, double terms, double terms_of_
   return beyond <= stop_rounding * terms + zero_threshold * terms_of_chain +
                        std::numeric_limits<double>::min();
 }
-// A gap and its speed this small, relative to the motion of the chain and of the forcing in one
-// unit of time, are below the rounding of twice the precision.
+// A gap and its speed this small, relative to the motion of the chain and of the forcing in a
+// window of time, are below the rounding of twice the precision.
 constexpr double as_at_rest = 1e-32;
 // Orders of a decision at rest that take as long as a step, for chains of 2 to 200 masses.
 constexpr int orders_as_a_step = 20;
@@ -52,8 +52,8 @@ constexpr double least_flight_tolerance = 1e-21;
 // most 20 percent late.
 constexpr double expected_flight_margin = 1.2;
 // Length of the longest step, relative to a mean of the flights between the latest events. A longer
-// step is cut short at the next event, and its higher orders are in vain: those of 200 masses with
-// stops are 15 then, and 26 without.
+// step is cut short at the next event, and its higher orders are in vain: that of 200 masses with
+// stops is 15 then, and 25 without.
 constexpr double longest_in_flights = 8.0;
 // The least of these lengths, relative to the longest step of the mode. Shorter steps save hardly
 // an order, and the products of the slopes of a motion near 1e-308 with them underflow.
@@ -135,7 +135,7 @@ constexpr double ratio_change = 1.0 / 16.0;
 // Error of a limit, relative to the difference that its oldest node makes. The error of one limit
 // of Figure 4(a) is 19 times this difference.
 constexpr double error_share = 24.0;
-// Bound of the sum of the jumps to come, relative to the geometric series J r / (1 - r).
+// Bound of the sum of the jumps to come, relative to that of the geometric series, J / (1 - r).
 constexpr double jump_sum_factor = 1.5;
 // Longest time to a limit, in radians of the fastest rate: accelerations then hardly change.
 constexpr double longest_rest_of_chatter = 0.5;

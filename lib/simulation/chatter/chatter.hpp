@@ -25,9 +25,9 @@ struct ExactSum {
 
 // An impact as a node of the extrapolation: what it predicts of the limit, to leading order.
 struct ChatterNode {
-  Real time = 0.0;  // of the limit, since the first node
+  Real time = 0.0;  // of the limit, since the first impact
   std::vector<Real> x, v;
-  std::vector<ExactSum> sums;  // of all impacts at each stop since the first node
+  std::vector<ExactSum> sums;  // of all impacts at each stop since the first
   double largest_jump = 0.0;   // of a velocity, at all impacts to come
 };
 
@@ -47,7 +47,7 @@ class Chatter {
     return size_ > 0 && (impacts_ - 1) % stride_ == 0;
   }
   // The time from the latest node to the limit, extrapolated. It is known when it has settled
-  // within this tolerance of 1 / rate and of the duration of the chatter.
+  // within this tolerance of 1 / rate and of the time from its first node to the limit.
   std::optional<double> time_left(double tolerance, double rate) const;
   // Sets x and v to those at the limit, extrapolated. Returns false until the velocities have
   // settled within this tolerance of their jumps.
@@ -72,7 +72,7 @@ class Chatter {
   std::vector<ExactSum> sums_;  // of the impacts so far, at each stop
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
-  TwofoldInstant first_;       // the instant of the first node
+  TwofoldInstant first_;       // the instant of the first impact
   double left_ = 0.0;          // the time from the latest to the limit, to leading order,
   std::vector<double> jumps_;  // and the jumps of the velocities at all impacts after it
   double flight_time_ = 0.0, duration_ = 0.0, ratio_ = 0.0;

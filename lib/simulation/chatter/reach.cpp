@@ -19,7 +19,7 @@ struct MotionBounds {
 };
 
 // The accelerations change by little until the limit: in half a radian the fastest mode adds at
-// most its rate times its speed, which the factor of two covers.
+// most its rate times its speed. The factor of two is a margin.
 MotionBounds bounds_of(const Chain &chain, const Motion &motion, const std::vector<double> &jumps,
                        double left) {
   MotionBounds bounds{motion, jumps, left, 0.0};

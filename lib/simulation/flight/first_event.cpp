@@ -71,7 +71,8 @@ bool only_touches(double slope, double second, double terms) {
   return second > 0.0 && slope / terms * slope <= 4.0 * touch_rounding * second;
 }
 
-Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion) {
+Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at,
+                    const Motion &motion) {
   if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
   if (const auto *known = std::get_if<ExactZeros>(&at); known && known->zeros > 0)
     return {.derivative = known->derivative, .zeros = known->zeros};

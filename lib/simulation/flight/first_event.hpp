@@ -35,7 +35,8 @@ struct FlightEnd {
 };
 
 // The start of the flight of a contact from the motion, and from what is known of its stop.
-Start start_of(const Chain &chain, const Contact &contact, const AtStop &at, const Motion &motion);
+Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at,
+                    const Motion &motion);
 
 // One step of a flight. Its storage is reused, so that steps allocate no memory.
 struct Flight {

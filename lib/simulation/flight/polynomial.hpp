@@ -1,4 +1,4 @@
-// Polynomials in u on [0, 1]: a gap or a hold force along one step.
+// Polynomials in u on [0, 1]: a gap or a hold force along one step (first_root.cpp).
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ Jet jet_at(const Polynomial &p, int zeros, double u);
 // The first root in (0, u_max] of p(u) / u^zeros, where `zeros` is the number of leading
 // coefficients that are exactly zero. The search is guaranteed to miss no root and takes no
 // samples: (5) of lib/README.md. If the first non-zero coefficient is negative, the root is
-// 0. If powers of u leave the range of double precision, it is NaN. If the search does not end
-// within its iterations, it is infinite.
+// 0. A point where p lies within its rounding is a root, too. If powers of u leave the range of
+// double precision, it is NaN. If the search does not end within its iterations, it is infinite.
 std::optional<double> first_root(const Polynomial &p, double u_max, Counters &counters,
                                  int most_iterations = most_root_iterations);
 

@@ -40,8 +40,8 @@ using Blocks = std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<con
 // The modal form of a contact mode of N masses, in O(N^2). A block that is new is added in O(N^3).
 ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks);
 
-// The modal coordinates and their velocities, y = shape^T M x, with the sums of the moduli of the
-// terms of each.
+// The modal coordinates and their velocities, y = shape^T M x. A flight sets the sums of the moduli
+// of the terms of each.
 struct ModalState {
   RealVector y, dy;
   Eigen::VectorXd y_terms, dy_terms;

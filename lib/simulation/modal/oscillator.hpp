@@ -20,7 +20,7 @@ struct ModalForce {
   T a, b, c;
 };
 
-// y(tau) - y - tau y' and y'(tau) - y'.
+// y(tau) - y - tau y' and y'(tau) - y', or y and y' of a response.
 template <class T>
 struct ModalChange {
   T y, dy;

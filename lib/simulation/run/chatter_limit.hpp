@@ -1,5 +1,11 @@
 // The chatter of a run: its impacts are followed, and at a node of the extrapolation the run is
-// carried to the limit.
+// carried to the limit. From one call to the next:
+//
+//   latest node      the motion of the run stands here, until it is carried to the limit
+//   impacts          resolved by a copy of the run, if an end, a sample or a listed impact lies
+//   here;
+//                    `past_impacts`, `reported` and `unreported` tell what the copies have reported
+//   limit            its event takes what no impact has reported
 #pragma once
 
 #include "run.hpp"
@@ -7,8 +13,9 @@
 namespace vibro_impact::detail {
 
 // Adds the impacts of this instant to their chatter, and sets the step hint to the longest flight
-// expected after them. The chatter ends at an instant without impacts, with a mass left at rest, or
-// with another contact mode than the one before.
+// expected after them. The chatter ends at an instant without impacts, with a mass left at rest,
+// with another contact mode than the one before, where the masses part or nothing presses them, and
+// with r = 1.
 void follow_chatter(Run &run, const ContactMode *mode_before);
 
 // Puts the run, whose motion is that at the limit of its chatter, there: the masses hit come to

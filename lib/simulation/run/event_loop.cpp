@@ -26,12 +26,13 @@ double longest_step_of(const Run &run) {
 
 Step plan_step(Run &run) {
   const double of_mode = longest_step_of(run);
-  double &longest = run.hint.longest_step;
-  longest = std::clamp(longest, shortest_between_events * of_mode, of_mode);
+  const double longest =
+      std::clamp(run.hint.step_between_events, shortest_between_events * of_mode, of_mode);
+  run.hint.step_between_events = longest;
   Step step;
   step.length = std::min(
       longest, std::max(expected_flight_margin * run.hint.flight_time, shortest_step * longest));
-  // A postponed decision is made at the next instant of the clock. Where a longest step ends before
+  // A postponed decision is made two roundings of the clock later. Where a longest step ends before
   // that instant, the decision is postponed again.
   if (run.hint.postponed) {
     const double phase = run.motion.now.rounded().phase;
@@ -57,7 +58,7 @@ void set_starts(Run &run) {
   find_acceleration(run.chain(), run.motion);
   for (std::size_t k = 0; k < contacts.size(); ++k)
     run.scratch.starts[k] =
-        start_of(run.chain(), contacts[k], run.stops[contacts[k].stop].at, run.motion);
+        contact_start(run.chain(), contacts[k], run.stops[contacts[k].stop].at, run.motion);
 }
 
 // True when a motion of the chain has come to a mass that no force acted on: it is decided again.
@@ -84,8 +85,8 @@ void end_flight(Run &run, double tau, bool event, Recorders recorders) {
   event = event || any_force_begins(run);
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
   const double longest =
-      event ? 0.5 * (run.hint.longest_step + longest_in_flights * tau) : infinity;
-  run.hint = {.quiet_steps = quiet_steps, .longest_step = longest};
+      event ? 0.5 * (run.hint.step_between_events + longest_in_flights * tau) : infinity;
+  run.hint = {.quiet_steps = quiet_steps, .step_between_events = longest};
   if (!event) return;
   handle_events(run, recorders);
   note_listed_impacts(run);

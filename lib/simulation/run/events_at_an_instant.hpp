@@ -16,8 +16,8 @@ void handle_instant(Run &run, Recorders recorders);
 // the contact mode that follows.
 void hold_or_release(Run &run, Recorders recorders);
 
-// Puts the run at its start, where any contact may be zero: masses at their stop that move into it
-// have an impact, and all masses at rest at a stop stick or are released.
+// Puts the run at its start, where any contact may be zero. In its events, masses at their stop
+// that move into it have an impact, and all masses at rest at a stop stick or are released.
 void put_at_start(Run &run);
 
 }  // namespace vibro_impact::detail

@@ -1,4 +1,5 @@
-// The reports of a run to its recorders. They change nothing of the run but its progress.
+// The reports of a run to its recorders. They change nothing of the run but its progress and the
+// sums of what was reported.
 #pragma once
 
 #include "run.hpp"

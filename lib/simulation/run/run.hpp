@@ -34,7 +34,7 @@ struct StepHint {
   long long quiet_steps = 0;      // steps since the latest event
   // `longest_in_flights` times a mean of the latest flights, of which each counts half as much as
   // the next one. Without an event in the latest step, only the mode bounds the length.
-  double longest_step = infinity;
+  double step_between_events = infinity;
   // A decision about a stop is postponed: the next step ends at most two roundings of the clock
   // later, or `least_delay` after t = 0.
   bool postponed = false;
@@ -63,10 +63,9 @@ struct Scratch {
   Event event;
 };
 
-// The part of a run that a call of `advance` resolves. A copy of a run resolves the impacts of a
-// chatter between its latest node and its limit, which it does not take. With `end_in_chatter` it
-// goes to the end of the call. With `inside_chatter` it ends as soon as no sample and no impact is
-// left to be reported.
+// The part of a run that a call of `advance` resolves. A call inside a chatter resolves the impacts
+// between the latest node and the limit, which it does not take. With `end_in_chatter` it goes to
+// its end. With `inside_chatter` it ends as soon as no sample and no impact is left to be reported.
 enum class Extent { whole, end_in_chatter, inside_chatter };
 
 // The progress of one call of `advance`.
