@@ -87,8 +87,9 @@ void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Moti
   motion.turned = std::max(motion.turned, 1);  // it is no more that of the phase
 }
 
-double largest_terms(const Motion &motion) {
-  return *std::max_element(motion.x_terms.begin(), motion.x_terms.end());
+double largest_terms(const Chain &chain, const Motion &motion) {
+  return std::max(*std::max_element(motion.x_terms.begin(), motion.x_terms.end()),
+                  chain.force_bound / (chain.rate_bound * chain.rate_bound));
 }
 
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion) {

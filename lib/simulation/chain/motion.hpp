@@ -27,8 +27,9 @@ struct Motion {
   List<double> x_terms, v_terms;
 };
 
-// The largest terms of a displacement, beside which others may be zero.
-double largest_terms(const Motion &motion);
+// The largest terms of a displacement, or the way that the external forces move a mass in a radian
+// of the fastest rate: beside these a displacement may be zero.
+double largest_terms(const Chain &chain, const Motion &motion);
 
 // Sets all masses to rest at zero. The time, the turn and the contact mode stay.
 void clear(const Chain &chain, Motion &motion);

@@ -15,8 +15,10 @@ namespace vibro_impact::detail {
 constexpr double zero_threshold = 1e-26;
 // A displacement beyond a stop by this much, relative to the terms of the gap, is rounding, and is
 // reported as the position of the stop. Sums of a step err by some 1e-15 of them. So is one that is
-// zero beside the motion of the chain, as of a mass that a wave has not reached: the orders of a
-// step end before it. Below the normal numbers of double precision, any displacement is.
+// zero beside the motion of the chain and the way of its forces: that of a mass that a wave has not
+// reached, since the orders of a step end before it, and that of a mass just released at the root
+// of its force, since the root is rounded. Below the normal numbers of double precision, any
+// displacement is.
 constexpr double stop_rounding = 1e-13;
 constexpr bool is_rounding_at_stop(double beyond, double terms, double terms_of_chain) {
   return beyond <= stop_rounding * terms + zero_threshold * terms_of_chain +

@@ -45,8 +45,9 @@ double MomentOfMotion::displacement(int mass) const {
     const double u = tau_ / table_.step.unit;
     terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table_.travel[i];
   }
-  return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(motion_)) ? inside
-                                                                                      : place;
+  return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain_, motion_))
+             ? inside
+             : place;
 }
 
 double MomentOfMotion::velocity(int mass) const {
