@@ -42,7 +42,7 @@ bool stays_positive(const TaylorTable &table, const Contact &contact, const Star
 [[maybe_unused]] bool none_is_passed(const Chain &chain, const Motion &motion,
                                      const TaylorTable &table, const std::vector<Start> &starts,
                                      double u) {
-  constexpr int points = 64;
+  constexpr int points = 8;
   for (std::size_t k = 0; k < starts.size(); ++k) {
     if (starts[k].idle) continue;
     const Contact &contact = motion.mode->contacts[k];
