@@ -9,6 +9,7 @@
 
 #include "analysis/orbits/tangents.hpp"
 #include "reference/scenes/paper_scenes.hpp"
+#include "tests/support/events.hpp"
 #include "vibro_impact/analysis/analysis.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
@@ -48,18 +49,6 @@ Scene slow_chatter() {
   return scene;
 }
 
-// The dampers are strong enough that an impact of one mass lets go of the other by a jump of its
-// hold force.
-Scene released_by_a_jump() {
-  return {.mass = {1.0, 1.0},
-          .stiffness = {1.0, 1.0},
-          .beta = 0.7,
-          .amplitude = {0.8, 0.3},
-          .omega = 0.5,
-          .restitution = 0.5,
-          .stops = {{1, Side::upper, 0.2}, {2, Side::upper, 0.2}}};
-}
-
 // A scene and a quiet section of its motion after 30 periods.
 struct Case {
   std::string name;
@@ -82,7 +71,7 @@ std::vector<Case> cases() {
           case_of("r = 0.001", with(plastic(), "restitution", 0.001)),
           case_of("r = 0.95", with(paper::figure5a(), "restitution", 0.95)),
           case_of("slow chatter", slow_chatter()),
-          case_of("released by a jump", released_by_a_jump()),
+          case_of("released by a jump", vibro_impact::testing::released_by_a_jump()),
           case_of("chain of five", chain_of_five())};
 }
 

@@ -17,6 +17,18 @@ namespace vibro_impact::testing {
 // Chatter is resolved until what is left of it lies below rounding.
 inline const RunOptions all_impacts{.limit_below_speed = 0.0};
 
+// The dampers are strong enough that an impact of one mass lets go of the other by a jump of its
+// hold force.
+inline Scene released_by_a_jump() {
+  return {.mass = {1.0, 1.0},
+          .stiffness = {1.0, 1.0},
+          .beta = 0.7,
+          .amplitude = {0.8, 0.3},
+          .omega = 0.5,
+          .restitution = 0.5,
+          .stops = {{1, Side::upper, 0.2}, {2, Side::upper, 0.2}}};
+}
+
 // The events of a run that comes to its end, from a start on.
 inline std::vector<Event> events_from(const Scene &scene, const MotionState &start, double until,
                                       const RunOptions &options = {}) {
