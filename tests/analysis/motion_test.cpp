@@ -1,6 +1,5 @@
 // The record of a motion does not depend on where it begins and ends: counts, pairs, derivatives
-// and minima at sections next to events, and random scenes whose orbits are compared with the
-// engine run otherwise.
+// and minima at sections next to events, and orbits of random scenes against other runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -142,8 +141,8 @@ TEST(Orbits, AreFoundToTheSizeOfTheirMotion) {
 // The largest multiplier at eight sections, by two codes, has the modulus 0.452094400(5). The
 // motion is irregular at first: from displacements below 1e-14 it settles after 93 to 442 periods.
 TEST(Orbits, GiveTheExponentNextToAGraze) {
-  const Scene scene = paper::figure3(0.6745);
-  const OrbitRecord record = record_of(scene, {.settle = {.longest = 2000}, .lyapunov = true});
+  const OrbitRecord record =
+      record_of(paper::figure3(0.6745), {.settle = {.longest = 2000}, .lyapunov = true});
   ASSERT_EQ(record.period, 10);
   EXPECT_NEAR(record.lyapunov->exponent, std::log(0.4520944) / (10 * Clock(0.6745).period), 2e-10);
 }
