@@ -14,9 +14,10 @@ using namespace vibro_impact;
 
 constexpr double position = 0.2;
 
+const Scene forced = extremes::one_mass(0.0, 0.5, 0.4, 0.7, position);
+
 // A run of one mass that stands at x, as if the search for events had passed over its stop.
-std::unique_ptr<detail::Run> run_at(double x, double v) {
-  Scene scene = extremes::one_mass(0.0, 0.5, 0.4, 0.7, position);
+std::unique_ptr<detail::Run> run_at(double x, double v, const Scene &scene = forced) {
   MotionState start = detail::first_motion(scene);
   start.displacement = {x};
   start.velocity = {v};
@@ -25,8 +26,8 @@ std::unique_ptr<detail::Run> run_at(double x, double v) {
 }
 
 // The displacement that the run reports at the end of a call in which no time passes.
-double reported(double x) {
-  const auto run = run_at(x, 0.0);
+double reported(double x, const Scene &scene = forced) {
+  const auto run = run_at(x, 0.0, scene);
   detail::advance(*run, {}, {});
   return run->progress.last.displacement[0];
 }
@@ -36,6 +37,18 @@ TEST(MissedEvent, IsSeenInTheDisplacement) {
   for (const double beyond : {1.0, 1e-3, 1e-12})
     EXPECT_EQ(reported(position + beyond), position + beyond);
   for (const double beyond : {0.0, 1e-16, 1e-14}) EXPECT_EQ(reported(position + beyond), position);
+}
+
+// A great force has not moved the mass yet. No spring has a radian that would end the time in which
+// it does.
+TEST(MissedEvent, IsSeenInTheDisplacementOfAMassWithoutASpring) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {0.0},
+                    .constant = {-1e20},
+                    .omega = 0.0,
+                    .restitution = 0.7,
+                    .stops = {{1, Side::upper, position}}};
+  EXPECT_EQ(reported(position + 1e-8, scene), position + 1e-8);
 }
 
 // A mass that bounces about its equilibrium at the stop becomes slower than any normal number.

@@ -87,9 +87,14 @@ void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Moti
   motion.turned = std::max(motion.turned, 1);  // it is no more that of the phase
 }
 
-double largest_terms(const Chain &chain, const Motion &motion) {
+double time_window(const Chain &chain, double time) {
+  return std::min(1.0 / chain.rate_bound, time);
+}
+
+double largest_terms(const Chain &chain, const Motion &motion, double time) {
+  const double window = time_window(chain, time);
   return std::max(*std::max_element(motion.x_terms.begin(), motion.x_terms.end()),
-                  chain.force_bound / (chain.rate_bound * chain.rate_bound));
+                  chain.force_bound * window * window);
 }
 
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion) {

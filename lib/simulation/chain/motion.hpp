@@ -27,9 +27,13 @@ struct Motion {
   List<double> x_terms, v_terms;
 };
 
-// The largest terms of a displacement, or the way that the external forces move a mass in a radian
-// of the fastest rate: beside these a displacement may be zero.
-double largest_terms(const Chain &chain, const Motion &motion);
+// The time over which the rounding of the motion is judged: a radian of the fastest rate, or the
+// time so far where that is shorter, as on soft springs.
+double time_window(const Chain &chain, double time);
+
+// The largest terms of a displacement, or the way that the external forces move a mass within the
+// window of this time: beside these a displacement may be zero.
+double largest_terms(const Chain &chain, const Motion &motion, double time);
 
 // Sets all masses to rest at zero. The time, the turn and the contact mode stay.
 void clear(const Chain &chain, Motion &motion);

@@ -46,7 +46,8 @@ void check_motion(Run &run) {
     const double gap = rounded(scaled(stop.position - motion.x[stop.mass], stop.sigma));
     if (!(gap < 0.0)) continue;
     const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];
-    if (!is_rounding_at_stop(-gap, terms, largest_terms(run.chain(), motion)))
+    if (!is_rounding_at_stop(-gap, terms,
+                             largest_terms(run.chain(), motion, time_of(now, run.problem.clock))))
       return give_up_beyond_stop(run, stop.mass, now);
   }
 }

@@ -32,16 +32,14 @@ int known_zeros_of(const Run &run, std::size_t k, const Value &force) {
   return near == Near::touch ? 2 : 1;
 }
 
-// The motion of the chain and of the forcing, within a window of time, has a rounding. The window
-// is that of the fastest mode, or the time so far where that is shorter, as on soft springs. A mass
-// whose bounces have died down below it is at rest with the others in question.
+// The motion of the chain and of the forcing, within a window of time, has a rounding. A mass whose
+// bounces have died down below it is at rest with the others in question.
 void question_dead_bounces(Run &run) {
   const Chain &chain = run.chain();
   const Motion &motion = run.motion;
   double speed = 0.0;
   for (std::size_t i = 0; i < chain.masses; ++i) speed = std::max(speed, std::abs(motion.v[i].hi));
-  const double window = std::min(1.0 / chain.rate_bound,
-                                 time_of(motion.now.rounded(), run.problem.clock)),
+  const double window = time_window(chain, time_of(motion.now.rounded(), run.problem.clock)),
                rounding = as_at_rest * (speed + chain.force_bound * window);
   for (const Contact &contact : motion.mode->contacts) {
     const StopState &stop = run.stops[contact.stop];

@@ -45,7 +45,7 @@ double MomentOfMotion::displacement(int mass) const {
     const double u = tau_ / table_.step.unit;
     terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table_.travel[i];
   }
-  return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain_, motion_))
+  return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain_, motion_, time))
              ? inside
              : place;
 }
