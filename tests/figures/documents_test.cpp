@@ -147,6 +147,7 @@ TEST(Documents, AnEditOfANumberIsSeen) {
   EXPECT_TRUE(is_seen(page, "The five others", "The four others"));
   EXPECT_TRUE(is_seen(page, "the force F_1", "the force F_2"));
   EXPECT_TRUE(is_seen(page, "Eq. 7:", "Eq. 8:"));
+  EXPECT_TRUE(is_seen(page, "|ω² q", "|ω³ q"));
   EXPECT_TRUE(is_seen(readme, "holds mass 1", "holds mass 2"));
   EXPECT_TRUE(is_seen(readme, "--until 750", "--until 760"));
   EXPECT_EQ(numbers_without_origin("a", "Seven cut-offs, 2 steps and Figure 3", {}).size(), 3u);

@@ -16,7 +16,7 @@ struct Counters {
   long long rest_orders = 0;         ///< orders of forces computed to decide who sticks
   long long chatter_limits = 0;      ///< complete chatters that ended at their limit
   long long chatter_incomplete = 0;  ///< five or more falling impacts at a stop that end in flight
-  long long modes_built = 0;         ///< contact modes built, anew after many others
+  long long modes_built = 0;         ///< contact modes that were built
   long long states_computed = 0;     ///< states at samples, and at ends in closed form
 };
 

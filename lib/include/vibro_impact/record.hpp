@@ -1,6 +1,6 @@
 /// \file
-/// The moments that a run reports, and small recorders that collect them. A run computes no
-/// state and stores no event that no recorder asks for. All quantities are non-dimensional.
+/// The moments that a run reports, and small recorders that collect them. A run computes no state
+/// and stores no event that no recorder asks for. All quantities are non-dimensional.
 #pragma once
 
 #include <cstddef>

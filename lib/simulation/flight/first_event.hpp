@@ -19,7 +19,7 @@ struct Start {
 
 // The place of a contact at the end of a flight. At its root a contact is zero by definition. At
 // the start of a run and the end of a long flight others may be so within rounding. Two are zero
-// with their rate: a hold force that touches zero and stays positive but for rounding, and the gap
+// with their slope: a hold force that touches zero and stays positive but for rounding, and the gap
 // of a mass that has come to rest at its stop.
 enum class Near : char { no, perhaps, zero, touch, rest };
 

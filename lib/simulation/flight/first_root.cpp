@@ -12,7 +12,7 @@ namespace vibro_impact::detail {
 namespace {
 
 // n! / (5! (n - 5)!)
-const auto five_of = [] {
+constexpr auto binomials_of_5 = [] {
   std::array<double, max_order + 1> numbers{};
   for (std::size_t n = 5; n < numbers.size(); ++n) {
     const auto order = static_cast<double>(n);
@@ -26,7 +26,7 @@ double fifth_bound(const Polynomial &p, int zeros, double u) {
   const double *c = p.coefficient.data() + zeros;
   double sum = 0.0;
   for (int n = p.order - zeros; n >= 5; --n)
-    sum = sum * u + five_of[static_cast<std::size_t>(n)] * std::abs(c[n]);
+    sum = sum * u + binomials_of_5[static_cast<std::size_t>(n)] * std::abs(c[n]);
   return sum;
 }
 

@@ -109,8 +109,8 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
                  whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
     const bool turns = std::min(root, omega_) * length > 1.0 && !o.has_two_decays();
     // False at resonance, where s is no number.
-    const bool splits_well = std::hypot(s.re.hi, s.im.hi) <= whole;
-    if (turns && !splits_well)
+    const bool steady_is_smaller = std::hypot(s.re.hi, s.im.hi) <= whole;
+    if (turns && !steady_is_smaller)
       return use(Part{weight * (y + d * dy), 0.0, o.kappa, o.lambda, o.rate,
                       size * whole * (1.0 + d * root)});
     const Real steady = s.re, slope = -(omega_ * s.im);

@@ -61,7 +61,7 @@ class LongFlight {
   };
   struct Bound;
 
-  Motion origin_;
+  Motion origin_;  // where the flight begins
   Blocks blocks_;
   std::shared_ptr<const ModalForm> form_;
   ModalState start_, state_;  // at the start of the flight, and searched to

@@ -1,6 +1,6 @@
-// K = G^T G, where G gives the tensions of the springs, so that the modes are the
-// right singular vectors of G M^-1/2. Rotations of its columns (one-sided Jacobi) keep the relative
-// accuracy of soft modes in stiff chains.
+// K = G^T G, where G gives the tensions of the springs, so that the modes are the right singular
+// vectors of G M^-1/2. Rotations of its columns (one-sided Jacobi) keep the relative accuracy of
+// soft modes in stiff chains.
 #include "modes.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -36,7 +36,7 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
     scratch.shares.push_back({taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
                               {m * v * (1.0 + r) / (1.0 - r), 0.5 * m * v * v}});
     // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
-    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * leaving->derivative;
+    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * v;
     flight_time = std::max(flight_time, hit.flight_time);
   }
   run.hint.flight_time = flight_time;

@@ -14,8 +14,8 @@ namespace vibro_impact::detail {
 
 // Adds the impacts of this instant to their chatter, and sets the step hint to the longest flight
 // expected after them. The chatter ends at an instant without impacts, with a mass left at rest,
-// with another contact mode than the one before, where the masses part or nothing presses them, and
-// with r = 1.
+// with another contact mode than the one before, where the stops differ in r, where nothing presses
+// them, and with r = 1.
 void follow_chatter(Run &run, const ContactMode *mode_before);
 
 // Puts the run, whose motion is that at the limit of its chatter, there: the masses hit come to

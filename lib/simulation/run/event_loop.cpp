@@ -1,8 +1,6 @@
 // The event loop chooses a flight, finds the first event in it, moves there and handles the event.
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 #include "chatter_limit.hpp"
 #include "endings.hpp"

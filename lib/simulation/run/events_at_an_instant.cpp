@@ -71,7 +71,7 @@ void set_stops(Run &run, const RestingMass &mass) {
   if (mass.forceless)
     stop.at = Forceless{};
   else  // the gap of a released mass has two zeros more than its acceleration
-    stop.at = ExactZeros{mass.decided_zeros + (mass.held ? 0 : 2), mass.decided};
+    stop.at = ExactZeros{mass.decided_zeros + (mass.held ? 0 : 2), mass.derivative};
   if (mass.held == mass.contact.held) return;
   stop = {.at = stop.at,
           .changed = run.motion.now.rounded(),

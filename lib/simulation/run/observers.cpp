@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "endings.hpp"
 #include "simulation/chain/require.hpp"

@@ -1,8 +1,6 @@
 #include "samples.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "chatter_limit.hpp"
 #include "endings.hpp"

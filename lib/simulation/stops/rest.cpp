@@ -75,7 +75,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
       const double push = mass.contact.sigma * force.value.hi;
       mass.held = push > 0.0;
       kind_[i] = mass.held ? Kind::held : Kind::moving;
-      mass.decided = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
+      mass.derivative = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
     }
     if (undecided == 0) break;
     for (std::size_t i = 0; i < n; ++i) {
