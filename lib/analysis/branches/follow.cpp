@@ -111,13 +111,13 @@ bool advance(Walk &walk) {
   const Step step = take_step(walk);
   std::vector<End> ends = possible_ends(walk, step);
   const bool regular = step.found && (ends.empty() || ends.front().guess == Guess::collapse);
-  std::optional<End> nearest = nearest_of(walk, step, std::move(ends));
+  const std::optional<End> nearest = nearest_of(walk, step, std::move(ends));
   // An end that lies at the end of the range does not come before it.
   const bool is_end_of_range =
       nearest && step.found && step.at_end_of_range &&
       std::abs(nearest->u(0) - walk.end_ahead()) < 1e-13 * walk.problem.width;
-  if (is_end_of_range) nearest.reset();
-  if (!nearest && !regular && !is_end_of_range)
+  if (is_end_of_range) return go_on(walk, step, std::nullopt);
+  if (!nearest && !regular)
     return shorten(
         walk, 0.5,
         step.found ? "the events change in a way that no end explains" : "no orbit is found");
