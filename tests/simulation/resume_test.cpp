@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "reference/scenes/extreme_scenes.hpp"
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/random_scenes.hpp"
@@ -56,54 +55,6 @@ TEST(Resume, ACopyGoesOnAsTheOriginalAndDoesNotMoveIt) {
   Simulation moved = std::move(original);
   original = copy;
   EXPECT_EQ(moved.advance(760.0).state, original.advance(760.0).state);
-}
-
-// A call that ends at 7.98 ends inside a chatter, whose limit is at 7.9939. Without a limit, the
-// events of the next call are the impacts of the chatter that follow the end of the call before.
-TEST(Resume, OtherOptionsReportNoEventOfThePast) {
-  const Scene scene = extremes::one_mass(0.0, 1.0, 0.0, 0.7, 0.5);
-  Simulation simulation(scene);
-  require_complete(simulation.advance(7.98));
-  simulation.set_options(all_impacts);
-  EventRecorder recorder(-infinity);
-  AtEvents first = until_event(1);
-  Simulation copy = simulation;
-  EXPECT_GE(copy.advance(20.0, first).time, 7.98);
-  require_complete(simulation.advance(20.0, recorder));
-  const std::vector<Event> expected = events_of(scene, 7.98, 20.0, all_impacts);
-  ASSERT_EQ(recorder.events.size(), expected.size());
-  EXPECT_GT(expected.size(), 10u);
-  // The limit lies within 1e-13 of the impacts, and so do all of them.
-  for (std::size_t k = 0; k < expected.size(); ++k)
-    EXPECT_NEAR(recorder.events[k].time, expected[k].time, 1e-12);
-}
-
-// The steps of the call before and the impacts of its chatter are within the limit of steps, each
-// for itself, and together they exceed it.
-TEST(Resume, OtherOptionsReportNoEventOfThePastNextToTheLimitOfSteps) {
-  const Scene scene = extremes::one_mass(0.0, 1.0, 0.0, 0.7, 0.5);
-  RunOptions options{.max_steps = 1};
-  while (simulate(scene, 7.98, options).ending != Ending::reached) ++options.max_steps;
-  EXPECT_GT(options.max_steps, 3);
-  Simulation simulation(scene, options);
-  require_complete(simulation.advance(7.98));
-  simulation.set_options(all_impacts);
-  EventRecorder recorder(-infinity);
-  require_complete(simulation.advance(20.0, recorder));
-  ASSERT_FALSE(recorder.events.empty());
-  EXPECT_GE(recorder.events.front().time, 7.98);
-}
-
-// A looser flight tolerance needs fewer orders, also when it comes with other options.
-TEST(Resume, OtherOptionsSetTheOrdersOfTheSteps) {
-  Simulation simulation(paper::figure2());
-  const auto orders = [&](double until) {
-    const Counters counters = require_complete(simulation.advance(until)).counters;
-    return static_cast<double>(counters.coefficients) / static_cast<double>(counters.expansions);
-  };
-  const double tight = orders(100.0);
-  simulation.set_options({.flight_tolerance = 1e-3});
-  EXPECT_LT(orders(200.0), 0.7 * tight);
 }
 
 // Keeps the first sample from a time on, and asks for the end there.

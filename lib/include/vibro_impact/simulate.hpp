@@ -90,12 +90,6 @@ class Simulation {
   /// The scene of the run. The reference is valid until the simulation is assigned to or destroyed.
   const Scene &scene() const;
 
-  /// Goes on with other options. An event before the end of the latest call is not reported, also
-  /// where the call ended inside a chatter that other options resolve further. Impacts of this
-  /// chatter before the end that no recorder has asked for are then in no event. Throws
-  /// std::invalid_argument for options out of range.
-  void set_options(const RunOptions &options);
-
   /// Goes on from another motion of the scene, as a new simulation with these options would start
   /// from it. Throws std::invalid_argument for a start that does not fit the scene, which is not
   /// checked again.

@@ -91,22 +91,6 @@ void Simulation::start_from(const MotionState &start) {
   run_.reset(new detail::Run{.problem = run_->problem, .start = start});
 }
 
-void Simulation::set_options(const RunOptions &options) {
-  detail::check_options(options);
-  detail::Run &run = *run_;
-  // Other options may not take the limit of the chatter: the run goes on from the end of the call.
-  // It takes the steps of the copy that had found the end.
-  if (run.ended_inside_chatter) {
-    run.counters = {};
-    detail::advance(run, run.progress.last.instant, {}, detail::Extent::end_in_chatter);
-    run.ended_inside_chatter = false;
-    run.past_impacts = 0;
-    for (detail::StopState &stop : run.stops) stop.reported = stop.unreported = {};
-  }
-  run.problem.options = options;
-  run.problem.orders = detail::OrderTable(options.flight_tolerance);
-}
-
 Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) {
   using detail::require;
   detail::Run &run = *run_;
