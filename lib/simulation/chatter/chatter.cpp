@@ -9,12 +9,7 @@ const ChatterNode &Chatter::node(std::size_t before_latest) const {
   return ring_[(newest_ + most_chatter_nodes - before_latest) % most_chatter_nodes];
 }
 
-bool Chatter::hits(std::size_t stop) const {
-  return std::find(stops_.begin(), stops_.end(), stop) != stops_.end();
-}
-
 void Chatter::end() {
-  stops_.clear();
   size_ = impacts_ = 0;
   flight_time_ = duration_ = 0.0;
 }
@@ -38,23 +33,21 @@ void Chatter::set_weights(double ratio) {
   }
 }
 
-void Chatter::add(const std::vector<std::size_t> &stops, double flight_time, double r,
-                  const Clock &clock, const Motion &motion, std::vector<double> &jumps,
-                  const std::vector<ImpactShare> &shares) {
-  if (!(stops == stops_ && flight_time < flight_time_)) {
+void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double r,
+                  const Clock &clock, const Motion &motion, double jump, const ImpactShare &share) {
+  if (!(stop == stop_ && flight_time < flight_time_)) {
     end();
-    stops_ = stops;
-    sums_.assign(stops.size(), {});
+    stop_ = stop;
+    mass_ = mass;
+    sum_ = {};
     first_ = motion.now;
     stride_ =
         static_cast<std::size_t>(std::ceil(std::max(1.0, std::log(node_ratio) / std::log(r))));
     ratio_ = std::pow(r, static_cast<double>(stride_));
   }
   flight_time_ = flight_time;
-  for (std::size_t k = 0; k < stops.size(); ++k) {
-    sums_[k].impulse += shares[k].now.impulse;
-    sums_[k].energy += shares[k].now.energy;
-  }
+  sum_.impulse += share.now.impulse;
+  sum_.energy += share.now.energy;
   const double left = flight_time / (1.0 - r);
   if (impacts_++ % stride_ != 0) return;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
@@ -64,23 +57,19 @@ void Chatter::add(const std::vector<std::size_t> &stops, double flight_time, dou
   size_ = std::min(size_ + 1, most_chatter_nodes);
   if (size_ == fewest_chatter_nodes && weights_ratio_ != ratio_) set_weights(ratio_);
   left_ = left;
-  jumps_.swap(jumps);
   ChatterNode &node = ring_[newest_];
   node.time = elapsed(first_, motion.now, clock) + left;
   node.x.resize(motion.x.size());
   node.v.resize(motion.x.size());
-  node.largest_jump = 0.0;
   for (std::size_t i = 0; i < motion.x.size(); i += 2) {
     const RealPair v = load(&motion.v[i]);
-    const Pair jump = pair(&jumps_[i]), gain = left * pair(&motion.acceleration[i]) + jump;
+    Pair gain = left * pair(&motion.acceleration[i]);
+    if (mass / 2 * 2 == i) gain[mass % 2] += jump;
     store(load(&motion.x[i]) + v * Pair{left, left}, &node.x[i]);
     store(v + gain, &node.v[i]);
-    node.largest_jump = std::max({node.largest_jump, std::abs(jump[0]), std::abs(jump[1])});
   }
-  node.sums.resize(stops.size());
-  for (std::size_t k = 0; k < stops.size(); ++k)
-    node.sums[k] = {sums_[k].impulse + shares[k].later.impulse,
-                    sums_[k].energy + shares[k].later.energy};
+  node.jump = jump;
+  node.sum = {sum_.impulse + share.later.impulse, sum_.energy + share.later.energy};
 }
 
 // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.
@@ -113,19 +102,18 @@ bool Chatter::extrapolate(double tolerance, Motion &motion) const {
       v_oldest += (all[k] - fewer[k]) * v_distance;
     }
     const double error = std::max(std::abs(v_oldest[0]), std::abs(v_oldest[1]));
-    if (!(error <= tolerance * node(size_ - 1).largest_jump)) return false;
+    if (!(error <= tolerance * std::abs(node(size_ - 1).jump))) return false;
     store(x + x_change, &motion.x[i]);
     store(v + v_change, &motion.v[i]);
   }
   return true;
 }
 
-ImpactSum Chatter::left_at(std::size_t k) const {
-  const ExactSum &latest = node(0).sums[k];
-  ImpactSum left{rounded(latest.impulse - sums_[k].impulse),
-                 rounded(latest.energy - sums_[k].energy)};
+ImpactSum Chatter::left() const {
+  const ExactSum &latest = node(0).sum;
+  ImpactSum left{rounded(latest.impulse - sum_.impulse), rounded(latest.energy - sum_.energy)};
   for (std::size_t before = 1; before < size_; ++before) {
-    const ExactSum &sum = node(before).sums[k];
+    const ExactSum &sum = node(before).sum;
     const double weight = weights_[size_][before];
     left += {weight * rounded(sum.impulse - latest.impulse),
              weight * rounded(sum.energy - latest.energy)};

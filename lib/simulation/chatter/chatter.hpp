@@ -13,7 +13,7 @@
 
 namespace vibro_impact::detail {
 
-// The sums of an impact at a stop of the chatter, and of all later ones to leading order.
+// The sums of an impact of the chatter, and of all later ones to leading order.
 struct ImpactShare {
   ImpactSum now, later;
 };
@@ -27,19 +27,18 @@ struct ExactSum {
 struct ChatterNode {
   Real time = 0.0;  // of the limit, since the first impact
   std::vector<Real> x, v;
-  std::vector<ExactSum> sums;  // of all impacts at each stop since the first
-  double largest_jump = 0.0;   // of a velocity, at all impacts to come
+  ExactSum sum;       // of all impacts since the first
+  double jump = 0.0;  // of the velocity of the mass, at all impacts to come
 };
 
+// The chatter of one mass at one stop.
 class Chatter {
  public:
-  // The impacts at these stops at one instant: the time of the flight after them to leading order
-  // (x in (6)), the limit r of the restitution, the changes of v at all impacts to come, and what
-  // is taken at each of the stops. A new chatter begins unless this one continues. A node
-  // takes over the changes, in exchange for those of the node before.
-  void add(const std::vector<std::size_t> &stops, double flight_time, double r, const Clock &clock,
-           const Motion &motion, std::vector<double> &jumps,
-           const std::vector<ImpactShare> &shares);
+  // An impact of the mass at the stop: the time of the flight after it to leading order (x in (6)),
+  // the limit r of the restitution, the change of the velocity at all impacts to come, and what is
+  // taken. A new chatter begins unless this one continues.
+  void add(std::size_t stop, std::size_t mass, double flight_time, double r, const Clock &clock,
+           const Motion &motion, double jump, const ImpactShare &share);
   void end();
 
   // True if the latest impact is a node: a limit may be taken.
@@ -50,31 +49,33 @@ class Chatter {
   // within this tolerance of 1 / rate and of the time from its first node to the limit.
   std::optional<double> time_left(double tolerance, double rate) const;
   // Sets x and v to those at the limit, extrapolated. Returns false until the velocities have
-  // settled within this tolerance of their jumps.
+  // settled within this tolerance of the jump.
   bool extrapolate(double tolerance, Motion &motion) const;
 
-  // The sums of all impacts after the latest node at stop `k` of the chatter, extrapolated.
-  ImpactSum left_at(std::size_t k) const;
+  // The sums of all impacts after the latest node, extrapolated.
+  ImpactSum left() const;
 
-  const std::vector<std::size_t> &stops() const {
-    return stops_;
+  // From 0.
+  std::size_t stop() const {
+    return stop_;
   }
-  bool hits(std::size_t stop) const;
-  // The changes of the velocities at all impacts after the latest node.
-  const std::vector<double> &latest_jumps() const {
-    return jumps_;
+  std::size_t mass() const {
+    return mass_;
+  }
+  // The change of the velocity of the mass at all impacts after the latest node.
+  double latest_jump() const {
+    return node(0).jump;
   }
 
  private:
   using Weights = std::array<double, most_chatter_nodes>;  // of the latest node first
 
-  std::vector<std::size_t> stops_;
-  std::vector<ExactSum> sums_;  // of the impacts so far, at each stop
+  std::size_t stop_ = 0, mass_ = 0;
+  ExactSum sum_;  // of the impacts so far
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
-  TwofoldInstant first_;       // the instant of the first impact
-  double left_ = 0.0;          // the time from the latest to the limit, to leading order,
-  std::vector<double> jumps_;  // and the jumps of the velocities at all impacts after it
+  TwofoldInstant first_;  // the instant of the first impact
+  double left_ = 0.0;     // the time from the latest node to the limit, to leading order
   double flight_time_ = 0.0, duration_ = 0.0, ratio_ = 0.0;
   double weights_ratio_ = -1.0;  // the ratio of the weights, which the least accepted nodes set
   std::array<Weights, most_chatter_nodes + 1> weights_{};  // for each number of nodes

@@ -10,19 +10,23 @@ namespace {
 // Bounds of |x'| and |x''| up to the limit: of a mass, and of all of them.
 struct MotionBounds {
   const Motion &motion;
-  const std::vector<double> &jumps;
+  const Chatter &chatter;
   double left, acceleration;
 
+  // Of the jumps of a velocity.
+  double jump(std::size_t i) const {
+    return i == chatter.mass() ? jump_sum_factor * std::abs(chatter.latest_jump()) : 0.0;
+  }
   double speed(std::size_t i) const {
-    return std::abs(motion.v[i].hi) + jump_sum_factor * std::abs(jumps[i]);
+    return std::abs(motion.v[i].hi) + jump(i);
   }
 };
 
 // The accelerations change by little until the limit: in half a radian the fastest mode adds at
 // most its rate times its speed. The factor of two is a margin.
-MotionBounds bounds_of(const Chain &chain, const Motion &motion, const std::vector<double> &jumps,
+MotionBounds bounds_of(const Chain &chain, const Motion &motion, const Chatter &chatter,
                        double left) {
-  MotionBounds bounds{motion, jumps, left, 0.0};
+  MotionBounds bounds{motion, chatter, left, 0.0};
   double speed = 0.0, second = 0.0, force = 0.0;
   for (std::size_t i = 0; i < chain.masses; ++i) {
     if (motion.mode->held[i] != 0) continue;
@@ -44,7 +48,7 @@ double fall_of(const Chain &chain, const Contact &contact, const MotionBounds &b
   double rate = chain.omega * std::hypot(chain.a[i], chain.b[i]), jump = 0.0;
   const auto add_link = [&](double stiffness, std::size_t other) {
     rate += stiffness * (bounds.speed(other) + (left + chain.beta) * bounds.acceleration);
-    jump += stiffness * chain.beta * jump_sum_factor * std::abs(bounds.jumps[other]);
+    jump += stiffness * chain.beta * bounds.jump(other);
   };
   if (i > 0) add_link(chain.link[i], i - 1);
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
@@ -57,9 +61,9 @@ bool others_stay_out_of_reach(const Chain &chain, const Chatter &chatter, const 
                               const std::vector<StopState> &stops, double left) {
   const ContactMode &mode = *motion.mode;
   if (!(left * mode.fastest < longest_rest_of_chatter)) return false;
-  const MotionBounds bounds = bounds_of(chain, motion, chatter.latest_jumps(), left);
+  const MotionBounds bounds = bounds_of(chain, motion, chatter, left);
   return std::all_of(mode.contacts.begin(), mode.contacts.end(), [&](const Contact &contact) {
-    if (chatter.hits(contact.stop) || is<Forceless>(stops[contact.stop].at)) return true;
+    if (contact.stop == chatter.stop() || is<Forceless>(stops[contact.stop].at)) return true;
     const Value value = evaluate(chain, contact, motion);
     return rounded(value.value) > travel_margin * fall_of(chain, contact, bounds);
   });

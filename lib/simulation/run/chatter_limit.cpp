@@ -15,45 +15,34 @@ namespace vibro_impact::detail {
 void follow_chatter(Run &run, const ContactMode *mode_before) {
   const Chain &chain = run.chain();
   const Motion &motion = run.motion;
-  Scratch &scratch = run.scratch;
+  const std::vector<Hit> &hits = run.scratch.hits;
   Chatter &chatter = run.chatter;
-  if (scratch.hits.empty() || motion.mode != mode_before) return chatter.end();
-  scratch.stops.clear();
-  scratch.shares.clear();
-  scratch.jumps.resize(chain.padded);
-  std::ranges::fill(scratch.jumps, 0.0);
-  double flight_time = 0.0, r = 0.0;
-  for (const Hit &hit : scratch.hits) {
-    const Contact &contact = hit.contact;
-    const auto *leaving = std::get_if<ExactZeros>(&run.stops[contact.stop].at);
+  if (hits.empty() || motion.mode != mode_before) return chatter.end();
+  for (const Hit &hit : hits) {
+    const auto *leaving = std::get_if<ExactZeros>(&run.stops[hit.contact.stop].at);
     if (!leaving || leaving->zeros > 1) return chatter.end();  // it has come to rest
-    const double at_rest = chain.stops[contact.stop].law.at_rest();
-    if (!scratch.stops.empty() && at_rest != r) return chatter.end();  // they part
-    r = at_rest;
-    scratch.stops.push_back(contact.stop);
-    // Each impulse is r times, and each energy r^2 times the one before.
-    const double v = leaving->derivative, m = chain.mass[contact.mass];
-    scratch.shares.push_back({taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
-                              {m * v * (1.0 + r) / (1.0 - r), 0.5 * m * v * v}});
-    // The next jump is (1 + r) times the rebound speed, and each is r times the one before.
-    scratch.jumps[contact.mass] = -contact.sigma * (1.0 + r) / (1.0 - r) * v;
-    flight_time = std::max(flight_time, hit.flight_time);
   }
-  run.hint.flight_time = flight_time;
+  run.hint.flight_time = std::ranges::max(hits, {}, &Hit::flight_time).flight_time;
+  const Hit &hit = hits.front();
+  const Contact &contact = hit.contact;
+  const double r = chain.stops[contact.stop].law.at_rest();
   // With r = 1 the impacts have no limit.
-  if (!(r < 1.0 && flight_time < infinity)) return chatter.end();
-  chatter.add(scratch.stops, flight_time, r, run.problem.clock, motion, scratch.jumps,
-              scratch.shares);
+  if (hits.size() > 1 || !(r < 1.0 && hit.flight_time < infinity)) return chatter.end();
+  // Each jump of the velocity is r times the one before, as is each impulse. Each energy is r^2
+  // times the one before.
+  const double v = std::abs(motion.v[contact.mass].hi), m = chain.mass[contact.mass],
+               jump = (1.0 + r) / (1.0 - r) * v;
+  const ImpactShare share{taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
+                          {m * jump, 0.5 * m * v * v}};
+  chatter.add(contact.stop, contact.mass, hit.flight_time, r, run.problem.clock, motion,
+              -contact.sigma * jump, share);
 }
 
 namespace {
 
-// The fastest speed with which a mass has left a stop of the chatter under way.
+// The speed with which the mass of the chatter under way has left its stop.
 double rebound_speed(const Run &run) {
-  double speed = 0.0;
-  for (const std::size_t k : run.chatter.stops())
-    speed = std::max(speed, std::abs(run.motion.v[run.chain().stops[k].mass].hi));
-  return speed;
+  return std::abs(run.motion.v[run.chatter.mass()].hi);
 }
 
 // Finds the limit of the chatter under way: the motion there, or null when it is not accurate
@@ -80,8 +69,8 @@ Motion *find_limit(Run &run) {
 
 // The least speed of the impacts that recorders ask for, of the chatter with this limit.
 double slowest_impact(const Run &run, const Instant &limit, Recorders recorders) {
-  double first = 0.0, slowest = infinity;
-  for (const std::size_t k : run.chatter.stops()) first = std::max(first, run.stops[k].first_speed);
+  const double first = run.stops[run.chatter.stop()].first_speed;
+  double slowest = infinity;
   for (const Recorder *recorder : recorders)
     slowest = std::min(slowest, recorder->slowest_impact(first, time_of(limit, run.problem.clock)));
   return slowest;
@@ -116,13 +105,10 @@ void look_inside(Run &run, const Instant &limit, double slowest, Recorders recor
 
 void enter_limit(Run &run, Recorders recorders) {
   forget_instant(run);
-  const std::vector<std::size_t> &stops = run.chatter.stops();
-  for (std::size_t k = 0; k < stops.size(); ++k) {
-    StopState &stop = run.stops[stops[k]];
-    stop.at = Resting{};
-    stop.unreported = run.chatter.left_at(k);
-    stop.unreported -= std::exchange(stop.reported, {});
-  }
+  StopState &stop = run.stops[run.chatter.stop()];
+  stop.at = Resting{};
+  stop.unreported = run.chatter.left();
+  stop.unreported -= std::exchange(stop.reported, {});
   run.past_impacts = 0;
   run.chatter.end();
   run.hint = {};

@@ -56,9 +56,6 @@ struct Scratch {
   RestDecision rest;
   std::vector<RestingMass> resting;
   std::vector<Hit> hits;
-  std::vector<std::size_t> stops;  // of a chatter
-  std::vector<double> jumps;
-  std::vector<ImpactShare> shares;
   Held held;
   Event event;
 };
