@@ -45,9 +45,8 @@ struct StopState {
   int falling = 0;                      // see Event::falling
   TwofoldInstant since = {};            // instant of the impact from which speeds fall
   std::optional<Instant> changed = {};  // instant of the latest stick or release
-  // Sums of impacts of a chatter between its latest node and its limit: those that were reported,
-  // and those that the event at the limit will report.
-  ImpactSum reported = {}, unreported = {};
+  // Of impacts of a chatter that the event at its limit will report.
+  ImpactSum unreported = {};
 };
 
 }  // namespace vibro_impact::detail

@@ -1,13 +1,14 @@
 #include "chatter_limit.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "endings.hpp"
 #include "events_at_an_instant.hpp"
 #include "observers.hpp"
+#include "samples.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -45,71 +46,58 @@ double rebound_speed(const Run &run) {
   return std::abs(run.motion.v[run.chatter.mass()].hi);
 }
 
-// Finds the limit of the chatter under way: the motion there, or null when it is not accurate
-// enough, or when another contact may come to zero before it.
-Motion *find_limit(Run &run) {
+// Finds the limit of the chatter under way. Returns false when it is not accurate enough, or when
+// another contact may come to zero before it.
+bool find_limit(Run &run) {
   const Chain &chain = run.chain();
   const Chatter &chatter = run.chatter;
   const RunOptions &options = run.problem.options;
   // The closing speed of the next impact may be a little above the latest rebound speed.
-  if (!(next_speed_factor * rebound_speed(run) < options.limit_below_speed)) return nullptr;
+  if (!(next_speed_factor * rebound_speed(run) < options.limit_below_speed)) return false;
   const double tolerance = options.chatter_tolerance / error_share;
   const std::optional<double> left = chatter.time_left(tolerance, run.motion.mode->fastest);
-  if (!left) return nullptr;
+  if (!left) return false;
   find_acceleration(chain, run.motion);
-  if (!others_stay_out_of_reach(chain, chatter, run.motion, run.stops, *left)) return nullptr;
-  Motion &limit = run.scratch.motion;
-  limit = run.motion;
-  if (!chatter.extrapolate(tolerance, limit)) return nullptr;
-  limit.acceleration_known = false;
-  pass(*left, run.problem.clock, limit.now);
-  set_turn(chain, limit);
-  return &limit;
+  if (!others_stay_out_of_reach(chain, chatter, run.motion, run.stops, *left)) return false;
+  Motion &motion = run.limit.motion;
+  motion = run.motion;
+  if (!chatter.extrapolate(tolerance, motion)) return false;
+  motion.acceleration_known = false;
+  pass(*left, run.problem.clock, motion.now);
+  set_turn(chain, motion);
+  run.limit.stop = chatter.stop();
+  run.limit.left = chatter.left();
+  run.limit.reported = {};
+  return true;
 }
 
-// The least speed of the impacts that recorders ask for, of the chatter with this limit.
-double slowest_impact(const Run &run, const Instant &limit, Recorders recorders) {
-  const double first = run.stops[run.chatter.stop()].first_speed;
-  double slowest = infinity;
+// True if the end of the call, a sample or an impact that recorders ask for lies before the limit.
+bool is_any_left(Run &run, Recorders recorders) {
+  ChatterLimit &limit = run.limit;
+  const Instant instant = limit.motion.now.rounded();
+  const double time = time_of(instant, run.problem.clock);
+  limit.slowest = infinity;
   for (const Recorder *recorder : recorders)
-    slowest = std::min(slowest, recorder->slowest_impact(first, time_of(limit, run.problem.clock)));
-  return slowest;
-}
-
-// Advances a copy of the run through the impacts before the limit of its chatter, up to an end
-// there, or else as far as there are samples, or impacts at `slowest` and faster. A run that ends
-// there takes over the end state of the copy, and stays itself at the latest node: the next call
-// finds the same limit again. The copy counts its own steps: a run with samples is given up where
-// it is without.
-void look_inside(Run &run, const Instant &limit, double slowest, Recorders recorders) {
-  Run inside = run;
-  inside.counters = {};
-  const bool ends_inside = run.progress.end < limit;
-  advance(inside, ends_inside ? run.progress.end : limit, recorders,
-          ends_inside ? Extent::end_in_chatter : Extent::inside_chatter, slowest);
-  for (std::size_t k = 0; k < run.stops.size(); ++k) {
-    run.stops[k].reported = inside.stops[k].reported;
-    run.stops[k].unreported = inside.stops[k].unreported;
-  }
-  run.past_impacts = std::max(run.past_impacts, inside.progress.impacts);
-  run.modes = std::move(inside.modes);  // with the modes that the copy has built
-  run.counters.states_computed += inside.counters.states_computed;
-  run.counters.modes_built += inside.counters.modes_built;
-  run.progress.next_sample = inside.progress.next_sample;
-  if (!ends_inside && inside.progress.ending == Ending::reached) return;
-  run.progress = std::move(inside.progress);
-  run.ended_inside_chatter = true;
+    limit.slowest =
+        std::min(limit.slowest, recorder->slowest_impact(run.stops[limit.stop].first_speed, time));
+  return run.progress.end < instant || run.progress.next_sample <= time ||
+         next_speed_factor * rebound_speed(run) >= limit.slowest;
 }
 
 }  // namespace
 
 void enter_limit(Run &run, Recorders recorders) {
+  ChatterLimit &limit = run.limit;
+  std::swap(run.motion, limit.motion);
+  if (std::exchange(limit.is_ahead, false)) {
+    std::swap(run.stops, limit.stops);
+    count_as_at_node(run);
+  }
   forget_instant(run);
-  StopState &stop = run.stops[run.chatter.stop()];
+  StopState &stop = run.stops[limit.stop];
   stop.at = Resting{};
-  stop.unreported = run.chatter.left();
-  stop.unreported -= std::exchange(stop.reported, {});
-  run.past_impacts = 0;
+  stop.unreported = limit.left;
+  stop.unreported -= limit.reported;
   run.chatter.end();
   run.hint = {};
   ++run.counters.chatter_limits;
@@ -119,35 +107,32 @@ void enter_limit(Run &run, Recorders recorders) {
 }
 
 void take_limit(Run &run, Recorders recorders) {
-  if (run.progress.over || run.progress.extent != Extent::whole || run.hint.quiet_steps > 0 ||
-      !run.chatter.is_at_node())
+  ChatterLimit &limit = run.limit;
+  if (run.progress.over) return;
+  if (!limit.is_ahead &&
+      (run.hint.quiet_steps > 0 || !run.chatter.is_at_node() || !find_limit(run)))
     return;
-  Motion *at_limit = find_limit(run);
-  if (!at_limit) return;
-  const Instant limit = at_limit->now.rounded();
-  const double slowest = slowest_impact(run, limit, recorders);
-  if (run.progress.end < limit || run.progress.next_sample <= time_of(limit, run.problem.clock) ||
-      next_speed_factor * rebound_speed(run) >= slowest) {
-    look_inside(run, limit, slowest, recorders);
-    if (run.progress.over) return;
-  }
-  std::swap(run.motion, *at_limit);
-  enter_limit(run, recorders);
+  if (!is_any_left(run, recorders)) return enter_limit(run, recorders);
+  if (std::exchange(limit.is_ahead, true)) return;
+  limit.stops = run.stops;
+  limit.counters = std::exchange(run.counters, {});
 }
 
-void note_listed_impacts(Run &run) {
-  if (run.progress.extent != Extent::inside_chatter || run.scratch.hits.empty()) return;
-  run.progress.lists = std::ranges::any_of(run.scratch.hits, [&run](const Hit &hit) {
-    return rounded(hit.closing) >= run.progress.slowest;
-  });
-  end_if_all_is_reported(run);
+bool limit_ends_flight(Run &run, const Real &tau, Recorders recorders) {
+  if (!run.limit.is_ahead || run.progress.end < run.limit.motion.now.rounded()) return false;
+  assert(!run.long_flight.is_under_way());  // the limit is less than half a radian away
+  const Real left = elapsed(run.motion.now, run.limit.motion.now, run.problem.clock);
+  if (tau < left) return false;
+  sample(run, left, recorders);
+  if (!run.progress.over) enter_limit(run, recorders);
+  return true;
 }
 
-void end_if_all_is_reported(Run &run) {
-  const Progress &progress = run.progress;
-  if (progress.extent == Extent::inside_chatter && !progress.lists &&
-      progress.next_sample > time_of(progress.end, run.problem.clock))
-    stop_run(run, Ending::reached);
+void count_as_at_node(Run &run) {
+  Counters &at_node = run.limit.counters;
+  at_node.states_computed += run.counters.states_computed;
+  at_node.modes_built += run.counters.modes_built;
+  run.counters = at_node;
 }
 
 }  // namespace vibro_impact::detail

@@ -1,11 +1,6 @@
 // The chatter of a run: its impacts are followed, and at a node of the extrapolation the run is
-// carried to the limit. From one call to the next:
-//
-//   latest node      the motion of the run stands here, until it is carried to the limit
-//   impacts          resolved by a copy of the run, if an end, a sample or a listed impact lies
-//   here;
-//                    `past_impacts`, `reported` and `unreported` tell what the copies have reported
-//   limit            its event takes what no impact has reported
+// carried to the limit. If an end, a sample or a listed impact lies before the limit, the run goes
+// on from impact to impact up to there, and is then put to the limit that was found at the node.
 #pragma once
 
 #include "run.hpp"
@@ -18,20 +13,20 @@ namespace vibro_impact::detail {
 // them, and with r = 1.
 void follow_chatter(Run &run, const ContactMode *mode_before);
 
-// Puts the run, whose motion is that at the limit of its chatter, there: the masses hit come to
-// rest.
+// Puts the run to the limit that has been found: the mass comes to rest.
 void enter_limit(Run &run, Recorders recorders);
 
-// Moves the run to the limit of a chatter, if it stands just after an impact that is a node of the
-// extrapolation, and the limit is found. An end, samples and impacts that are asked for before the
-// limit are taken from a copy of the run.
+// After the events of an instant, and as a call begins: finds the limit if the run stands just
+// after an impact that is a node of the extrapolation. Puts the run there as soon as no end, sample
+// or impact that is asked for lies before it.
 void take_limit(Run &run, Recorders recorders);
 
-// Notes, in a call inside a chatter, whether the impacts of this instant are fast enough to be
-// listed. If not, the call may end: later impacts are slower.
-void note_listed_impacts(Run &run);
+// Puts the run to a limit ahead if it lies in this call and within the time tau. Returns false if
+// it does not.
+bool limit_ends_flight(Run &run, const Real &tau, Recorders recorders);
 
-// Ends a call inside a chatter when no sample or impact is left to be reported.
-void end_if_all_is_reported(Run &run);
+// Counts the work as if the run still stood at the node of a limit ahead: a run with samples is
+// given up where it is without.
+void count_as_at_node(Run &run);
 
 }  // namespace vibro_impact::detail

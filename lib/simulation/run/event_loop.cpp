@@ -87,7 +87,6 @@ void end_flight(Run &run, double tau, bool event, Recorders recorders) {
   run.hint = {.quiet_steps = quiet_steps, .step_between_events = longest};
   if (!event) return;
   handle_events(run, recorders);
-  note_listed_impacts(run);
   take_limit(run, recorders);
 }
 
@@ -153,7 +152,7 @@ void fly_on(Run &run, Recorders recorders) {
       run.long_flight.takes_over(run.chain(), run.motion, run.stops, run.hint.quiet_steps);
   const FlightEnd end = far ? search_far(run) : search_step(run);
   check_search(run, end);
-  if (run.progress.over) return;
+  if (run.progress.over || limit_ends_flight(run, end.tau, recorders)) return;
   const double remaining = time_to_end(run);
   if (end.tau.hi > remaining || remaining == 0.0) return end_at_time(run, recorders);
   sample(run, end.tau, recorders);
@@ -164,22 +163,20 @@ void fly_on(Run &run, Recorders recorders) {
 
 }  // namespace
 
-void advance(Run &run, const Instant &end, Recorders recorders, Extent extent, double slowest) {
-  run.progress = {.end = end,
-                  .extent = extent,
-                  .next_sample = next_sample(recorders),
-                  .slowest = slowest,
-                  .lists = slowest < infinity};
-  run.ended_inside_chatter = false;
+void advance(Run &run, const Instant &end, Recorders recorders) {
+  run.progress = {.end = end, .next_sample = next_sample(recorders)};
+  run.counters = run.limit.counters = {};
   if (run.start) {
     put_at_start(run);
     handle_events(run, recorders);
   }
-  take_limit(run, recorders);  // a chatter may stand at a node since the call before
+  // A chatter may stand at a node, or before its limit, since the call before.
+  take_limit(run, recorders);
   while (!run.progress.over) {
     fly_on(run, recorders);
     check_steps(run);
   }
+  if (run.limit.is_ahead) count_as_at_node(run);
   // A call that ends at an event has its end state where the run stands.
   if (run.progress.last.displacement.empty())
     run.progress.last = MomentOfMotion(run, run.motion, run.motion.now.rounded()).state();

@@ -73,20 +73,17 @@ void set_stops(Run &run, const RestingMass &mass) {
   else  // the gap of a released mass has two zeros more than its acceleration
     stop.at = ExactZeros{mass.decided_zeros + (mass.held ? 0 : 2), mass.derivative};
   if (mass.held == mass.contact.held) return;
-  stop = {.at = stop.at,
-          .changed = run.motion.now.rounded(),
-          .reported = stop.reported,
-          .unreported = stop.unreported};
+  stop = {.at = stop.at, .changed = run.motion.now.rounded(), .unreported = stop.unreported};
   const List<ChainStop> &stops = run.chain().stops;
   for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
     if (k != mass.contact.stop && stops[k].mass == mass.contact.mass) run.stops[k] = {};
 }
 
 // Reports the event of a mass that was in question, if it has one: a stick, a release, or the limit
-// of a chatter from which it leaves at once. The copy of a run inside a chatter has no limit.
+// of a chatter from which it leaves at once. While that is ahead nothing is decided for good.
 void report_decision(Run &run, const RestingMass &mass, Recorders recorders) {
   StopState &stop = run.stops[mass.contact.stop];
-  if (run.progress.extent != Extent::whole || is<Postponed>(stop.at)) return;
+  if (run.limit.is_ahead || is<Postponed>(stop.at)) return;
   const ImpactSum taken = std::exchange(stop.unreported, {});
   const bool released = mass.contact.held && !mass.held;
   if (mass.held != mass.contact.held)

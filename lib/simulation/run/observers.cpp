@@ -88,15 +88,12 @@ ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, 
 void report_impact(Run &run, std::size_t stop, double closing, double leaving,
                    Recorders recorders) {
   const ImpactSum taken = taken_by_impact(run.chain(), stop, closing, leaving);
-  Progress &progress = run.progress;
-  if (progress.extent != Extent::whole) {
-    if (++progress.impacts <= run.past_impacts) return;
-    StopState &state = run.stops[stop];
-    if (!(closing >= progress.slowest)) {
-      state.unreported += taken;
+  if (run.limit.is_ahead) {
+    if (!(closing >= run.limit.slowest)) {
+      run.stops[stop].unreported += taken;
       return;
     }
-    state.reported += taken;
+    run.limit.reported += taken;
   }
   const double sigma = run.chain().stops[stop].sigma;
   report_event(run, EventKind::impact, stop, sigma * closing, -sigma * leaving, false, taken,

@@ -42,8 +42,8 @@ ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, 
 void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
                   bool by_a_jump, const ImpactSum &taken, Recorders recorders);
 
-// Reports an impact. Inside a chatter, before the limit that the run takes, it reports no impact of
-// the past and none that is too slow. A slow impact is added to those that are unreported.
+// Reports an impact. Before the limit of a chatter that is ahead, it adds one that is too slow to
+// those that are unreported.
 void report_impact(Run &run, std::size_t stop, double closing, double leaving, Recorders recorders);
 
 // The next time at which a recorder asks for a sample; infinite when there is none.

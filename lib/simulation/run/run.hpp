@@ -52,7 +52,6 @@ struct Scratch {
   Flight flight;
   std::vector<Start> starts;  // one for each contact of the mode
   std::vector<Near> near;     // likewise
-  Motion motion;              // at the limit of a chatter
   RestDecision rest;
   std::vector<RestingMass> resting;
   std::vector<Hit> hits;
@@ -60,10 +59,19 @@ struct Scratch {
   Event event;
 };
 
-// The part of a run that a call of `advance` resolves. A call inside a chatter resolves the impacts
-// between the latest node and the limit, which it does not take. With `end_in_chatter` it goes to
-// its end. With `inside_chatter` it ends as soon as no sample and no impact is left to be reported.
-enum class Extent { whole, end_in_chatter, inside_chatter };
+// The limit of a chatter, found at a node. Where an end, a sample or an impact that is asked for
+// lies before it, the run goes on from impact to impact until nothing is left to be reported. Then
+// it is put to the limit, as if it still stood at the node: what was reported changes no motion.
+struct ChatterLimit {
+  bool is_ahead = false;  // the run has gone on
+  Motion motion;          // at the limit
+  std::size_t stop = 0;
+  ImpactSum left;                // of all impacts between the node and the limit,
+  ImpactSum reported;            // and of those that were reported
+  double slowest = infinity;     // of the impacts that are reported
+  std::vector<StopState> stops;  // as at the node, if the run has gone on,
+  Counters counters;             // and the work of this call up to there
+};
 
 // The progress of one call of `advance`.
 struct Progress {
@@ -71,14 +79,8 @@ struct Progress {
   bool over = false;
   Ending ending = Ending::reached;
   std::string reason = {};
-  Extent extent = Extent::whole;
   // The time of the next sample. It changes when a recorder has been called.
   double next_sample = infinity;
-  // A call inside a chatter has the speed down to which impacts are reported, whether such impacts
-  // are still to come, and the number of impacts so far.
-  double slowest = infinity;
-  bool lists = false;
-  long long impacts = 0;
   MotionState last = {};  // the state at the end; empty before
 };
 
@@ -89,13 +91,9 @@ struct Run {
   Motion motion = {};
   std::vector<StopState> stops = {};  // one for each stop of the scene
   Chatter chatter = {};
+  ChatterLimit limit = {};
   LongFlight long_flight = {};
   StepHint hint = {};
-  // The latest call ended inside a chatter, whose impacts after the latest node are not yet taken.
-  bool ended_inside_chatter = false;
-  // The number of impacts between this node and the end of the latest call. They lie in the past:
-  // `reported` and `unreported` of the stops contain them.
-  long long past_impacts = 0;
   Counters counters = {};
   Progress progress = {};
   Scratch scratch = {};
@@ -111,7 +109,6 @@ struct Run {
 // Runs on to `end`, or until a recorder is done or the run is given up, and sets progress.last to
 // the state there. The motion of the run stays at the start of the flight that contains the end:
 // hence the flights do not depend on where a call ends.
-void advance(Run &run, const Instant &end, Recorders recorders, Extent extent = Extent::whole,
-             double slowest = infinity);
+void advance(Run &run, const Instant &end, Recorders recorders);
 
 }  // namespace vibro_impact::detail

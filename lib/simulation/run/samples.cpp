@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "chatter_limit.hpp"
 #include "endings.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
@@ -25,11 +24,7 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
             ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
     ++run.counters.states_computed;
     const MomentOfMotion moment = moment_at(run, since, at);
-    if (!report_sample(run, moment, next, recorders)) {
-      end_if_all_is_reported(run);
-      if (run.progress.over) return;
-      continue;
-    }
+    if (!report_sample(run, moment, next, recorders)) continue;
     run.progress.last = moment.state();
     return stop_run(run, Ending::stopped);
   }
