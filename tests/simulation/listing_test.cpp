@@ -31,6 +31,8 @@ TEST(Listing, DoesNotMoveTheRun) {
     EXPECT_EQ(outcome.state, alone.state);
     EXPECT_EQ(outcome.counters.expansions, alone.counters.expansions);
     EXPECT_EQ(outcome.counters.impacts, alone.counters.impacts);
+    EXPECT_EQ(std::ranges::count(events.events, EventKind::stick, &Event::kind),
+              alone.counters.sticks);
     EXPECT_NEAR(sum_of(events.events).impulse, sum_of(all).impulse, 1e-12) << slowest;
     const auto as_fast = [slowest](const Event &event) {
       return event.kind == EventKind::impact && std::abs(event.velocity_before) >= slowest;
