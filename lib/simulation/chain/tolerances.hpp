@@ -105,9 +105,9 @@ constexpr long long fewest_short_steps = 16;
 constexpr long long short_steps_divisor = 8;
 // A damping ratio squared, minus one, from which the decays of a coordinate are bounded one by one.
 constexpr double two_decays = 0.01;
-// Orders of the bounds of a contact. The second is tried where the first does not suffice.
-constexpr int quick_bound_order = 2;
-constexpr int best_bound_order = 23;
+// Order of the bounds of a contact. Where a motion has hardly begun, at the end of a long chain,
+// many derivatives are as small as the value, and steps by a parabola would be 1e-8 long.
+constexpr int bound_order = 12;
 // Longest step beside a contact that is hidden in rounding, in radians of the motion that hides it.
 constexpr double blind_radians = 0.5;
 // Time of a root, relative to the flight, below which a value of the wrong sign is rounding.

@@ -9,23 +9,22 @@
 
 namespace vibro_impact::detail {
 
-// A contact is bounded from below by its value, its slope, its derivatives of order 2 to `order`
+// A contact is bounded from below by its value, its slope, its derivatives of order 2 to n
 // and a bound of the next one. Parts of the motion that turn within the time are taken out of
-// these, and lower the value by their amplitude instead. Derivatives of order n are in units of
-// unit^-n:
+// these, and lower the value by their amplitude instead. Derivatives of order k are in units of
+// unit^-k:
 //
-//   g(s) >= value + slope s + sum_(n=2)^order g_n (s/unit)^n / n!
-//           - remainder (s/unit)^(order+1) / (order+1)!
+//   g(s) >= value + slope s + sum_(k=2)^n g_k (s/unit)^k / k!
+//           - remainder (s/unit)^(n+1) / (n+1)!,   n = bound_order
 //
 // Parts cancel each other: the slow ones of identical oscillators at a mass that hardly moves, and
 // the terms of the slope of a fast mode that has come to rest. The parts and their sums have twice
 // the precision, and the slope is the sum over the parts that stay.
 struct LongFlight::Bound {
-  int order = 2;
   double length = 0.0, unit = 0.0;
   Real value = 0.0, slope = 0.0;
   double remainder = 0.0;
-  std::array<Real, max_order + 1> derivative{};
+  std::array<Real, bound_order + 1> derivative{};
 
   // A part that turns within the length is taken out of the value; the others stay.
   void add(const Part &part) {
@@ -36,25 +35,25 @@ struct LongFlight::Bound {
     slope += part.slope;
     const Real d = part.damping * unit, stiff = part.stiffness * unit * unit;
     Real before = part.value, latest = part.slope * unit;
-    for (int n = 2; n <= order + 1; ++n) {
+    for (int n = 2; n <= bound_order + 1; ++n) {
       Real next = -(d * latest) - stiff * before;
       if (n == 2) next += part.drive * unit * unit;
       before = std::exchange(latest, next);
-      if (n <= order) derivative[static_cast<std::size_t>(n)] += latest;
+      if (n <= bound_order) derivative[static_cast<std::size_t>(n)] += latest;
     }
     remainder += std::hypot(latest.hi, std::sqrt(stiff.hi) * before.hi);
   }
   // In u = s / length, from 0 to 1.
   Polynomial polynomial() const {
     Polynomial p;
-    p.order = order + 1;
+    p.order = bound_order + 1;
     p.coefficient[0] = value.hi;
     p.coefficient[1] = slope.hi * length;
     double power = length / unit;
-    for (int n = 2; n <= order + 1; ++n) {
+    for (int n = 2; n <= bound_order + 1; ++n) {
       power *= length / unit / n;
       const auto i = static_cast<std::size_t>(n);
-      p.coefficient[i] = power * (n <= order ? derivative[i].hi : -remainder);
+      p.coefficient[i] = power * (n <= bound_order ? derivative[i].hi : -remainder);
     }
     return p;
   }
@@ -63,10 +62,9 @@ struct LongFlight::Bound {
 // The derivatives of all coordinates at `searched_to_`, in this unit. Those of a stiff coordinate
 // cancel, as do those of different coordinates at a mass that hardly moves: twice the precision
 // keeps them.
-void LongFlight::find_derivatives(double unit, int order) {
-  if (unit == unit_ && order <= order_) return;
+void LongFlight::find_derivatives(double unit) {
+  if (unit == unit_) return;
   unit_ = unit;
-  order_ = order;
   const double turn = omega_ * unit, square = unit * unit;
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
@@ -75,7 +73,7 @@ void LongFlight::find_derivatives(double unit, int order) {
     ModalForce<Real> f{square * c.force.a, square * c.force.b, square * c.force.c};
     c.derivative[1] = c.dy * unit;
     c.derivative[0] = c.y;
-    for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
+    for (std::size_t n = 2; n < c.derivative.size(); ++n) {
       c.derivative[n] = f.a + f.c - kappa * c.derivative[n - 1] - lambda * c.derivative[n - 2];
       f = {turn * f.b, -(turn * f.a), 0.0};
     }
@@ -136,11 +134,10 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
   }
 }
 
-Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
+Polynomial LongFlight::bound_of(std::size_t k, double l) {
   const Watch &w = form_->watches[k];
-  Bound bound{.order = order, .length = l, .unit = leading_power(l)};
-  // The remainder needs order + 1, and its damper one order more.
-  find_derivatives(bound.unit, order + 2);
+  Bound bound{.length = l, .unit = leading_power(l)};
+  find_derivatives(bound.unit);
   // Before its event a contact lies below zero by rounding only.
   if (values_[k].value.hi > 0.0) bound.value = values_[k].value;
   const double damping = w.damping / bound.unit;
@@ -154,12 +151,12 @@ Polynomial LongFlight::bound_of(std::size_t k, double l, int order) {
       continue;
     }
     bound.slope += weight * (c.dy + damping * c.derivative[2] / bound.unit);
-    for (std::size_t n = 2; n <= static_cast<std::size_t>(order); ++n) {
+    for (std::size_t n = 2; n <= bound_order; ++n) {
       bound.derivative[n] += weight * c.derivative[n];
       if (damping > 0.0) bound.derivative[n] += weight * (damping * c.derivative[n + 1]);
     }
-    bound.remainder += std::abs(weight.hi) * (derivative_bound(c, o, order + 1, l) +
-                                              damping * derivative_bound(c, o, order + 2, l));
+    bound.remainder += std::abs(weight.hi) * (derivative_bound(c, o, bound_order + 1, l) +
+                                              damping * derivative_bound(c, o, bound_order + 2, l));
   }
   if (w.a == 0.0 && w.b == 0.0) return bound.polynomial();
   const ModalForce<double> &f = watch_forces_[k];

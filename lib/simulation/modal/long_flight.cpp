@@ -82,7 +82,7 @@ bool LongFlight::look_at_hidden() {
 void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &start,
                           double time) {
   searched_to_ = time;
-  order_ = 0;
+  unit_ = 0.0;
   at(chain, clock, start, time);
   const ComplexOf<Real> wave = wave_at(Real(time) * omega_);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
@@ -103,20 +103,13 @@ void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &
     values_.push_back(detail::evaluate(chain, contact, motion_));
 }
 
-// A time up to l in which no contact comes to zero. A parabola serves most contacts. At the end of
-// a long chain whose motion has hardly begun, many derivatives are as small as the value, and only
-// a polynomial of high order shows it.
+// A time up to l in which no contact comes to zero.
 double LongFlight::safe_time(double l, Counters &counters) {
   double time = l;
-  const auto shorten = [&](std::size_t contact, int order) {
-    const std::optional<double> root = first_root(bound_of(contact, l, order), time / l, counters);
-    return root ? (*root > 0.0 && *root < infinity ? *root * l : 0.0) : time;
-  };
   for (std::size_t k = 0; k < values_.size() && time > 0.0; ++k) {
     if (starts_[k].idle || hidden_[k]) continue;
-    double own = shorten(k, quick_bound_order);
-    if (own < time) own = std::max(own, shorten(k, best_bound_order));
-    time = own;
+    const std::optional<double> root = first_root(bound_of(k, l), time / l, counters);
+    if (root) time = *root > 0.0 && *root < infinity ? *root * l : 0.0;
   }
   return time;
 }
@@ -187,7 +180,7 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
     if (!contacts[k].held || starts_[k].idle) return false;
     const double terms = sum_of_forces(chain, contacts[k].mass, motion_);
     if (!(values_[k].value.hi <= touch_rounding * terms)) return false;
-    const Polynomial p = bound_of(k, l_, quick_bound_order);
+    const Polynomial p = bound_of(k, l_);
     return only_touches(p.coefficient[1], p.coefficient[2], terms);
   };
   for (std::size_t k = 0; k < contacts.size(); ++k)

@@ -44,11 +44,11 @@ class LongFlight {
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
 
  private:
-  // A coordinate at `searched_to_`, the derivatives that have been found of it, in units of
-  // unit_^-n, and its deviation from the static displacement.
+  // A coordinate at `searched_to_`, its derivatives in units of unit_^-n, and its deviation from
+  // the static displacement. The remainder of a bound needs an order more, and its damper another.
   struct Coordinate {
     Real y = 0.0, dy = 0.0;
-    std::array<Real, max_order + 3> derivative{};
+    std::array<Real, bound_order + 3> derivative{};
     ModalForce<Real> force{};
     double modulus = 0.0;  // of the forcing
     Real deviation = 0.0;
@@ -77,20 +77,19 @@ class LongFlight {
   // keeps its sign, by definition, until it is seen.
   std::vector<char> hidden_;
   double searched_to_ = 0.0;
-  double unit_ = 0.0;  // of the derivatives found there,
-  int order_ = 0;      // up to this order
+  double unit_ = 0.0;  // of the derivatives found there, else 0
   double l_ = 0.0;     // the time for which bounds are made
   int evaluations_ = 0;
   bool is_at_event_ = false;  // the search has found an event there
 
   void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double time);
-  void find_derivatives(double unit, int order);
+  void find_derivatives(double unit);
   double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
                           double length) const;
   template <class Use>
   void each_part(const Watch &watch, const Coordinate &c, const Oscillator<Real> &o,
                  const Real &weight, double length, const Use &use) const;
-  Polynomial bound_of(std::size_t contact, double l, int order);
+  Polynomial bound_of(std::size_t contact, double l);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
   bool is_root() const;
