@@ -137,6 +137,9 @@ TEST(Refusals, OfTimesAndOptions) {
       {[] { later({}, infinity, Clock(0.0)); }, "time inf: more forcing periods than"},
   });
   EXPECT_EQ(simulate(scene, 1.0, {.max_steps = most}).ending, Ending::reached);
+  // Its amplitude falls by e^-37 in 8.6e11 radians.
+  const Scene damped{.mass = {1.0}, .stiffness = {0.5}, .beta = 2e-10};
+  EXPECT_EQ(simulate(damped, 2e12).ending, Ending::reached);
 }
 
 static_assert(!std::is_reference_v<decltype(require_complete(simulate(Scene{}, 0.0)))>);

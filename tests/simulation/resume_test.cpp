@@ -161,6 +161,20 @@ TEST(Resume, ARunEndedAtASampleEndsAtThatSample) {
   }
 }
 
+// The time of an event is rounded: as an instant, it lies before every second event.
+TEST(Resume, ARunGoesOnWithASampleAtItsStart) {
+  const Scene scene = paper::figure2();
+  for (std::size_t number = 100; number < 130; ++number) {
+    AtEvents until = until_event(number);
+    const Outcome end = simulate(scene, 300.0, until);
+    SampleRecorder sample(end.time, end.time, 1.0);
+    require_complete(Simulation(scene, end.state).advance(end.time + 1.0, sample));
+    ASSERT_EQ(sample.displacements.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i)  // the rounding of a time up to 300
+      EXPECT_NEAR(sample.displacements[i], end.state.displacement[i], 1e-13) << number;
+  }
+}
+
 // Two recorders ask for the same sample: each gets it, whichever is done there.
 TEST(Resume, ASampleReachesEveryRecorderBeforeTheRunEnds) {
   for (const bool first : {false, true}) {

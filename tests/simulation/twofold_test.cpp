@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/scenes/paper_scenes.hpp"
+#include "simulation/chain/motion.hpp"
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <random>
 
@@ -46,6 +49,27 @@ TEST(Twofold, HasTheErrorsThatItsHeaderSays) {
     const Real small = 0x1p-40 * a;
     sincos(small, sine, cosine);
     ASSERT_LE(error(sine, sin(digits(small)), abs(digits(small))), 10.0);
+  }
+}
+
+// e^(i Omega t) is carried on by steps, each of which rounds its change of second order, w^2 / 2
+// with w = Omega tau. Fifty of these roundings are allowed, whatever the number of steps.
+TEST(Turn, CarriedOnByStepsIsThatOfThePhase) {
+  using namespace vibro_impact::detail;
+  const vibro_impact::Scene scene = vibro_impact::paper::figure2();
+  const Chain chain(scene);
+  const vibro_impact::Clock clock(scene.omega);
+  for (const double tau : {0.3, 0.5, 1.1}) {
+    Motion motion;
+    double largest = 0.0;
+    for (int step = 0; step < 20000; ++step) {
+      pass_time(chain, clock, tau, motion);
+      const Turn exact = turn_at(chain, motion.now.phase);
+      largest = std::max({largest, std::abs(rounded(motion.turn.cosine - exact.cosine)),
+                          std::abs(rounded(motion.turn.sine - exact.sine))});
+    }
+    const double w = scene.omega * tau;
+    EXPECT_LE(largest, 50.0 * 0x1p-53 * 0.5 * w * w) << tau;
   }
 }
 

@@ -33,8 +33,6 @@ constexpr int orders_as_a_step = 20;
 constexpr double most_radians = 1e12;
 // e^-37 of an amplitude is below the rounding of a double.
 constexpr double dead_after = 37.0;
-// A sample may lie before the motion by the rounding of its time, relative to it.
-constexpr double sample_rounding = 0x1p-48;
 // The last of equal steps over a range may lie beyond its end by the rounding of both, relative to
 // it.
 constexpr double range_rounding = 4e-16;
@@ -57,14 +55,9 @@ constexpr double expected_flight_margin = 1.2;
 // step is cut short at the next event, and its higher orders are in vain: that of 200 masses with
 // stops is 15 then, and 25 without.
 constexpr double longest_in_flights = 8.0;
-// The least of these lengths, relative to the longest step of the mode. Shorter steps save hardly
-// an order, and the products of the slopes of a motion near 1e-308 with them underflow.
-constexpr double shortest_between_events = 1.0 / 64.0;
 // Least length of a step, relative to the longest: a flight may be shorter than any bound (r =
 // 1e-300), but the product of a slope and a length must not underflow.
 constexpr double shortest_step = 0x1p-60;
-// Least time by which a decision is postponed, next to t = 0: a normal number.
-constexpr double least_delay = 1e-290;
 // Margin of a bound of the change of a gap over a step, for its rounding.
 constexpr double travel_margin = 1.001;
 // Orders up to which a coefficient is divided by the mass and the order. A product with a rounded
@@ -90,8 +83,9 @@ constexpr double polynomial_rounding = 0x1p-53;
 // Depth to which a hold force may fall below zero without a release, relative to the sum of the
 // moduli of the forces on its mass: eight roundings. The mass would leave its stop by some 1e-30.
 constexpr double touch_rounding = 0x1p-50;
-// Time of a root, relative to its step, within which the gap that is left there is rounding. At a
-// slow impact it is more than one unit in the last place.
+// Rounding of the time of a root, relative to its flight: of the gap that is left at the root, and
+// of the first instant at which a contact is seen below zero. At a slow impact it is more than one
+// unit in the last place.
 constexpr double root_rounding = 1e-13;
 // Two roots u1 < u2 of a step are one instant if u2 - u1 is at most this times u1: eight roundings.
 constexpr double same_instant = 0x1p-50;
@@ -108,10 +102,6 @@ constexpr double two_decays = 0.01;
 // Order of the bounds of a contact. Where a motion has hardly begun, at the end of a long chain,
 // many derivatives are as small as the value, and steps by a parabola would be 1e-8 long.
 constexpr int bound_order = 12;
-// Longest step beside a contact that is hidden in rounding, in radians of the motion that hides it.
-constexpr double blind_radians = 0.5;
-// Time of a root, relative to the flight, below which a value of the wrong sign is rounding.
-constexpr double time_rounding = 1e-13;
 // Newton's steps in twice the precision on the time of an event, and the longest of them relative
 // to the flight: the search has found the root to 1e-13.
 constexpr int exact_newton_steps = 4;

@@ -180,7 +180,7 @@ double LongFlight::longest_blind_step() const {
       });
   }
   if (rate == 0.0) return longest_step;
-  return std::min(blind_radians / rate, std::max(searched_to_, 1.0 / fastest_));
+  return std::min(1.0 / rate, std::max(searched_to_, 1.0 / fastest_));
 }
 
 }  // namespace vibro_impact::detail

@@ -140,7 +140,7 @@ bool LongFlight::is_root() const {
     const double value = values_[k].value.hi, slope = values_[k].slope.hi;
     if (!starts_[k].idle && !hidden_[k] && slope <= 0.0 &&
         (value <= zero_threshold * values_[k].terms ||
-         value <= -time_rounding * searched_to_ * slope))
+         value <= -root_rounding * searched_to_ * slope))
       return true;
   }
   return false;
@@ -209,7 +209,7 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
 void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const Motion &start,
                                  double before, Counters &counters) {
   double after = searched_to_;
-  while (after - before > time_rounding * after) {
+  while (after - before > root_rounding * after) {
     const double middle = before + 0.5 * (after - before);
     if (middle == before || middle == after) break;  // next to 0 no time lies between
     evaluate(chain, clock, start, middle);

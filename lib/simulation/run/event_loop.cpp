@@ -1,6 +1,7 @@
 // The event loop chooses a flight, finds the first event in it, moves there and handles the event.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "chatter_limit.hpp"
 #include "endings.hpp"
@@ -24,8 +25,7 @@ double longest_step_of(const Run &run) {
 
 Step plan_step(Run &run) {
   const double of_mode = longest_step_of(run);
-  const double longest =
-      std::clamp(run.hint.step_between_events, shortest_between_events * of_mode, of_mode);
+  const double longest = std::clamp(run.hint.step_between_events, shortest_step * of_mode, of_mode);
   run.hint.step_between_events = longest;
   Step step;
   step.length = std::min(
@@ -34,8 +34,8 @@ Step plan_step(Run &run) {
   // that instant, the decision is postponed again.
   if (run.hint.postponed) {
     const double phase = run.motion.now.rounded().phase;
-    step.length =
-        std::min(longest, std::max(2.0 * (std::nextafter(phase, infinity) - phase), least_delay));
+    step.length = std::min(longest, std::max(2.0 * (std::nextafter(phase, infinity) - phase),
+                                             std::numeric_limits<double>::min()));
   }
   step.unit = 2.0 * leading_power(step.length);
   step.u_max = step.length / step.unit;

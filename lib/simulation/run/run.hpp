@@ -36,7 +36,7 @@ struct StepHint {
   // the next one. Without an event in the latest step, only the mode bounds the length.
   double step_between_events = infinity;
   // A decision about a stop is postponed: the next step ends at most two roundings of the clock
-  // later, or `least_delay` after t = 0.
+  // later, or the least normal number after t = 0.
   bool postponed = false;
 };
 

@@ -5,7 +5,6 @@
 #include "endings.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
-#include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
 
@@ -20,8 +19,9 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
     const Instant at = instant_at(next, clock);
     const Real since = time_until(run, at);
     if (!(since <= tau) && since.hi > 0.0) return;
-    require(since.hi >= -sample_rounding * next, "next_time = ", next,
-            ": lies before the motion, which is at t = ", time_of(run.motion.now.rounded(), clock));
+    const double now = time_of(run.motion.now.rounded(), clock);
+    require(since.hi >= 0.0 || next >= now, "next_time = ", next,
+            ": lies before the motion, which is at t = ", now);
     ++run.counters.states_computed;
     const MomentOfMotion moment = moment_at(run, since, at);
     if (!report_sample(run, moment, next, recorders)) continue;
