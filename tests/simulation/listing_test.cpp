@@ -1,4 +1,4 @@
-// The impacts of a chatter that are listed beside the run do not move it, and do not depend on the
+// The impacts of a chatter that are listed before its limit do not move it, and do not depend on the
 // times at which calls end.
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(Listing, DoesNotMoveTheRun) {
   }
 }
 
-// The calls end anywhere, also between impacts that are resolved beside the run.
+// The calls end anywhere, also between impacts that are resolved before a limit.
 TEST(Listing, IsTheSameInAnyCalls) {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     Draw draw{std::mt19937(seed)};

@@ -59,7 +59,7 @@ struct Recorder {
   }
   /// The least speed of the impacts that are to be reported. A run asks before it carries a chatter
   /// to its limit at the time `limit`; `first` is the speed of the first impact of this chatter.
-  /// The impacts are then resolved beside the motion, which stays the same to the last bit.
+  /// The impacts are then resolved first. The limit stays the same to the last bit.
   /// Infinity asks for no further impact. All recorders of a call hear the same events.
   virtual double slowest_impact([[maybe_unused]] double first,
                                 [[maybe_unused]] double limit) const {
