@@ -1,5 +1,5 @@
-// The impacts of a chatter that are listed before its limit do not move it, and do not depend on the
-// times at which calls end.
+// The impacts of a chatter that are listed before its limit do not move it, and do not depend on
+// the times at which calls end.
 #include <gtest/gtest.h>
 
 #include <algorithm>
