@@ -13,7 +13,7 @@ struct MotionBounds {
   const Chatter &chatter;
   double left, acceleration;
 
-  // Of the jumps of a velocity.
+  // A bound of the sum of the jumps of its velocity.
   double jump(std::size_t i) const {
     return i == chatter.mass() ? jump_sum_factor * std::abs(chatter.latest_jump()) : 0.0;
   }

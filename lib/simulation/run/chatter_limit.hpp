@@ -7,10 +7,10 @@
 
 namespace vibro_impact::detail {
 
-// Adds the impacts of this instant to their chatter, and sets the step hint to the longest flight
-// expected after them. The chatter ends at an instant without impacts, with a mass left at rest,
-// with another contact mode than the one before, where the stops differ in r, where nothing presses
-// them, and with r = 1.
+// Adds the impact of this instant to its chatter, and sets the step hint to the longest flight
+// expected after the impacts. The chatter ends at an instant with none or several impacts, with a
+// mass left at rest, with another contact mode than the one before, where nothing presses the mass,
+// and with r = 1.
 void follow_chatter(Run &run, const ContactMode *mode_before);
 
 // Puts the run to the limit that has been found: the mass comes to rest.
