@@ -1,5 +1,6 @@
 /// \file
-/// Counts of the work of a run. Unlike run time, they are repeatable.
+/// Counts of the work of a run. Unlike run time, they are repeatable. The work for an end, samples
+/// and listed impacts before the limit of a chatter is not counted, but for states and modes.
 #pragma once
 
 namespace vibro_impact {

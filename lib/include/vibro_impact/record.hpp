@@ -57,10 +57,11 @@ struct Recorder {
   /// recorder asks for. The event at the limit has the sums of the others.
   virtual void event(const Event &, const Moment &) {
   }
-  /// The least speed of the impacts that are to be reported. A run asks before it carries a chatter
-  /// to its limit at the time `limit`; `first` is the speed of the first impact of this chatter.
-  /// The impacts are then resolved first. The limit stays the same to the last bit.
-  /// Infinity asks for no further impact. All recorders of a call hear the same events.
+  /// The least speed of the impacts that are to be reported. A run asks when it has found the
+  /// limit of a chatter at the time `limit`, and after each impact before it; `first` is the speed
+  /// of the first impact of this chatter. The impacts are then resolved first. The limit stays the
+  /// same to the last bit. Infinity asks for no further impact. All recorders of a call hear the
+  /// same events.
   virtual double slowest_impact([[maybe_unused]] double first,
                                 [[maybe_unused]] double limit) const {
     return infinity;

@@ -72,16 +72,18 @@ bool find_limit(Run &run) {
 }
 
 // True if the end of the call, a sample or an impact that recorders ask for lies before the limit.
+// As a call begins within a flight, the next impact is not known.
 bool is_any_left(Run &run, Recorders recorders) {
   ChatterLimit &limit = run.limit;
+  const std::vector<StopState> &at_node = limit.is_ahead ? limit.stops : run.stops;
   const Instant instant = limit.motion.now.rounded();
   const double time = time_of(instant, run.problem.clock);
   limit.slowest = infinity;
   for (const Recorder *recorder : recorders)
     limit.slowest =
-        std::min(limit.slowest, recorder->slowest_impact(run.stops[limit.stop].first_speed, time));
+        std::min(limit.slowest, recorder->slowest_impact(at_node[limit.stop].first_speed, time));
   return run.progress.end < instant || run.progress.next_sample <= time ||
-         next_speed_factor * rebound_speed(run) >= limit.slowest;
+         run.hint.quiet_steps > 0 || next_speed_factor * rebound_speed(run) >= limit.slowest;
 }
 
 }  // namespace

@@ -21,12 +21,12 @@ void enter_limit(Run &run, Recorders recorders);
 // or impact that is asked for lies before it.
 void take_limit(Run &run, Recorders recorders);
 
-// Puts the run to a limit ahead if it lies in this call and within the time tau. Returns false if
-// it does not.
+// If a limit ahead lies in this call and within the time tau, reports the samples before it, and
+// puts the run there unless a recorder is done. Returns false if it does not.
 bool limit_ends_flight(Run &run, const Real &tau, Recorders recorders);
 
-// Counts the work as if the run still stood at the node of a limit ahead: a run with samples is
-// given up where it is without.
+// Drops the work since the node of a limit ahead, but for states and modes: beyond the limit, a run
+// with samples is given up where it is without. Up to the limit the work has its own `max_steps`.
 void count_as_at_node(Run &run);
 
 }  // namespace vibro_impact::detail

@@ -24,6 +24,15 @@ void count_impact(Run &run, StopState &stop, double speed) {
   stop.last_speed = speed;
 }
 
+// True if a mass comes back to its stop as fast as it came before, at the same instant of the
+// clock. With r < 1 no force has the time for that: the rounding of a force that is zero drives the
+// mass.
+bool is_driven_by_rounding(const Run &run, const StopState &stop, double closing, double leaving) {
+  const TwofoldInstant &since = stop.since, &now = run.motion.now;
+  return leaving < closing && closing >= stop.last_speed && stop.last_speed > 0.0 &&
+         since.cycle == now.cycle && since.phase == now.phase;
+}
+
 // To leading order, a mass with the acceleration a towards its stop returns after 2 v / a.
 double flight_after(const Motion &motion, const Contact &contact, double speed) {
   const double press = contact.sigma * motion.acceleration[contact.mass];
@@ -60,11 +69,12 @@ void apply_hits(Run &run, Recorders recorders) {
     const ImpactLaw &law = chain.stops[contact.stop].law;
     StopState &stop = run.stops[contact.stop];
     const double closing = rounded(hit.closing);
-    count_impact(run, stop, closing);
     const Real after = law.after(closing) + Real(law.slope(closing) * hit.closing.lo);
+    const bool is_at_rest = is_driven_by_rounding(run, stop, closing, after.hi);
+    count_impact(run, stop, closing);
     place(contact.mass, contact.position, scaled(after, -contact.sigma), motion);
     motion.v_terms[contact.mass] = closing;
-    if (after.hi > 0.0)
+    if (after.hi > 0.0 && !is_at_rest)
       stop.at = ExactZeros{1, after.hi};
     else
       stop.at = Resting{};
