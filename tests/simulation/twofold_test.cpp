@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <random>
+
 #include "reference/scenes/paper_scenes.hpp"
 #include "simulation/chain/motion.hpp"
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <random>
 
 namespace {
 

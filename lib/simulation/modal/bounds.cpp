@@ -9,10 +9,9 @@
 
 namespace vibro_impact::detail {
 
-// A contact is bounded from below by its value, its slope, its derivatives of order 2 to n
-// and a bound of the next one. Parts of the motion that turn within the time are taken out of
-// these, and lower the value by their amplitude instead. Derivatives of order k are in units of
-// unit^-k:
+// A contact is bounded from below by its value, its slope, its derivatives of order 2 to n and
+// a bound of the next one. Parts of the motion that turn within the time are taken out of these,
+// and lower the value by their amplitude instead. Derivatives of order k are in units of unit^-k:
 //
 //   g(s) >= value + slope s + sum_(k=2)^n g_k (s/unit)^k / k!
 //           - remainder (s/unit)^(n+1) / (n+1)!,   n = bound_order

@@ -10,27 +10,23 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// Counts an impact at a stop, at this closing speed, among those of its chatter.
-void count_impact(Run &run, StopState &stop, double speed) {
+// Counts an impact at a stop, at this closing speed, among those of its chatter. Returns true if
+// the mass comes back as fast as it came before, at the same instant of the clock.
+bool count_impact(Run &run, StopState &stop, double speed) {
+  bool comes_back_at_once = false;
   ++run.counters.impacts;
   if (speed < stop.last_speed) {
     ++stop.falling;
   } else {
+    comes_back_at_once = stop.last_speed > 0.0 &&
+                         elapsed(stop.since, run.motion.now, run.problem.clock) == Real(0.0);
     if (stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
     stop.falling = 0;
     stop.since = run.motion.now;
     stop.first_speed = speed;
   }
   stop.last_speed = speed;
-}
-
-// True if a mass comes back to its stop as fast as it came before, at the same instant of the
-// clock. With r < 1 no force has the time for that: the rounding of a force that is zero drives the
-// mass.
-bool is_driven_by_rounding(const Run &run, const StopState &stop, double closing, double leaving) {
-  const TwofoldInstant &since = stop.since, &now = run.motion.now;
-  return leaving < closing && closing >= stop.last_speed && stop.last_speed > 0.0 &&
-         since.cycle == now.cycle && since.phase == now.phase;
+  return comes_back_at_once;
 }
 
 // To leading order, a mass with the acceleration a towards its stop returns after 2 v / a.
@@ -69,12 +65,14 @@ void apply_hits(Run &run, Recorders recorders) {
     const ImpactLaw &law = chain.stops[contact.stop].law;
     StopState &stop = run.stops[contact.stop];
     const double closing = rounded(hit.closing);
+    const bool comes_back_at_once = count_impact(run, stop, closing);
     const Real after = law.after(closing) + Real(law.slope(closing) * hit.closing.lo);
-    const bool is_at_rest = is_driven_by_rounding(run, stop, closing, after.hi);
-    count_impact(run, stop, closing);
     place(contact.mass, contact.position, scaled(after, -contact.sigma), motion);
     motion.v_terms[contact.mass] = closing;
-    if (after.hi > 0.0 && !is_at_rest)
+    // A mass that loses speed has no time to gain it again: the rounding of a force that is zero
+    // drives it.
+    const bool is_driven_by_rounding = comes_back_at_once && after.hi < closing;
+    if (after.hi > 0.0 && !is_driven_by_rounding)
       stop.at = ExactZeros{1, after.hi};
     else
       stop.at = Resting{};
