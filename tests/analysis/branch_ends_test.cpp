@@ -186,7 +186,7 @@ TEST(BranchEnds, TheFirstStepKeepsToTheBranch) {
 TEST(BranchEnds, ABranchIsFollowedOnce) {
   expect_special_points(
       "masses=1; amplitude=1; stop=1:lower:-0.3,1:upper:0.3; omega=2", {"omega", 0.5, 3.5, 41},
-      {{Point::graze, 1.679274514727752}, {Point::branching, 2.02771266135, 1e-11}});
+      {{Point::graze, 1.679274514727752}, {Point::branching, 2.0277126613523457, 1e-12}});
   expect_special_points(
       "masses=1; amplitude=2; stop=1:lower:-0.5,1:upper:0.5; restitution=0.8; omega=2",
       {"amplitude1", 0.5, 3, 101},

@@ -134,7 +134,10 @@ struct Zero {
       if (!(std::abs(zero - point.part) < 3.0 * d)) break;
       const Vector u = interpolated(zero);
       const double moved = std::abs(u(0) - point.u(0));
-      if (!(moved < point.error)) break;  // rounding has begun
+      if (!(moved < point.error)) {  // rounding has begun
+        point.error = moved;
+        break;
+      }
       point.u = u;
       point.part = zero;
       // Next to the singular point, an orbit is known to its rounding over the distance.
