@@ -27,12 +27,12 @@ void set_turn(const Chain &chain, Motion &motion) {
 
 // With w = Omega tau, e^(iw) = 1 + iw + (cos w - 1) + i (sin w - w). The last two are of second
 // order and are found in double precision. From time to time the turn is computed anew.
-void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motion) {
+void pass_time(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion) {
   pass(tau, clock, motion.now);
   motion.acceleration_known = false;
   if (chain.omega == 0.0) return;
   if (++motion.turned > most_turns) return set_turn(chain, motion);
-  const Real angle = Real::exact_product(chain.omega, tau);
+  const Real angle = chain.omega * tau;
   const Pair higher = higher_orders_of_turn(angle.hi);
   Real &c = motion.turn.cosine, &s = motion.turn.sine;
   const RealPair z{Pair{c.hi, s.hi}, Pair{c.lo, s.lo}}, iz{Pair{-s.hi, c.hi}, Pair{-s.lo, c.lo}};
@@ -71,22 +71,6 @@ void find_acceleration(const Chain &chain, Motion &motion) {
   }
 }
 
-void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Motion &motion) {
-  find_acceleration(chain, motion);
-  for (std::size_t i = 0; i < chain.padded; i += 2) {
-    const RealPair v = load(&motion.v[i]);
-    store(load(&motion.x[i]) + v * Pair{time, time}, &motion.x[i]);
-    store(v + time * pair(&motion.acceleration[i]), &motion.v[i]);
-  }
-  motion.acceleration_known = false;
-  pass(time, clock, motion.now);
-  const double angle = chain.omega * time;
-  const Turn before = motion.turn;
-  motion.turn.cosine -= angle * before.sine.hi;
-  motion.turn.sine += angle * before.cosine.hi;
-  motion.turned = std::max(motion.turned, 1);  // it is no more that of the phase
-}
-
 double time_window(const Chain &chain, double time) {
   return std::min(1.0 / chain.rate_bound, time);
 }
@@ -109,12 +93,9 @@ bool Value::is_zero() const {
   return abs(value) <= zero_threshold * terms;
 }
 
-Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion) {
+Value force_of(const Chain &chain, const Contact &contact, const Motion &motion) {
   const std::size_t i = contact.mass;
   const double sigma = contact.sigma;
-  if (!contact.held)
-    return {scaled(contact.position - motion.x[i], sigma), scaled(motion.v[i], -sigma),
-            std::abs(contact.position) + motion.x_terms[i]};
   const auto &[cosine, sine] = motion.turn;
   double slope = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
   Value value;

@@ -45,12 +45,7 @@ Turn turn_at(const Chain &chain, const Real &phase);
 void set_turn(const Chain &chain, Motion &motion);
 
 // Moves the clock on by a step, with e^(i Omega t).
-void pass_time(const Chain &chain, const Clock &clock, double tau, Motion &motion);
-
-// Moves motion and clock on by the rounding of the time of a root, at most 1e-13 of a step. The
-// first order is enough: what it leaves out lies below 2e-26 of the motion. This is no step. Forces
-// in double precision would not cancel at a mass at rest, and its bounces would not die down.
-void let_rounding_pass(const Chain &chain, const Clock &clock, double time, Motion &motion);
+void pass_time(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion);
 
 // Sets the acceleration x'' = M^-1 (F - C x' - K x) of the free masses, unless it is known.
 void find_acceleration(const Chain &chain, Motion &motion);
@@ -84,8 +79,18 @@ struct Value {
   bool is_zero() const;
 };
 
+inline Value gap_of(const Contact &contact, const Motion &motion) {
+  const std::size_t i = contact.mass;
+  return {scaled(contact.position - motion.x[i], contact.sigma),
+          scaled(motion.v[i], -contact.sigma), std::abs(contact.position) + motion.x_terms[i]};
+}
+
 // The slope of a force is that of the acceleration of the motion, known or not.
-Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion);
+Value force_of(const Chain &chain, const Contact &contact, const Motion &motion);
+
+inline Value evaluate(const Chain &chain, const Contact &contact, const Motion &motion) {
+  return contact.held ? force_of(chain, contact, motion) : gap_of(contact, motion);
+}
 
 // The sum of the moduli of the forces on a mass at rest (from 0): springs by their stretch, dampers
 // and external forces. In double precision, a hold force is rounded relative to it.

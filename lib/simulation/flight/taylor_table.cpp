@@ -166,31 +166,39 @@ void expand_chain(const Chain &chain, const Motion &motion, TaylorTable &table) 
   add_travel(mode, table);
 }
 
-// The change of displacement and velocity of two masses by the orders from 2 on.
+// The change of displacement and velocity of two masses by the orders from 2 on, and their
+// acceleration.
 struct Change {
-  Pair value, slope;
+  Pair value, slope, acceleration;
 };
 
-// Horner's rule for the sum of x_n u^(n-2) and its derivative. The orders above `half` are a chain
-// of operations of their own beside that of those below, as if they began at order 2.
+// Horner's rule for the sum of x_n u^(n-2), its derivative and half of its second derivative. The
+// orders above `half` are a chain of operations of their own beside that of those below, as if they
+// began at order 2.
 inline Change change_at(const TaylorTable &table, std::size_t i, double tau) {
   const double unit = table.step.unit, u = tau / unit;
   const int last = table.step.order + 1, half = last / 2;  // the order is odd
   const double *low = table.of_order(half) + i, *high = table.of_order(last) + i;
-  Pair value = pair(low), slope{}, high_slope = pair(high),
-       high_value = high_slope * u + pair(high -= table.stride);
-  double power = 1.0;  // u^(half - 2)
+  Pair value = pair(low), slope{}, bend{}, high_slope = pair(high),
+       high_value = high_slope * u + pair(high -= table.stride), high_bend{};
+  double before = 0.0, power = 1.0;  // u^(half - 3) and u^(half - 2)
   for (int n = half; n > 2; --n) {
+    bend = bend * u + slope;
     slope = slope * u + value;
     value = value * u + pair(low -= table.stride);
+    high_bend = high_bend * u + high_slope;
     high_slope = high_slope * u + high_value;
     high_value = high_value * u + pair(high -= table.stride);
+    before = power;
     power *= u;
   }
-  slope += power * ((half - 1.0) * high_value + u * high_slope);
+  const double k = half - 1.0;
+  bend += before * (0.5 * k * (k - 1.0)) * high_value + power * (k * high_slope + u * high_bend);
+  slope += power * (k * high_value + u * high_slope);
   value += power * (u * high_value);
   // u^2 would be rounded alike in every step of a length.
-  return {u * (u * value), (u / unit) * (2.0 * value + u * slope)};
+  return {u * (u * value), (u / unit) * (2.0 * value + u * slope),
+          2.0 * (value + u * (2.0 * slope + u * bend)) / unit / unit};
 }
 
 }  // namespace
@@ -265,25 +273,26 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
 }
 
-Real displacement_along(const Motion &start, const TaylorTable &table, std::size_t mass,
-                        double tau) {
-  return start.x[mass] +
-         (start.v[mass] * tau + change_at(table, mass / 2 * 2, tau).value[mass % 2]);
+MassMotion mass_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau) {
+  const Real &x = start.x[mass], &v = start.v[mass];
+  const auto [value, slope, acceleration] = change_at(table, mass / 2 * 2, tau);
+  return {x + (v * tau + value[mass % 2]), v + slope[mass % 2]};
 }
 
-Real velocity_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau) {
-  return start.v[mass] + change_at(table, mass / 2 * 2, tau).slope[mass % 2];
-}
-
-void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
+void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, const Real &tau,
                 Motion &motion) {
   for (std::size_t i = 0; i < table.stride; i += 2) {
-    const auto [value, slope] = change_at(table, i, tau);
+    const auto [value, slope, acceleration] = change_at(table, i, tau.hi);
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
-    store(x + (v * Pair{tau, tau} + value), &motion.x[i]);
-    store(v + slope, &motion.v[i]);
+    RealPair x_then = x + (v * Pair{tau.hi, tau.hi} + value), v_then = v + slope;
+    if (tau.lo != 0.0) {  // at most `root_rounding` of tau: its square is below rounding
+      x_then += tau.lo * v_then.hi;
+      v_then += tau.lo * acceleration;
+    }
+    store(x_then, &motion.x[i]);
+    store(v_then, &motion.v[i]);
     const Pair speed = modulus(v.hi);
-    put(modulus(x.hi) + tau * speed + modulus(value), &motion.x_terms[i]);
+    put(modulus(x.hi) + tau.hi * speed + modulus(value), &motion.x_terms[i]);
     put(speed + modulus(slope), &motion.v_terms[i]);
   }
   pass_time(chain, clock, tau, motion);

@@ -43,7 +43,7 @@ void check_motion(Run &run) {
   const Instant now = motion.now.rounded();
   if (!is_in_range(motion)) return give_up_beyond_range(run, now);
   for (const ChainStop &stop : run.chain().stops) {
-    const double gap = rounded(scaled(stop.position - motion.x[stop.mass], stop.sigma));
+    const double gap = stop.sigma * (stop.position - motion.x[stop.mass].hi);
     if (!(gap < 0.0)) continue;
     const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];
     if (!is_rounding_at_stop(-gap, terms,

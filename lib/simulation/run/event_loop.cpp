@@ -115,33 +115,13 @@ FlightEnd search_far(Run &run) {
                                 run.counters);
 }
 
-// The motion stands at the time tau of a root that a double has rounded, with a gap of a rounding
-// left. To put the mass hit onto its stop would move it in the field of its springs: the gap has a
-// preferred sign, and the energy of an elastic chain would drift. Hence the time until the gap is
-// zero passes for all masses.
-void close_gap(Run &run, double tau) {
-  Motion &motion = run.motion;
-  for (std::size_t k = 0; k < motion.mode->contacts.size(); ++k) {
-    const Contact &contact = motion.mode->contacts[k];
-    if (contact.held || run.scratch.near[k] != Near::zero) continue;
-    const Value gap = evaluate(run.chain(), contact, motion);
-    const double time = -gap.value.hi / gap.slope.hi;
-    if (gap.slope.hi < 0.0 && std::abs(time) <= root_rounding * tau)
-      return let_rounding_pass(run.chain(), run.problem.clock, time, motion);
-  }
-}
-
 // Moves the run to the end of the flight that was searched.
 void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
   const Clock &clock = run.problem.clock;
-  Scratch &scratch = run.scratch;
   if (run.long_flight.is_under_way()) return run.long_flight.end(chain, clock, end.tau, run.motion);
   if (!end.event && run.hint.quiet_steps == 0) run.long_flight.set_origin(run.motion);
-  const double tau = end.tau.hi;
-  if (!(tau > 0.0)) return;
-  move_along(chain, clock, scratch.flight.table, tau, run.motion);
-  if (end.event) close_gap(run, tau);
+  if (end.tau.hi > 0.0) move_along(chain, clock, run.scratch.flight.table, end.tau, run.motion);
 }
 
 // One flight of the loop.

@@ -19,11 +19,11 @@ MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Insta
 }
 
 Real MomentOfMotion::x(std::size_t i) const {
-  return tau_ > 0.0 ? displacement_along(motion_, table_, i, tau_) : motion_.x[i];
+  return tau_ > 0.0 ? mass_along(motion_, table_, i, tau_).x : motion_.x[i];
 }
 
 Real MomentOfMotion::v(std::size_t i) const {
-  return tau_ > 0.0 ? velocity_along(motion_, table_, i, tau_) : motion_.v[i];
+  return tau_ > 0.0 ? mass_along(motion_, table_, i, tau_).v : motion_.v[i];
 }
 
 std::size_t MomentOfMotion::index_of(int mass) const {
