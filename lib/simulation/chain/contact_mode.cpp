@@ -10,35 +10,28 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// An upper bound, to a percent, of the largest eigenvalue of M^-1 K of the free masses. By
-// Sylvester's law, all eigenvalues lie below z if all pivots of z - M^-1/2 K M^-1/2 are positive.
-// The matrix is tridiagonal, so that a test of z costs O(N).
+// An upper bound of the largest eigenvalue z of M^-1 K of the free masses, exact for one and for
+// two. M^-1/2 K M^-1/2 is tridiagonal, with the diagonal d. Let r_i be the sum of the moduli beside
+// it in row i. Of an eigenvector y let y_i be the largest entry, and y_j that of the neighbours of
+// mass i. If z exceeds d_i and d_j, then
+//   (z - d_i) |y_i| <= r_i |y_j|,   (z - d_j) |y_j| <= r_j |y_i|,   (z - d_i) (z - d_j) <= r_i r_j
 double largest_eigenvalue(const Chain &chain, const Held &held) {
   const std::size_t n = chain.masses;
-  List<double> diagonal(n), off(n);  // off[i] ties mass i to mass i - 1
-  double high = 0.0, low = 0.0;
+  List<double> diagonal(n), off(n + 1);  // off[i] ties mass i to mass i - 1
   for (std::size_t i = 0; i < n; ++i) {
     if (held[i] != 0) continue;
     diagonal[i] = chain.stiffness_at(i) / chain.mass[i];
     if (i > 0 && held[i - 1] == 0)
       off[i] = chain.link[i] / std::sqrt(chain.mass[i]) / std::sqrt(chain.mass[i - 1]);
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    // Gershgorin, and the largest entry of the diagonal.
-    high = std::max(high, diagonal[i] + off[i] + (i + 1 < n ? off[i + 1] : 0.0));
-    low = std::max(low, diagonal[i]);
+  double bound = diagonal[0], root = std::sqrt(off[1]);  // of r_(i - 1)
+  for (std::size_t i = 1; i < n; ++i) {
+    const double mean = 0.5 * (diagonal[i] + diagonal[i - 1]),
+                 next = std::sqrt(off[i] + off[i + 1]);
+    bound = std::max(bound, mean + std::hypot(diagonal[i] - mean, root * next));
+    root = next;
   }
-  while (high > rate_margin * low) {
-    const double middle = 0.5 * (high + low);
-    bool above_all = true;
-    double pivot = 1.0;
-    for (std::size_t i = 0; i < n && above_all; ++i) {
-      pivot = middle - diagonal[i] - (i > 0 ? off[i] * (off[i] / pivot) : 0.0);
-      above_all = pivot > 0.0;
-    }
-    (above_all ? high : low) = middle;
-  }
-  return high;
+  return bound;
 }
 
 // Adds the pair of a mass to a list of pairs that ends with this one or an earlier one.

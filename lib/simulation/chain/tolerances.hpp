@@ -44,8 +44,6 @@ constexpr double range_rounding = 4e-16;
 constexpr double max_step_radians = 2.0;
 // Longest step of a motion of any rate, whose square has to be finite.
 constexpr double longest_step = 0x1p500;
-// Margin of the largest eigenvalue of a contact mode, from a bisection.
-constexpr double rate_margin = 1.01;
 // Least `flight_tolerance`. The remainder of order 27 over the longest step is 4.4e-22.
 constexpr double least_flight_tolerance = 1e-21;
 // Length of the step after an impact, relative to the expected flight. Impacts of a chatter are at
