@@ -23,7 +23,8 @@ Digits digits(const Real &x) {
 
 // The distance of a number from the exact one, in units of 2^-102 of the size of its terms.
 double error(const Real &computed, const Digits &exact, const Digits &size) {
-  return static_cast<double>(abs(digits(computed) - exact) / size) * 0x1p102;
+  return static_cast<double>(abs(digits(computed) - exact) / size) /
+         vibro_impact::detail::twofold_rounding;
 }
 
 TEST(Twofold, HasTheErrorsThatItsHeaderSays) {

@@ -13,20 +13,20 @@ namespace vibro_impact::detail {
 // flight. Numbers of twice the precision err by 2^-102 = 2e-31 of that in an operation: this leaves
 // room for 10^4 operations on the way. A gap or force that is truly smaller was never seen.
 constexpr double zero_threshold = 1e-26;
-// A displacement beyond a stop by this much, relative to the terms of the gap, is rounding, and is
-// reported as the position of the stop. Sums of a step err by some 1e-15 of them. So is one that is
-// zero beside the motion of the chain and the way of its forces: that of a mass that a wave has not
-// reached, since the orders of a step end before it, and that of a mass just released at the root
-// of its force, since the root is rounded. Below the normal numbers of double precision, any
-// displacement is.
-constexpr double stop_rounding = 1e-13;
+// Rounding of what is found in double precision: of a displacement, relative to the terms of the
+// gap, and of the time of a root or of the first instant at which a contact is seen below zero,
+// relative to its flight. Sums of a step err by some 1e-15 of their terms, but at a slow impact the
+// time errs by more.
+constexpr double step_rounding = 1e-13;
+// A displacement beyond a stop by no more than its rounding is reported as the position of the
+// stop. So is one that is zero beside the motion of the chain and the way of its forces: that of a
+// mass that a wave has not reached, since the orders of a step end before it, and that of a mass
+// just released at the root of its force, since the root is rounded. Below the normal numbers of
+// double precision, any displacement is.
 constexpr bool is_rounding_at_stop(double beyond, double terms, double terms_of_chain) {
-  return beyond <= stop_rounding * terms + zero_threshold * terms_of_chain +
+  return beyond <= step_rounding * terms + zero_threshold * terms_of_chain +
                        std::numeric_limits<double>::min();
 }
-// A gap and its speed this small, relative to the motion of the chain and of the forcing in a
-// window of time, are below the rounding of twice the precision.
-constexpr double as_at_rest = 1e-32;
 // Orders of a decision at rest that take as long as a step, for chains of 2 to 200 masses.
 constexpr int orders_as_a_step = 20;
 // Most radians of a mode that swings on. Its phase rounds to 1e-4 there.
@@ -81,10 +81,6 @@ constexpr double polynomial_rounding = 0x1p-53;
 // Depth to which a hold force may fall below zero without a release, relative to the sum of the
 // moduli of the forces on its mass: eight roundings. The mass would leave its stop by some 1e-30.
 constexpr double touch_rounding = 0x1p-50;
-// Rounding of the time of a root, relative to its flight: of the gap that is left at the root, and
-// of the first instant at which a contact is seen below zero. At a slow impact it is more than one
-// unit in the last place.
-constexpr double root_rounding = 1e-13;
 // Two roots u1 < u2 of a step are one instant if u2 - u1 is at most this times u1: eight roundings.
 constexpr double same_instant = 0x1p-50;
 
@@ -100,15 +96,9 @@ constexpr double two_decays = 0.01;
 // Order of the bounds of a contact. Where a motion has hardly begun, at the end of a long chain,
 // many derivatives are as small as the value, and steps by a parabola would be 1e-8 long.
 constexpr int bound_order = 12;
-// Newton's steps in twice the precision on the time of an event, and the longest of them relative
-// to the flight: the search has found the root to 1e-13.
-constexpr int exact_newton_steps = 4;
-constexpr double longest_correction = 1e-3;
 // Evaluations after which a long flight begins anew where it is, so that its run can be given up.
 constexpr int most_search_steps = 1000;
-// Bounds of one-sided rotations, relative to the terms of the product of two columns, and of their
-// sweeps.
-constexpr double rotation_rounding = 1e-30;
+// Sweeps of one-sided rotations.
 constexpr int most_sweeps = 40;
 
 // Chatter, with x the flight time after an impact.

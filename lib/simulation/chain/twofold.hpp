@@ -17,6 +17,9 @@
 
 namespace vibro_impact::detail {
 
+// See above.
+constexpr double twofold_rounding = 0x1p-102;
+
 using Pair [[gnu::vector_size(16)]] = double;
 
 inline Pair pair(const double *two) {

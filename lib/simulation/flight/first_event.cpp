@@ -48,7 +48,7 @@ Real exact_root(const Motion &motion, const TaylorTable &table, const std::vecto
     if (contact.held || near[k] != Near::zero) continue;
     const auto [x, v] = mass_along(motion, table, contact.mass, tau);
     const double newton = rounded(contact.position - x) / v.hi;
-    if (contact.sigma * v.hi > 0.0 && std::abs(newton) <= root_rounding * tau) return {tau, newton};
+    if (contact.sigma * v.hi > 0.0 && std::abs(newton) <= step_rounding * tau) return {tau, newton};
   }
   return tau;
 }

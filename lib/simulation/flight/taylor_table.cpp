@@ -285,7 +285,7 @@ void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table
     const auto [value, slope, acceleration] = change_at(table, i, tau.hi);
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
     RealPair x_then = x + (v * Pair{tau.hi, tau.hi} + value), v_then = v + slope;
-    if (tau.lo != 0.0) {  // at most `root_rounding` of tau: its square is below rounding
+    if (tau.lo != 0.0) {  // at most `step_rounding` of tau: its square is below rounding
       x_then += tau.lo * v_then.hi;
       v_then += tau.lo * acceleration;
     }

@@ -133,49 +133,42 @@ double LongFlight::next_step(Counters &counters) {
   return step;
 }
 
-// True if the search has come to an event: a contact is zero, or has a simple root within the
-// rounding of its time.
+// True if the search has come to an event: a contact has its root within the rounding of its time.
 bool LongFlight::is_root() const {
   for (std::size_t k = 0; k < values_.size(); ++k) {
     const double value = values_[k].value.hi, slope = values_[k].slope.hi;
     if (!starts_[k].idle && !hidden_[k] && slope <= 0.0 &&
-        (value <= zero_threshold * values_[k].terms ||
-         value <= -root_rounding * searched_to_ * slope))
+        value <= -step_rounding * searched_to_ * slope)
       return true;
   }
   return false;
 }
 
-// The earliest root, which lies within rounding of `searched_to_`, by Newton's steps in twice the
-// precision.
+// The earliest root, which lies within rounding of `searched_to_`, by a step of Newton's in twice
+// the precision.
 Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &start,
                          std::vector<Near> &near) {
   const List<Contact> &contacts = start.mode->contacts;
-  Real tau = searched_to_;
   std::fill(near.begin(), near.end(), Near::perhaps);
   if (look_at_hidden()) {
     for (std::size_t k = 0; k < hidden_.size(); ++k)
       if (hidden_[k] && !values_[k].is_zero()) near[k] = contacts[k].held ? Near::zero : Near::rest;
-    return tau;
+    return searched_to_;
   }
-  for (int k = 0; k < exact_newton_steps; ++k) {
-    Real earliest = infinity;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      if (starts_[i].idle || hidden_[i]) continue;
-      const Value value = detail::evaluate(chain, contacts[i], at(chain, clock, start, tau));
-      if (!(value.slope.hi < 0.0)) continue;
-      const Real newton = -value.value / value.slope;
-      if (!(newton < earliest)) continue;
-      earliest = newton;
-      first = i;
-    }
-    if (!(std::abs(earliest.hi) <= longest_correction * searched_to_)) break;
-    std::fill(near.begin(), near.end(), Near::perhaps);
+  Real tau = searched_to_, earliest = infinity;
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    if (starts_[k].idle || hidden_[k] || !(values_[k].slope.hi < 0.0)) continue;
+    const Real newton = -values_[k].value / values_[k].slope;
+    if (!(newton < earliest)) continue;
+    earliest = newton;
+    first = k;
+  }
+  if (std::abs(earliest.hi) <= step_rounding * searched_to_) {
     near[first] = Near::zero;
-    if (earliest.hi == 0.0) break;
     tau += earliest;
   }
+  at(chain, clock, start, tau);
   const auto touches = [&](std::size_t k) {
     if (!contacts[k].held || starts_[k].idle) return false;
     const double terms = sum_of_forces(chain, contacts[k].mass, motion_);
@@ -209,7 +202,7 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
 void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const Motion &start,
                                  double before, Counters &counters) {
   double after = searched_to_;
-  while (after - before > root_rounding * after) {
+  while (after - before > step_rounding * after) {
     const double middle = before + 0.5 * (after - before);
     if (middle == before || middle == after) break;  // next to 0 no time lies between
     evaluate(chain, clock, start, middle);
