@@ -133,15 +133,15 @@ double LongFlight::next_step(Counters &counters) {
   return step;
 }
 
-// True if the search has come to an event: a contact has its root within the rounding of its time.
-bool LongFlight::is_root() const {
+// The earliest of the steps of Newton's to a root of a contact.
+LongFlight::NewtonStep LongFlight::newton_step() const {
+  NewtonStep earliest;
   for (std::size_t k = 0; k < values_.size(); ++k) {
-    const double value = values_[k].value.hi, slope = values_[k].slope.hi;
-    if (!starts_[k].idle && !hidden_[k] && slope <= 0.0 &&
-        value <= -step_rounding * searched_to_ * slope)
-      return true;
+    if (starts_[k].idle || hidden_[k] || !(values_[k].slope.hi < 0.0)) continue;
+    const Real time = -values_[k].value / values_[k].slope;
+    if (time < earliest.time) earliest = {time, k};
   }
-  return false;
+  return earliest;
 }
 
 // The earliest root, which lies within rounding of `searched_to_`, by a step of Newton's in twice
@@ -155,18 +155,11 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
       if (hidden_[k] && !values_[k].is_zero()) near[k] = contacts[k].held ? Near::zero : Near::rest;
     return searched_to_;
   }
-  Real tau = searched_to_, earliest = infinity;
-  std::size_t first = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (starts_[k].idle || hidden_[k] || !(values_[k].slope.hi < 0.0)) continue;
-    const Real newton = -values_[k].value / values_[k].slope;
-    if (!(newton < earliest)) continue;
-    earliest = newton;
-    first = k;
-  }
-  if (std::abs(earliest.hi) <= step_rounding * searched_to_) {
-    near[first] = Near::zero;
-    tau += earliest;
+  Real tau = searched_to_;
+  const auto [time, contact] = newton_step();
+  if (std::abs(time.hi) <= step_rounding * searched_to_) {
+    near[contact] = Near::zero;
+    tau += time;
   }
   at(chain, clock, start, tau);
   const auto touches = [&](std::size_t k) {
@@ -228,7 +221,8 @@ FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motio
     ++counters.search_steps;
     const bool appears = look_at_hidden();
     if (appears) find_appearance(chain, clock, start, before, counters);
-    if (appears || is_root() || searched_to_ == before)
+    const bool is_root = newton_step().time.hi <= step_rounding * searched_to_;
+    if (appears || is_root || searched_to_ == before)
       is_at_event_ = true;
     else if (++evaluations_ >= most_search_steps)
       return {searched_to_, false};

@@ -59,6 +59,10 @@ class LongFlight {
     double rate, amplitude;
     Real drive = 0.0;
   };
+  struct NewtonStep {
+    Real time = infinity;
+    std::size_t contact = 0;
+  };
   struct Bound;
 
   Motion origin_;  // where the flight begins
@@ -92,7 +96,7 @@ class LongFlight {
   Polynomial bound_of(std::size_t contact, double l);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
-  bool is_root() const;
+  NewtonStep newton_step() const;
   double longest_blind_step() const;
   bool look_at_hidden();
   void find_appearance(const Chain &chain, const Clock &clock, const Motion &start, double before,
