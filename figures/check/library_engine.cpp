@@ -87,9 +87,11 @@ double LibraryEngine::grazing_frequency(const Scene &given, int mass, double nea
     scene.stops.erase(scene.stops.begin() + stop);
     const MotionState start = state_after_periods(scene, paper::figure4_settling_periods);
     scene.stops = given.stops;
-    ImpactVelocityRecorder recorder{mass, -1.0};
+    EventRecorder recorder(-1.0, infinity);
     stroboscopic_map(scene, start, 1, {}, recorder);
-    return static_cast<int>(recorder.velocities.size());
+    return static_cast<int>(std::ranges::count_if(recorder.events, [mass](const Event &event) {
+      return event.kind == EventKind::impact && event.mass == mass;
+    }));
   };
   return change_of(impacts, near, far);
 }

@@ -12,17 +12,22 @@
 
 using namespace vibro_impact;
 
+struct FastestImpact : Recorder {
+  double speed = 0.0;  // of mass 1
+  void event(const Event &event, const Moment &) override {
+    if (event.mass == 1) speed = std::max(speed, std::abs(event.velocity_before));
+  }
+};
+
 // A row of numbers: period, sticks of both masses, fastest impact of mass 1.
 std::vector<double> observed(const Scene &scene) {
   const SettledMotion motion = settle(scene);
   if (motion.period == 0) return {0.0, NAN, NAN, NAN};
   const double p = motion.period, T = Clock(scene.omega).period,
                begin = time_of(motion.state.instant, Clock(scene.omega));
-  ImpactVelocityRecorder speeds(1, begin);
-  require_complete(Simulation(scene, motion.state).advance(begin + p * T, speeds));
-  double fastest = 0.0;
-  for (const double v : speeds.velocities) fastest = std::max(fastest, std::abs(v));
-  return {p, motion.counts.sticks[0] / p, motion.counts.sticks[1] / p, fastest};
+  FastestImpact fastest;
+  require_complete(Simulation(scene, motion.state).advance(begin + p * T, fastest));
+  return {p, motion.counts.sticks[0] / p, motion.counts.sticks[1] / p, fastest.speed};
 }
 
 int main() {

@@ -31,10 +31,10 @@ Grid grid_of_figure3() {
 // An observable of one's own: where the motion stands after thirty periods, and its impacts there.
 std::vector<double> observed(const Scene &scene) {
   const double T = Clock(scene.omega).period;
-  ImpactVelocityRecorder speeds{1, 29 * T};
-  const Outcome end = simulate(scene, 30 * T, speeds);
+  EventRecorder recorder(29 * T, infinity);
+  const Outcome end = simulate(scene, 30 * T, recorder);
   std::vector<double> row = end.state.displacement;
-  row.insert(row.end(), speeds.velocities.begin(), speeds.velocities.end());
+  for (const Event &event : recorder.events) row.push_back(event.velocity_before);
   return row;
 }
 

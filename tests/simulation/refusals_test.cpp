@@ -198,8 +198,6 @@ TEST(Refusals, OfRecorders) {
       [](const Event &, const Moment &moment) { return moment.hold_force(5) > 0.0; });
   expect_refused({
       recorded_by(EventRecorder{nan}, "from = nan: must be a time"),
-      recorded_by(ImpactVelocityRecorder{3, 0.0}, "mass 3: the chain has masses 1 to 2"),
-      recorded_by(ImpactVelocityRecorder{1, nan}, "from = nan: must be a time"),
       recorded_by(SampleRecorder{0.0, 10.0, -1.0}, "every = -1: must be positive and finite"),
       recorded_by(SampleRecorder{0.0, infinity, 1.0}, "samples from 0 to inf: must be finite"),
       recorded_by(SampleRecorder{-1.0, 10.0, 1.0}, "sample at t = -1: the run begins at 0"),

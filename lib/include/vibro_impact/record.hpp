@@ -107,19 +107,6 @@ struct EventRecorder : Recorder {
   void event(const Event &event, const Moment &) override;
 };
 
-/// Records the velocities (towards +x) of one mass just before its impacts, from time `from` on.
-struct ImpactVelocityRecorder : Recorder {
-  int mass;
-  double from;
-  std::vector<double> velocities = {};
-
-  explicit ImpactVelocityRecorder(int of_mass, double from_time = 0.0)
-      : mass(of_mass), from(from_time) {
-  }
-  void check(const Scene &scene) const override;
-  void event(const Event &event, const Moment &) override;
-};
-
 /// The time of sample number `taken`, counted from 0, of the times from, from + every, ... up to
 /// `to`. The last may be beyond `to` by rounding and is then `to`. Returns infinity after the last.
 double sample_time(double from, double to, double every, std::size_t taken);

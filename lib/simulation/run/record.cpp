@@ -9,7 +9,6 @@
 namespace vibro_impact {
 
 using detail::require;
-using detail::require_mass;
 
 MotionState state_at(const Moment &moment, const Held &held) {
   MotionState state{moment.instant, {}, {}, held};
@@ -45,16 +44,6 @@ double EventRecorder::slowest_impact(double first, double limit) const {
 void EventRecorder::check(const Scene &) const {
   require(!std::isnan(from), "from = ", from, ": must be a time");
   if (slowest) require(*slowest >= 0.0, "slowest = ", *slowest, ": must be non-negative");
-}
-
-void ImpactVelocityRecorder::event(const Event &event, const Moment &) {
-  if (event.kind == EventKind::impact && event.mass == mass && event.time >= from)
-    velocities.push_back(event.velocity_before);
-}
-
-void ImpactVelocityRecorder::check(const Scene &scene) const {
-  require(!std::isnan(from), "from = ", from, ": must be a time");
-  require_mass(mass, scene.masses());
 }
 
 double sample_time(double from, double to, double every, std::size_t taken) {
