@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "list.hpp"
 #include "rates.hpp"
 #include "require.hpp"
 #include "vibro_impact/scene_fields.hpp"
@@ -24,21 +25,28 @@ void require_restitution(double restitution) {
           ": must lie in [0, 1]");
 }
 
-// A stop by itself, and against the other stop of its mass.
-void check_stop(const Stop &stop, const Scene &scene) {
-  require(stop.mass >= 1 && stop.mass <= scene.masses(), "stop on mass ", stop.mass,
-          ": the chain has masses 1 to ", scene.masses());
-  require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
-          ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
-  require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
-          ": must be finite");
-  if (stop.restitution) require_restitution(*stop.restitution);
-  for (const Stop &other : scene.stops) {
-    if (&other == &stop || other.mass != stop.mass) continue;
-    require(other.side != stop.side, "stop on mass ", stop.mass, ": two stops on the same side");
-    require(sign(stop.side) * (stop.position - other.position) > 0.0, "stops on mass ", stop.mass,
-            ", ", name(stop.side), " at ", stop.position, ", ", name(other.side), " at ",
-            other.position, ": the lower must lie below the upper");
+// Each stop by itself, and the two stops of a mass against each other.
+void check_stops(const Scene &scene) {
+  struct StopsOfMass {
+    const Stop *lower = nullptr, *upper = nullptr;
+  };
+  detail::List<StopsOfMass> stops_of(scene.mass.size());
+  for (const Stop &stop : scene.stops) {
+    require(stop.mass >= 1 && stop.mass <= scene.masses(), "stop on mass ", stop.mass,
+            ": the chain has masses 1 to ", scene.masses());
+    require(stop.side == Side::lower || stop.side == Side::upper, "stop on mass ", stop.mass,
+            ", side = ", static_cast<int>(stop.side), ": must be lower (-1) or upper (1)");
+    require(std::isfinite(stop.position), "stop on mass ", stop.mass, " at ", stop.position,
+            ": must be finite");
+    if (stop.restitution) require_restitution(*stop.restitution);
+    auto &[lower, upper] = stops_of[static_cast<std::size_t>(stop.mass - 1)];
+    const Stop *&same_side = stop.side == Side::upper ? upper : lower;
+    require(!same_side, "stop on mass ", stop.mass, ": two stops on the same side");
+    same_side = &stop;
+    if (lower && upper)
+      require(lower->position < upper->position, "stops on mass ", stop.mass, ", lower at ",
+              lower->position, ", upper at ", upper->position,
+              ": the lower must lie below the upper");
   }
 }
 
@@ -86,7 +94,7 @@ void check(const Scene &scene) {
   const double rate = detail::rate_bound(scene);
   require(std::isfinite(rate * rate), "rate = ", rate,
           ": the largest rate that k, m, beta and omega allow, and its square, must be finite");
-  for (const Stop &stop : scene.stops) check_stop(stop, scene);
+  check_stops(scene);
   check(scene, detail::first_motion(scene));
 }
 
