@@ -20,27 +20,32 @@ namespace vibro_impact::detail {
 // the terms of the slope of a fast mode that has come to rest. The parts and their sums have twice
 // the precision, and the slope is the sum over the parts that stay.
 struct LongFlight::Bound {
-  double length = 0.0, unit = 0.0;
+  double length = 0.0, unit = 0.0, omega = 0.0;
   Real value = 0.0, slope = 0.0;
   double remainder = 0.0;
   std::array<Real, bound_order + 1> derivative{};
 
-  // A part that turns within the length is taken out of the value; the others stay.
+  // A part that turns within the length is taken out of the value; the others stay. The energy of
+  // each derivative grows by the forcing alone.
   void add(const Part &part) {
     if (part.rate * length > 1.0) {
       value -= part.value + part.amplitude;
       return;
     }
     slope += part.slope;
+    const double turn = omega * unit, square = unit * unit;
     const Real d = part.damping * unit, stiff = part.stiffness * unit * unit;
+    ModalForce<Real> f{square * part.force.a, square * part.force.b, square * part.force.c};
+    const double growth =
+        std::hypot(f.a.hi, f.b.hi) * (length / unit) * std::pow(turn, bound_order);
     Real before = part.value, latest = part.slope * unit;
     for (int n = 2; n <= bound_order + 1; ++n) {
-      Real next = -(d * latest) - stiff * before;
-      if (n == 2) next += part.drive * unit * unit;
+      const Real next = f.a + f.c - d * latest - stiff * before;
+      f = {turn * f.b, -(turn * f.a), 0.0};
       before = std::exchange(latest, next);
       if (n <= bound_order) derivative[static_cast<std::size_t>(n)] += latest;
     }
-    remainder += std::hypot(latest.hi, std::sqrt(stiff.hi) * before.hi);
+    remainder += std::hypot(latest.hi, std::sqrt(stiff.hi) * before.hi) + growth;
   }
   // In u = s / length, from 0 to 1.
   Polynomial polynomial() const {
@@ -58,52 +63,33 @@ struct LongFlight::Bound {
   }
 };
 
-// The derivatives of all coordinates at `searched_to_`, in this unit. Those of a stiff coordinate
-// cancel, as do those of different coordinates at a mass that hardly moves: twice the precision
-// keeps them.
-void LongFlight::find_derivatives(double unit) {
-  if (unit == unit_) return;
-  unit_ = unit;
-  const double turn = omega_ * unit, square = unit * unit;
-  for (std::size_t j = 0; j < coordinates_.size(); ++j) {
-    Coordinate &c = coordinates_[j];
-    const Oscillator<Real> &o = form_->exact[j];
-    const Real kappa = o.kappa * unit, lambda = o.lambda * unit * unit;
-    ModalForce<Real> f{square * c.force.a, square * c.force.b, square * c.force.c};
-    c.derivative[1] = c.dy * unit;
-    c.derivative[0] = c.y;
-    for (std::size_t n = 2; n < c.derivative.size(); ++n) {
-      c.derivative[n] = f.a + f.c - kappa * c.derivative[n - 1] - lambda * c.derivative[n - 2];
-      f = {turn * f.b, -(turn * f.a), 0.0};
-    }
-  }
-}
-
-// A bound of the derivative of order n over the length of a bound: the energy of each derivative
-// grows by the forcing alone.
-double LongFlight::derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
-                                    double length) const {
-  const auto i = static_cast<std::size_t>(n);
-  return std::hypot(c.derivative[i].hi, std::sqrt(o.lambda) * unit_ * c.derivative[i - 1].hi) +
-         c.modulus * unit_ * length * std::pow(omega_ * unit_, n - 1);
-}
-
-// Calls `use` with each part: the steady response, and one free oscillation or two decays about the
-// static displacement. Next to resonance these are large and cancel. The coordinate is one part
-// where its energy bounds it better: (y'^2 + lambda y^2)^(1/2) grows by the forcing at most.
+// Calls `use` with each part of the share z = weight (y + d y') of a coordinate. It is one part
+// within a radian. Over a longer time there are the steady response, and one free oscillation or
+// two decays about the static displacement. Next to resonance these are large and cancel: it is
+// one part where its energy bounds it better, as (y'^2 + lambda y^2)^(1/2) grows by the forcing at
+// most.
 template <class Use>
 void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<Real> &o,
                            const Real &weight, double length, const Use &use) const {
-  const double size = std::abs(weight.hi), d = w.damping;
+  const double size = std::abs(weight.hi), d = w.damping, root = std::sqrt(o.lambda.hi);
   Real y = c.deviation, dy = c.dy;  // of the free part
+  const double whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
+  const ModalForce<Real> f = c.force;
+  if (o.rate * length <= 1.0 && (c.modulus == 0.0 || omega_ * length <= 1.0))
+    return use(
+        Part{weight * (c.y + d * dy),
+             weight * (dy + d * (f.a + f.c - o.kappa * dy - o.lambda * c.y)),
+             o.kappa,
+             o.lambda,
+             o.rate,
+             whole,
+             {weight * (f.a + d * omega_ * f.b), weight * (f.b - d * omega_ * f.a), weight * f.c}});
   if (c.modulus > 0.0) {
     // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
     // s = (a - i b) / (lambda - Omega^2 + i kappa Omega).
     const Real square = Real(omega_) * omega_;
-    const ComplexOf<Real> s = ComplexOf<Real>{c.force.a, -c.force.b} /
-                              ComplexOf<Real>{o.lambda - square, o.kappa * omega_};
-    const double root = std::sqrt(o.lambda.hi),
-                 whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
+    const ComplexOf<Real> s =
+        ComplexOf<Real>{f.a, -f.b} / ComplexOf<Real>{o.lambda - square, o.kappa * omega_};
     const bool turns = std::min(root, omega_) * length > 1.0 && !o.has_two_decays();
     // False at resonance, where s is no number.
     const bool steady_is_smaller = std::hypot(s.re.hi, s.im.hi) <= whole;
@@ -119,11 +105,15 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
   if (!o.has_two_decays()) {
     // A coordinate without a spring has no static displacement, and its constant force drives it.
     const bool is_tied = o.lambda.hi > 0.0;
-    const Real drive = is_tied ? Real(0.0) : c.force.c,
-               second = drive - o.kappa * dy - o.lambda * y;
-    const double amplitude = is_tied ? std::hypot(y.hi, dy.hi / std::sqrt(o.lambda.hi)) : infinity;
-    use(Part{weight * (y + d * dy), weight * (dy + d * second), o.kappa, o.lambda, o.rate,
-             size * amplitude * (1.0 + d * o.rate), weight * drive});
+    const Real drive = is_tied ? Real(0.0) : f.c, second = drive - o.kappa * dy - o.lambda * y;
+    const double amplitude = is_tied ? std::hypot(y.hi, dy.hi / root) : infinity;
+    use(Part{weight * (y + d * dy),
+             weight * (dy + d * second),
+             o.kappa,
+             o.lambda,
+             o.rate,
+             size * amplitude * (1.0 + d * o.rate),
+             {0.0, 0.0, weight * drive}});
     return;
   }
   const Real quick = (dy - o.slow * y) / (o.fast - o.slow), slow = y - quick;
@@ -135,31 +125,15 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
 
 Polynomial LongFlight::bound_of(std::size_t k, double l) {
   const Watch &w = form_->watches[k];
-  Bound bound{.length = l, .unit = leading_power(l)};
-  find_derivatives(bound.unit);
+  Bound bound{.length = l, .unit = leading_power(l), .omega = omega_};
   // Before its event a contact lies below zero by rounding only.
   if (values_[k].value.hi > 0.0) bound.value = values_[k].value;
-  const double damping = w.damping / bound.unit;
-  for (std::size_t j = 0; j < coordinates_.size(); ++j) {
-    const Coordinate &c = coordinates_[j];
-    const Oscillator<double> &o = form_->rounded[j];
-    const Real &weight = w.row[j];
-    if (weight.hi == 0.0) continue;
-    if (!(o.rate * l <= 1.0 && (c.modulus == 0.0 || omega_ * l <= 1.0))) {
-      each_part(w, c, form_->exact[j], weight, l, [&bound](const Part &part) { bound.add(part); });
-      continue;
-    }
-    bound.slope += weight * (c.dy + damping * c.derivative[2] / bound.unit);
-    for (std::size_t n = 2; n <= bound_order; ++n) {
-      bound.derivative[n] += weight * c.derivative[n];
-      if (damping > 0.0) bound.derivative[n] += weight * (damping * c.derivative[n + 1]);
-    }
-    bound.remainder += std::abs(weight.hi) * (derivative_bound(c, o, bound_order + 1, l) +
-                                              damping * derivative_bound(c, o, bound_order + 2, l));
-  }
-  if (w.a == 0.0 && w.b == 0.0) return bound.polynomial();
+  const auto add = [&bound](const Part &part) { bound.add(part); };
+  for (std::size_t j = 0; j < coordinates_.size(); ++j)
+    if (w.row[j].hi != 0.0) each_part(w, coordinates_[j], form_->exact[j], w.row[j], l, add);
   const ModalForce<double> &f = watch_forces_[k];
-  bound.add({f.a, omega_ * f.b, 0.0, omega_ * omega_, omega_, std::hypot(f.a, f.b)});
+  if (w.a != 0.0 || w.b != 0.0)
+    add({f.a, omega_ * f.b, 0.0, omega_ * omega_, omega_, std::hypot(f.a, f.b)});
   return bound.polynomial();
 }
 

@@ -82,7 +82,6 @@ bool LongFlight::look_at_hidden() {
 void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &start,
                           double time) {
   searched_to_ = time;
-  unit_ = 0.0;
   at(chain, clock, start, time);
   const ComplexOf<Real> wave = wave_at(Real(time) * omega_);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {

@@ -44,20 +44,18 @@ class LongFlight {
   const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
 
  private:
-  // A coordinate at `searched_to_`, its derivatives in units of unit_^-n, and its deviation from
-  // the static displacement. The remainder of a bound needs an order more, and its damper another.
+  // A coordinate at `searched_to_`, and its deviation from the static displacement.
   struct Coordinate {
     Real y = 0.0, dy = 0.0;
-    std::array<Real, bound_order + 3> derivative{};
     ModalForce<Real> force{};
     double modulus = 0.0;  // of the forcing
     Real deviation = 0.0;
   };
-  // A part of the share of a coordinate in a contact: x'' + damping x' + stiffness x = drive.
+  // A part of the share of a coordinate in a contact: z'' + damping z' + stiffness z = force.
   struct Part {
     Real value, slope, damping, stiffness;
     double rate, amplitude;
-    Real drive = 0.0;
+    ModalForce<Real> force = {};
   };
   struct NewtonStep {
     Real time = infinity;
@@ -81,15 +79,11 @@ class LongFlight {
   // keeps its sign, by definition, until it is seen.
   std::vector<char> hidden_;
   double searched_to_ = 0.0;
-  double unit_ = 0.0;  // of the derivatives found there, else 0
-  double l_ = 0.0;     // the time for which bounds are made
+  double l_ = 0.0;  // the time for which bounds are made
   int evaluations_ = 0;
   bool is_at_event_ = false;  // the search has found an event there
 
   void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double time);
-  void find_derivatives(double unit);
-  double derivative_bound(const Coordinate &c, const Oscillator<double> &o, int n,
-                          double length) const;
   template <class Use>
   void each_part(const Watch &watch, const Coordinate &c, const Oscillator<Real> &o,
                  const Real &weight, double length, const Use &use) const;

@@ -69,8 +69,7 @@ ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks
       const Real &lambda = block->lambda(j);
       const Real kappa = chain.beta * lambda;
       form.exact.emplace_back(lambda, kappa);
-      form.rounded.emplace_back(rounded(lambda), rounded(kappa));
-      form.fastest = std::max(form.fastest, form.rounded.back().rate);
+      form.fastest = std::max(form.fastest, form.exact.back().rate);
       for (Index row = 0; row < n; ++row) {
         const std::size_t i = first + static_cast<std::size_t>(row);
         const Real &s = block->shape(row, j);

@@ -22,12 +22,11 @@ struct Watch {
 };
 
 struct ModalForm {
-  RealMatrix shape;                         // x = shape y for the free masses, N x coordinates
-  std::vector<Oscillator<Real>> exact;      // of each coordinate,
-  std::vector<Oscillator<double>> rounded;  // and in double precision for searches
-  RealVector a, b, c;                       // Psi^T A, Psi^T B, and P with the pull of held masses
-  std::vector<Watch> watches;               // one for each contact of the mode
-  double fastest = 0.0;                     // the largest rate of a coordinate
+  RealMatrix shape;                     // x = shape y for the free masses, N x coordinates
+  std::vector<Oscillator<Real>> exact;  // of each coordinate
+  RealVector a, b, c;                   // Psi^T A, Psi^T B, and P with the pull of held masses
+  std::vector<Watch> watches;           // one for each contact of the mode
+  double fastest = 0.0;                 // the largest rate of a coordinate
 
   std::size_t size() const {
     return exact.size();
