@@ -37,22 +37,6 @@ bool stays_positive(const TaylorTable &table, const Contact &contact, const Star
   return start.value + std::min(0.0, travel_margin * lowest * (slope + lowest * second)) > 0.0;
 }
 
-// The time at which a gap that closes is zero, by a step of Newton's from the time tau, which a
-// double has rounded. At tau a gap of a rounding is left. To put the mass hit onto its stop would
-// move it in the field of its springs: the gap has a preferred sign, and the energy of an elastic
-// chain would drift.
-Real exact_root(const Motion &motion, const TaylorTable &table, const std::vector<Near> &near,
-                double tau) {
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    const Contact &contact = motion.mode->contacts[k];
-    if (contact.held || near[k] != Near::zero) continue;
-    const auto [x, v] = mass_along(motion, table, contact.mass, tau);
-    const double newton = rounded(contact.position - x) / v.hi;
-    if (contact.sigma * v.hi > 0.0 && std::abs(newton) <= step_rounding * tau) return {tau, newton};
-  }
-  return tau;
-}
-
 // True if no contact is below zero, but for rounding, at points before u. This is a check of debug
 // builds, which shares nothing with the search for roots.
 [[maybe_unused]] bool none_is_passed(const Chain &chain, const Motion &motion,
@@ -146,7 +130,7 @@ FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, con
   // Others may touch at the same instant, although such roots are found to half the digits only.
   for (std::size_t k = 0; k < mode.contacts.size() && any_touches; ++k)
     if (roots[k] != u && touches(k)) near[k] = Near::touch;
-  return {exact_root(motion, table, near, u * step.unit), true};
+  return {u * step.unit, true};
 }
 
 }  // namespace vibro_impact::detail

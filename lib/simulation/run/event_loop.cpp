@@ -115,13 +115,23 @@ FlightEnd search_far(Run &run) {
                                 run.counters);
 }
 
+// The first contact whose gap is zero at the end of the step, if there is one.
+const Contact *closing_gap(const Run &run) {
+  const List<Contact> &contacts = run.motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (!contacts[k].held && run.scratch.near[k] == Near::zero) return &contacts[k];
+  return nullptr;
+}
+
 // Moves the run to the end of the flight that was searched.
 void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
   const Clock &clock = run.problem.clock;
   if (run.long_flight.is_under_way()) return run.long_flight.end(chain, clock, end.tau, run.motion);
   if (!end.event && run.hint.quiet_steps == 0) run.long_flight.set_origin(run.motion);
-  if (end.tau.hi > 0.0) move_along(chain, clock, run.scratch.flight.table, end.tau, run.motion);
+  if (end.tau.hi > 0.0)
+    move_along(chain, clock, run.scratch.flight.table, end.tau.hi,
+               end.event ? closing_gap(run) : nullptr, run.motion);
 }
 
 // One flight of the loop.
