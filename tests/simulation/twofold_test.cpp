@@ -21,10 +21,10 @@ Digits digits(const Real &x) {
   return Digits(x.hi) + Digits(x.lo);
 }
 
-// The distance of a number from the exact one, in units of 2^-102 of the size of its terms.
+// The distance of a number from the exact one, in 16 units of the size of its terms.
 double error(const Real &computed, const Digits &exact, const Digits &size) {
   return static_cast<double>(abs(digits(computed) - exact) / size) /
-         vibro_impact::detail::twofold_rounding;
+         (16.0 * vibro_impact::detail::twofold_unit);
 }
 
 TEST(Twofold, HasTheErrorsThatItsHeaderSays) {

@@ -2,8 +2,8 @@
 // of hi (Knuth; Dekker). One is a `Real`; two side by side in one vector register are a `RealPair`,
 // with the same operators.
 //
-// Sums and products err by at most 2^-102 of the sum of the moduli of their terms, not of the
-// result: terms may cancel. Every decision of the simulation is relative to these moduli.
+// Sums and products err by at most 16 units, 2^-102, of the sum of the moduli of their terms, not
+// of the result: terms may cancel. Every decision of the simulation is relative to these moduli.
 #pragma once
 
 #ifdef __FAST_MATH__
@@ -17,8 +17,8 @@
 
 namespace vibro_impact::detail {
 
-// See above.
-constexpr double twofold_rounding = 0x1p-102;
+// A unit in the last place of a number next to 1.
+constexpr double twofold_unit = 0x1p-106;
 
 using Pair [[gnu::vector_size(16)]] = double;
 

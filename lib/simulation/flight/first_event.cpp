@@ -30,9 +30,9 @@ bool stays_positive(const TaylorTable &table, const Contact &contact, const Star
                     double u_max) {
   const double g2 = -contact.sigma * table.of_order(2)[contact.mass],
                g3 = -contact.sigma * table.of_order(3)[contact.mass],
-               rest = travel_margin * table.travel[contact.mass] - std::abs(g2) - std::abs(g3);
+               higher = travel_margin * table.travel[contact.mass] - std::abs(g2) - std::abs(g3);
   const double slope = start.derivative * table.step.unit,
-               second = g2 + u_max * std::min(0.0, g3 - u_max * rest);
+               second = g2 + u_max * std::min(0.0, g3 - u_max * higher);
   const double lowest = second > 0.0 ? std::clamp(-0.5 * slope / second, 0.0, u_max) : u_max;
   return start.value + std::min(0.0, travel_margin * lowest * (slope + lowest * second)) > 0.0;
 }

@@ -72,10 +72,10 @@ void make_orthogonal(RealMatrix &factor, RealMatrix &vectors) {
         double terms = 0.0;
         for (Index i = 0; i < factor.rows(); ++i)
           terms += std::abs(factor(i, p).hi * factor(i, q).hi);
-        if (!(std::abs(rounded(pq)) > twofold_rounding * terms)) continue;
+        constexpr double rounding = 16.0 * twofold_unit;
+        if (!(std::abs(rounded(pq)) > rounding * terms)) continue;
         // The mode of a rigid body has no tension, but for rounding.
-        if (std::min(rounded(pp), rounded(qq)) < twofold_rounding * twofold_rounding * largest)
-          continue;
+        if (std::min(rounded(pp), rounded(qq)) < rounding * rounding * largest) continue;
         const Real zeta = (qq - pp) / (2.0 * pq), root = sqrt(1.0 + zeta * zeta);
         const Real t = zeta.hi < 0.0 ? -1.0 / (root - zeta) : 1.0 / (root + zeta);
         const Real cosine = 1.0 / sqrt(1.0 + t * t), sine = cosine * t;

@@ -40,7 +40,7 @@ void question_dead_bounces(Run &run) {
   double speed = 0.0;
   for (std::size_t i = 0; i < chain.masses; ++i) speed = std::max(speed, std::abs(motion.v[i].hi));
   const double window = time_window(chain, time_of(motion.now.rounded(), run.problem.clock)),
-               rounding = twofold_rounding * (speed + chain.force_bound * window);
+               rounding = twofold_unit * (speed + chain.force_bound * window);
   for (const Contact &contact : motion.mode->contacts) {
     const StopState &stop = run.stops[contact.stop];
     const bool bounces = stop.falling > 0 && (is<Evaluated>(stop.at) || is<ExactZeros>(stop.at));
