@@ -146,7 +146,7 @@ TEST(RandomScenes, KeepEveryPropertyWhereALongSearchFailed) {
               "")
         << row.place();
   }
-  EXPECT_GE(rows.size(), 84u);
+  EXPECT_GE(rows.size(), 92u);
 }
 
 // In units of length and time up to 1e10 times ours or 1e-10, and of mass up to 1e8 or 1e-8, every

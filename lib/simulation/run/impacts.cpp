@@ -18,8 +18,7 @@ bool count_impact(Run &run, StopState &stop, double speed) {
   if (speed < stop.last_speed) {
     ++stop.falling;
   } else {
-    comes_back_at_once = stop.last_speed > 0.0 &&
-                         elapsed(stop.since, run.motion.now, run.problem.clock) == Real(0.0);
+    comes_back_at_once = stop.last_speed > 0.0 && stop.since.rounded() == run.motion.now.rounded();
     if (stop.falling >= chatter_impacts) ++run.counters.chatter_incomplete;
     stop.falling = 0;
     stop.since = run.motion.now;
