@@ -190,7 +190,7 @@ TEST(BranchEnds, ABranchIsFollowedOnce) {
   expect_special_points(
       "masses=1; amplitude=2; stop=1:lower:-0.5,1:upper:0.5; restitution=0.8; omega=2",
       {"amplitude1", 0.5, 3, 101},
-      {{Point::branching, 1.5664910373758, 3e-12}, {Point::graze, 2.58668182039524, 1e-13}});
+      {{Point::branching, 1.5664910373758, 1e-11}, {Point::graze, 2.58668182039524, 1e-13}});
   expect_special_points("masses=1; beta=0.2; amplitude=0.5; stop=1:upper:0.05:0.8; omega=2.48806",
                         {"omega", 2.0547516450476704, 3.1611459995831126, 41},
                         {{Point::parent_flip, 2.45656107096918, 1e-13},

@@ -1,6 +1,8 @@
 // Long flights in modal coordinates, where a mode decays fast, or the motion grows at resonance.
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include "reference/scenes/extreme_scenes.hpp"
 #include "tests/support/long_flight_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
@@ -39,6 +41,35 @@ TEST(WithoutEvents, AFlightAtResonanceIsFewSteps) {
   const Outcome outcome = simulate(scene, 1e7);
   EXPECT_EQ(outcome.ending, Ending::reached);
   EXPECT_LT(outcome.counters.expansions + outcome.counters.search_steps, 100);
+}
+
+struct FirstEvent : EventRecorder {
+  bool done() const override {
+    return !events.empty();
+  }
+};
+
+// At resonance x = F t sin(t) / 2 from rest. The stop at 1 is hit after some 2 / F radians, beside
+// which a radian is short. The speed tells the time to the rounding of sin(t), 1e-16 of a radian,
+// which the reported time of 2e9 does not resolve. 1e-14 leaves room for a hundred roundings.
+TEST(LongFlight, HasTheSpeedOfAnImpactAfterMillionsOfRadians) {
+  using Digits = boost::multiprecision::cpp_bin_float_50;
+  for (const double force : {1e-7, 1e-8, 1e-9}) {
+    const Scene scene{.mass = {1},
+                      .stiffness = {1},
+                      .amplitude = {force},
+                      .omega = 1.0,
+                      .restitution = 0.5,
+                      .stops = {{1, Side::upper, 1.0}}};
+    FirstEvent recorder;
+    require_complete(simulate(scene, 2.2 / force, recorder));
+    ASSERT_FALSE(recorder.events.empty());
+    Digits t = recorder.events.front().time;
+    const auto speed = [&] { return force / 2 * (sin(t) + t * cos(t)); };
+    for (int step = 0; step < 6; ++step) t += (1 - force / 2 * t * sin(t)) / speed();
+    EXPECT_NEAR(recorder.events.front().velocity_before / static_cast<double>(speed()), 1.0, 1e-14)
+        << force;
+  }
 }
 
 }  // namespace

@@ -21,10 +21,11 @@ Digits digits(const Real &x) {
   return Digits(x.hi) + Digits(x.lo);
 }
 
-// The distance of a number from the exact one, in 16 units of the size of its terms.
+static_assert(16.0 * vibro_impact::detail::twofold_unit == 0x1p-102);
+
+// The distance of a number from the exact one, in units of 2^-102 of the size of its terms.
 double error(const Real &computed, const Digits &exact, const Digits &size) {
-  return static_cast<double>(abs(digits(computed) - exact) / size) /
-         (16.0 * vibro_impact::detail::twofold_unit);
+  return static_cast<double>(abs(digits(computed) - exact) / size) * 0x1p102;
 }
 
 TEST(Twofold, HasTheErrorsThatItsHeaderSays) {

@@ -28,7 +28,7 @@ struct ContactMode {
   // with a mass that has a stop.
   List<std::size_t> forced_pairs, stopped_pairs;
   List<Contact> contacts;
-  double fastest = 0.0;  // the largest rate of the free masses and of the forcing
+  double fastest = 0.0;  // a bound of the rates of the free masses and of the forcing
 };
 
 ContactMode build_contact_mode(const Chain &chain, const Held &held);

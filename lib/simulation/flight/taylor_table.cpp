@@ -301,7 +301,7 @@ void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
     RealPair x_then = x + (v * Pair{tau, tau} + value), v_then = v + slope;
     if (closing && i == first) time = exact_root(*closing, x_then, v_then, tau);
-    if (time.lo != 0.0) {  // at most `step_rounding` of tau: its square is below rounding
+    if (time.lo != 0.0) {  // at most 1e-13 of tau, and its square 1e-26
       x_then += time.lo * v_then.hi;
       v_then += time.lo * acceleration;
     }

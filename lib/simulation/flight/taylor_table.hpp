@@ -61,7 +61,7 @@ struct MassMotion {
 };
 
 // Those of a mass at the time tau > 0 of the step, to the last bit those to which `move_along`
-// moves it.
+// moves it where no gap closes.
 MassMotion mass_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau);
 
 // Moves motion and clock to the time tau of the step, or if a gap closes there, to its root in

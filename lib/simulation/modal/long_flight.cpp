@@ -97,6 +97,11 @@ void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &
   watch_forces_.clear();
   for (const Watch &w : form_->watches)
     watch_forces_.push_back({w.a * cosine + w.b * sine, w.b * cosine - w.a * sine, 0.0});
+  find_values(chain);
+}
+
+// Evaluates the contacts at the time that was evaluated last.
+void LongFlight::find_values(const Chain &chain) {
   values_.clear();
   for (const Contact &contact : motion_.mode->contacts)
     values_.push_back(detail::evaluate(chain, contact, motion_));
@@ -143,24 +148,31 @@ LongFlight::NewtonStep LongFlight::newton_step() const {
   return earliest;
 }
 
-// The earliest root, which lies within rounding of `searched_to_`, by a step of Newton's in twice
-// the precision.
+// The earliest root, which lies within rounding of `searched_to_`, by Newton's steps in twice the
+// precision, each at most half as long as the one before. A radian may be as short as 1e-12 of the
+// flight, so that one step is not enough.
 Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &start,
                          std::vector<Near> &near) {
   const List<Contact> &contacts = start.mode->contacts;
+  Real tau = searched_to_;
+  at(chain, clock, start, tau);
+  find_values(chain);
   std::fill(near.begin(), near.end(), Near::perhaps);
   if (look_at_hidden()) {
     for (std::size_t k = 0; k < hidden_.size(); ++k)
       if (hidden_[k] && !values_[k].is_zero()) near[k] = contacts[k].held ? Near::zero : Near::rest;
-    return searched_to_;
+    return tau;
   }
-  Real tau = searched_to_;
-  const auto [time, contact] = newton_step();
-  if (std::abs(time.hi) <= step_rounding * searched_to_) {
-    near[contact] = Near::zero;
-    tau += time;
+  double longest = step_rounding * searched_to_;
+  for (NewtonStep step = newton_step(); std::abs(step.time.hi) <= longest; step = newton_step()) {
+    std::fill(near.begin(), near.end(), Near::perhaps);
+    near[step.contact] = Near::zero;
+    if (step.time.hi == 0.0) break;
+    longest = 0.5 * std::abs(step.time.hi);
+    tau += step.time;
+    at(chain, clock, start, tau);
+    find_values(chain);
   }
-  at(chain, clock, start, tau);
   const auto touches = [&](std::size_t k) {
     if (!contacts[k].held || starts_[k].idle) return false;
     const double terms = sum_of_forces(chain, contacts[k].mass, motion_);

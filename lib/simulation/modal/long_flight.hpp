@@ -90,6 +90,7 @@ class LongFlight {
   Polynomial bound_of(std::size_t contact, double l);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
+  void find_values(const Chain &chain);
   NewtonStep newton_step() const;
   double longest_blind_step() const;
   bool look_at_hidden();
