@@ -166,53 +166,6 @@ void expand_chain(const Chain &chain, const Motion &motion, TaylorTable &table) 
   add_travel(mode, table);
 }
 
-// The change of displacement and velocity of two masses by the orders from 2 on, and their
-// acceleration.
-struct Change {
-  Pair value, slope, acceleration;
-};
-
-// Horner's rule for the sum of x_n u^(n-2), its derivative and half of its second derivative. The
-// orders above `half` are a chain of operations of their own beside that of those below, as if they
-// began at order 2.
-inline Change change_at(const TaylorTable &table, std::size_t i, double tau) {
-  const double unit = table.step.unit, u = tau / unit;
-  const int last = table.step.order + 1, half = last / 2;  // the order is odd
-  const double *low = table.of_order(half) + i, *high = table.of_order(last) + i;
-  Pair value = pair(low), slope{}, bend{}, high_slope = pair(high),
-       high_value = high_slope * u + pair(high -= table.stride), high_bend{};
-  double before = 0.0, power = 1.0;  // u^(half - 3) and u^(half - 2)
-  for (int n = half; n > 2; --n) {
-    bend = bend * u + slope;
-    slope = slope * u + value;
-    value = value * u + pair(low -= table.stride);
-    high_bend = high_bend * u + high_slope;
-    high_slope = high_slope * u + high_value;
-    high_value = high_value * u + pair(high -= table.stride);
-    before = power;
-    power *= u;
-  }
-  const double k = half - 1.0;
-  bend += before * (0.5 * k * (k - 1.0)) * high_value + power * (k * high_slope + u * high_bend);
-  slope += power * (k * high_value + u * high_slope);
-  value += power * (u * high_value);
-  // u^2 would be rounded alike in every step of a length.
-  return {u * (u * value), (u / unit) * (2.0 * value + u * slope),
-          2.0 * (value + u * (2.0 * slope + u * bend)) / unit / unit};
-}
-
-// The time at which a gap that closes is zero, by a step of Newton's from the time tau, which a
-// double has rounded, with x and v of the pair of its mass there. At tau a gap of a rounding is
-// left. To put the mass hit onto its stop would move it in the field of its springs: the gap has a
-// preferred sign, and the energy of an elastic chain would drift.
-inline Real exact_root(const Contact &closing, const RealPair &x, const RealPair &v, double tau) {
-  const std::size_t lane = closing.mass % 2;
-  const double speed = v.hi[lane],
-               newton = rounded(closing.position - Real(x.hi[lane], x.lo[lane])) / speed;
-  if (closing.sigma * speed > 0.0 && std::abs(newton) <= step_rounding * tau) return {tau, newton};
-  return tau;
-}
-
 }  // namespace
 
 OrderTable::OrderTable(double tolerance) {
@@ -283,36 +236,6 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
   };
   if (i > 0) add_link(chain.link[i], i - 1);
   if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
-}
-
-MassMotion mass_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau) {
-  const Real &x = start.x[mass], &v = start.v[mass];
-  const auto [value, slope, acceleration] = change_at(table, mass / 2 * 2, tau);
-  return {x + (v * tau + value[mass % 2]), v + slope[mass % 2]};
-}
-
-void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
-                const Contact *closing, Motion &motion) {
-  Real time = tau;
-  const std::size_t first = closing ? closing->mass / 2 * 2 : 0;
-  std::size_t i = first;
-  do {
-    const auto [value, slope, acceleration] = change_at(table, i, tau);
-    const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
-    RealPair x_then = x + (v * Pair{tau, tau} + value), v_then = v + slope;
-    if (closing && i == first) time = exact_root(*closing, x_then, v_then, tau);
-    if (time.lo != 0.0) {  // at most 1e-13 of tau, and its square 1e-26
-      x_then += time.lo * v_then.hi;
-      v_then += time.lo * acceleration;
-    }
-    store(x_then, &motion.x[i]);
-    store(v_then, &motion.v[i]);
-    const Pair speed = modulus(v.hi);
-    put(modulus(x.hi) + tau * speed + modulus(value), &motion.x_terms[i]);
-    put(speed + modulus(slope), &motion.v_terms[i]);
-    i = i + 2 < table.stride ? i + 2 : 0;
-  } while (i != first);
-  pass_time(chain, clock, time, motion);
 }
 
 }  // namespace vibro_impact::detail
