@@ -28,7 +28,8 @@ Grid grid_of_figure3() {
   return {paper::figure2(), {{"restitution", 0.5, 0.9, 5}, {"omega", 0.25, 0.7, 19}}};
 }
 
-// An observable of one's own: where the motion stands after thirty periods, and its impacts there.
+// An observable of one's own: where the motion stands after thirty periods, and the velocities
+// before its last events.
 std::vector<double> observed(const Scene &scene) {
   const double T = Clock(scene.omega).period;
   EventRecorder recorder(29 * T, infinity);

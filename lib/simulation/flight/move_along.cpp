@@ -48,9 +48,8 @@ inline Change change_at(const TaylorTable &table, std::size_t i, double tau) {
 // left. To put the mass hit onto its stop would move it in the field of its springs: the gap has a
 // preferred sign, and the energy of an elastic chain would drift.
 inline Real exact_root(const Contact &closing, const RealPair &x, const RealPair &v, double tau) {
-  const std::size_t lane = closing.mass % 2;
-  const double speed = v.hi[lane],
-               newton = rounded(closing.position - Real(x.hi[lane], x.lo[lane])) / speed;
+  const std::size_t k = closing.mass % 2;
+  const double speed = v.hi[k], newton = rounded(closing.position - Real(x.hi[k], x.lo[k])) / speed;
   if (closing.sigma * speed > 0.0 && std::abs(newton) <= step_rounding * tau) return {tau, newton};
   return tau;
 }

@@ -73,8 +73,7 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
                            const Real &weight, double length, const Use &use) const {
   const double size = std::abs(weight.hi), d = w.damping, root = std::sqrt(o.lambda.hi);
   Real y = c.deviation, dy = c.dy;  // of the free part
-  const double whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
-  const ModalForce<Real> f = c.force;
+  const ModalForce<Real> &f = c.force;
   if (o.rate * length <= 1.0 && (c.modulus == 0.0 || omega_ * length <= 1.0))
     return use(
         Part{weight * (c.y + d * dy),
@@ -82,7 +81,7 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
              o.kappa,
              o.lambda,
              o.rate,
-             whole,
+             infinity,  // it does not turn within the length
              {weight * (f.a + d * omega_ * f.b), weight * (f.b - d * omega_ * f.a), weight * f.c}});
   if (c.modulus > 0.0) {
     // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
@@ -90,6 +89,7 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
     const Real square = Real(omega_) * omega_;
     const ComplexOf<Real> s =
         ComplexOf<Real>{f.a, -f.b} / ComplexOf<Real>{o.lambda - square, o.kappa * omega_};
+    const double whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
     const bool turns = std::min(root, omega_) * length > 1.0 && !o.has_two_decays();
     // False at resonance, where s is no number.
     const bool steady_is_smaller = std::hypot(s.re.hi, s.im.hi) <= whole;

@@ -232,8 +232,8 @@ FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motio
     ++counters.search_steps;
     const bool appears = look_at_hidden();
     if (appears) find_appearance(chain, clock, start, before, counters);
-    // A search that no longer moves has come to rounding: short steps go on from there.
     const bool is_root = newton_step().time.hi <= step_rounding * searched_to_;
+    // A search that no longer moves has come to rounding: short steps go on from there.
     if (appears || is_root || searched_to_ == before)
       is_at_event_ = true;
     else if (++evaluations_ >= most_search_steps)
