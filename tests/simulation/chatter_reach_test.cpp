@@ -23,7 +23,7 @@ bool stay_out_of_reach(const Scene &scene, const Held &held, double left, double
   clear(chain, motion);
   find_acceleration(chain, motion);
   detail::Chatter chatter;
-  chatter.add(0, 0, left, scene.restitution, Clock(scene.omega), motion, jump, {});
+  chatter.add(0, 0, left, scene.restitution, chain, motion, jump, {});
   const std::vector<detail::StopState> stops(2);
   return others_stay_out_of_reach(chain, chatter, motion, stops, left);
 }

@@ -62,12 +62,11 @@ TEST(Turn, CarriedOnByStepsIsThatOfThePhase) {
   using namespace vibro_impact::detail;
   const vibro_impact::Scene scene = vibro_impact::paper::figure2();
   const Chain chain(scene);
-  const vibro_impact::Clock clock(scene.omega);
   for (const double tau : {0.3, 0.5, 1.1}) {
     Motion motion;
     double largest = 0.0;
     for (int step = 0; step < 20000; ++step) {
-      pass_time(chain, clock, tau, motion);
+      pass_time(chain, tau, motion);
       const Turn exact = turn_at(chain, motion.now.phase);
       largest = std::max({largest, std::abs(rounded(motion.turn.cosine - exact.cosine)),
                           std::abs(rounded(motion.turn.sine - exact.sine))});

@@ -12,6 +12,7 @@ Chain::Chain(const Scene &scene)
       padded((masses + 1) / 2 * 2),
       beta(scene.beta),
       omega(scene.forced() ? scene.omega : 0.0),
+      clock(scene.omega),
       rate_bound(detail::rate_bound(scene)),
       rate_unit(std::exp2(std::ilogb(rate_bound) + 1)) {
   const auto padded_list = [this](const std::vector<double> &values) {
@@ -27,13 +28,16 @@ Chain::Chain(const Scene &scene)
   p = padded_list(scene.constant);
   lowest.assign(padded, -infinity);
   highest.assign(padded, infinity);
-  for (std::size_t i = 0; i < masses; ++i)
-    force_bound =
-        std::max(force_bound, (std::abs(a[i]) + std::abs(b[i]) + std::abs(p[i])) / mass[i]);
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
     stops.push_back({i, sign(stop.side), stop.position, law_of(scene, stop)});
     (stop.side == Side::upper ? highest : lowest)[i] = stop.position;
+  }
+  for (std::size_t i = 0; i < masses; ++i) {
+    force_bound =
+        std::max(force_bound, (std::abs(a[i]) + std::abs(b[i]) + std::abs(p[i])) / mass[i]);
+    grounded = grounded || ground[i] != 0.0;
+    if (lowest[i] > -infinity || highest[i] < infinity) add_pair(i, stopped_pairs);
   }
 }
 

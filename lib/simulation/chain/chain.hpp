@@ -10,6 +10,13 @@
 
 namespace vibro_impact::detail {
 
+// Masses are taken two at a time. Adds the first mass of the pair of a mass to a list that ends
+// with this pair or an earlier one.
+inline void add_pair(std::size_t mass, List<std::size_t> &pairs) {
+  const std::size_t first = mass / 2 * 2;
+  if (pairs.empty() || pairs.back() != first) pairs.push_back(first);
+}
+
 struct ChainStop {
   std::size_t mass = 0;
   double sigma = 1.0;  // the sign of its side
@@ -23,9 +30,12 @@ struct Chain {
   List<double> mass, a, b, p, ground;
   List<double> link;  // entry i ties mass i to mass i - 1, entry 0 to the ground
   List<ChainStop> stops;
-  List<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
+  List<double> lowest, highest;     // the stops of each mass, or -infinity and infinity
+  bool grounded = false;            // some mass has a spring to the ground
+  List<std::size_t> stopped_pairs;  // the first masses of pairs with a mass that has a stop
   double beta = 0.0;
   double omega = 0.0;        // of the forcing, 0 where nothing is forced
+  Clock clock;               // counts time in periods of the forcing
   double rate_bound = 1.0;   // of all contact modes and the forcing, 1 if all their rates are 0
   double rate_unit = 1.0;    // the power of two above it: exact as a unit
   double force_bound = 0.0;  // the largest |A_i| + |B_i| + |P_i| per mass m_i

@@ -34,12 +34,6 @@ double largest_eigenvalue(const Chain &chain, const Held &held) {
   return bound;
 }
 
-// Adds the pair of a mass to a list of pairs that ends with this one or an earlier one.
-void add(std::size_t mass, List<std::size_t> &pairs) {
-  const std::size_t first = mass / 2 * 2;
-  if (pairs.empty() || pairs.back() != first) pairs.push_back(first);
-}
-
 }  // namespace
 
 ContactMode build_contact_mode(const Chain &chain, const Held &held) {
@@ -48,12 +42,10 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
   mode.mass.assign(chain.padded, infinity);
   mode.inverse_mass.assign(chain.padded, 0.0);
   for (std::size_t i = 0; i < chain.masses; ++i) {
-    mode.grounded = mode.grounded || chain.ground[i] != 0.0;
-    if (chain.lowest[i] > -infinity || chain.highest[i] < infinity) add(i, mode.stopped_pairs);
     if (held[i] != 0) continue;
     mode.mass[i] = chain.mass[i];
     mode.inverse_mass[i] = 1.0 / chain.mass[i];
-    if (chain.a[i] != 0.0 || chain.b[i] != 0.0) add(i, mode.forced_pairs);
+    if (chain.a[i] != 0.0 || chain.b[i] != 0.0) add_pair(i, mode.forced_pairs);
   }
   const double lambda = largest_eigenvalue(chain, held);
   mode.fastest = std::max(root_modulus(chain.beta * lambda, lambda), chain.omega);

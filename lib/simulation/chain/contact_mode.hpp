@@ -23,10 +23,7 @@ struct ContactMode {
   Held held;
   // m of a free mass, infinity of a held one, which has no acceleration. And its reciprocal.
   List<double> mass, inverse_mass;
-  bool grounded = false;  // some mass has a spring to the ground
-  // Masses are taken two at a time: the first masses of pairs with a free mass that is forced, and
-  // with a mass that has a stop.
-  List<std::size_t> forced_pairs, stopped_pairs;
+  List<std::size_t> forced_pairs;  // the first masses of pairs with a free mass that is forced
   List<Contact> contacts;
   double fastest = 0.0;  // a bound of the rates of the free masses and of the forcing
 };

@@ -27,8 +27,8 @@ void set_turn(const Chain &chain, Motion &motion) {
 
 // With w = Omega tau, e^(iw) = 1 + iw + (cos w - 1) + i (sin w - w). The last two are of second
 // order and are found in double precision. From time to time the turn is computed anew.
-void pass_time(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion) {
-  pass(tau, clock, motion.now);
+void pass_time(const Chain &chain, const Real &tau, Motion &motion) {
+  pass(tau, chain.clock, motion.now);
   motion.acceleration_known = false;
   if (chain.omega == 0.0) return;
   if (++motion.turned > most_turns) return set_turn(chain, motion);
@@ -64,7 +64,7 @@ void find_acceleration(const Chain &chain, Motion &motion) {
     if (chain.a[i] != 0.0 || chain.a[i + 1] != 0.0) force += cosine * pair(&chain.a[i]);
     if (chain.b[i] != 0.0 || chain.b[i + 1] != 0.0) force += sine * pair(&chain.b[i]);
     if (chain.p[i] != 0.0 || chain.p[i + 1] != 0.0) force += pair(&chain.p[i]);
-    if (mode.grounded) force -= z * pair(&chain.ground[i]);
+    if (chain.grounded) force -= z * pair(&chain.ground[i]);
     put(force.hi / pair(&mode.mass[i]), &motion.acceleration[i]);
     z = after;
     tension = next;

@@ -45,7 +45,7 @@ Turn turn_at(const Chain &chain, const Real &phase);
 void set_turn(const Chain &chain, Motion &motion);
 
 // Moves the clock on by a step, with e^(i Omega t).
-void pass_time(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion);
+void pass_time(const Chain &chain, const Real &tau, Motion &motion);
 
 // Sets the acceleration x'' = M^-1 (F - C x' - K x) of the free masses, unless it is known.
 void find_acceleration(const Chain &chain, Motion &motion);

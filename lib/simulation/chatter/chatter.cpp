@@ -34,7 +34,7 @@ void Chatter::set_weights(double ratio) {
 }
 
 void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double r,
-                  const Clock &clock, const Motion &motion, double jump, const ImpactShare &share) {
+                  const Chain &chain, const Motion &motion, double jump, const ImpactShare &share) {
   if (!(stop == stop_ && flight_time < flight_time_)) {
     end();
     stop_ = stop;
@@ -58,7 +58,7 @@ void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double
   if (size_ == fewest_chatter_nodes && weights_ratio_ != ratio_) set_weights(ratio_);
   left_ = left;
   ChatterNode &node = ring_[newest_];
-  node.time = elapsed(first_, motion.now, clock) + left;
+  node.time = elapsed(first_, motion.now, chain.clock) + left;
   node.x.resize(motion.x.size());
   node.v.resize(motion.x.size());
   for (std::size_t i = 0; i < motion.x.size(); i += 2) {

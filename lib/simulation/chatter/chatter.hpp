@@ -37,7 +37,7 @@ class Chatter {
   // An impact of the mass at the stop: the time of the flight after it to leading order (x in (6)),
   // the limit r of the restitution, the change of the velocity at all impacts to come, and what is
   // taken. A new chatter begins unless this one continues.
-  void add(std::size_t stop, std::size_t mass, double flight_time, double r, const Clock &clock,
+  void add(std::size_t stop, std::size_t mass, double flight_time, double r, const Chain &chain,
            const Motion &motion, double jump, const ImpactShare &share);
   void end();
 

@@ -62,8 +62,8 @@ MassMotion mass_along(const Motion &start, const TaylorTable &table, std::size_t
   return {x + (v * tau + value[mass % 2]), v + slope[mass % 2]};
 }
 
-void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
-                const Contact *closing, Motion &motion) {
+void move_along(const Chain &chain, const TaylorTable &table, double tau, const Contact *closing,
+                Motion &motion) {
   Real time = tau;
   const std::size_t first = closing ? closing->mass / 2 * 2 : 0;
   std::size_t i = first;
@@ -83,7 +83,7 @@ void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table
     put(speed + modulus(slope), &motion.v_terms[i]);
     i = i + 2 < table.stride ? i + 2 : 0;
   } while (i != first);
-  pass_time(chain, clock, time, motion);
+  pass_time(chain, time, motion);
 }
 
 }  // namespace vibro_impact::detail

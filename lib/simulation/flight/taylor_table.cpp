@@ -133,8 +133,8 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, double wav
     put(pair(to + i) + wave * pair(forcing + i), to + i);
 }
 
-void add_travel(const ContactMode &mode, TaylorTable &table) {
-  for (const std::size_t i : mode.stopped_pairs) {
+void add_travel(const Chain &chain, TaylorTable &table) {
+  for (const std::size_t i : chain.stopped_pairs) {
     const double *entry = table.of_order(2) + i;
     Pair sum{};
     for (int n = 2; n <= table.step.order + 1; ++n, entry += table.stride)
@@ -163,7 +163,7 @@ void expand_chain(const Chain &chain, const Motion &motion, TaylorTable &table) 
     const std::vector<double> &part = n % 2 == 0 ? table.even : table.odd;
     expand_order<grounded>(chain, mode, n, wave[order], part.data(), table);
   }
-  add_travel(mode, table);
+  add_travel(chain, table);
 }
 
 }  // namespace
@@ -203,7 +203,7 @@ void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTa
     put(half_square * pair(&motion.acceleration[i]), second + i);
   }
   if (is_pair) return expand_pair(chain, motion, table);
-  if (motion.mode->grounded)
+  if (chain.grounded)
     expand_chain<true>(chain, motion, table);
   else
     expand_chain<false>(chain, motion, table);

@@ -67,7 +67,7 @@ MassMotion mass_along(const Motion &start, const TaylorTable &table, std::size_t
 // Moves motion and clock to the time tau of the step, or if a gap closes there, to its root in
 // twice the precision. The first-order change is exact, so that only what is of second order has
 // the rounding of a double.
-void move_along(const Chain &chain, const Clock &clock, const TaylorTable &table, double tau,
-                const Contact *closing, Motion &motion);
+void move_along(const Chain &chain, const TaylorTable &table, double tau, const Contact *closing,
+                Motion &motion);
 
 }  // namespace vibro_impact::detail

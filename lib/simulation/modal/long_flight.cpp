@@ -36,15 +36,14 @@ bool LongFlight::takes_over(const Chain &chain, const Motion &motion,
          !any_forceless_block_moves(chain, motion, stops);
 }
 
-void LongFlight::end(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion) {
-  origin_ = at(chain, clock, motion, tau);
+void LongFlight::end(const Chain &chain, const Real &tau, Motion &motion) {
+  origin_ = at(chain, motion, tau);
   motion = origin_;
   form_ = nullptr;
 }
 
-void LongFlight::begin(const Chain &chain, const Clock &clock, const std::vector<Start> &starts,
-                       Motion &motion) {
-  const Real flown = elapsed(origin_.now, motion.now, clock);
+void LongFlight::begin(const Chain &chain, const std::vector<Start> &starts, Motion &motion) {
+  const Real flown = elapsed(origin_.now, motion.now, chain.clock);
   motion = origin_;
   form_ = std::make_shared<const ModalForm>(modal_form(chain, *motion.mode, blocks_));
   start_ = modal_state(chain, *form_, motion);
@@ -59,7 +58,7 @@ void LongFlight::begin(const Chain &chain, const Clock &clock, const std::vector
   for (std::size_t j = 0; j < form_->size(); ++j)
     coordinates_[j].modulus = std::hypot(forces_[j].a.hi, forces_[j].b.hi);
   l_ = fastest_ > 0.0 ? 1.0 / fastest_ : longest_step;
-  evaluate(chain, clock, motion, rounded(flown));
+  evaluate(chain, motion, rounded(flown));
   hidden_.assign(values_.size(), false);
   for (std::size_t k = 0; k < values_.size(); ++k)
     hidden_[k] = !starts_[k].idle && values_[k].is_zero();
@@ -79,10 +78,9 @@ bool LongFlight::look_at_hidden() {
 }
 
 // Evaluates the motion and all contacts at a time of the flight, which has been searched to there.
-void LongFlight::evaluate(const Chain &chain, const Clock &clock, const Motion &start,
-                          double time) {
+void LongFlight::evaluate(const Chain &chain, const Motion &start, double time) {
   searched_to_ = time;
-  at(chain, clock, start, time);
+  at(chain, start, time);
   const ComplexOf<Real> wave = wave_at(Real(time) * omega_);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
@@ -151,11 +149,10 @@ LongFlight::NewtonStep LongFlight::newton_step() const {
 // The earliest root, which lies within rounding of `searched_to_`, by Newton's steps in twice the
 // precision, each at most half as long as the one before. A radian may be as short as 1e-12 of the
 // flight, so that one step is not enough.
-Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &start,
-                         std::vector<Near> &near) {
+Real LongFlight::refined(const Chain &chain, const Motion &start, std::vector<Near> &near) {
   const List<Contact> &contacts = start.mode->contacts;
   Real tau = searched_to_;
-  at(chain, clock, start, tau);
+  at(chain, start, tau);
   find_values(chain);
   std::fill(near.begin(), near.end(), Near::perhaps);
   if (look_at_hidden()) {
@@ -170,7 +167,7 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
     if (step.time.hi == 0.0) break;
     longest = 0.5 * std::abs(step.time.hi);
     tau += step.time;
-    at(chain, clock, start, tau);
+    at(chain, start, tau);
     find_values(chain);
   }
   const auto touches = [&](std::size_t k) {
@@ -185,8 +182,7 @@ Real LongFlight::refined(const Chain &chain, const Clock &clock, const Motion &s
   return tau;
 }
 
-const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motion &start,
-                             const Real &tau) {
+const Motion &LongFlight::at(const Chain &chain, const Motion &start, const Real &tau) {
   if (tau == motion_tau_) return motion_;
   motion_tau_ = tau;
   motion_ = start;
@@ -195,7 +191,7 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
   } else {
     fly(*form_, omega_, start_, forces_, tau, state_);
     set_masses(*form_, state_, motion_);
-    pass(tau, clock, motion_.now);
+    pass(tau, chain.clock, motion_.now);
     set_turn(chain, motion_);
   }
   find_acceleration(chain, motion_);
@@ -203,21 +199,21 @@ const Motion &LongFlight::at(const Chain &chain, const Clock &clock, const Motio
 }
 
 // Goes back to the time, after `before`, at which a hidden contact is first seen below zero.
-void LongFlight::find_appearance(const Chain &chain, const Clock &clock, const Motion &start,
-                                 double before, Counters &counters) {
+void LongFlight::find_appearance(const Chain &chain, const Motion &start, double before,
+                                 Counters &counters) {
   double after = searched_to_;
   while (after - before > step_rounding * after) {
     const double middle = before + 0.5 * (after - before);
     if (middle == before || middle == after) break;  // next to 0 no time lies between
-    evaluate(chain, clock, start, middle);
+    evaluate(chain, start, middle);
     ++counters.search_steps;
     (look_at_hidden() ? after : before) = middle;
   }
-  evaluate(chain, clock, start, after);
+  evaluate(chain, start, after);
 }
 
-FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motion &start,
-                             double end, std::vector<Near> &near, Counters &counters) {
+FlightEnd LongFlight::search(const Chain &chain, const Motion &start, double end,
+                             std::vector<Near> &near, Counters &counters) {
   while (!is_at_event_) {
     const double l = l_, step = next_step(counters);
     // The step goes beyond the end of the call where a hidden contact may appear: it may do so
@@ -228,10 +224,10 @@ FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motio
       return {infinity, false};
     }
     const double before = searched_to_;
-    evaluate(chain, clock, start, searched_to_ + step);
+    evaluate(chain, start, searched_to_ + step);
     ++counters.search_steps;
     const bool appears = look_at_hidden();
-    if (appears) find_appearance(chain, clock, start, before, counters);
+    if (appears) find_appearance(chain, start, before, counters);
     const bool is_root = newton_step().time.hi <= step_rounding * searched_to_;
     // A search that no longer moves has come to rounding: short steps go on from there.
     if (appears || is_root || searched_to_ == before)
@@ -240,7 +236,7 @@ FlightEnd LongFlight::search(const Chain &chain, const Clock &clock, const Motio
       return {searched_to_, false};
   }
   // Also for a call that goes on after one that ended between `searched_to_` and the event.
-  return {refined(chain, clock, start, near), true};
+  return {refined(chain, start, near), true};
 }
 
 }  // namespace vibro_impact::detail

@@ -29,19 +29,18 @@ class LongFlight {
   }
   // Sets the motion back to the origin, where the flight begins: a slow coordinate has lost digits
   // in the steps. Of the starts, which are those of now, it takes only which contacts are idle.
-  void begin(const Chain &chain, const Clock &clock, const std::vector<Start> &starts,
-             Motion &motion);
+  void begin(const Chain &chain, const std::vector<Start> &starts, Motion &motion);
   // Ends the flight at the time tau: moves the motion there, which is the origin of the next.
-  void end(const Chain &chain, const Clock &clock, const Real &tau, Motion &motion);
+  void end(const Chain &chain, const Real &tau, Motion &motion);
 
   // Searches the first event, and counts the steps of the search. The time is infinite when the
   // call ends before any event. Without an event the flight may begin anew where it is: it ends
   // there after `most_search_steps`.
-  FlightEnd search(const Chain &chain, const Clock &clock, const Motion &start, double end,
-                   std::vector<Near> &near, Counters &counters);
+  FlightEnd search(const Chain &chain, const Motion &start, double end, std::vector<Near> &near,
+                   Counters &counters);
 
   // The motion at the time tau of the flight.
-  const Motion &at(const Chain &chain, const Clock &clock, const Motion &start, const Real &tau);
+  const Motion &at(const Chain &chain, const Motion &start, const Real &tau);
 
  private:
   // A coordinate at `searched_to_`, and its deviation from the static displacement.
@@ -83,7 +82,7 @@ class LongFlight {
   int evaluations_ = 0;
   bool is_at_event_ = false;  // the search has found an event there
 
-  void evaluate(const Chain &chain, const Clock &clock, const Motion &start, double time);
+  void evaluate(const Chain &chain, const Motion &start, double time);
   template <class Use>
   void each_part(const Watch &watch, const Coordinate &c, const Oscillator<Real> &o,
                  const Real &weight, double length, const Use &use) const;
@@ -94,10 +93,8 @@ class LongFlight {
   NewtonStep newton_step() const;
   double longest_blind_step() const;
   bool look_at_hidden();
-  void find_appearance(const Chain &chain, const Clock &clock, const Motion &start, double before,
-                       Counters &counters);
-  Real refined(const Chain &chain, const Clock &clock, const Motion &start,
-               std::vector<Near> &near);
+  void find_appearance(const Chain &chain, const Motion &start, double before, Counters &counters);
+  Real refined(const Chain &chain, const Motion &start, std::vector<Near> &near);
 };
 
 }  // namespace vibro_impact::detail

@@ -35,8 +35,8 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
                jump = (1.0 + r) / (1.0 - r) * v;
   const ImpactShare share{taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
                           {m * jump, 0.5 * m * v * v}};
-  chatter.add(contact.stop, contact.mass, hit.flight_time, r, run.problem.clock, motion,
-              -contact.sigma * jump, share);
+  chatter.add(contact.stop, contact.mass, hit.flight_time, r, chain, motion, -contact.sigma * jump,
+              share);
 }
 
 namespace {
@@ -63,7 +63,7 @@ bool find_limit(Run &run) {
   motion = run.motion;
   if (!chatter.extrapolate(tolerance, motion)) return false;
   motion.acceleration_known = false;
-  pass(*left, run.problem.clock, motion.now);
+  pass(*left, run.chain().clock, motion.now);
   set_turn(chain, motion);
   run.limit.stop = chatter.stop();
   run.limit.left = chatter.left();
@@ -77,7 +77,7 @@ bool is_any_left(Run &run, Recorders recorders) {
   ChatterLimit &limit = run.limit;
   const std::vector<StopState> &at_node = limit.is_ahead ? limit.stops : run.stops;
   const Instant instant = limit.motion.now.rounded();
-  const double time = time_of(instant, run.problem.clock);
+  const double time = time_of(instant, run.chain().clock);
   limit.slowest = infinity;
   for (const Recorder *recorder : recorders)
     limit.slowest =
@@ -123,7 +123,7 @@ void take_limit(Run &run, Recorders recorders) {
 bool limit_ends_flight(Run &run, const Real &tau, Recorders recorders) {
   if (!run.limit.is_ahead || run.progress.end < run.limit.motion.now.rounded()) return false;
   assert(!run.long_flight.is_under_way());  // the limit is less than half a radian away
-  const Real left = elapsed(run.motion.now, run.limit.motion.now, run.problem.clock);
+  const Real left = elapsed(run.motion.now, run.limit.motion.now, run.chain().clock);
   if (tau < left) return false;
   sample(run, left, recorders);
   if (!run.progress.over) enter_limit(run, recorders);

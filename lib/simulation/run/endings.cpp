@@ -26,39 +26,35 @@ void stop_run(Run &run, Ending ending, std::string reason) {
   run.progress.reason = std::move(reason);
 }
 
-void give_up_beyond_range(Run &run, const Instant &instant) {
+void give_up_beyond_range(Run &run, double time) {
   stop_run(run, Ending::given_up,
-           line("the motion leaves the range of double precision before t = ",
-                time_of(instant, run.problem.clock), ", given up"));
+           line("the motion leaves the range of double precision before t = ", time, ", given up"));
 }
 
-void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant) {
+void give_up_beyond_stop(Run &run, std::size_t mass, double time) {
   stop_run(run, Ending::given_up,
-           line("mass ", mass + 1, " lies beyond its stop at t = ",
-                time_of(instant, run.problem.clock), ", given up: an event was missed"));
+           line("mass ", mass + 1, " lies beyond its stop at t = ", time,
+                ", given up: an event was missed"));
 }
 
 void check_motion(Run &run) {
   const Motion &motion = run.motion;
-  const Instant now = motion.now.rounded();
-  if (!is_in_range(motion)) return give_up_beyond_range(run, now);
+  if (!is_in_range(motion)) return give_up_beyond_range(run, run.time());
   for (const ChainStop &stop : run.chain().stops) {
     const double gap = stop.sigma * (stop.position - motion.x[stop.mass].hi);
     if (!(gap < 0.0)) continue;
     const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];
-    if (!is_rounding_at_stop(-gap, terms,
-                             largest_terms(run.chain(), motion, time_of(now, run.problem.clock))))
-      return give_up_beyond_stop(run, stop.mass, now);
+    if (!is_rounding_at_stop(-gap, terms, largest_terms(run.chain(), motion, run.time())))
+      return give_up_beyond_stop(run, stop.mass, run.time());
   }
 }
 
 void check_search(Run &run, const FlightEnd &end) {
   if (!end.event || std::isfinite(end.tau.hi)) return;
-  const Instant now = run.motion.now.rounded();
-  if (std::isnan(end.tau.hi)) return give_up_beyond_range(run, now);
+  if (std::isnan(end.tau.hi)) return give_up_beyond_range(run, run.time());
   stop_run(run, Ending::given_up,
            line("a root is not found in ", most_root_iterations,
-                " iterations after t = ", time_of(now, run.problem.clock), ", given up"));
+                " iterations after t = ", run.time(), ", given up"));
 }
 
 void check_steps(Run &run) {
@@ -68,8 +64,7 @@ void check_steps(Run &run) {
   const long long most = run.problem.options.max_steps;
   if (steps < most) return;
   stop_run(run, Ending::given_up,
-           line("at least ", most, " steps, given up at t = ",
-                time_of(run.motion.now.rounded(), run.problem.clock), "; the largest rate is ",
+           line("at least ", most, " steps, given up at t = ", run.time(), "; the largest rate is ",
                 run.motion.mode->fastest, "; RunOptions::max_steps (--max-steps) can allow more"));
 }
 

@@ -8,11 +8,11 @@ namespace vibro_impact::detail {
 // Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
-// Gives the run up: the motion leaves the range of double precision before this instant.
-void give_up_beyond_range(Run &run, const Instant &instant);
+// Gives the run up: the motion leaves the range of double precision before this time.
+void give_up_beyond_range(Run &run, double time);
 
-// Gives the run up: a mass (from 0) lies beyond its stop at this instant.
-void give_up_beyond_stop(Run &run, std::size_t mass, const Instant &instant);
+// Gives the run up: a mass (from 0) lies beyond its stop at this time.
+void give_up_beyond_stop(Run &run, std::size_t mass, double time);
 
 // Gives the run up when the motion, just after its events, has left the range of double precision,
 // or lies beyond a stop by more than rounding: an event was missed.

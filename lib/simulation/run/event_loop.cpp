@@ -19,8 +19,7 @@ namespace {
 double longest_step_of(const Run &run) {
   const double rate = run.motion.mode->fastest;
   if (rate > 0.0) return std::min(max_step_radians / rate, longest_step);
-  return std::clamp(time_of(run.motion.now.rounded(), run.problem.clock),
-                    max_step_radians / run.chain().rate_bound, longest_step);
+  return std::clamp(run.time(), max_step_radians / run.chain().rate_bound, longest_step);
 }
 
 Step plan_step(Run &run) {
@@ -106,12 +105,11 @@ FlightEnd search_step(Run &run) {
 // Searches a flight in closed form, up to the end of the call.
 FlightEnd search_far(Run &run) {
   const Chain &chain = run.chain();
-  const Clock &clock = run.problem.clock;
   if (!run.long_flight.is_under_way()) {
     set_starts(run);
-    run.long_flight.begin(chain, clock, run.scratch.starts, run.motion);
+    run.long_flight.begin(chain, run.scratch.starts, run.motion);
   }
-  return run.long_flight.search(chain, clock, run.motion, time_to_end(run), run.scratch.near,
+  return run.long_flight.search(chain, run.motion, time_to_end(run), run.scratch.near,
                                 run.counters);
 }
 
@@ -126,12 +124,11 @@ const Contact *closing_gap(const Run &run) {
 // Moves the run to the end of the flight that was searched.
 void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
-  const Clock &clock = run.problem.clock;
-  if (run.long_flight.is_under_way()) return run.long_flight.end(chain, clock, end.tau, run.motion);
+  if (run.long_flight.is_under_way()) return run.long_flight.end(chain, end.tau, run.motion);
   if (!end.event && run.hint.quiet_steps == 0) run.long_flight.set_origin(run.motion);
   if (end.tau.hi > 0.0)
-    move_along(chain, clock, run.scratch.flight.table, end.tau.hi,
-               end.event ? closing_gap(run) : nullptr, run.motion);
+    move_along(chain, run.scratch.flight.table, end.tau.hi, end.event ? closing_gap(run) : nullptr,
+               run.motion);
 }
 
 // One flight of the loop.

@@ -39,7 +39,7 @@ void question_dead_bounces(Run &run) {
   const Motion &motion = run.motion;
   double speed = 0.0;
   for (std::size_t i = 0; i < chain.masses; ++i) speed = std::max(speed, std::abs(motion.v[i].hi));
-  const double window = time_window(chain, time_of(motion.now.rounded(), run.problem.clock)),
+  const double window = time_window(chain, run.time()),
                rounding = twofold_unit * (speed + chain.force_bound * window);
   for (const Contact &contact : motion.mode->contacts) {
     const StopState &stop = run.stops[contact.stop];

@@ -91,7 +91,7 @@ void apply_hits(Run &run, Recorders recorders) {
     if (!leaving) continue;
     hit.flight_time = flight_after(motion, contact, leaving->derivative);
     const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest()),
-                 passed = rounded(elapsed(stop.since, motion.now, run.problem.clock));
+                 passed = rounded(elapsed(stop.since, motion.now, run.chain().clock));
     if (!(time_left < chatter_end * passed)) continue;
     stop.at = Resting{};
     ++run.counters.chatter_limits;

@@ -10,7 +10,7 @@
 namespace vibro_impact::detail {
 
 MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Instant &at, double tau)
-    : Moment(at, time_of(at, run.problem.clock)),
+    : Moment(at, time_of(at, run.chain().clock)),
       chain_(run.chain()),
       motion_(motion),
       table_(run.scratch.flight.table),
@@ -75,7 +75,7 @@ MotionState MomentOfMotion::state() const {
 MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at) {
   if (run.long_flight.is_under_way()) {
     const Real since = tau.hi > 0.0 ? tau : Real(0.0);
-    return {run, run.long_flight.at(run.chain(), run.problem.clock, run.motion, since), at};
+    return {run, run.long_flight.at(run.chain(), run.motion, since), at};
   }
   return {run, run.motion, at, tau.hi};
 }

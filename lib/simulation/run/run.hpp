@@ -22,7 +22,6 @@ struct Problem {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const Chain> chain;
   RunOptions options;
-  Clock clock;
   OrderTable orders;
 
   Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run);
@@ -103,6 +102,10 @@ struct Run {
   }
   const Chain &chain() const {
     return *problem.chain;
+  }
+  // The time of its motion, counted from t = 0.
+  double time() const {
+    return time_of(motion.now.rounded(), chain().clock);
   }
 };
 

@@ -9,19 +9,17 @@
 namespace vibro_impact::detail {
 
 Real time_until(const Run &run, const Instant &instant) {
-  return elapsed(run.motion.now, TwofoldInstant(instant), run.problem.clock);
+  return elapsed(run.motion.now, TwofoldInstant(instant), run.chain().clock);
 }
 
 void sample(Run &run, const Real &tau, Recorders recorders) {
-  const Clock &clock = run.problem.clock;
   while (run.progress.next_sample < infinity) {
     const double next = run.progress.next_sample;
-    const Instant at = instant_at(next, clock);
+    const Instant at = instant_at(next, run.chain().clock);
     const Real since = time_until(run, at);
     if (!(since <= tau) && since.hi > 0.0) return;
-    const double now = time_of(run.motion.now.rounded(), clock);
-    require(since.hi >= 0.0 || next >= now, "next_time = ", next,
-            ": lies before the motion, which is at t = ", now);
+    require(since.hi >= 0.0 || next >= run.time(), "next_time = ", next,
+            ": lies before the motion, which is at t = ", run.time());
     ++run.counters.states_computed;
     const MomentOfMotion moment = moment_at(run, since, at);
     if (!report_sample(run, moment, next, recorders)) continue;
@@ -37,11 +35,12 @@ void end_at_time(Run &run, Recorders recorders) {
   run.progress.last = moment_at(run, tau, run.progress.end).state();
   if (run.long_flight.is_under_way()) ++run.counters.states_computed;
   const Chain &chain = run.chain();
+  const double end = time_of(run.progress.end, chain.clock);
   for (std::size_t i = 0; i < chain.masses; ++i) {
     const double x = run.progress.last.displacement[i];
-    if (!std::isfinite(x)) give_up_beyond_range(run, run.progress.end);
+    if (!std::isfinite(x)) give_up_beyond_range(run, end);
     // The rounding of the motion is taken from a moment.
-    if (x < chain.lowest[i] || x > chain.highest[i]) give_up_beyond_stop(run, i, run.progress.end);
+    if (x < chain.lowest[i] || x > chain.highest[i]) give_up_beyond_stop(run, i, end);
   }
   stop_run(run, Ending::reached);
 }

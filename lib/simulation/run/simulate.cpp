@@ -48,7 +48,6 @@ Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &op
     : scene(std::move(scene_of_run)),
       chain(std::make_shared<const Chain>(*scene)),
       options(options_of_run),
-      clock(scene->omega),
       orders(options.flight_tolerance) {
 }
 
@@ -94,7 +93,7 @@ void Simulation::start_from(const MotionState &start) {
 Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) {
   using detail::require;
   detail::Run &run = *run_;
-  const Clock &clock = run.problem.clock;
+  const Clock &clock = run.chain().clock;
   // The motion of the run may stand before the end of the call before: see `advance`.
   const Instant begin = run.start ? run.start->instant : run.progress.last.instant;
   const double begin_time = time_of(begin, clock);
