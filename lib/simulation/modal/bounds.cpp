@@ -71,10 +71,12 @@ struct LongFlight::Bound {
 template <class Use>
 void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<Real> &o,
                            const Real &weight, double length, const Use &use) const {
-  const double size = std::abs(weight.hi), d = w.damping, root = std::sqrt(o.lambda.hi);
+  const double size = std::abs(weight.hi), d = w.damping, root = std::sqrt(o.lambda.hi),
+               omega = form_->omega;
   Real y = c.deviation, dy = c.dy;  // of the free part
   const ModalForce<Real> &f = c.force;
-  if (o.rate * length <= 1.0 && (c.modulus == 0.0 || omega_ * length <= 1.0))
+  const double modulus = std::hypot(f.a.hi, f.b.hi);
+  if (o.rate * length <= 1.0 && (modulus == 0.0 || omega * length <= 1.0))
     return use(
         Part{weight * (c.y + d * dy),
              weight * (dy + d * (f.a + f.c - o.kappa * dy - o.lambda * c.y)),
@@ -82,25 +84,25 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
              o.lambda,
              o.rate,
              infinity,  // it does not turn within the length
-             {weight * (f.a + d * omega_ * f.b), weight * (f.b - d * omega_ * f.a), weight * f.c}});
-  if (c.modulus > 0.0) {
+             {weight * (f.a + d * omega * f.b), weight * (f.b - d * omega * f.a), weight * f.c}});
+  if (modulus > 0.0) {
     // The steady response to a cos + b sin is Re(s) and its derivative Re(i Omega s), with
     // s = (a - i b) / (lambda - Omega^2 + i kappa Omega).
-    const Real square = Real(omega_) * omega_;
+    const Real square = Real(omega) * omega;
     const ComplexOf<Real> s =
-        ComplexOf<Real>{f.a, -f.b} / ComplexOf<Real>{o.lambda - square, o.kappa * omega_};
-    const double whole = std::hypot(y.hi, dy.hi / root) + c.modulus * length / root;
-    const bool turns = std::min(root, omega_) * length > 1.0 && !o.has_two_decays();
+        ComplexOf<Real>{f.a, -f.b} / ComplexOf<Real>{o.lambda - square, o.kappa * omega};
+    const double whole = std::hypot(y.hi, dy.hi / root) + modulus * length / root;
+    const bool turns = std::min(root, omega) * length > 1.0 && !o.has_two_decays();
     // False at resonance, where s is no number.
     const bool steady_is_smaller = std::hypot(s.re.hi, s.im.hi) <= whole;
     if (turns && !steady_is_smaller)
       return use(Part{weight * (y + d * dy), 0.0, o.kappa, o.lambda, o.rate,
                       size * whole * (1.0 + d * root)});
-    const Real steady = s.re, slope = -(omega_ * s.im);
+    const Real steady = s.re, slope = -(omega * s.im);
     y -= steady;
     dy -= slope;
     use(Part{weight * (steady + d * slope), weight * (slope - d * (square * steady)), 0.0, square,
-             omega_, size * std::hypot(s.re.hi, s.im.hi) * (1.0 + d * omega_)});
+             omega, size * std::hypot(s.re.hi, s.im.hi) * (1.0 + d * omega)});
   }
   if (!o.has_two_decays()) {
     // A coordinate without a spring has no static displacement, and its constant force drives it.
@@ -125,15 +127,16 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
 
 Polynomial LongFlight::bound_of(std::size_t k, double l) {
   const Watch &w = form_->watches[k];
-  Bound bound{.length = l, .unit = leading_power(l), .omega = omega_};
+  Bound bound{.length = l, .unit = leading_power(l), .omega = form_->omega};
   // Before its event a contact lies below zero by rounding only.
   if (values_[k].value.hi > 0.0) bound.value = values_[k].value;
   const auto add = [&bound](const Part &part) { bound.add(part); };
   for (std::size_t j = 0; j < coordinates_.size(); ++j)
     if (w.row[j].hi != 0.0) each_part(w, coordinates_[j], form_->exact[j], w.row[j], l, add);
-  const ModalForce<double> &f = watch_forces_[k];
+  const double cosine = turn_.cosine.hi, sine = turn_.sine.hi, omega = form_->omega;
   if (w.a != 0.0 || w.b != 0.0)
-    add({f.a, omega_ * f.b, 0.0, omega_ * omega_, omega_, std::hypot(f.a, f.b)});
+    add({w.a * cosine + w.b * sine, omega * (w.b * cosine - w.a * sine), 0.0, omega * omega, omega,
+         std::hypot(w.a, w.b)});
   return bound.polynomial();
 }
 
@@ -142,10 +145,10 @@ Polynomial LongFlight::bound_of(std::size_t k, double l) {
 // again, within a time longer than the flight so far.
 double LongFlight::longest_blind_step() const {
   double rate = 0.0;
-  for (std::size_t k = 0; k < hidden_.size(); ++k) {
-    if (!hidden_[k]) continue;
+  for (std::size_t k = 0; k < sight_.size(); ++k) {
+    if (sight_[k] != Sight::hidden) continue;
     const Watch &w = form_->watches[k];
-    if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, omega_);
+    if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, form_->omega);
     const double threshold = zero_threshold * values_[k].terms;
     for (std::size_t j = 0; j < coordinates_.size(); ++j)
       each_part(w, coordinates_[j], form_->exact[j], w.row[j], infinity, [&](const Part &part) {
@@ -153,7 +156,7 @@ double LongFlight::longest_blind_step() const {
       });
   }
   if (rate == 0.0) return longest_step;
-  return std::min(1.0 / rate, std::max(searched_to_, 1.0 / fastest_));
+  return std::min(1.0 / rate, std::max(searched_to_, 1.0 / form_->fastest));
 }
 
 }  // namespace vibro_impact::detail

@@ -37,40 +37,38 @@ bool LongFlight::takes_over(const Chain &chain, const Motion &motion,
 }
 
 void LongFlight::end(const Chain &chain, const Real &tau, Motion &motion) {
-  origin_ = at(chain, motion, tau);
+  origin_ = at(chain, tau);
   motion = origin_;
   form_ = nullptr;
 }
 
-void LongFlight::begin(const Chain &chain, const std::vector<Start> &starts, Motion &motion) {
+void LongFlight::begin(const Chain &chain, const std::vector<StopState> &stops, Motion &motion) {
   const Real flown = elapsed(origin_.now, motion.now, chain.clock);
   motion = origin_;
   form_ = std::make_shared<const ModalForm>(modal_form(chain, *motion.mode, blocks_));
   start_ = modal_state(chain, *form_, motion);
   forces_ = forces_from(*form_, motion);
-  starts_ = starts;
   motion_tau_ = -1.0;
-  omega_ = chain.omega;
-  fastest_ = std::max(form_->fastest, omega_);
   evaluations_ = 0;
   is_at_event_ = false;
   coordinates_.assign(form_->size(), {});
-  for (std::size_t j = 0; j < form_->size(); ++j)
-    coordinates_[j].modulus = std::hypot(forces_[j].a.hi, forces_[j].b.hi);
-  l_ = fastest_ > 0.0 ? 1.0 / fastest_ : longest_step;
-  evaluate(chain, motion, rounded(flown));
-  hidden_.assign(values_.size(), false);
+  l_ = form_->fastest > 0.0 ? 1.0 / form_->fastest : longest_step;
+  evaluate(chain, rounded(flown));
+  sight_.clear();
   for (std::size_t k = 0; k < values_.size(); ++k)
-    hidden_[k] = !starts_[k].idle && values_[k].is_zero();
+    if (is<Forceless>(stops[motion.mode->contacts[k].stop].at))
+      sight_.push_back(Sight::idle);
+    else
+      sight_.push_back(values_[k].is_zero() ? Sight::hidden : Sight::seen);
 }
 
 // True when a hidden contact is seen below zero. One that is seen above zero is hidden no more.
 bool LongFlight::look_at_hidden() {
   bool below = false;
-  for (std::size_t k = 0; k < hidden_.size(); ++k) {
-    if (!hidden_[k] || values_[k].is_zero()) continue;
+  for (std::size_t k = 0; k < sight_.size(); ++k) {
+    if (sight_[k] != Sight::hidden || values_[k].is_zero()) continue;
     if (values_[k].value.hi > 0.0)
-      hidden_[k] = false;
+      sight_[k] = Sight::seen;
     else
       below = true;
   }
@@ -78,10 +76,10 @@ bool LongFlight::look_at_hidden() {
 }
 
 // Evaluates the motion and all contacts at a time of the flight, which has been searched to there.
-void LongFlight::evaluate(const Chain &chain, const Motion &start, double time) {
+void LongFlight::evaluate(const Chain &chain, double time) {
   searched_to_ = time;
-  at(chain, start, time);
-  const ComplexOf<Real> wave = wave_at(Real(time) * omega_);
+  at(chain, time);
+  const ComplexOf<Real> wave = wave_at(Real(time) * chain.omega);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
     const ModalForce<Real> &f = forces_[j];
@@ -91,10 +89,7 @@ void LongFlight::evaluate(const Chain &chain, const Motion &start, double time) 
     c.force = {f.a * wave.re + f.b * wave.im, f.b * wave.re - f.a * wave.im, f.c};
     c.deviation = lambda.hi > 0.0 ? c.y - f.c / lambda : c.y;
   }
-  const double cosine = motion_.turn.cosine.hi, sine = motion_.turn.sine.hi;
-  watch_forces_.clear();
-  for (const Watch &w : form_->watches)
-    watch_forces_.push_back({w.a * cosine + w.b * sine, w.b * cosine - w.a * sine, 0.0});
+  turn_ = motion_.turn;
   find_values(chain);
 }
 
@@ -109,7 +104,7 @@ void LongFlight::find_values(const Chain &chain) {
 double LongFlight::safe_time(double l, Counters &counters) {
   double time = l;
   for (std::size_t k = 0; k < values_.size() && time > 0.0; ++k) {
-    if (starts_[k].idle || hidden_[k]) continue;
+    if (sight_[k] != Sight::seen) continue;
     const std::optional<double> root = first_root(bound_of(k, l), time / l, counters);
     if (root) time = *root > 0.0 && *root < infinity ? *root * l : 0.0;
   }
@@ -128,8 +123,8 @@ double LongFlight::next_step(Counters &counters) {
     l_ = longer;
     step = next;
   }
-  while (step < 0.25 * l_ && l_ * fastest_ > 1.0) {
-    l_ = std::max(0.25 * l_, 1.0 / fastest_);
+  while (step < 0.25 * l_ && l_ * form_->fastest > 1.0) {
+    l_ = std::max(0.25 * l_, 1.0 / form_->fastest);
     step = std::max(step, safe_time(l_, counters));
   }
   return step;
@@ -139,7 +134,7 @@ double LongFlight::next_step(Counters &counters) {
 LongFlight::NewtonStep LongFlight::newton_step() const {
   NewtonStep earliest;
   for (std::size_t k = 0; k < values_.size(); ++k) {
-    if (starts_[k].idle || hidden_[k] || !(values_[k].slope.hi < 0.0)) continue;
+    if (sight_[k] != Sight::seen || !(values_[k].slope.hi < 0.0)) continue;
     const Real time = -values_[k].value / values_[k].slope;
     if (time < earliest.time) earliest = {time, k};
   }
@@ -149,15 +144,16 @@ LongFlight::NewtonStep LongFlight::newton_step() const {
 // The earliest root, which lies within rounding of `searched_to_`, by Newton's steps in twice the
 // precision, each at most half as long as the one before. A radian may be as short as 1e-12 of the
 // flight, so that one step is not enough.
-Real LongFlight::refined(const Chain &chain, const Motion &start, std::vector<Near> &near) {
-  const List<Contact> &contacts = start.mode->contacts;
+Real LongFlight::refined(const Chain &chain, std::vector<Near> &near) {
+  const List<Contact> &contacts = origin_.mode->contacts;
   Real tau = searched_to_;
-  at(chain, start, tau);
+  at(chain, tau);
   find_values(chain);
-  std::fill(near.begin(), near.end(), Near::perhaps);
+  near.assign(contacts.size(), Near::perhaps);
   if (look_at_hidden()) {
-    for (std::size_t k = 0; k < hidden_.size(); ++k)
-      if (hidden_[k] && !values_[k].is_zero()) near[k] = contacts[k].held ? Near::zero : Near::rest;
+    for (std::size_t k = 0; k < sight_.size(); ++k)
+      if (sight_[k] == Sight::hidden && !values_[k].is_zero())
+        near[k] = contacts[k].held ? Near::zero : Near::rest;
     return tau;
   }
   double longest = step_rounding * searched_to_;
@@ -167,11 +163,11 @@ Real LongFlight::refined(const Chain &chain, const Motion &start, std::vector<Ne
     if (step.time.hi == 0.0) break;
     longest = 0.5 * std::abs(step.time.hi);
     tau += step.time;
-    at(chain, start, tau);
+    at(chain, tau);
     find_values(chain);
   }
   const auto touches = [&](std::size_t k) {
-    if (!contacts[k].held || starts_[k].idle) return false;
+    if (!contacts[k].held) return false;
     const double terms = sum_of_forces(chain, contacts[k].mass, motion_);
     if (!(values_[k].value.hi <= touch_rounding * terms)) return false;
     const Polynomial p = bound_of(k, l_);
@@ -182,14 +178,14 @@ Real LongFlight::refined(const Chain &chain, const Motion &start, std::vector<Ne
   return tau;
 }
 
-const Motion &LongFlight::at(const Chain &chain, const Motion &start, const Real &tau) {
+const Motion &LongFlight::at(const Chain &chain, const Real &tau) {
   if (tau == motion_tau_) return motion_;
   motion_tau_ = tau;
-  motion_ = start;
+  motion_ = origin_;
   if (tau.hi == 0.0) {
     state_ = start_;
   } else {
-    fly(*form_, omega_, start_, forces_, tau, state_);
+    fly(*form_, start_, forces_, tau, state_);
     set_masses(*form_, state_, motion_);
     pass(tau, chain.clock, motion_.now);
     set_turn(chain, motion_);
@@ -199,21 +195,20 @@ const Motion &LongFlight::at(const Chain &chain, const Motion &start, const Real
 }
 
 // Goes back to the time, after `before`, at which a hidden contact is first seen below zero.
-void LongFlight::find_appearance(const Chain &chain, const Motion &start, double before,
-                                 Counters &counters) {
+void LongFlight::find_appearance(const Chain &chain, double before, Counters &counters) {
   double after = searched_to_;
   while (after - before > step_rounding * after) {
     const double middle = before + 0.5 * (after - before);
     if (middle == before || middle == after) break;  // next to 0 no time lies between
-    evaluate(chain, start, middle);
+    evaluate(chain, middle);
     ++counters.search_steps;
     (look_at_hidden() ? after : before) = middle;
   }
-  evaluate(chain, start, after);
+  evaluate(chain, after);
 }
 
-FlightEnd LongFlight::search(const Chain &chain, const Motion &start, double end,
-                             std::vector<Near> &near, Counters &counters) {
+FlightEnd LongFlight::search(const Chain &chain, double end, std::vector<Near> &near,
+                             Counters &counters) {
   while (!is_at_event_) {
     const double l = l_, step = next_step(counters);
     // The step goes beyond the end of the call where a hidden contact may appear: it may do so
@@ -224,10 +219,10 @@ FlightEnd LongFlight::search(const Chain &chain, const Motion &start, double end
       return {infinity, false};
     }
     const double before = searched_to_;
-    evaluate(chain, start, searched_to_ + step);
+    evaluate(chain, searched_to_ + step);
     ++counters.search_steps;
     const bool appears = look_at_hidden();
-    if (appears) find_appearance(chain, start, before, counters);
+    if (appears) find_appearance(chain, before, counters);
     const bool is_root = newton_step().time.hi <= step_rounding * searched_to_;
     // A search that no longer moves has come to rounding: short steps go on from there.
     if (appears || is_root || searched_to_ == before)
@@ -236,7 +231,7 @@ FlightEnd LongFlight::search(const Chain &chain, const Motion &start, double end
       return {searched_to_, false};
   }
   // Also for a call that goes on after one that ended between `searched_to_` and the event.
-  return {refined(chain, start, near), true};
+  return {refined(chain, near), true};
 }
 
 }  // namespace vibro_impact::detail

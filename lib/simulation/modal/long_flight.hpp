@@ -28,26 +28,24 @@ class LongFlight {
     origin_ = motion;
   }
   // Sets the motion back to the origin, where the flight begins: a slow coordinate has lost digits
-  // in the steps. Of the starts, which are those of now, it takes only which contacts are idle.
-  void begin(const Chain &chain, const std::vector<Start> &starts, Motion &motion);
+  // in the steps.
+  void begin(const Chain &chain, const std::vector<StopState> &stops, Motion &motion);
   // Ends the flight at the time tau: moves the motion there, which is the origin of the next.
   void end(const Chain &chain, const Real &tau, Motion &motion);
 
   // Searches the first event, and counts the steps of the search. The time is infinite when the
   // call ends before any event. Without an event the flight may begin anew where it is: it ends
   // there after `most_search_steps`.
-  FlightEnd search(const Chain &chain, const Motion &start, double end, std::vector<Near> &near,
-                   Counters &counters);
+  FlightEnd search(const Chain &chain, double end, std::vector<Near> &near, Counters &counters);
 
   // The motion at the time tau of the flight.
-  const Motion &at(const Chain &chain, const Motion &start, const Real &tau);
+  const Motion &at(const Chain &chain, const Real &tau);
 
  private:
   // A coordinate at `searched_to_`, and its deviation from the static displacement.
   struct Coordinate {
     Real y = 0.0, dy = 0.0;
     ModalForce<Real> force{};
-    double modulus = 0.0;  // of the forcing
     Real deviation = 0.0;
   };
   // A part of the share of a coordinate in a contact: z'' + damping z' + stiffness z = force.
@@ -56,6 +54,9 @@ class LongFlight {
     double rate, amplitude;
     ModalForce<Real> force = {};
   };
+  // The value of a contact is seen, or lies hidden below the rounding of its modal coordinates. It
+  // then keeps its sign, by definition, until it is seen. The gap of a mass without force is idle.
+  enum class Sight : char { seen, hidden, idle };
   struct NewtonStep {
     Real time = infinity;
     std::size_t contact = 0;
@@ -65,24 +66,20 @@ class LongFlight {
   Motion origin_;  // where the flight begins
   Blocks blocks_;
   std::shared_ptr<const ModalForm> form_;
-  ModalState start_, state_;  // at the start of the flight, and searched to
-  std::vector<ModalForce<Real>> forces_;
-  std::vector<Start> starts_;
-  Motion motion_;  // at the time that was evaluated last,
+  ModalState start_, state_;  // at the start of the flight, and at the time evaluated last,
+  Motion motion_;             // with the motion there
   Real motion_tau_ = -1.0;
-  std::vector<Coordinate> coordinates_;
-  std::vector<ModalForce<double>> watch_forces_;  // of the watches there
-  std::vector<Value> values_;                     // of the contacts there
-  double omega_ = 0.0, fastest_ = 0.0;            // of the forcing; the fastest rate
-  // Whether the value of a contact lies below the rounding of its modal coordinates. It then
-  // keeps its sign, by definition, until it is seen.
-  std::vector<char> hidden_;
+  std::vector<ModalForce<Real>> forces_;
   double searched_to_ = 0.0;
+  std::vector<Coordinate> coordinates_;
+  Turn turn_;                  // of the forcing, at `searched_to_`
+  std::vector<Value> values_;  // of the contacts there,
+  std::vector<Sight> sight_;   // and whether each is seen
   double l_ = 0.0;  // the time for which bounds are made
   int evaluations_ = 0;
   bool is_at_event_ = false;  // the search has found an event there
 
-  void evaluate(const Chain &chain, const Motion &start, double time);
+  void evaluate(const Chain &chain, double time);
   template <class Use>
   void each_part(const Watch &watch, const Coordinate &c, const Oscillator<Real> &o,
                  const Real &weight, double length, const Use &use) const;
@@ -93,8 +90,8 @@ class LongFlight {
   NewtonStep newton_step() const;
   double longest_blind_step() const;
   bool look_at_hidden();
-  void find_appearance(const Chain &chain, const Motion &start, double before, Counters &counters);
-  Real refined(const Chain &chain, const Motion &start, std::vector<Near> &near);
+  void find_appearance(const Chain &chain, double before, Counters &counters);
+  Real refined(const Chain &chain, std::vector<Near> &near);
 };
 
 }  // namespace vibro_impact::detail

@@ -53,6 +53,7 @@ Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact
 
 ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks) {
   ModalForm form;
+  form.omega = form.fastest = chain.omega;
   const Index size = std::count(mode.held.begin(), mode.held.end(), 0);
   form.shape = RealMatrix::Constant(as_index(chain.masses), size, Real(0.0));
   form.a = form.b = form.c = RealVector::Constant(size, Real(0.0));
@@ -111,15 +112,15 @@ std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &m
   return forces;
 }
 
-void fly(const ModalForm &form, double omega, const ModalState &start,
+void fly(const ModalForm &form, const ModalState &start,
          const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to) {
   to = start;
-  const ComplexOf<Real> wave = wave_at(tau * omega);
+  const ComplexOf<Real> wave = wave_at(tau * form.omega);
   for (std::size_t k = 0; k < form.size(); ++k) {
     const Index j = as_index(k);
     const Real travel = tau * start.dy(j);
     const ModalChange<Real> d =
-        change(form.exact[k], start.y(j), start.dy(j), forces[k], omega, tau, wave);
+        change(form.exact[k], start.y(j), start.dy(j), forces[k], form.omega, tau, wave);
     to.y(j) += travel + d.y;
     to.dy(j) += d.dy;
     to.y_terms(j) = std::abs(start.y(j).hi) + std::abs(travel.hi) + std::abs(d.y.hi);

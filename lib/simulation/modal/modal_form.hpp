@@ -26,7 +26,8 @@ struct ModalForm {
   std::vector<Oscillator<Real>> exact;  // of each coordinate
   RealVector a, b, c;                   // Psi^T A, Psi^T B, and P with the pull of held masses
   std::vector<Watch> watches;           // one for each contact of the mode
-  double fastest = 0.0;                 // the largest rate of a coordinate
+  double omega = 0.0;                   // of the forcing
+  double fastest = 0.0;                 // the largest rate of a coordinate and of the forcing
 
   std::size_t size() const {
     return exact.size();
@@ -51,7 +52,7 @@ ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &
 std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &motion);
 
 // Sets `to` to the state at the time tau > 0 of the flight from `start`.
-void fly(const ModalForm &form, double omega, const ModalState &start,
+void fly(const ModalForm &form, const ModalState &start,
          const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to);
 
 // Sets the free masses of a motion to a modal state.

@@ -75,7 +75,7 @@ MotionState MomentOfMotion::state() const {
 MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at) {
   if (run.long_flight.is_under_way()) {
     const Real since = tau.hi > 0.0 ? tau : Real(0.0);
-    return {run, run.long_flight.at(run.chain(), run.motion, since), at};
+    return {run, run.long_flight.at(run.chain(), since), at};
   }
   return {run, run.motion, at, tau.hi};
 }
