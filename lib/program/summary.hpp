@@ -2,7 +2,7 @@
 #pragma once
 
 #include "vibro_impact/analysis/table.hpp"
-#include "vibro_impact/totals.hpp"
+#include "vibro_impact/analysis/totals.hpp"
 
 namespace vibro_impact::runner {
 

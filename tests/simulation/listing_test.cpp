@@ -11,6 +11,7 @@
 #include "simulation/run/chatter_limit.hpp"
 #include "simulation/run/events_at_an_instant.hpp"
 #include "tests/support/windows.hpp"
+#include "vibro_impact/analysis/totals.hpp"
 
 namespace {
 

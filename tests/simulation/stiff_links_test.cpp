@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/random_scenes.hpp"
+#include "vibro_impact/analysis/totals.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

@@ -1,5 +1,6 @@
 #include "vibro_impact/analysis/natural_modes.hpp"
 
+#include "modal_basis.hpp"
 #include "motion_state.hpp"
 
 namespace vibro_impact {
@@ -7,7 +8,7 @@ namespace vibro_impact {
 NaturalModes natural_modes(const Scene &scene, const Held &held) {
   check(scene);
   require_held(scene, held);
-  const detail::ModalBasis basis = detail::modal_basis(scene, free_masses(held));
+  const ModalBasis basis = modal_basis(scene, free_masses(held));
   return {{basis.lambda.begin(), basis.lambda.end()}, matrix_of(basis.shape)};
 }
 

@@ -52,7 +52,7 @@ Eigen::MatrixXd extrapolate_chatter(const std::vector<Eigen::MatrixXd> &values,
 }  // namespace
 
 TangentFlow::TangentFlow(const Scene &scene, const Held &held)
-    : beta_(scene.beta), modes_(detail::modal_basis(scene, free_masses(held))) {
+    : beta_(scene.beta), modes_(modal_basis(scene, free_masses(held))) {
 }
 
 void TangentFlow::move(Eigen::MatrixXd &tangents, double time) {

@@ -24,6 +24,7 @@
 #include <map>
 #include <vector>
 
+#include "modal_basis.hpp"
 #include "motion.hpp"
 #include "vibro_impact/analysis/smooth.hpp"
 
@@ -38,7 +39,7 @@ class TangentFlow {
 
  private:
   double beta_;
-  detail::ModalBasis modes_;
+  ModalBasis modes_;
   Eigen::MatrixXd y_ = {}, dy_ = {}, was_ = {};  // storage
 };
 

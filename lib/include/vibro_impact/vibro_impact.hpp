@@ -11,4 +11,3 @@
 #include "scene_fields.hpp"
 #include "scene_text.hpp"
 #include "simulate.hpp"
-#include "totals.hpp"

@@ -1,5 +1,6 @@
 /// \file
-/// All headers of the analysis: what is asked of many runs. vibro_impact.hpp has the simulation.
+/// All headers of the analysis: what is asked of a motion and of many runs. vibro_impact.hpp has
+/// the simulation.
 #pragma once
 
 #include "event_pairs.hpp"
@@ -17,3 +18,4 @@
 #include "smooth.hpp"
 #include "sweep.hpp"
 #include "table.hpp"
+#include "totals.hpp"

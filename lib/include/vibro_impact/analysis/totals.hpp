@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "record.hpp"
+#include "vibro_impact/record.hpp"
 
 namespace vibro_impact {
 

@@ -7,6 +7,7 @@
 
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/windows.hpp"
+#include "vibro_impact/analysis/totals.hpp"
 
 namespace {
 

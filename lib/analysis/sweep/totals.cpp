@@ -1,16 +1,12 @@
-#include "vibro_impact/totals.hpp"
+#include "vibro_impact/analysis/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "simulation/chain/rates.hpp"
-#include "simulation/chain/require.hpp"
+#include "simulation/for_analysis.hpp"
 
 namespace vibro_impact {
-
-using detail::entry_of;
-using detail::require;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/windows.hpp"
+#include "vibro_impact/analysis/totals.hpp"
 
 namespace {
 
