@@ -2,8 +2,8 @@
 // needs stands in the public headers.
 #pragma once
 
-#include "chain/rates.hpp"       // a bound of every rate
 #include "chain/require.hpp"     // the refusal of bad input
+#include "chain/scene.hpp"       // the check of a start, a bound of every rate
 #include "modal/modes.hpp"       // the natural modes of a block of free masses
 #include "modal/oscillator.hpp"  // the free motion of one mode in closed form
 

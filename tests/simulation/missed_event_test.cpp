@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "reference/scenes/extreme_scenes.hpp"
-#include "simulation/chain/require.hpp"
+#include "simulation/chain/scene.hpp"
 #include "simulation/run/observers.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 

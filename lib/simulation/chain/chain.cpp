@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rates.hpp"
+#include "scene.hpp"
 
 namespace vibro_impact::detail {
 

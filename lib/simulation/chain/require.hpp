@@ -9,8 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "vibro_impact/scene.hpp"
-
 namespace vibro_impact::detail {
 
 inline void append(std::string &text, std::string_view piece) {
@@ -39,12 +37,6 @@ template <class... Pieces>
 void require(bool holds, const Pieces &...pieces) {
   if (!holds) throw std::invalid_argument(line(pieces...));
 }
-
-// Throws unless 0 <= phase < T, and every held mass has the stop at which it is held.
-void check_place(const Scene &scene, const Instant &instant, const Held &held);
-
-// The initial motion of a scene, with neither of them checked.
-MotionState first_motion(const Scene &scene);
 
 inline void require_mass(int mass, int masses) {
   require(mass >= 1 && mass <= masses, "mass ", mass, ": the chain has masses 1 to ", masses);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "list.hpp"
-#include "rates.hpp"
 #include "require.hpp"
+#include "scene.hpp"
 #include "vibro_impact/scene_fields.hpp"
 
 namespace vibro_impact {

@@ -91,8 +91,6 @@ constexpr double same_instant = 0x1p-50;
 // some N^2 / 8 steps.
 constexpr long long fewest_short_steps = 16;
 constexpr long long short_steps_divisor = 8;
-// A damping ratio squared, minus one, from which the decays of a coordinate are bounded one by one.
-constexpr double two_decays = 0.01;
 // Order of the bounds of a contact. Where a motion has hardly begun, at the end of a long chain,
 // many derivatives are as small as the value, and steps by a parabola would be 1e-8 long.
 constexpr int bound_order = 12;

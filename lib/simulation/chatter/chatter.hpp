@@ -22,7 +22,7 @@ struct ImpactShare {
 struct ChatterNode {
   Real time = 0.0;  // of the limit, since the first impact
   std::vector<Real> x, v;
-  ImpactSum sum;       // of all impacts since the first
+  ImpactSum sum;      // of all impacts since the first
   double jump = 0.0;  // of the velocity of the mass, at all impacts to come
 };
 

@@ -75,7 +75,7 @@ class LongFlight {
   Turn turn_;                  // of the forcing, at `searched_to_`
   std::vector<Value> values_;  // of the contacts there,
   std::vector<Sight> sight_;   // and whether each is seen
-  double l_ = 0.0;  // the time for which bounds are made
+  double l_ = 0.0;             // the time for which bounds are made
   int evaluations_ = 0;
   bool is_at_event_ = false;  // the search has found an event there
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/chain/tolerances.hpp"
 #include "simulation/chain/twofold.hpp"
 
 namespace vibro_impact::detail {
@@ -65,13 +64,13 @@ struct Oscillator {
     square = half * half - lambda;
     root = sqrt(rounded(square) < 0.0 ? -square : square);
     rate = std::sqrt(rounded(lambda));
-    if (!(rounded(square) > 0.0)) return;
+    if (!has_two_decays()) return;
     fast = -(half + root);
     slow = lambda / fast;  // without cancellation
     rate = -rounded(fast);
   }
   bool has_two_decays() const {
-    return rounded(square) > two_decays * rounded(lambda);
+    return rounded(square) > 0.0;
   }
 };
 

@@ -29,9 +29,10 @@ Step plan_step(Run &run) {
   Step step;
   step.length = std::min(
       longest, std::max(expected_flight_margin * run.hint.flight_time, shortest_step * longest));
-  // A postponed decision is made two roundings of the clock later. Where a longest step ends before
-  // that instant, the decision is postponed again.
-  if (run.hint.postponed) {
+  // A postponed decision is made two roundings of the clock later, or the least normal number after
+  // t = 0. Where a longest step ends before that instant, the decision is postponed again.
+  if (std::any_of(run.stops.begin(), run.stops.end(),
+                  [](const StopState &stop) { return is<Postponed>(stop.at); })) {
     const double phase = run.motion.now.rounded().phase;
     step.length = std::min(longest, std::max(2.0 * (std::nextafter(phase, infinity) - phase),
                                              std::numeric_limits<double>::min()));
@@ -58,11 +59,13 @@ void set_starts(Run &run) {
         contact_start(run.chain(), contacts[k], run.stops[contacts[k].stop].at, run.motion);
 }
 
-// True when a motion of the chain has come to a mass that no force acted on: it is decided again.
-bool any_force_begins(const Run &run) {
+// True when a decision is made again: one was postponed, or a motion of the chain has come to a
+// mass that no force acted on.
+bool is_decision_due(const Run &run) {
   return std::any_of(run.motion.mode->contacts.begin(), run.motion.mode->contacts.end(),
                      [&run](Contact contact) {
-                       if (!is<Forceless>(run.stops[contact.stop].at)) return false;
+                       const AtStop &at = run.stops[contact.stop].at;
+                       if (!is<Forceless>(at)) return is<Postponed>(at);
                        contact.held = true;  // the force on the mass at rest
                        const Value force = evaluate(run.chain(), contact, run.motion);
                        return abs(force.value) > zero_threshold * force.terms;
@@ -79,7 +82,7 @@ void handle_events(Run &run, Recorders recorders) {
 // Handles the end of a flight of the length tau, to which the run has been moved.
 void end_flight(Run &run, double tau, bool event, Recorders recorders) {
   forget_instant(run);
-  event = event || any_force_begins(run);
+  event = event || is_decision_due(run);
   const long long quiet_steps = event ? 0 : run.hint.quiet_steps + 1;
   const double longest =
       event ? 0.5 * (run.hint.step_between_events + longest_in_flights * tau) : infinity;
@@ -141,7 +144,7 @@ void fly_on(Run &run, Recorders recorders) {
   sample(run, end.tau, recorders);
   if (run.progress.over) return;
   move_to(run, end);
-  end_flight(run, end.tau.hi, end.event || run.hint.postponed, recorders);
+  end_flight(run, end.tau.hi, end.event, recorders);
 }
 
 }  // namespace

@@ -111,7 +111,6 @@ void hold_or_release(Run &run, Recorders recorders) {
     // A mass does not stick and leave, or leave and stick, at one instant of the clock.
     if (mass.held != mass.contact.held && changed && !(*changed < motion.now.rounded())) {
       run.stops[mass.contact.stop].at = Postponed{};
-      run.hint.postponed = true;
       mass.held = mass.contact.held;
     } else {
       set_stops(run, mass);

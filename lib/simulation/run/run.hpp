@@ -34,9 +34,6 @@ struct StepHint {
   // `longest_in_flights` times a mean of the latest flights, of which each counts half as much as
   // the next one. Without an event in the latest step, only the mode bounds the length.
   double step_between_events = infinity;
-  // A decision about a stop is postponed: the next step ends at most two roundings of the clock
-  // later, or the least normal number after t = 0.
-  bool postponed = false;
 };
 
 // An impact of an instant, and the speed at which the mass came.

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "run.hpp"
-#include "simulation/chain/rates.hpp"
 #include "simulation/chain/require.hpp"
+#include "simulation/chain/scene.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact {

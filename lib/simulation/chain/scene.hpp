@@ -1,4 +1,4 @@
-// Bounds of the rates of a chain (scene.cpp).
+// Internal parts of `vibro_impact/scene.hpp`: checks, and bounds of the rates of a chain.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,12 @@ namespace vibro_impact::detail {
 inline double entry_of(const std::vector<double> &values, std::size_t i) {
   return values.empty() ? 0.0 : values[i];
 }
+
+// Throws unless 0 <= phase < T, and every held mass has the stop at which it is held.
+void check_place(const Scene &scene, const Instant &instant, const Held &held);
+
+// The initial motion of a scene, with neither of them checked.
+MotionState first_motion(const Scene &scene);
 
 // Gershgorin's bound of the eigenvalues of the chain (squares of its natural frequencies). It holds
 // for every contact mode: holding masses keeps the eigenvalues between those of the free chain.
