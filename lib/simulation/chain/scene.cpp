@@ -62,8 +62,8 @@ MotionState start_of(const Scene &scene) {
 }
 
 double stiffness_at(const Scene &scene, std::size_t i) {
-  const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-  return scene.stiffness[i] + right + detail::entry_of(scene.ground, i);
+  const double above = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+  return scene.stiffness[i] + above + detail::entry_of(scene.ground, i);
 }
 
 double spring_force(const Scene &scene, std::size_t i, const std::vector<double> &x) {
@@ -131,8 +131,8 @@ double largest_eigenvalue_bound(const Scene &scene) {
   require_one_per_mass(scene.stiffness, scene, "stiffness");
   double bound = 0.0;
   for (std::size_t i = 0; i < scene.mass.size(); ++i) {
-    const double right = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
-    const double row = 2.0 * (scene.stiffness[i] + right) + entry_of(scene.ground, i);
+    const double above = i + 1 < scene.mass.size() ? scene.stiffness[i + 1] : 0.0;
+    const double row = 2.0 * (scene.stiffness[i] + above) + entry_of(scene.ground, i);
     bound = std::max(bound, row / scene.mass[i]);
   }
   return bound;

@@ -38,6 +38,11 @@ bool is(const AtStop &at) {
   return std::holds_alternative<State>(at);
 }
 
+// True of a contact that no flight searches: it stays at zero until its decision is made again.
+inline bool is_idle(const AtStop &at) {
+  return is<Forceless>(at) || is<Postponed>(at);
+}
+
 struct StopState {
   AtStop at = {};
   double last_speed = 0.0;              // closing speed of the latest impact

@@ -73,7 +73,7 @@ bool only_touches(double slope, double second, double terms) {
 
 Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at,
                     const Motion &motion) {
-  if (is<Forceless>(at) || is<Postponed>(at)) return {.idle = true};
+  if (is_idle(at)) return {.idle = true};
   if (const auto *known = std::get_if<ExactZeros>(&at); known && known->zeros > 0)
     return {.derivative = known->derivative, .zeros = known->zeros};
   const Value value = evaluate(chain, contact, motion);

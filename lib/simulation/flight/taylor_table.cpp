@@ -109,8 +109,8 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, double wav
                *inverse = mode.inverse_mass.data();
   double *to = table.of_order(n);
   const auto z_of = [&](std::size_t i) { return pair(before + i) + damping * pair(latest + i); };
-  const auto tension_of = [&](std::size_t i, const Pair &left, const Pair &z) {
-    return pair(link + i) * (z - middle(left, z));
+  const auto tension_of = [&](std::size_t i, const Pair &lower, const Pair &z) {
+    return pair(link + i) * (z - middle(lower, z));
   };
   // The force of order n - 2 over the mass and n (n - 1).
   const auto set = [&](std::size_t i, const Pair &z, const Pair &tension, const Pair &next) {
@@ -123,9 +123,9 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, double wav
   };
   Pair z = z_of(0), tension = tension_of(0, Pair{}, z);
   for (std::size_t i = 2; i < stride; i += 2) {
-    const Pair right = z_of(i), next = tension_of(i, z, right);
+    const Pair higher = z_of(i), next = tension_of(i, z, higher);
     set(i - 2, z, tension, next);
-    z = right;
+    z = higher;
     tension = next;
   }
   set(stride - 2, z, tension, Pair{});

@@ -132,7 +132,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l) {
   if (values_[k].value.hi > 0.0) bound.value = values_[k].value;
   const auto add = [&bound](const Part &part) { bound.add(part); };
   for (std::size_t j = 0; j < coordinates_.size(); ++j)
-    if (w.row[j].hi != 0.0) each_part(w, coordinates_[j], form_->exact[j], w.row[j], l, add);
+    if (w.row[j].hi != 0.0) each_part(w, coordinates_[j], form_->oscillators[j], w.row[j], l, add);
   const double cosine = turn_.cosine.hi, sine = turn_.sine.hi, omega = form_->omega;
   if (w.a != 0.0 || w.b != 0.0)
     add({w.a * cosine + w.b * sine, omega * (w.b * cosine - w.a * sine), 0.0, omega * omega, omega,
@@ -151,9 +151,10 @@ double LongFlight::longest_blind_step() const {
     if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, form_->omega);
     const double threshold = zero_threshold * values_[k].terms;
     for (std::size_t j = 0; j < coordinates_.size(); ++j)
-      each_part(w, coordinates_[j], form_->exact[j], w.row[j], infinity, [&](const Part &part) {
-        if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
-      });
+      each_part(w, coordinates_[j], form_->oscillators[j], w.row[j], infinity,
+                [&](const Part &part) {
+                  if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
+                });
   }
   if (rate == 0.0) return longest_step;
   return std::min(1.0 / rate, std::max(searched_to_, 1.0 / form_->fastest));

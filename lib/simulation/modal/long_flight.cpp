@@ -83,7 +83,7 @@ void LongFlight::evaluate(const Chain &chain, double time) {
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
     const ModalForce<Real> &f = forces_[j];
-    const Real &lambda = form_->exact[j].lambda;
+    const Real &lambda = form_->oscillators[j].lambda;
     c.y = state_.y(static_cast<Eigen::Index>(j));
     c.dy = state_.dy(static_cast<Eigen::Index>(j));
     c.force = {f.a * wave.re + f.b * wave.im, f.b * wave.re - f.a * wave.im, f.c};

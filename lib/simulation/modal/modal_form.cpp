@@ -69,8 +69,8 @@ ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks
     for (Index j = 0; j < n; ++j) {
       const Real &lambda = block->lambda(j);
       const Real kappa = chain.beta * lambda;
-      form.exact.emplace_back(lambda, kappa);
-      form.fastest = std::max(form.fastest, form.exact.back().rate);
+      form.oscillators.emplace_back(lambda, kappa);
+      form.fastest = std::max(form.fastest, form.oscillators.back().rate);
       for (Index row = 0; row < n; ++row) {
         const std::size_t i = first + static_cast<std::size_t>(row);
         const Real &s = block->shape(row, j);
@@ -120,7 +120,7 @@ void fly(const ModalForm &form, const ModalState &start,
     const Index j = as_index(k);
     const Real travel = tau * start.dy(j);
     const ModalChange<Real> d =
-        change(form.exact[k], start.y(j), start.dy(j), forces[k], form.omega, tau, wave);
+        change(form.oscillators[k], start.y(j), start.dy(j), forces[k], form.omega, tau, wave);
     to.y(j) += travel + d.y;
     to.dy(j) += d.dy;
     to.y_terms(j) = std::abs(start.y(j).hi) + std::abs(travel.hi) + std::abs(d.y.hi);

@@ -22,15 +22,15 @@ struct Watch {
 };
 
 struct ModalForm {
-  RealMatrix shape;                     // x = shape y for the free masses, N x coordinates
-  std::vector<Oscillator<Real>> exact;  // of each coordinate
-  RealVector a, b, c;                   // Psi^T A, Psi^T B, and P with the pull of held masses
-  std::vector<Watch> watches;           // one for each contact of the mode
-  double omega = 0.0;                   // of the forcing
-  double fastest = 0.0;                 // the largest rate of a coordinate and of the forcing
+  RealMatrix shape;                           // x = shape y for the free masses, N x coordinates
+  std::vector<Oscillator<Real>> oscillators;  // one for each coordinate
+  RealVector a, b, c;          // Psi^T A, Psi^T B, and P with the pull of held masses
+  std::vector<Watch> watches;  // one for each contact of the mode
+  double omega = 0.0;          // of the forcing
+  double fastest = 0.0;        // the largest rate of a coordinate and of the forcing
 
   std::size_t size() const {
-    return exact.size();
+    return oscillators.size();
   }
 };
 

@@ -166,8 +166,8 @@ inline ModalChange<Real> change(const Oscillator<Real> &o, const Real &y, const 
   if (short_time) {
     result = change_by_series(o, y, dy, {0.0, 0.0, f.c}, 0.0, tau);
   } else {
-    const Real left = h.dy + o.kappa * h.y;
-    result.y = y * left + dy * h.y + f.c * (Real(1.0) - left) / o.lambda - y - tau * dy;
+    const Real decay = h.dy + o.kappa * h.y;  // y(tau) from y = 1 and y' = 0
+    result.y = y * decay + dy * h.y + f.c * (Real(1.0) - decay) / o.lambda - y - tau * dy;
     result.dy = (f.c - o.lambda * y) * h.y + dy * (h.dy - 1.0);
   }
   if (!forced) return result;

@@ -59,7 +59,7 @@ void gather_resting(Run &run) {
     if (contacts[k].held)
       add_resting(run, contacts[k],
                   known_zeros_of(run, k, evaluate(run.chain(), contacts[k], run.motion)));
-    else if (is<Resting>(at) || is<Forceless>(at) || is<Postponed>(at))
+    else if (is<Resting>(at) || is_idle(at))
       add_resting(run, contacts[k], 0);
   }
   if (!run.scratch.resting.empty()) question_dead_bounces(run);
@@ -130,7 +130,7 @@ void hold_or_release(Run &run, Recorders recorders) {
 
 void forget_instant(Run &run) {
   for (StopState &stop : run.stops)
-    if (!is<Forceless>(stop.at) && !is<Postponed>(stop.at)) stop.at = Evaluated{};
+    if (!is_idle(stop.at)) stop.at = Evaluated{};
 }
 
 void handle_instant(Run &run, Recorders recorders) {

@@ -43,7 +43,7 @@ void gather_hits(Run &run) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     AtStop &at = run.stops[contacts[k].stop].at;
     const Near near = scratch.near[k];
-    if (contacts[k].held || near == Near::no || is<Forceless>(at) || is<Postponed>(at)) continue;
+    if (contacts[k].held || near == Near::no || is_idle(at)) continue;
     const bool by_definition = near == Near::zero || near == Near::rest;
     if (!by_definition && !evaluate(run.chain(), contacts[k], run.motion).is_zero()) continue;
     const std::size_t i = contacts[k].mass;

@@ -39,7 +39,7 @@ void end_at_time(Run &run, Recorders recorders) {
   for (std::size_t i = 0; i < chain.masses; ++i) {
     const double x = run.progress.last.displacement[i];
     if (!std::isfinite(x)) give_up_beyond_range(run, end);
-    // The rounding of the motion is taken from a moment.
+    // A displacement beyond a stop by rounding is reported as the position of the stop.
     if (x < chain.lowest[i] || x > chain.highest[i]) give_up_beyond_stop(run, i, end);
   }
   stop_run(run, Ending::reached);
