@@ -28,12 +28,11 @@ namespace detail {
 /// The forcing period T = 2 pi / Omega, as the unevaluated sum period + period_low. It is infinite
 /// when Omega = 0. The constructor throws std::invalid_argument for a bad Omega.
 struct Clock {
-  double omega = 0.0;
   double period = infinity;
   double period_low = 0.0;
 
   Clock() = default;
-  explicit Clock(double omega_of_forcing) : omega(omega_of_forcing) {
+  explicit Clock(double omega) {
     constexpr double two_pi = 6.283185307179586477, two_pi_low = 2.4492935982947064e-16;
     if (!(omega >= 0.0 && omega < infinity)) detail::refuse_omega(omega);
     if (omega == 0.0) return;

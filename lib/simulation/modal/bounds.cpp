@@ -69,8 +69,10 @@ struct LongFlight::Bound {
 // one part where its energy bounds it better, as (y'^2 + lambda y^2)^(1/2) grows by the forcing at
 // most.
 template <class Use>
-void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator<Real> &o,
-                           const Real &weight, double length, const Use &use) const {
+void LongFlight::each_part_of(std::size_t j, const Watch &w, double length, const Use &use) const {
+  const Coordinate &c = coordinates_[j];
+  const Oscillator<Real> &o = form_->oscillators[j];
+  const Real &weight = w.row[j];
   const double size = std::abs(weight.hi), d = w.damping, root = std::sqrt(o.lambda.hi),
                omega = form_->omega;
   Real y = c.deviation, dy = c.dy;  // of the free part
@@ -125,18 +127,22 @@ void LongFlight::each_part(const Watch &w, const Coordinate &c, const Oscillator
   }
 }
 
+// Calls `use` with each part of a contact.
+template <class Use>
+void LongFlight::each_part(const Watch &w, double length, const Use &use) const {
+  for (std::size_t j = 0; j < coordinates_.size(); ++j)
+    if (w.row[j].hi != 0.0) each_part_of(j, w, length, use);
+  const double cosine = turn_.cosine.hi, sine = turn_.sine.hi, omega = form_->omega;
+  if (w.a != 0.0 || w.b != 0.0)
+    use(Part{w.a * cosine + w.b * sine, omega * (w.b * cosine - w.a * sine), 0.0, omega * omega,
+             omega, std::hypot(w.a, w.b)});
+}
+
 Polynomial LongFlight::bound_of(std::size_t k, double l) {
-  const Watch &w = form_->watches[k];
   Bound bound{.length = l, .unit = leading_power(l), .omega = form_->omega};
   // Before its event a contact lies below zero by rounding only.
   if (values_[k].value.hi > 0.0) bound.value = values_[k].value;
-  const auto add = [&bound](const Part &part) { bound.add(part); };
-  for (std::size_t j = 0; j < coordinates_.size(); ++j)
-    if (w.row[j].hi != 0.0) each_part(w, coordinates_[j], form_->oscillators[j], w.row[j], l, add);
-  const double cosine = turn_.cosine.hi, sine = turn_.sine.hi, omega = form_->omega;
-  if (w.a != 0.0 || w.b != 0.0)
-    add({w.a * cosine + w.b * sine, omega * (w.b * cosine - w.a * sine), 0.0, omega * omega, omega,
-         std::hypot(w.a, w.b)});
+  each_part(form_->watches[k], l, [&bound](const Part &part) { bound.add(part); });
   return bound.polynomial();
 }
 
@@ -147,14 +153,10 @@ double LongFlight::longest_blind_step() const {
   double rate = 0.0;
   for (std::size_t k = 0; k < sight_.size(); ++k) {
     if (sight_[k] != Sight::hidden) continue;
-    const Watch &w = form_->watches[k];
-    if (w.a != 0.0 || w.b != 0.0) rate = std::max(rate, form_->omega);
     const double threshold = zero_threshold * values_[k].terms;
-    for (std::size_t j = 0; j < coordinates_.size(); ++j)
-      each_part(w, coordinates_[j], form_->oscillators[j], w.row[j], infinity,
-                [&](const Part &part) {
-                  if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
-                });
+    each_part(form_->watches[k], infinity, [&](const Part &part) {
+      if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
+    });
   }
   if (rate == 0.0) return longest_step;
   return std::min(1.0 / rate, std::max(searched_to_, 1.0 / form_->fastest));

@@ -81,8 +81,10 @@ class LongFlight {
 
   void evaluate(const Chain &chain, double time);
   template <class Use>
-  void each_part(const Watch &watch, const Coordinate &c, const Oscillator<Real> &o,
-                 const Real &weight, double length, const Use &use) const;
+  void each_part_of(std::size_t coordinate, const Watch &watch, double length,
+                    const Use &use) const;
+  template <class Use>
+  void each_part(const Watch &watch, double length, const Use &use) const;
   Polynomial bound_of(std::size_t contact, double l);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);

@@ -10,20 +10,12 @@
 namespace vibro_impact::detail {
 
 MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Instant &at, double tau)
-    : Moment(at, time_of(at, run.chain().clock)),
-      chain_(run.chain()),
-      motion_(motion),
-      table_(run.scratch.flight.table),
-      stops_(run.stops),
-      tau_(tau) {
+    : Moment(at, time_of(at, run.chain().clock)), run_(run), motion_(motion), tau_(tau) {
 }
 
-Real MomentOfMotion::x(std::size_t i) const {
-  return tau_ > 0.0 ? mass_along(motion_, table_, i, tau_).x : motion_.x[i];
-}
-
-Real MomentOfMotion::v(std::size_t i) const {
-  return tau_ > 0.0 ? mass_along(motion_, table_, i, tau_).v : motion_.v[i];
+MassMotion MomentOfMotion::mass_motion(std::size_t i) const {
+  if (!(tau_ > 0.0)) return {motion_.x[i], motion_.v[i]};
+  return mass_along(motion_, run_.scratch.flight.table, i, tau_);
 }
 
 std::size_t MomentOfMotion::index_of(int mass) const {
@@ -32,40 +24,44 @@ std::size_t MomentOfMotion::index_of(int mass) const {
 }
 
 int MomentOfMotion::masses() const {
-  return static_cast<int>(chain_.masses);
+  return run_.scene().masses();
 }
 
 double MomentOfMotion::displacement(int mass) const {
   const std::size_t i = index_of(mass);
-  const double place = x(i).hi, inside = std::clamp(place, chain_.lowest[i], chain_.highest[i]);
+  const Chain &chain = run_.chain();
+  const double place = mass_motion(i).x.hi,
+               inside = std::clamp(place, chain.lowest[i], chain.highest[i]);
   if (place == inside) return place;
   double terms = std::abs(inside) + motion_.x_terms[i];
   if (tau_ > 0.0) {
-    const double u = tau_ / table_.step.unit;
-    terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table_.travel[i];
+    const TaylorTable &table = run_.scratch.flight.table;
+    const double u = tau_ / table.step.unit;
+    terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table.travel[i];
   }
-  return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain_, motion_, time))
+  return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain, motion_, time))
              ? inside
              : place;
 }
 
 double MomentOfMotion::velocity(int mass) const {
-  return v(index_of(mass)).hi;
+  return mass_motion(index_of(mass)).v.hi;
 }
 
 double MomentOfMotion::hold_force(int mass) const {
   const std::size_t i = index_of(mass);
   if (motion_.mode->held[i] == 0) return std::numeric_limits<double>::quiet_NaN();
-  const Turn turn = tau_ > 0.0 ? turn_at(chain_, motion_.now.phase + tau_) : motion_.turn;
+  const Chain &chain = run_.chain();
+  const Turn turn = tau_ > 0.0 ? turn_at(chain, motion_.now.phase + tau_) : motion_.turn;
   return rounded(force_at_rest(
-      chain_, i, turn, [this](std::size_t j) { return x(j); },
-      [this](std::size_t j) { return v(j); }));
+      chain, i, turn, [this](std::size_t j) { return mass_motion(j).x; },
+      [this](std::size_t j) { return mass_motion(j).v; }));
 }
 
 ImpactSum MomentOfMotion::unreported(int stop) const {
-  require(stop >= 1 && static_cast<std::size_t>(stop) <= stops_.size(), "stop ", stop,
-          ": the chain has ", stops_.size(), " stops");
-  return stops_[static_cast<std::size_t>(stop - 1)].unreported;
+  require(stop >= 1 && static_cast<std::size_t>(stop) <= run_.stops.size(), "stop ", stop,
+          ": the chain has ", run_.stops.size(), " stops");
+  return run_.stops[static_cast<std::size_t>(stop - 1)].unreported;
 }
 
 MotionState MomentOfMotion::state() const {

@@ -19,15 +19,12 @@ class MomentOfMotion final : public Moment {
   MotionState state() const;
 
  private:
-  const Chain &chain_;
+  const Run &run_;
   const Motion &motion_;
-  const TaylorTable &table_;
-  const std::vector<StopState> &stops_;
   double tau_;
 
   std::size_t index_of(int mass) const;
-  Real x(std::size_t i) const;
-  Real v(std::size_t i) const;
+  MassMotion mass_motion(std::size_t i) const;
 };
 
 // The moment at a time `tau` of the step or long flight of the run. The rounding of a sample may
