@@ -12,6 +12,7 @@
 
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <cstring>
 
@@ -153,22 +154,7 @@ struct Twofold {
   Twofold &operator*=(const Other &b) {
     return *this = *this * b;
   }
-  template <class Other>
-  Twofold &operator/=(const Other &b) {
-    return *this = *this / b;
-  }
-  friend bool operator<(const Twofold &a, const Twofold &b) {
-    return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
-  }
-  friend bool operator>(const Twofold &a, const Twofold &b) {
-    return b < a;
-  }
-  friend bool operator<=(const Twofold &a, const Twofold &b) {
-    return a.hi < b.hi || (a.hi == b.hi && a.lo <= b.lo);
-  }
-  friend bool operator==(const Twofold &a, const Twofold &b) {
-    return a.hi == b.hi && a.lo == b.lo;
-  }
+  friend auto operator<=>(const Twofold &, const Twofold &) = default;
 };
 
 using Real = Twofold<double>;
