@@ -213,9 +213,9 @@ TEST(FirstEvent, IsTheSameInAnyOrderOfTheStops) {
       starts.push_back(contact_start(chain, contact, Evaluated{}, motion));
     std::vector<Near> near(2);
     Counters counters;
-    Flight flight;
+    StepSearch search;
     const Step step{.length = 0.5, .unit = 0.5, .u_max = 1.0, .order = 19};
-    const FlightEnd end = flight.find_first_event(chain, motion, step, starts, near, counters);
+    const FlightEnd end = search.find_first_event(chain, motion, step, starts, near, counters);
     ASSERT_TRUE(end.event);
     EXPECT_NEAR(end.tau.hi, 0.1, 1e-3) << "the springs delay it by some 0.1^3";
     EXPECT_EQ(near[later_first], Near::zero);

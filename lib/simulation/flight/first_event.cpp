@@ -82,9 +82,9 @@ Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at
   return {.value = rounded(value.value), .derivative = rounded(value.slope)};
 }
 
-FlightEnd Flight::find_first_event(const Chain &chain, const Motion &motion, const Step &step,
-                                   const std::vector<Start> &starts, std::vector<Near> &near,
-                                   Counters &counters) {
+FlightEnd StepSearch::find_first_event(const Chain &chain, const Motion &motion, const Step &step,
+                                       const std::vector<Start> &starts, std::vector<Near> &near,
+                                       Counters &counters) {
   const ContactMode &mode = *motion.mode;
   expand(chain, motion, step, table);
   if (polynomials.size() < mode.contacts.size()) polynomials.resize(mode.contacts.size());

@@ -38,8 +38,8 @@ struct FlightEnd {
 Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at,
                     const Motion &motion);
 
-// One step of a flight. Its storage is reused, so that steps allocate no memory.
-struct Flight {
+// The search along one step. Its storage is reused, so that steps allocate no memory.
+struct StepSearch {
   TaylorTable table;
   std::vector<Polynomial> polynomials;  // one for each contact of the mode,
   std::vector<double> roots;            // with its first root in the step

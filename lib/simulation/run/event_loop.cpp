@@ -101,8 +101,8 @@ FlightEnd search_step(Run &run) {
   Scratch &scratch = run.scratch;
   set_starts(run);
   const Step step = plan_step(run);
-  return scratch.flight.find_first_event(run.chain(), run.motion, step, scratch.starts,
-                                         scratch.near, run.counters);
+  return scratch.step.find_first_event(run.chain(), run.motion, step, scratch.starts, scratch.near,
+                                       run.counters);
 }
 
 // Searches a flight in closed form, up to the end of the call.
@@ -126,7 +126,7 @@ void move_to(Run &run, const FlightEnd &end) {
   if (run.long_flight.is_under_way()) return run.long_flight.end(chain, end.tau, run.motion);
   if (!end.event && run.hint.quiet_steps == 0) run.long_flight.set_origin(run.motion);
   if (end.tau.hi > 0.0)
-    move_along(chain, run.scratch.flight.table, end.tau.hi, end.event ? closing_gap(run) : nullptr,
+    move_along(chain, run.scratch.step.table, end.tau.hi, end.event ? closing_gap(run) : nullptr,
                run.motion);
 }
 

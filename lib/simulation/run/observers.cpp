@@ -15,7 +15,7 @@ MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Insta
 
 MassMotion MomentOfMotion::mass_motion(std::size_t i) const {
   if (!(tau_ > 0.0)) return {motion_.x[i], motion_.v[i]};
-  return mass_along(motion_, run_.scratch.flight.table, i, tau_);
+  return mass_along(motion_, run_.scratch.step.table, i, tau_);
 }
 
 std::size_t MomentOfMotion::index_of(int mass) const {
@@ -35,7 +35,7 @@ double MomentOfMotion::displacement(int mass) const {
   if (place == inside) return place;
   double terms = std::abs(inside) + motion_.x_terms[i];
   if (tau_ > 0.0) {
-    const TaylorTable &table = run_.scratch.flight.table;
+    const TaylorTable &table = run_.scratch.step.table;
     const double u = tau_ / table.step.unit;
     terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table.travel[i];
   }

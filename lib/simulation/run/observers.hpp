@@ -7,7 +7,7 @@
 namespace vibro_impact::detail {
 
 // The moment of a motion of the run, or at the time tau > 0 of its step, whose table is in
-// scratch.flight. It computes what it is asked for.
+// scratch.step. It computes what it is asked for.
 class MomentOfMotion final : public Moment {
  public:
   MomentOfMotion(const Run &run, const Motion &motion, const Instant &at, double tau = 0.0);

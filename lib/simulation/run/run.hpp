@@ -45,7 +45,7 @@ struct Hit {
 
 // Storage that is reused from event to event. No value passes from one event to the next.
 struct Scratch {
-  Flight flight;
+  StepSearch step;
   std::vector<Start> starts;  // one for each contact of the mode
   std::vector<Near> near;     // likewise
   RestDecision rest;
