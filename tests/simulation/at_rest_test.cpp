@@ -157,4 +157,25 @@ TEST(AtRest, AForceOfRoundingReleasesNoMassOfALongChain) {
   EXPECT_LE(sticks, 320);
 }
 
+// A mass sticks under a force of 6e-17 that falls with the slope -sin(1): it vanishes at the same
+// instant of the clock. The release is decided two roundings of the clock later, after one step.
+// Three more lead to the end.
+TEST(AtRest, AReleaseAtTheInstantOfAStickComesTwoRoundingsLater) {
+  const Scene scene{.mass = {1.0},
+                    .stiffness = {1.0},
+                    .amplitude = {1.0},
+                    .constant = {-std::nextafter(std::cos(1.0), 0.0)},
+                    .omega = 1.0,
+                    .restitution = 0.5,
+                    .stops = {{1, Side::upper, 0.0}}};
+  EventRecorder events;
+  const Outcome outcome =
+      Simulation(scene, MotionState{{0, 1.0}, {0.0}, {0.0}, {0}}).advance(2.0, events);
+  ASSERT_EQ(events.events.size(), 2u);
+  EXPECT_EQ(events.events[0].kind, EventKind::stick);
+  EXPECT_EQ(events.events[1].kind, EventKind::release);
+  EXPECT_EQ(events.events[1].time, 1.0 + 0x1p-51);
+  EXPECT_EQ(outcome.counters.expansions, 4);
+}
+
 }  // namespace
