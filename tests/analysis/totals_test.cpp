@@ -228,4 +228,27 @@ TEST(Totals, WithoutReboundAreThoseOfTheImpacts) {
   EXPECT_NEAR(stop.taken.energy, 0.18606, 5e-6);
 }
 
+// Behind an impact with the rebound speed v, a ball gives its stop the impulse m v (1 + r) / (1 -
+// r) and loses the energy m v^2 / 2. The event at the limit has them to the digits of the speeds,
+// also where they are 1e-20 of the whole chatter.
+TEST(Totals, OfTheEventAtALimitHaveTheirOwnDigits) {
+  for (const double r : {0.3, 0.5, 0.7, 0.9})
+    for (const double slowest : {1e-6, 1e-8, 1e-10}) {
+      const Scene scene{.mass = {1.0},
+                        .stiffness = {0.0},
+                        .constant = {1.0},
+                        .omega = 0.0,
+                        .restitution = r,
+                        .stops = {{1, Side::upper, 0.5}}};
+      EventRecorder events(0.0, infinity);  // asks for no impact behind the latest node
+      require_complete(simulate(scene, 3.0 / (1.0 - r), {.limit_below_speed = slowest}, events));
+      ASSERT_GE(events.events.size(), 2u);
+      const Event &limit = events.events.back(), &last = *(events.events.end() - 2);
+      ASSERT_EQ(limit.kind, EventKind::stick);
+      const double v = std::abs(last.velocity_after), impulse = v * (1.0 + r) / (1.0 - r);
+      EXPECT_NEAR(limit.taken.impulse, impulse, 1e-12 * impulse + 1e-30) << r << " " << slowest;
+      EXPECT_NEAR(limit.taken.energy, 0.5 * v * v, 1e-12 * v * v + 1e-30) << r << " " << slowest;
+    }
+}
+
 }  // namespace

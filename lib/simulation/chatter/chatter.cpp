@@ -46,7 +46,8 @@ void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double
     ratio_ = std::pow(r, static_cast<double>(stride_));
   }
   flight_time_ = flight_time;
-  sum_ += share.now;
+  sum_.impulse += share.now.impulse;
+  sum_.energy += share.now.energy;
   const double left = flight_time / (1.0 - r);
   if (impacts_++ % stride_ != 0) return;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
@@ -68,8 +69,7 @@ void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double
     store(v + gain, &node.v[i]);
   }
   node.jump = jump;
-  node.sum = sum_;
-  node.sum += share.later;
+  node.sum = {sum_.impulse + share.later.impulse, sum_.energy + share.later.energy};
 }
 
 // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.
@@ -110,13 +110,13 @@ bool Chatter::extrapolate(double tolerance, Motion &motion) const {
 }
 
 ImpactSum Chatter::left() const {
-  const ImpactSum &latest = node(0).sum;
-  ImpactSum left = latest;
-  left -= sum_;
+  const ExactSum &latest = node(0).sum;
+  ImpactSum left{rounded(latest.impulse - sum_.impulse), rounded(latest.energy - sum_.energy)};
   for (std::size_t before = 1; before < size_; ++before) {
-    const ImpactSum &sum = node(before).sum;
+    const ExactSum &sum = node(before).sum;
     const double weight = weights_[size_][before];
-    left += {weight * (sum.impulse - latest.impulse), weight * (sum.energy - latest.energy)};
+    left += {weight * rounded(sum.impulse - latest.impulse),
+             weight * rounded(sum.energy - latest.energy)};
   }
   return left;
 }

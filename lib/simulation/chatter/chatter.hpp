@@ -18,11 +18,17 @@ struct ImpactShare {
   ImpactSum now, later;
 };
 
+// An ImpactSum in twice the precision: what is left of a chatter is the small difference of two
+// sums over the whole.
+struct ExactSum {
+  Real impulse = 0.0, energy = 0.0;
+};
+
 // An impact as a node of the extrapolation: what it predicts of the limit, to leading order.
 struct ChatterNode {
   Real time = 0.0;  // of the limit, since the first impact
   std::vector<Real> x, v;
-  ImpactSum sum;      // of all impacts since the first
+  ExactSum sum;       // of all impacts since the first
   double jump = 0.0;  // of the velocity of the mass, at all impacts to come
 };
 
@@ -66,7 +72,7 @@ class Chatter {
   using Weights = std::array<double, most_chatter_nodes>;  // of the latest node first
 
   std::size_t stop_ = 0, mass_ = 0;
-  ImpactSum sum_;  // of the impacts so far
+  ExactSum sum_;  // of the impacts so far
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
   TwofoldInstant first_;  // the instant of the first impact
