@@ -228,9 +228,9 @@ TEST(Totals, WithoutReboundAreThoseOfTheImpacts) {
   EXPECT_NEAR(stop.taken.energy, 0.18606, 5e-6);
 }
 
-// Behind an impact with the rebound speed v, a ball gives its stop the impulse m v (1 + r) / (1 -
-// r) and loses the energy m v^2 / 2. The event at the limit has them to the digits of the speeds,
-// also where they are 1e-20 of the whole chatter.
+// After an impact with the rebound speed v, a ball of mass 1 gives its stop the impulse
+// v (1 + r) / (1 - r) and loses the energy v^2 / 2. The event at the limit has them to 1e-12, and
+// to the rounding of sums over the whole chatter in twice the precision, 1e-30.
 TEST(Totals, OfTheEventAtALimitHaveTheirOwnDigits) {
   for (const double r : {0.3, 0.5, 0.7, 0.9})
     for (const double slowest : {1e-6, 1e-8, 1e-10}) {

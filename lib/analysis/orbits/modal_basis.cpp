@@ -7,9 +7,8 @@
 
 namespace vibro_impact {
 
-using Eigen::Index;
-
 ModalBasis modal_basis(const Scene &scene, const std::vector<std::size_t> &free) {
+  using Eigen::Index;
   const Chain chain(scene);
   const auto size = static_cast<Index>(free.size());
   Eigen::VectorXd lambda(size);

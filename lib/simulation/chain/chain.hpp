@@ -35,7 +35,7 @@ struct Chain {
   List<std::size_t> stopped_pairs;  // the first masses of pairs with a mass that has a stop
   double beta = 0.0;
   double omega = 0.0;        // of the forcing, 0 where nothing is forced
-  Clock clock;               // counts time in periods of the forcing
+  Clock clock;               // counts time in periods 2 pi / Omega, forced or not
   double rate_bound = 1.0;   // of all contact modes and the forcing, 1 if all their rates are 0
   double rate_unit = 1.0;    // the power of two above it: exact as a unit
   double force_bound = 0.0;  // the largest |A_i| + |B_i| + |P_i| per mass m_i

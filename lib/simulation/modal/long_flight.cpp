@@ -75,11 +75,12 @@ bool LongFlight::look_at_hidden() {
   return below;
 }
 
-// Evaluates the motion and all contacts at a time of the flight, which has been searched to there.
+// Evaluates what bounds need at a time of the flight, which has been searched to there.
 void LongFlight::evaluate(const Chain &chain, double time) {
   searched_to_ = time;
-  at(chain, time);
-  const ComplexOf<Real> wave = wave_at(Real(time) * chain.omega);
+  find_values(chain, time);
+  turn_ = motion_.turn;
+  const ComplexOf<Real> wave = wave_at(Real(time) * form_->omega);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
     const ModalForce<Real> &f = forces_[j];
@@ -89,12 +90,11 @@ void LongFlight::evaluate(const Chain &chain, double time) {
     c.force = {f.a * wave.re + f.b * wave.im, f.b * wave.re - f.a * wave.im, f.c};
     c.deviation = lambda.hi > 0.0 ? c.y - f.c / lambda : c.y;
   }
-  turn_ = motion_.turn;
-  find_values(chain);
 }
 
-// Evaluates the contacts at the time that was evaluated last.
-void LongFlight::find_values(const Chain &chain) {
+// Evaluates the motion and the contacts at a time of the flight.
+void LongFlight::find_values(const Chain &chain, const Real &tau) {
+  at(chain, tau);
   values_.clear();
   for (const Contact &contact : motion_.mode->contacts)
     values_.push_back(detail::evaluate(chain, contact, motion_));
@@ -147,8 +147,7 @@ LongFlight::NewtonStep LongFlight::newton_step() const {
 Real LongFlight::refined(const Chain &chain, std::vector<Near> &near) {
   const List<Contact> &contacts = origin_.mode->contacts;
   Real tau = searched_to_;
-  at(chain, tau);
-  find_values(chain);
+  find_values(chain, tau);
   near.assign(contacts.size(), Near::perhaps);
   if (look_at_hidden()) {
     for (std::size_t k = 0; k < sight_.size(); ++k)
@@ -163,8 +162,7 @@ Real LongFlight::refined(const Chain &chain, std::vector<Near> &near) {
     if (step.time.hi == 0.0) break;
     longest = 0.5 * std::abs(step.time.hi);
     tau += step.time;
-    at(chain, tau);
-    find_values(chain);
+    find_values(chain, tau);
   }
   const auto touches = [&](std::size_t k) {
     if (!contacts[k].held) return false;

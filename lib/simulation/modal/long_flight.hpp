@@ -3,7 +3,6 @@
 // that has left them for good are all such flights.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -88,7 +87,7 @@ class LongFlight {
   Polynomial bound_of(std::size_t contact, double l);
   double safe_time(double l, Counters &counters);
   double next_step(Counters &counters);
-  void find_values(const Chain &chain);
+  void find_values(const Chain &chain, const Real &tau);
   NewtonStep newton_step() const;
   double longest_blind_step() const;
   bool look_at_hidden();

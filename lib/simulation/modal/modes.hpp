@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <vector>
 
 #include "simulation/chain/chain.hpp"
 #include "twofold_matrix.hpp"

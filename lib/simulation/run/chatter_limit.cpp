@@ -63,7 +63,7 @@ bool find_limit(Run &run) {
   motion = run.motion;
   if (!chatter.extrapolate(tolerance, motion)) return false;
   motion.acceleration_known = false;
-  pass(*left, run.chain().clock, motion.now);
+  pass(*left, chain.clock, motion.now);
   set_turn(chain, motion);
   run.limit.stop = chatter.stop();
   run.limit.left = chatter.left();
