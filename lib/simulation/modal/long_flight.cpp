@@ -45,9 +45,7 @@ void LongFlight::end(const Chain &chain, const Real &tau, Motion &motion) {
 void LongFlight::begin(const Chain &chain, const std::vector<StopState> &stops, Motion &motion) {
   const Real flown = elapsed(origin_.now, motion.now, chain.clock);
   motion = origin_;
-  form_ = std::make_shared<const ModalForm>(modal_form(chain, *motion.mode, blocks_));
-  start_ = modal_state(chain, *form_, motion);
-  forces_ = forces_from(*form_, motion);
+  form_ = std::make_shared<const ModalForm>(modal_form(chain, motion, blocks_));
   motion_tau_ = -1.0;
   evaluations_ = 0;
   is_at_event_ = false;
@@ -83,7 +81,7 @@ void LongFlight::evaluate(const Chain &chain, double time) {
   const ComplexOf<Real> wave = wave_at(Real(time) * form_->omega);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
-    const ModalForce<Real> &f = forces_[j];
+    const ModalForce<Real> &f = form_->forces[j];
     const Real &lambda = form_->oscillators[j].lambda;
     c.y = state_.y(static_cast<Eigen::Index>(j));
     c.dy = state_.dy(static_cast<Eigen::Index>(j));
@@ -181,9 +179,9 @@ const Motion &LongFlight::at(const Chain &chain, const Real &tau) {
   motion_tau_ = tau;
   motion_ = origin_;
   if (tau.hi == 0.0) {
-    state_ = start_;
+    state_ = form_->start;
   } else {
-    fly(*form_, start_, forces_, tau, state_);
+    fly(*form_, tau, state_);
     set_masses(*form_, state_, motion_);
     pass(tau, chain.clock, motion_.now);
     set_turn(chain, motion_);

@@ -65,10 +65,9 @@ class LongFlight {
   Motion origin_;  // where the flight begins
   Blocks blocks_;
   std::shared_ptr<const ModalForm> form_;
-  ModalState start_, state_;  // at the start of the flight, and at the time evaluated last,
-  Motion motion_;             // with the motion there
+  ModalState state_;  // at the time evaluated last,
+  Motion motion_;     // with the motion there
   Real motion_tau_ = -1.0;
-  std::vector<ModalForce<Real>> forces_;
   double searched_to_ = 0.0;
   std::vector<Coordinate> coordinates_;
   Turn turn_;                  // of the forcing, at `searched_to_`

@@ -15,17 +15,14 @@ Index as_index(std::size_t i) {
   return static_cast<Index>(i);
 }
 
-double position_of_held(const Chain &chain, const Held &held, std::size_t i) {
-  return held[i] > 0 ? chain.highest[i] : chain.lowest[i];
-}
-
 // The constant force on a free mass, with the pull of held neighbours.
-Real constant_force(const Chain &chain, const Held &held, std::size_t i) {
+Real constant_force(const Chain &chain, const Motion &motion, std::size_t i) {
   Real force = chain.p[i];
-  if (i > 0 && held[i - 1] != 0)
-    force += Real(chain.link[i]) * position_of_held(chain, held, i - 1);
-  if (i + 1 < chain.masses && held[i + 1] != 0)
-    force += Real(chain.above(i)) * position_of_held(chain, held, i + 1);
+  const auto add_link = [&](double stiffness, std::size_t other) {
+    if (motion.mode->held[other] != 0) force += stiffness * motion.x[other];
+  };
+  if (i > 0) add_link(chain.link[i], i - 1);
+  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
   return force;
 }
 
@@ -51,12 +48,15 @@ Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact
 
 }  // namespace
 
-ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks) {
+ModalForm modal_form(const Chain &chain, const Motion &motion, Blocks &blocks) {
+  const ContactMode &mode = *motion.mode;
+  const auto &[cosine, sine] = motion.turn;
   ModalForm form;
   form.omega = form.fastest = chain.omega;
   const Index size = std::count(mode.held.begin(), mode.held.end(), 0);
   form.shape = RealMatrix::Constant(as_index(chain.masses), size, Real(0.0));
-  form.a = form.b = form.c = RealVector::Constant(size, Real(0.0));
+  form.start = {RealVector::Constant(size, Real(0.0)), RealVector::Constant(size, Real(0.0)),
+                Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
   Index column = 0;
   for (std::size_t first = 0; first < chain.masses; ++first) {
     if (mode.held[first] != 0) continue;
@@ -66,20 +66,21 @@ ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks
     if (!block) block = std::make_shared<const BlockModes>(modes_of_block(chain, first, last));
     const Index n = block->lambda.size();
     form.shape.block(as_index(first), column, n, n) = block->shape;
-    for (Index j = 0; j < n; ++j) {
+    for (Index j = 0; j < n; ++j, ++column) {
       const Real &lambda = block->lambda(j);
-      const Real kappa = chain.beta * lambda;
-      form.oscillators.emplace_back(lambda, kappa);
+      form.oscillators.emplace_back(lambda, chain.beta * lambda);
       form.fastest = std::max(form.fastest, form.oscillators.back().rate);
-      for (Index row = 0; row < n; ++row) {
-        const std::size_t i = first + static_cast<std::size_t>(row);
-        const Real &s = block->shape(row, j);
-        form.a(column + j) += s * chain.a[i];
-        form.b(column + j) += s * chain.b[i];
-        form.c(column + j) += s * constant_force(chain, mode.held, i);
+      Real a = 0.0, b = 0.0, c = 0.0;
+      for (std::size_t i = first; i <= last; ++i) {
+        const Real &s = form.shape(as_index(i), column);
+        a += s * chain.a[i];
+        b += s * chain.b[i];
+        c += s * constant_force(chain, motion, i);
+        form.start.y(column) += s * (chain.mass[i] * motion.x[i]);
+        form.start.dy(column) += s * (chain.mass[i] * motion.v[i]);
       }
+      form.forces.push_back({a * cosine + b * sine, b * cosine - a * sine, c});
     }
-    column += n;
     first = last;
   }
   for (const Contact &contact : mode.contacts)
@@ -87,40 +88,15 @@ ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks
   return form;
 }
 
-ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &motion) {
-  const Index size = form.shape.cols();
-  ModalState state{RealVector::Constant(size, Real(0.0)), RealVector::Constant(size, Real(0.0)),
-                   Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
-  for (std::size_t i = 0; i < chain.masses; ++i) {
-    if (motion.mode->held[i] != 0) continue;
-    const Real x = chain.mass[i] * motion.x[i], v = chain.mass[i] * motion.v[i];
-    for (Index j = 0; j < size; ++j) {
-      const Real &s = form.shape(as_index(i), j);
-      state.y(j) += s * x;
-      state.dy(j) += s * v;
-    }
-  }
-  return state;
-}
-
-std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &motion) {
-  const auto &[cosine, sine] = motion.turn;
-  std::vector<ModalForce<Real>> forces;
-  for (Index j = 0; j < form.a.size(); ++j)
-    forces.push_back(
-        {form.a(j) * cosine + form.b(j) * sine, form.b(j) * cosine - form.a(j) * sine, form.c(j)});
-  return forces;
-}
-
-void fly(const ModalForm &form, const ModalState &start,
-         const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to) {
+void fly(const ModalForm &form, const Real &tau, ModalState &to) {
+  const ModalState &start = form.start;
   to = start;
   const ComplexOf<Real> wave = wave_at(tau * form.omega);
   for (std::size_t k = 0; k < form.size(); ++k) {
     const Index j = as_index(k);
     const Real travel = tau * start.dy(j);
     const ModalChange<Real> d =
-        change(form.oscillators[k], start.y(j), start.dy(j), forces[k], form.omega, tau, wave);
+        change(form.oscillators[k], start.y(j), start.dy(j), form.forces[k], form.omega, tau, wave);
     to.y(j) += travel + d.y;
     to.dy(j) += d.dy;
     to.y_terms(j) = std::abs(start.y(j).hi) + std::abs(travel.hi) + std::abs(d.y.hi);

@@ -21,13 +21,22 @@ struct Watch {
   double damping = 0.0, a = 0.0, b = 0.0;
 };
 
+// The modal coordinates and their velocities, y = shape^T M x. A flight sets the sums of the moduli
+// of the terms of each.
+struct ModalState {
+  RealVector y, dy;
+  Eigen::VectorXd y_terms, dy_terms;
+};
+
+// The modal form of a flight.
 struct ModalForm {
   RealMatrix shape;                           // x = shape y for the free masses, N x coordinates
-  std::vector<Oscillator<Real>> oscillators;  // one for each coordinate
-  RealVector a, b, c;          // Psi^T A, Psi^T B, and P with the pull of held masses
-  std::vector<Watch> watches;  // one for each contact of the mode
-  double omega = 0.0;          // of the forcing
-  double fastest = 0.0;        // the largest rate of a coordinate and of the forcing
+  std::vector<Oscillator<Real>> oscillators;  // one for each coordinate,
+  std::vector<ModalForce<Real>> forces;       // with the force on it over the flight
+  ModalState start;                           // of the flight
+  std::vector<Watch> watches;                 // one for each contact of the mode
+  double omega = 0.0;                         // of the forcing
+  double fastest = 0.0;                       // the largest rate of a coordinate and of the forcing
 
   std::size_t size() const {
     return oscillators.size();
@@ -37,23 +46,12 @@ struct ModalForm {
 // The blocks of one run by their first and last masses. Copies of a run share them.
 using Blocks = std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<const BlockModes>>;
 
-// The modal form of a contact mode of N masses, in O(N^2). A block that is new is added in O(N^3).
-ModalForm modal_form(const Chain &chain, const ContactMode &mode, Blocks &blocks);
+// The modal form of a flight of N masses from this motion, in O(N^2). A block that is new is added
+// in O(N^3).
+ModalForm modal_form(const Chain &chain, const Motion &motion, Blocks &blocks);
 
-// The modal coordinates and their velocities, y = shape^T M x. A flight sets the sums of the moduli
-// of the terms of each.
-struct ModalState {
-  RealVector y, dy;
-  Eigen::VectorXd y_terms, dy_terms;
-};
-ModalState modal_state(const Chain &chain, const ModalForm &form, const Motion &motion);
-
-// The forces on the coordinates over a flight from this motion.
-std::vector<ModalForce<Real>> forces_from(const ModalForm &form, const Motion &motion);
-
-// Sets `to` to the state at the time tau > 0 of the flight from `start`.
-void fly(const ModalForm &form, const ModalState &start,
-         const std::vector<ModalForce<Real>> &forces, const Real &tau, ModalState &to);
+// Sets `to` to the state at the time tau > 0 of the flight.
+void fly(const ModalForm &form, const Real &tau, ModalState &to);
 
 // Sets the free masses of a motion to a modal state.
 void set_masses(const ModalForm &form, const ModalState &state, Motion &motion);
