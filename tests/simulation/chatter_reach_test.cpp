@@ -14,16 +14,19 @@ using namespace vibro_impact;
 using namespace vibro_impact::testing;
 
 // The verdict for a chatter of mass 1 whose limit is a time `left` away, and which will still
-// change its velocity by `jump`. All masses are at rest at zero.
+// change its velocity by `jump`, (1 + r) / (1 - r) times its own. All masses are at zero, and the
+// others at rest.
 bool stay_out_of_reach(const Scene &scene, const Held &held, double left, double jump) {
   const detail::Chain chain(scene);
   const detail::ContactMode mode = build_contact_mode(chain, held);
   detail::Motion motion;
   motion.mode = &mode;
   clear(chain, motion);
+  const double r = scene.restitution, speed = (1.0 - r) / (1.0 + r) * jump;
+  motion.v.front() = speed;
   find_acceleration(chain, motion);
   detail::Chatter chatter;
-  chatter.add(0, 0, left, scene.restitution, chain, motion, jump, {});
+  chatter.add(chain, motion, mode.contacts.front(), -speed / r, left);
   const std::vector<detail::StopState> stops(2);
   return others_stay_out_of_reach(chain, chatter, motion, stops, left);
 }

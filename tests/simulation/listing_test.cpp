@@ -98,9 +98,8 @@ TEST(Listing, EndsAChatterThatIsReleasedAtOnceWithAnImpactWithoutSpeed) {
   detail::Run run{.problem = {std::make_shared<const Scene>(scene), {}}, .start = start_of(scene)};
   detail::put_at_start(run);
   detail::handle_instant(run, {});
-  run.chatter.add(0, 0, 1.0, 0.5, run.chain(), run.motion, 0.0, {{8.0, 9.0}, {2.0, 3.0}});
   run.limit.motion = run.motion;
-  run.limit.left = run.chatter.left();
+  run.limit.left = {2.0, 3.0};
   detail::enter_limit(run, recorders);
   ASSERT_EQ(events.events.size(), 1u);
   const Event &event = events.events[0];

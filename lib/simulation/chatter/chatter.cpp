@@ -5,6 +5,11 @@
 
 namespace vibro_impact::detail {
 
+ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving) {
+  const double m = chain.mass[chain.stops[stop].mass];
+  return {m * (closing + leaving), 0.5 * m * (closing - leaving) * (closing + leaving)};
+}
+
 const ChatterNode &Chatter::node(std::size_t before_latest) const {
   return ring_[(newest_ + most_chatter_nodes - before_latest) % most_chatter_nodes];
 }
@@ -33,12 +38,13 @@ void Chatter::set_weights(double ratio) {
   }
 }
 
-void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double r,
-                  const Chain &chain, const Motion &motion, double jump, const ImpactShare &share) {
-  if (!(stop == stop_ && flight_time < flight_time_)) {
+void Chatter::add(const Chain &chain, const Motion &motion, const Contact &contact, double closing,
+                  double flight_time) {
+  const std::size_t stop = contact.stop, mass = contact.mass;
+  const double r = chain.stops[stop].law.at_rest();
+  if (!(stop == contact_.stop && flight_time < flight_time_)) {
     end();
-    stop_ = stop;
-    mass_ = mass;
+    contact_ = contact;
     sum_ = {};
     first_ = motion.now;
     stride_ =
@@ -46,8 +52,10 @@ void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double
     ratio_ = std::pow(r, static_cast<double>(stride_));
   }
   flight_time_ = flight_time;
-  sum_.impulse += share.now.impulse;
-  sum_.energy += share.now.energy;
+  const double leaving = std::abs(motion.v[mass].hi), m = chain.mass[mass];
+  const ImpactSum taken = taken_by_impact(chain, stop, closing, leaving);
+  sum_.impulse += taken.impulse;
+  sum_.energy += taken.energy;
   const double left = flight_time / (1.0 - r);
   if (impacts_++ % stride_ != 0) return;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
@@ -57,19 +65,22 @@ void Chatter::add(std::size_t stop, std::size_t mass, double flight_time, double
   size_ = std::min(size_ + 1, most_chatter_nodes);
   if (size_ == fewest_chatter_nodes && weights_ratio_ != ratio_) set_weights(ratio_);
   left_ = left;
+  // Each jump of the velocity is r times the one before, as is each impulse. Each energy is r^2
+  // times the one before.
+  const double jump = (1.0 + r) / (1.0 - r) * leaving;
   ChatterNode &node = ring_[newest_];
+  node.jump = -contact.sigma * jump;
   node.time = elapsed(first_, motion.now, chain.clock) + left;
   node.x.resize(motion.x.size());
   node.v.resize(motion.x.size());
   for (std::size_t i = 0; i < motion.x.size(); i += 2) {
     const RealPair v = load(&motion.v[i]);
     Pair gain = left * pair(&motion.acceleration[i]);
-    if (mass / 2 * 2 == i) gain[mass % 2] += jump;
+    if (mass / 2 * 2 == i) gain[mass % 2] += node.jump;
     store(load(&motion.x[i]) + v * Pair{left, left}, &node.x[i]);
     store(v + gain, &node.v[i]);
   }
-  node.jump = jump;
-  node.sum = {sum_.impulse + share.later.impulse, sum_.energy + share.later.energy};
+  node.sum = {sum_.impulse + m * jump, sum_.energy + 0.5 * m * leaving * leaving};
 }
 
 // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.

@@ -13,10 +13,8 @@
 
 namespace vibro_impact::detail {
 
-// The sums of an impact of the chatter, and of all later ones to leading order.
-struct ImpactShare {
-  ImpactSum now, later;
-};
+// The sums of one impact at a stop of the chain.
+ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving);
 
 // An ImpactSum in twice the precision: what is left of a chatter is the small difference of two
 // sums over the whole.
@@ -35,11 +33,10 @@ struct ChatterNode {
 // The chatter of one mass at one stop.
 class Chatter {
  public:
-  // An impact of the mass at the stop: the time of the flight after it to leading order (x in (6)),
-  // the limit r of the restitution, the change of the velocity at all impacts to come, and what is
-  // taken. A new chatter begins unless this one continues.
-  void add(std::size_t stop, std::size_t mass, double flight_time, double r, const Chain &chain,
-           const Motion &motion, double jump, const ImpactShare &share);
+  // An impact at this closing speed, with the motion after it: the flight that follows takes the
+  // time `flight_time` to leading order (x in (6)). A new chatter begins unless this one continues.
+  void add(const Chain &chain, const Motion &motion, const Contact &contact, double closing,
+           double flight_time);
   void end();
 
   // True if the latest impact is a node: a limit may be taken.
@@ -56,12 +53,8 @@ class Chatter {
   // The sums of all impacts after the latest node, extrapolated.
   ImpactSum left() const;
 
-  // From 0.
-  std::size_t stop() const {
-    return stop_;
-  }
-  std::size_t mass() const {
-    return mass_;
+  const Contact &contact() const {
+    return contact_;
   }
   // The change of the velocity of the mass at all impacts after the latest node.
   double latest_jump() const {
@@ -71,7 +64,7 @@ class Chatter {
  private:
   using Weights = std::array<double, most_chatter_nodes>;  // of the latest node first
 
-  std::size_t stop_ = 0, mass_ = 0;
+  Contact contact_;
   ExactSum sum_;  // of the impacts so far
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;

@@ -15,7 +15,7 @@ struct MotionBounds {
 
   // A bound of the sum of the jumps of its velocity.
   double jump(std::size_t i) const {
-    return i == chatter.mass() ? jump_sum_factor * std::abs(chatter.latest_jump()) : 0.0;
+    return i == chatter.contact().mass ? jump_sum_factor * std::abs(chatter.latest_jump()) : 0.0;
   }
   double speed(std::size_t i) const {
     return std::abs(motion.v[i].hi) + jump(i);
@@ -63,7 +63,8 @@ bool others_stay_out_of_reach(const Chain &chain, const Chatter &chatter, const 
   if (!(left * mode.fastest < longest_rest_of_chatter)) return false;
   const MotionBounds bounds = bounds_of(chain, motion, chatter, left);
   return std::all_of(mode.contacts.begin(), mode.contacts.end(), [&](const Contact &contact) {
-    if (contact.stop == chatter.stop() || is<Forceless>(stops[contact.stop].at)) return true;
+    if (contact.stop == chatter.contact().stop || is<Forceless>(stops[contact.stop].at))
+      return true;
     const Value value = evaluate(chain, contact, motion);
     return rounded(value.value) > travel_margin * fall_of(chain, contact, bounds);
   });

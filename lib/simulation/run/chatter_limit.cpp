@@ -14,36 +14,26 @@
 namespace vibro_impact::detail {
 
 void follow_chatter(Run &run, const ContactMode *mode_before) {
-  const Chain &chain = run.chain();
-  const Motion &motion = run.motion;
   const std::vector<Hit> &hits = run.scratch.hits;
   Chatter &chatter = run.chatter;
-  if (hits.empty() || motion.mode != mode_before) return chatter.end();
+  if (hits.empty() || run.motion.mode != mode_before) return chatter.end();
   for (const Hit &hit : hits) {
     const auto *leaving = std::get_if<ExactZeros>(&run.stops[hit.contact.stop].at);
     if (!leaving || leaving->zeros > 1) return chatter.end();  // it has come to rest
   }
   run.hint.flight_time = std::ranges::max(hits, {}, &Hit::flight_time).flight_time;
   const Hit &hit = hits.front();
-  const Contact &contact = hit.contact;
-  const double r = chain.stops[contact.stop].law.at_rest();
+  const double r = run.chain().stops[hit.contact.stop].law.at_rest();
   // With r = 1 the impacts have no limit.
   if (hits.size() > 1 || !(r < 1.0 && hit.flight_time < infinity)) return chatter.end();
-  // Each jump of the velocity is r times the one before, as is each impulse. Each energy is r^2
-  // times the one before.
-  const double v = std::abs(motion.v[contact.mass].hi), m = chain.mass[contact.mass],
-               jump = (1.0 + r) / (1.0 - r) * v;
-  const ImpactShare share{taken_by_impact(chain, contact.stop, rounded(hit.closing), v),
-                          {m * jump, 0.5 * m * v * v}};
-  chatter.add(contact.stop, contact.mass, hit.flight_time, r, chain, motion, -contact.sigma * jump,
-              share);
+  chatter.add(run.chain(), run.motion, hit.contact, rounded(hit.closing), hit.flight_time);
 }
 
 namespace {
 
 // The speed with which the mass of the chatter under way has left its stop.
 double rebound_speed(const Run &run) {
-  return std::abs(run.motion.v[run.chatter.mass()].hi);
+  return std::abs(run.motion.v[run.chatter.contact().mass].hi);
 }
 
 // Finds the limit of the chatter under way. Returns false when it is not accurate enough, or when
@@ -65,7 +55,7 @@ bool find_limit(Run &run) {
   motion.acceleration_known = false;
   pass(*left, chain.clock, motion.now);
   set_turn(chain, motion);
-  run.limit.stop = chatter.stop();
+  run.limit.stop = chatter.contact().stop;
   run.limit.left = chatter.left();
   run.limit.reported = {};
   return true;

@@ -76,11 +76,6 @@ MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at) {
   return {run, run.motion, at, tau.hi};
 }
 
-ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving) {
-  const double m = chain.mass[chain.stops[stop].mass];
-  return {m * (closing + leaving), 0.5 * m * (closing - leaving) * (closing + leaving)};
-}
-
 void report_impact(Run &run, std::size_t stop, double closing, double leaving,
                    Recorders recorders) {
   const ImpactSum taken = taken_by_impact(run.chain(), stop, closing, leaving);

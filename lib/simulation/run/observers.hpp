@@ -31,9 +31,6 @@ class MomentOfMotion final : public Moment {
 // put `tau` below 0, which is the start. The moment is valid until the run goes on.
 MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at);
 
-// The sum of one impact at a stop of the chain.
-ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving);
-
 // Reports an event at a stop, and ends the call when a recorder is done. `before` and `after` are
 // the velocities of an impact, else 0.
 void report_event(Run &run, EventKind kind, std::size_t stop, double before, double after,
