@@ -38,6 +38,7 @@ Chain::Chain(const Scene &scene)
         std::max(force_bound, (std::abs(a[i]) + std::abs(b[i]) + std::abs(p[i])) / mass[i]);
     grounded = grounded || ground[i] != 0.0;
     if (lowest[i] > -infinity || highest[i] < infinity) add_pair(i, stopped_pairs);
+    if (a[i] != 0.0 || b[i] != 0.0) add_pair(i, forced_pairs);
   }
 }
 

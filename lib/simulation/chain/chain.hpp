@@ -30,9 +30,10 @@ struct Chain {
   List<double> mass, a, b, p, ground;
   List<double> link;  // entry i ties mass i to mass i - 1, entry 0 to the ground
   List<ChainStop> stops;
-  List<double> lowest, highest;     // the stops of each mass, or -infinity and infinity
-  bool grounded = false;            // some mass has a spring to the ground
-  List<std::size_t> stopped_pairs;  // the first masses of pairs with a mass that has a stop
+  List<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
+  bool grounded = false;         // some mass has a spring to the ground
+  // The first masses of pairs with a mass that has a stop, and of pairs with one that is forced.
+  List<std::size_t> stopped_pairs, forced_pairs;
   double beta = 0.0;
   double omega = 0.0;        // of the forcing, 0 where nothing is forced
   Clock clock;               // counts time in periods 2 pi / Omega, forced or not

@@ -17,7 +17,7 @@ namespace {
 //   (z - d_i) |y_i| <= r_i |y_j|,   (z - d_j) |y_j| <= r_j |y_i|,   (z - d_i) (z - d_j) <= r_i r_j
 double largest_eigenvalue(const Chain &chain, const Held &held) {
   const std::size_t n = chain.masses;
-  List<double> diagonal(n), off(n + 1);  // off[i] ties mass i to mass i - 1
+  List<double> diagonal(n, 0.0), off(n + 1, 0.0);  // off[i] ties mass i to mass i - 1
   for (std::size_t i = 0; i < n; ++i) {
     if (held[i] != 0) continue;
     diagonal[i] = chain.stiffness_at(i) / chain.mass[i];
@@ -45,7 +45,6 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
     if (held[i] != 0) continue;
     mode.mass[i] = chain.mass[i];
     mode.inverse_mass[i] = 1.0 / chain.mass[i];
-    if (chain.a[i] != 0.0 || chain.b[i] != 0.0) add_pair(i, mode.forced_pairs);
   }
   const double lambda = largest_eigenvalue(chain, held);
   mode.fastest = std::max(root_modulus(chain.beta * lambda, lambda), chain.omega);

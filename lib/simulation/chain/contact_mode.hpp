@@ -23,7 +23,6 @@ struct ContactMode {
   Held held;
   // m of a free mass, infinity of a held one, which has no acceleration. And its reciprocal.
   List<double> mass, inverse_mass;
-  List<std::size_t> forced_pairs;  // the first masses of pairs with a free mass that is forced
   List<Contact> contacts;
   double fastest = 0.0;  // a bound of the rates of the free masses and of the forcing
 };

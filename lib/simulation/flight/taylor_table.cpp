@@ -129,7 +129,7 @@ void expand_order(const Chain &chain, const ContactMode &mode, int n, double wav
     tension = next;
   }
   set(stride - 2, z, tension, Pair{});
-  for (const std::size_t i : mode.forced_pairs)
+  for (const std::size_t i : chain.forced_pairs)
     put(pair(to + i) + wave * pair(forcing + i), to + i);
 }
 
@@ -148,7 +148,7 @@ template <bool grounded>
 void expand_chain(const Chain &chain, const Motion &motion, TaylorTable &table) {
   const ContactMode &mode = *motion.mode;
   const double unit = table.step.unit, angle = chain.omega * unit;
-  for (const std::size_t i : mode.forced_pairs) {
+  for (const std::size_t i : chain.forced_pairs) {
     const Pair scale = unit * unit * pair(&mode.inverse_mass[i]);
     const auto [even, odd] = parts_of<Pair>(motion.turn, pair(&chain.a[i]), pair(&chain.b[i]));
     put(scale * even, &table.even[i]);
