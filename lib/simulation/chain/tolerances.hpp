@@ -94,8 +94,6 @@ constexpr long long short_steps_divisor = 8;
 // Order of the bounds of a contact. Where a motion has hardly begun, at the end of a long chain,
 // many derivatives are as small as the value, and steps by a parabola would be 1e-8 long.
 constexpr int bound_order = 12;
-// Evaluations after which a long flight begins anew where it is, so that its run can be given up.
-constexpr int most_search_steps = 1000;
 // Sweeps of one-sided rotations.
 constexpr int most_sweeps = 40;
 

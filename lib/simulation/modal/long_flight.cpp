@@ -47,7 +47,6 @@ void LongFlight::begin(const Chain &chain, const std::vector<StopState> &stops, 
   motion = origin_;
   form_ = std::make_shared<const ModalForm>(modal_form(chain, motion, blocks_));
   motion_tau_ = -1.0;
-  evaluations_ = 0;
   is_at_event_ = false;
   coordinates_.assign(form_->size(), {});
   l_ = form_->fastest > 0.0 ? 1.0 / form_->fastest : longest_step;
@@ -203,8 +202,9 @@ void LongFlight::find_appearance(const Chain &chain, double before, Counters &co
   evaluate(chain, after);
 }
 
-FlightEnd LongFlight::search(const Chain &chain, double end, std::vector<Near> &near,
-                             Counters &counters) {
+FlightEnd LongFlight::search(const Chain &chain, double end, long long most_steps,
+                             std::vector<Near> &near, Counters &counters) {
+  const long long last = counters.search_steps + most_steps;
   while (!is_at_event_) {
     const double l = l_, step = next_step(counters);
     // The step goes beyond the end of the call where a hidden contact may appear: it may do so
@@ -221,10 +221,8 @@ FlightEnd LongFlight::search(const Chain &chain, double end, std::vector<Near> &
     if (appears) find_appearance(chain, before, counters);
     const bool is_root = newton_step().time.hi <= step_rounding * searched_to_;
     // A search that no longer moves has come to rounding: short steps go on from there.
-    if (appears || is_root || searched_to_ == before)
-      is_at_event_ = true;
-    else if (++evaluations_ >= most_search_steps)
-      return {searched_to_, false};
+    is_at_event_ = appears || is_root || searched_to_ == before;
+    if (!is_at_event_ && counters.search_steps >= last) return {searched_to_, false};
   }
   // Also for a call that goes on after one that ended between `searched_to_` and the event.
   return {refined(chain, near), true};

@@ -33,9 +33,9 @@ class LongFlight {
   void end(const Chain &chain, const Real &tau, Motion &motion);
 
   // Searches the first event, and counts the steps of the search. The time is infinite when the
-  // call ends before any event. Without an event the flight may begin anew where it is: it ends
-  // there after `most_search_steps`.
-  FlightEnd search(const Chain &chain, double end, std::vector<Near> &near, Counters &counters);
+  // call ends before any event. Without an event after `most_steps` the flight ends where it is.
+  FlightEnd search(const Chain &chain, double end, long long most_steps, std::vector<Near> &near,
+                   Counters &counters);
 
   // The motion at the time tau of the flight.
   const Motion &at(const Chain &chain, const Real &tau);
@@ -74,8 +74,7 @@ class LongFlight {
   std::vector<Value> values_;  // of the contacts there,
   std::vector<Sight> sight_;   // and whether each is seen
   double l_ = 0.0;             // the time for which bounds are made
-  int evaluations_ = 0;
-  bool is_at_event_ = false;  // the search has found an event there
+  bool is_at_event_ = false;   // the search has found an event there
 
   void evaluate(const Chain &chain, double time);
   template <class Use>

@@ -57,15 +57,18 @@ void check_search(Run &run, const FlightEnd &end) {
                 " iterations after t = ", run.time(), ", given up"));
 }
 
-void check_steps(Run &run) {
+long long steps_left(const Run &run) {
   const Counters &counters = run.counters;
-  const long long steps =
-      counters.expansions + counters.search_steps + counters.rest_orders / orders_as_a_step;
-  const long long most = run.problem.options.max_steps;
-  if (steps < most) return;
+  return run.problem.options.max_steps - counters.expansions - counters.search_steps -
+         counters.rest_orders / orders_as_a_step;
+}
+
+void check_steps(Run &run) {
+  if (steps_left(run) > 0) return;
   stop_run(run, Ending::given_up,
-           line("at least ", most, " steps, given up at t = ", run.time(), "; the largest rate is ",
-                run.motion.mode->fastest, "; RunOptions::max_steps (--max-steps) can allow more"));
+           line("at least ", run.problem.options.max_steps, " steps, given up at t = ", run.time(),
+                "; the largest rate is ", run.motion.mode->fastest,
+                "; RunOptions::max_steps (--max-steps) can allow more"));
 }
 
 }  // namespace vibro_impact::detail

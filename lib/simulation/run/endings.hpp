@@ -21,6 +21,9 @@ void check_motion(Run &run);
 // Gives the run up when a flight ends at an event without a time: the search for it has failed.
 void check_search(Run &run, const FlightEnd &end);
 
+// The steps that are left of those of the call.
+long long steps_left(const Run &run);
+
 // Gives the run up when the call has taken its steps.
 void check_steps(Run &run);
 

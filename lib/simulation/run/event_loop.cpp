@@ -109,7 +109,8 @@ FlightEnd search_step(Run &run) {
 FlightEnd search_far(Run &run) {
   const Chain &chain = run.chain();
   if (!run.long_flight.is_under_way()) run.long_flight.begin(chain, run.stops, run.motion);
-  return run.long_flight.search(chain, time_to_end(run), run.scratch.near, run.counters);
+  return run.long_flight.search(chain, time_to_end(run), steps_left(run), run.scratch.near,
+                                run.counters);
 }
 
 // The first contact whose gap is zero at the end of the step, if there is one.
