@@ -13,6 +13,7 @@
 #include "reference/scenes/paper_scenes.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/mode_motion.hpp"
+#include "tests/support/random_scenes.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {
@@ -121,6 +122,35 @@ TEST(Clock, TurnsAFreeMotionByWholePeriodsExactly) {
 TEST(SmallMotion, MissesNoImpact) {
   const Scene scene = extremes::one_mass(0.0, 0.0, 1.0, 0.5, 0.5e-170, -1e-170);
   EXPECT_EQ(simulate(scene, 10.0).counters.impacts, 2);
+}
+
+// Masses without a spring to the ground leave the stop of the first with the speed v against a
+// force that brings them back with the acceleration a, after 2 v / a. The gap, v^2 / (2 a) at most,
+// is hidden beside the place of the stop at first, and again before the impact. It has the digits
+// of that place, 1e-32 of it, and is at least 1e-24 of it here: 1e-7. The links swing by this
+// rounding.
+TEST(SmallMotion, OfFreeMassesComesBackToItsStop) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Draw draw{std::mt19937(seed)};
+    const auto masses = static_cast<std::size_t>(draw.between(1, 3));
+    const double place = draw.spread(0.1, 10.0), height = place * draw.spread(1e-24, 1e-12),
+                 back = draw.spread(1e2, masses == 1 ? 1e14 : 1e11), speed = 4.0 * height / back;
+    std::vector<double> stiffness(masses, 1.0);
+    stiffness[0] = 0.0;
+    const Scene scene{.mass = std::vector(masses, 1.0),
+                      .stiffness = stiffness,
+                      .constant = std::vector(masses, 2.0 * speed / back),
+                      .omega = 0.0,
+                      .restitution = 0.5,
+                      .stops = {{1, Side::upper, place}},
+                      .displacement = std::vector(masses, place),
+                      .velocity = std::vector(masses, -speed)};
+    const std::vector<Event> events = events_of(scene, 0.0, 1.1 * back, {.max_steps = 10'000});
+    ASSERT_GE(events.size(), 1u);
+    EXPECT_NEAR(events[0].time, back, 1e-7 * back);
+    EXPECT_NEAR(events[0].velocity_before, speed, 1e-7 * speed + 1e-30 * place);
+  }
 }
 
 // A force cos t - 1 + d holds a mass but for a time sqrt(2 d) about each odd multiple of pi. A

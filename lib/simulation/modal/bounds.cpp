@@ -150,16 +150,20 @@ Polynomial LongFlight::bound_of(std::size_t k, double l) {
 // it alone will not show the contact. A gap that began as a power of time may be seen, and close
 // again, within a time longer than the flight so far.
 double LongFlight::longest_blind_step() const {
+  bool may_appear = false;
   double rate = 0.0;
   for (std::size_t k = 0; k < sight_.size(); ++k) {
     if (sight_[k] != Sight::hidden) continue;
     const double threshold = zero_threshold * values_[k].terms;
     each_part(form_->watches[k], infinity, [&](const Part &part) {
-      if (!(part.amplitude <= threshold)) rate = std::max(rate, part.rate);
+      if (part.amplitude <= threshold) return;
+      may_appear = true;
+      rate = std::max(rate, part.rate);
     });
   }
-  if (rate == 0.0) return longest_step;
-  return std::min(1.0 / rate, std::max(searched_to_, 1.0 / form_->fastest));
+  if (!may_appear) return longest_step;
+  const double radian = form_->fastest > 0.0 ? 1.0 / form_->fastest : 0.0;
+  return std::min(1.0 / rate, std::max(searched_to_, radian));
 }
 
 }  // namespace vibro_impact::detail
