@@ -178,4 +178,24 @@ TEST(AtRest, AReleaseAtTheInstantOfAStickComesTwoRoundingsLater) {
   EXPECT_EQ(outcome.counters.expansions, 4);
 }
 
+// A mass rests at its stop, and its neighbour leaves so slowly that the force between them lies below
+// rounding. The pair drifts away with half the speed of the neighbour, and a force that brings it
+// back with the acceleration a makes it hit the stop after the time v / a.
+TEST(AtRest, AMassWithoutForceThatDriftsAwayComesBackToItsStop) {
+  constexpr double speed = 1e-29, back = 1e7, force = speed / back;
+  const Scene scene{.mass = {1.0, 1.0},
+                    .stiffness = {0.0, 1.0},
+                    .beta = 0.1,
+                    .constant = {force, force},
+                    .omega = 0.0,
+                    .restitution = 0.5,
+                    .stops = {{1, Side::upper, 1.0}},
+                    .displacement = {1.0, 1.0},
+                    .velocity = {0.0, -speed}};
+  const std::vector<Event> events = events_of(scene, 0.0, 1.1 * back, {.max_steps = 10'000});
+  ASSERT_GE(events.size(), 1u);
+  EXPECT_NEAR(events[0].time, back, 1e-6 * back);
+  EXPECT_NEAR(events[0].velocity_before, 0.5 * speed, 1e-6 * speed);
+}
+
 }  // namespace

@@ -1,5 +1,5 @@
-// The exact knowledge of a stop at an instant. A flight forgets it, but for `Forceless` and
-// `Postponed`.
+// The exact knowledge of a stop at an instant. A flight forgets it, but for `Postponed`, and for
+// `Forceless` while the gap is zero.
 #pragma once
 
 #include <optional>

@@ -129,8 +129,11 @@ void hold_or_release(Run &run, Recorders recorders) {
 }
 
 void forget_instant(Run &run) {
-  for (StopState &stop : run.stops)
-    if (!is_idle(stop.at)) stop.at = Evaluated{};
+  for (const Contact &contact : run.motion.mode->contacts) {
+    AtStop &at = run.stops[contact.stop].at;
+    if (is<Forceless>(at) ? !gap_of(contact, run.motion).is_zero() : !is<Postponed>(at))
+      at = Evaluated{};
+  }
 }
 
 void handle_instant(Run &run, Recorders recorders) {
