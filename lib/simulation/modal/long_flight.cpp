@@ -7,33 +7,9 @@
 
 namespace vibro_impact::detail {
 
-namespace {
-
-// True when a motion may be on its way to a mass without force. Held masses let nothing pass.
-bool any_forceless_block_moves(const Chain &chain, const Motion &motion,
-                               const std::vector<StopState> &stops) {
-  bool forceless = false, moves = false;  // in the block of free masses up to i
-  for (std::size_t i = 0; i < chain.masses; ++i) {
-    if (motion.mode->held[i] != 0) {
-      forceless = moves = false;
-      continue;
-    }
-    moves = moves || motion.v[i].hi != 0.0;
-    for (std::size_t k = 0; k < stops.size(); ++k)
-      forceless = forceless || (chain.stops[k].mass == i && is<Forceless>(stops[k].at));
-    if (forceless && moves) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-bool LongFlight::takes_over(const Chain &chain, const Motion &motion,
-                            const std::vector<StopState> &stops, long long quiet_steps) const {
-  if (is_under_way()) return true;
+bool LongFlight::takes_over(const Chain &chain, long long quiet_steps) const {
   const auto n = static_cast<long long>(chain.masses);
-  return quiet_steps >= fewest_short_steps + n * n / short_steps_divisor &&
-         !any_forceless_block_moves(chain, motion, stops);
+  return is_under_way() || quiet_steps >= fewest_short_steps + n * n / short_steps_divisor;
 }
 
 void LongFlight::end(const Chain &chain, const Real &tau, Motion &motion) {
@@ -42,7 +18,7 @@ void LongFlight::end(const Chain &chain, const Real &tau, Motion &motion) {
   form_ = nullptr;
 }
 
-void LongFlight::begin(const Chain &chain, const std::vector<StopState> &stops, Motion &motion) {
+void LongFlight::begin(const Chain &chain, Motion &motion) {
   const Real flown = elapsed(origin_.now, motion.now, chain.clock);
   motion = origin_;
   form_ = std::make_shared<const ModalForm>(modal_form(chain, motion, blocks_));
@@ -52,11 +28,8 @@ void LongFlight::begin(const Chain &chain, const std::vector<StopState> &stops, 
   l_ = form_->fastest > 0.0 ? 1.0 / form_->fastest : longest_step;
   evaluate(chain, rounded(flown));
   sight_.clear();
-  for (std::size_t k = 0; k < values_.size(); ++k)
-    if (is<Forceless>(stops[motion.mode->contacts[k].stop].at))
-      sight_.push_back(Sight::idle);
-    else
-      sight_.push_back(values_[k].is_zero() ? Sight::hidden : Sight::seen);
+  for (const Value &value : values_)
+    sight_.push_back(value.is_zero() ? Sight::hidden : Sight::seen);
 }
 
 // True when a hidden contact is seen below zero. One that is seen above zero is hidden no more.

@@ -18,17 +18,15 @@ class LongFlight {
   bool is_under_way() const {
     return form_ != nullptr;
   }
-  // True if the flight is under way, or takes over after so many steps without an event. Where a
-  // motion may be on its way to a mass without force it does not: only steps notice its arrival.
-  bool takes_over(const Chain &chain, const Motion &motion, const std::vector<StopState> &stops,
-                  long long quiet_steps) const;
+  // True if the flight is under way, or takes over after so many steps without an event.
+  bool takes_over(const Chain &chain, long long quiet_steps) const;
   // Keeps the start of the first of the steps without an event.
   void set_origin(const Motion &motion) {
     origin_ = motion;
   }
   // Sets the motion back to the origin, where the flight begins: a slow coordinate has lost digits
   // in the steps.
-  void begin(const Chain &chain, const std::vector<StopState> &stops, Motion &motion);
+  void begin(const Chain &chain, Motion &motion);
   // Ends the flight at the time tau: moves the motion there, which is the origin of the next.
   void end(const Chain &chain, const Real &tau, Motion &motion);
 
@@ -54,8 +52,8 @@ class LongFlight {
     ModalForce<Real> force = {};
   };
   // The value of a contact is seen, or lies hidden below the rounding of its modal coordinates. It
-  // then keeps its sign, by definition, until it is seen. The gap of a mass without force is idle.
-  enum class Sight : char { seen, hidden, idle };
+  // then keeps its sign, by definition, until it is seen.
+  enum class Sight : char { seen, hidden };
   struct NewtonStep {
     Real time = infinity;
     std::size_t contact = 0;

@@ -108,7 +108,11 @@ FlightEnd search_step(Run &run) {
 // Searches a flight in closed form, up to the end of the call.
 FlightEnd search_far(Run &run) {
   const Chain &chain = run.chain();
-  if (!run.long_flight.is_under_way()) run.long_flight.begin(chain, run.stops, run.motion);
+  if (!run.long_flight.is_under_way()) {
+    run.long_flight.begin(chain, run.motion);
+    // It sees by itself when a mass without force begins to move.
+    for (StopState &stop : run.stops) stop.at = Evaluated{};
+  }
   return run.long_flight.search(chain, time_to_end(run), steps_left(run), run.scratch.near,
                                 run.counters);
 }
@@ -135,8 +139,7 @@ void move_to(Run &run, const FlightEnd &end) {
 void fly_on(Run &run, Recorders recorders) {
   check_motion(run);
   if (run.progress.over) return;
-  const bool far =
-      run.long_flight.takes_over(run.chain(), run.motion, run.stops, run.hint.quiet_steps);
+  const bool far = run.long_flight.takes_over(run.chain(), run.hint.quiet_steps);
   const FlightEnd end = far ? search_far(run) : search_step(run);
   check_search(run, end);
   if (run.progress.over || limit_ends_flight(run, end.tau, recorders)) return;
