@@ -62,7 +62,7 @@ struct Event {
   Instant instant = {};
   double time = 0.0;
   double velocity_before = 0.0, velocity_after = 0.0;  ///< of an impact, towards +x; else 0
-  int falling = 0;         ///< impacts at this stop just before it, in a row of falling speeds
+  int falling = 0;         ///< of an impact: those just before it, in a row of falling speeds
   bool by_a_jump = false;  ///< a release where the force jumped or began, not at a root
   Held held = {};          ///< the contact mode after the event
   /// The sums of an impact. A chatter that is carried to its limit has infinitely many impacts. Its
