@@ -120,7 +120,7 @@ bool Chatter::extrapolate(double tolerance, Motion &motion) const {
   return true;
 }
 
-ImpactSum Chatter::left() const {
+ImpactSum Chatter::sum_left() const {
   const ExactSum &latest = node(0).sum;
   ImpactSum left{rounded(latest.impulse - sum_.impulse), rounded(latest.energy - sum_.energy)};
   for (std::size_t before = 1; before < size_; ++before) {

@@ -51,7 +51,7 @@ class Chatter {
   bool extrapolate(double tolerance, Motion &motion) const;
 
   // The sums of all impacts after the latest node, extrapolated.
-  ImpactSum left() const;
+  ImpactSum sum_left() const;
 
   const Contact &contact() const {
     return contact_;

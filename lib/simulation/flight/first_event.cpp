@@ -74,7 +74,7 @@ bool only_touches(double slope, double second, double terms) {
 Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at,
                     const Motion &motion) {
   if (is_idle(at)) return {.idle = true};
-  if (const auto *known = std::get_if<ExactZeros>(&at); known && known->zeros > 0)
+  if (const auto *known = std::get_if<ExactZeros>(&at))
     return {.derivative = known->derivative, .zeros = known->zeros};
   const Value value = evaluate(chain, contact, motion);
   if (rounded(value.value) <= zero_threshold * value.terms)

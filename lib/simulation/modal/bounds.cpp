@@ -148,7 +148,7 @@ Polynomial LongFlight::bound_of(std::size_t k, double l) {
 
 // The coordinates of a hidden contact cancel each other below the threshold. A part that lies below
 // it alone will not show the contact. A gap that began as a power of time may be seen, and close
-// again, within a time longer than the flight so far.
+// again, within a time longer than the flight so far. The time is infinite if none may appear.
 double LongFlight::longest_blind_step() const {
   bool may_appear = false;
   double rate = 0.0;
@@ -161,7 +161,7 @@ double LongFlight::longest_blind_step() const {
       rate = std::max(rate, part.rate);
     });
   }
-  if (!may_appear) return longest_step;
+  if (!may_appear) return infinity;
   const double radian = form_->fastest > 0.0 ? 1.0 / form_->fastest : 0.0;
   return std::min(1.0 / rate, std::max(searched_to_, radian));
 }

@@ -84,7 +84,7 @@ double LongFlight::safe_time(double l, Counters &counters) {
 // The length of the next step of the search, in which no contact comes to zero. Bounds for a longer
 // time are worse: the time for which they are made follows the step that they allow.
 double LongFlight::next_step(Counters &counters) {
-  const double longest = longest_blind_step();
+  const double longest = std::min(longest_blind_step(), longest_step);
   l_ = std::min(l_, longest);
   double step = safe_time(l_, counters);
   while (step == l_ && l_ < longest) {
@@ -182,7 +182,7 @@ FlightEnd LongFlight::search(const Chain &chain, double end, long long most_step
     const double l = l_, step = next_step(counters);
     // The step goes beyond the end of the call where a hidden contact may appear: it may do so
     // before that end.
-    const bool is_last = searched_to_ + step >= end && !(longest_blind_step() < longest_step);
+    const bool is_last = searched_to_ + step >= end && longest_blind_step() == infinity;
     if (searched_to_ >= end || is_last) {
       l_ = l;  // the next call makes this step
       return {infinity, false};

@@ -56,7 +56,7 @@ bool find_limit(Run &run) {
   pass(*left, chain.clock, motion.now);
   set_turn(chain, motion);
   run.limit.stop = chatter.contact().stop;
-  run.limit.left = chatter.left();
+  run.limit.left = chatter.sum_left();
   run.limit.reported = {};
   return true;
 }

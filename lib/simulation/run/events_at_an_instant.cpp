@@ -68,10 +68,14 @@ void gather_resting(Run &run) {
 // Sets the states of the stops of a mass after its decision.
 void set_stops(Run &run, const RestingMass &mass) {
   StopState &stop = run.stops[mass.contact.stop];
+  // The gap of a released mass has two zeros more than its acceleration.
+  const int zeros = mass.decided_zeros + (mass.held ? 0 : 2);
   if (mass.forceless)
     stop.at = Forceless{};
-  else  // the gap of a released mass has two zeros more than its acceleration
-    stop.at = ExactZeros{mass.decided_zeros + (mass.held ? 0 : 2), mass.derivative};
+  else if (zeros > 0)
+    stop.at = ExactZeros{zeros, mass.derivative};
+  else
+    stop.at = Evaluated{};
   if (mass.held == mass.contact.held) return;
   stop = {.at = stop.at, .changed = run.motion.now.rounded(), .unreported = stop.unreported};
   const List<ChainStop> &stops = run.chain().stops;
@@ -101,7 +105,7 @@ void hold_or_release(Run &run, Recorders recorders) {
   Motion &motion = run.motion;
   const Chain &chain = run.chain();
   if (scratch.resting.empty()) return;
-  if (motion.turned > 0) set_turn(chain, motion);
+  if (motion.turned > 0) set_turn(chain, motion);  // without the rounding of the steps since
   for (const RestingMass &mass : scratch.resting)
     place(mass.contact.mass, mass.contact.position, 0.0, motion);
   run.counters.rest_orders += scratch.rest.decide(chain, motion, scratch.resting);
