@@ -99,7 +99,7 @@ TEST(Listing, EndsAChatterThatIsReleasedAtOnceWithAnImpactWithoutSpeed) {
   detail::put_at_start(run);
   detail::handle_instant(run, {});
   run.limit.motion = run.motion;
-  run.limit.left = {2.0, 3.0};
+  run.limit.unreported = {2.0, 3.0};
   detail::enter_limit(run, recorders);
   ASSERT_EQ(events.events.size(), 1u);
   const Event &event = events.events[0];

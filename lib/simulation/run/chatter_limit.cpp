@@ -55,9 +55,7 @@ bool find_limit(Run &run) {
   motion.acceleration_known = false;
   pass(*left, chain.clock, motion.now);
   set_turn(chain, motion);
-  run.limit.stop = chatter.contact().stop;
-  run.limit.left = chatter.sum_left();
-  run.limit.reported = {};
+  run.limit.unreported = chatter.sum_left();
   return true;
 }
 
@@ -71,7 +69,8 @@ bool is_any_left(Run &run, Recorders recorders) {
   limit.slowest = infinity;
   for (const Recorder *recorder : recorders)
     limit.slowest =
-        std::min(limit.slowest, recorder->slowest_impact(at_node[limit.stop].first_speed, time));
+        std::min(limit.slowest,
+                 recorder->slowest_impact(at_node[run.chatter.contact().stop].first_speed, time));
   return run.progress.end < instant || run.progress.next_sample <= time ||
          run.hint.quiet_steps > 0 || next_speed_factor * rebound_speed(run) >= limit.slowest;
 }
@@ -86,10 +85,9 @@ void enter_limit(Run &run, Recorders recorders) {
     count_as_at_node(run);
   }
   forget_instant(run);
-  StopState &stop = run.stops[limit.stop];
+  StopState &stop = run.stops[run.chatter.contact().stop];
   stop.at = Resting{};
-  stop.unreported = limit.left;
-  stop.unreported -= limit.reported;
+  stop.unreported = limit.unreported;
   run.chatter.end();
   run.hint = {};
   ++run.counters.chatter_limits;

@@ -84,7 +84,7 @@ void report_impact(Run &run, std::size_t stop, double closing, double leaving,
       run.stops[stop].unreported += taken;
       return;
     }
-    run.limit.reported += taken;
+    run.limit.unreported -= taken;
   }
   const double sigma = run.chain().stops[stop].sigma;
   report_event(run, EventKind::impact, stop, sigma * closing, -sigma * leaving, false, taken,
