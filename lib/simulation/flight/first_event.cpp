@@ -67,8 +67,9 @@ bool stays_positive(const TaylorTable &table, const Contact &contact, const Star
 }  // namespace
 
 // Without a square of the polynomial, which may leave the range of double precision.
-bool only_touches(double slope, double second, double terms) {
-  return second > 0.0 && slope / terms * slope <= 4.0 * touch_rounding * second;
+bool only_touches(double value, double slope, double second, double terms) {
+  return value <= touch_rounding * terms && second > 0.0 &&
+         slope / terms * slope <= 4.0 * touch_rounding * second;
 }
 
 Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at,
@@ -112,13 +113,12 @@ FlightEnd StepSearch::find_first_event(const Chain &chain, const Motion &motion,
   }
   assert(none_is_passed(chain, motion, table, starts, u));
   if (!event) return {step.length, false};
-  // A force that falls to less than its rounding, and not below it by more, touches zero.
   const auto touches = [&](std::size_t k) {
     const Contact &contact = mode.contacts[k];
     if (!contact.held || starts[k].idle) return false;
-    const double terms = sum_of_forces(chain, contact.mass, motion);
     const Jet jet = jet_at(polynomials[k], 0, u);
-    return jet.value <= touch_rounding * terms && only_touches(jet.slope, jet.second, terms);
+    return only_touches(jet.value, jet.slope, jet.second,
+                        sum_of_forces(chain, contact.mass, motion));
   };
   bool any_touches = false;
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {

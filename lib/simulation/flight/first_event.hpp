@@ -23,9 +23,9 @@ struct Start {
 // of a mass that has come to rest at its stop.
 enum class Near : char { no, perhaps, zero, touch, rest };
 
-// True if a hold force falls below zero by no more than the rounding of its terms near a root,
-// where it has this derivative and half this second derivative.
-bool only_touches(double slope, double second, double terms);
+// True if a hold force falls to less than the rounding of its terms, and not below zero by more,
+// near a place where it has this value, this derivative and half this second derivative.
+bool only_touches(double value, double slope, double second, double terms);
 
 // A flight that ends at the time tau, with or without an event. With an event, tau is NaN if the
 // motion leaves the range of double precision, and infinite if the search for a root did not end.

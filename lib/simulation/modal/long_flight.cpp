@@ -136,10 +136,9 @@ Real LongFlight::refined(const Chain &chain, std::vector<Near> &near) {
   }
   const auto touches = [&](std::size_t k) {
     if (!contacts[k].held) return false;
-    const double terms = sum_of_forces(chain, contacts[k].mass, motion_);
-    if (!(values_[k].value.hi <= touch_rounding * terms)) return false;
     const Polynomial p = bound_of(k, l_);
-    return only_touches(p.coefficient[1], p.coefficient[2], terms);
+    return only_touches(values_[k].value.hi, p.coefficient[1], p.coefficient[2],
+                        sum_of_forces(chain, contacts[k].mass, motion_));
   };
   for (std::size_t k = 0; k < contacts.size(); ++k)
     if (touches(k)) near[k] = Near::touch;
