@@ -210,7 +210,7 @@ TEST(FirstEvent, IsTheSameInAnyOrderOfTheStops) {
     find_acceleration(chain, motion);
     std::vector<Start> starts;
     for (const Contact &contact : mode.contacts)
-      starts.push_back(contact_start(chain, contact, Evaluated{}, motion));
+      starts.push_back(contact_start(chain, contact, ExactZeros{}, motion));
     std::vector<Near> near(2);
     Counters counters;
     StepSearch search;

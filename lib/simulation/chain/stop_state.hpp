@@ -10,8 +10,6 @@
 
 namespace vibro_impact::detail {
 
-// Nothing: the gap of a free mass, or the force on a held one, is evaluated from the motion.
-struct Evaluated {};
 // The mass is free and at rest at the stop, and not yet decided.
 struct Resting {};
 // The derivatives of order 0, ..., zeros - 1 of what is evaluated at the contact, the gap of a free
@@ -21,6 +19,8 @@ struct Resting {};
 //   gap after an impact     1 zero         the speed
 //   gap after a release     z + 2 zeros    the derivative of order z of x''
 //   force after a stick     z zeros        the derivative of order z of the force
+//
+// Without zeros nothing is known but the motion.
 struct ExactZeros {
   int zeros = 0;
   double derivative = 0.0;  // of order `zeros`
@@ -31,7 +31,7 @@ struct Forceless {};
 // is made again at a later instant of the clock.
 struct Postponed {};
 
-using AtStop = std::variant<Evaluated, Resting, ExactZeros, Forceless, Postponed>;
+using AtStop = std::variant<ExactZeros, Resting, Forceless, Postponed>;
 
 template <class State>
 bool is(const AtStop &at) {

@@ -44,7 +44,6 @@ bool stays_positive(const TaylorTable &table, const Contact &contact, const Star
                                      double u) {
   constexpr int points = 8;
   for (std::size_t k = 0; k < starts.size(); ++k) {
-    if (starts[k].idle) continue;
     const Contact &contact = motion.mode->contacts[k];
     Polynomial p;
     read(chain, motion, table, contact, p);
@@ -74,8 +73,8 @@ bool only_touches(double value, double slope, double second, double terms) {
 
 Start contact_start(const Chain &chain, const Contact &contact, const AtStop &at,
                     const Motion &motion) {
-  if (is_idle(at)) return {.idle = true};
-  if (const auto *known = std::get_if<ExactZeros>(&at))
+  if (is_idle(at)) return {.value = infinity};
+  if (const auto *known = std::get_if<ExactZeros>(&at); known && known->zeros > 0)
     return {.derivative = known->derivative, .zeros = known->zeros};
   const Value value = evaluate(chain, contact, motion);
   if (rounded(value.value) <= zero_threshold * value.terms)
@@ -97,7 +96,6 @@ FlightEnd StepSearch::find_first_event(const Chain &chain, const Motion &motion,
     const Start &start = starts[k];
     near[k] = Near::no;
     roots[k] = infinity;
-    if (start.idle) continue;
     const double u_search = std::min(step.u_max, u + same_instant * u);
     if (!contact.held && start.zeros == 0 && stays_positive(table, contact, start, u_search))
       continue;
@@ -115,7 +113,7 @@ FlightEnd StepSearch::find_first_event(const Chain &chain, const Motion &motion,
   if (!event) return {step.length, false};
   const auto touches = [&](std::size_t k) {
     const Contact &contact = mode.contacts[k];
-    if (!contact.held || starts[k].idle) return false;
+    if (!contact.held) return false;
     const Jet jet = jet_at(polynomials[k], 0, u);
     return only_touches(jet.value, jet.slope, jet.second,
                         sum_of_forces(chain, contact.mass, motion));

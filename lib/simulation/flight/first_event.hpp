@@ -11,10 +11,9 @@ namespace vibro_impact::detail {
 
 // The knowledge of a contact at the start of a flight.
 struct Start {
-  double value = 0.0;
+  double value = 0.0;       // infinite if no flight searches the contact (stop_state.hpp)
   double derivative = 0.0;  // the slope, or with exact zeros the derivative of order `zeros`
   int zeros = 0;            // the number of derivatives, from the value on, that are exactly zero
-  bool idle = false;        // the contact stays at zero (stop_state.hpp)
 };
 
 // The place of a contact at the end of a flight. At its root a contact is zero by definition. At

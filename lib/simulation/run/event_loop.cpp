@@ -41,8 +41,7 @@ Step plan_step(Run &run) {
   step.u_max = step.length / step.unit;
   step.order = run.problem.orders.order_of(run.motion.mode->fastest * step.length);
   int zeros = 0;  // a gap with many zeros needs an order beyond them
-  for (const Start &start : run.scratch.starts)
-    if (!start.idle) zeros = std::max(zeros, start.zeros);
+  for (const Start &start : run.scratch.starts) zeros = std::max(zeros, start.zeros);
   if (zeros > 1) step.order = std::max(step.order, std::min(max_order, zeros / 2 * 2 + 5));
   ++run.counters.expansions;
   run.counters.coefficients += step.order + 1;
@@ -111,7 +110,7 @@ FlightEnd search_far(Run &run) {
   if (!run.long_flight.is_under_way()) {
     run.long_flight.begin(chain, run.motion);
     // It sees by itself when a mass without force begins to move.
-    for (StopState &stop : run.stops) stop.at = Evaluated{};
+    for (StopState &stop : run.stops) stop.at = ExactZeros{};
   }
   return run.long_flight.search(chain, time_to_end(run), steps_left(run), run.scratch.near,
                                 run.counters);

@@ -43,7 +43,7 @@ void question_dead_bounces(Run &run) {
                rounding = twofold_unit * (speed + chain.force_bound * window);
   for (const Contact &contact : motion.mode->contacts) {
     const StopState &stop = run.stops[contact.stop];
-    const bool bounces = stop.falling > 0 && (is<Evaluated>(stop.at) || is<ExactZeros>(stop.at));
+    const bool bounces = stop.falling > 0 && is<ExactZeros>(stop.at);
     if (contact.held || !bounces) continue;
     const Value value = evaluate(chain, contact, motion);
     if (rounded(value.value) <= rounding * window && std::abs(value.slope.hi) <= rounding)
@@ -68,14 +68,7 @@ void gather_resting(Run &run) {
 // Sets the states of the stops of a mass after its decision.
 void set_stops(Run &run, const RestingMass &mass) {
   StopState &stop = run.stops[mass.contact.stop];
-  // The gap of a released mass has two zeros more than its acceleration.
-  const int zeros = mass.decided_zeros + (mass.held ? 0 : 2);
-  if (mass.forceless)
-    stop.at = Forceless{};
-  else if (zeros > 0)
-    stop.at = ExactZeros{zeros, mass.derivative};
-  else
-    stop.at = Evaluated{};
+  stop.at = mass.at;
   if (mass.held == mass.contact.held) return;
   stop = {.at = stop.at, .changed = run.motion.now.rounded(), .unreported = stop.unreported};
   const List<ChainStop> &stops = run.chain().stops;
@@ -136,7 +129,7 @@ void forget_instant(Run &run) {
   for (const Contact &contact : run.motion.mode->contacts) {
     AtStop &at = run.stops[contact.stop].at;
     if (is<Forceless>(at) ? !gap_of(contact, run.motion).is_zero() : !is<Postponed>(at))
-      at = Evaluated{};
+      at = ExactZeros{};
   }
 }
 

@@ -17,21 +17,17 @@ namespace vibro_impact::detail {
 RestDecision::Term RestDecision::springs_on(const Chain &chain, std::size_t i) const {
   const double damping = chain.beta * chain.rate_unit;
   Term force;
-  const auto add_spring = [&](double stiffness, bool has_neighbour, std::size_t other) {
-    if (stiffness == 0.0) return;
-    Real pull = order_n_[i].value + damping * order_n_plus_1_[i].value;
-    force.terms += stiffness * (order_n_[i].terms + damping * order_n_plus_1_[i].terms);
-    if (has_neighbour) {
-      // Differences first: a neighbour at the same place exerts no force at all.
-      pull = (order_n_[i].value - order_n_[other].value) +
-             damping * (order_n_plus_1_[i].value - order_n_plus_1_[other].value);
-      force.terms += stiffness * (order_n_[other].terms + damping * order_n_plus_1_[other].terms);
-    }
-    force.value -= stiffness * pull;
+  const std::size_t ground = chain.masses;  // the last entry, which never moves
+  // Differences first: a neighbour at the same place exerts no force at all.
+  const auto add_spring = [&](double stiffness, std::size_t other) {
+    const Term &x = order_n_[i], &v = order_n_plus_1_[i], &x_other = order_n_[other],
+               &v_other = order_n_plus_1_[other];
+    force.value -= stiffness * ((x.value - x_other.value) + damping * (v.value - v_other.value));
+    force.terms += stiffness * (x.terms + x_other.terms + damping * (v.terms + v_other.terms));
   };
-  add_spring(chain.link[i], i > 0, i - 1);
-  add_spring(chain.above(i), true, i + 1);
-  add_spring(chain.ground[i], false, i);
+  add_spring(chain.link[i], i > 0 ? i - 1 : ground);
+  add_spring(chain.above(i), i + 1);
+  add_spring(chain.ground[i], ground);
   return force;
 }
 
@@ -40,7 +36,8 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
   const std::size_t n = chain.masses;
   const double rate = chain.rate_unit;
   kind_.resize(n);
-  for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_}) order->resize(n);
+  for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_})
+    order->assign(n + 1, {});
   for (std::size_t i = 0; i < n; ++i) {
     kind_[i] = motion.mode->held[i] != 0 ? Kind::held : Kind::moving;
     order_n_[i] = {motion.x[i], motion.x_terms[i]};
@@ -66,7 +63,6 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
     for (RestingMass &mass : masses) {
       const std::size_t i = mass.contact.mass;
       if (kind_[i] != Kind::undecided) continue;
-      mass.decided_zeros = order;
       const Term force = force_at(i);
       const bool is_zero =
           order < mass.known_zeros || !(abs(force.value) > zero_threshold * force.terms);
@@ -75,7 +71,10 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
       const double push = mass.contact.sigma * force.value.hi;
       mass.held = push > 0.0;
       kind_[i] = mass.held ? Kind::held : Kind::moving;
-      mass.derivative = std::abs(push) * std::pow(rate, order) / (mass.held ? 1.0 : chain.mass[i]);
+      const double derivative = std::abs(push) * std::pow(rate, order);
+      // The gap of a released mass has two zeros more than its acceleration.
+      mass.at = mass.held ? ExactZeros{order, derivative}
+                          : ExactZeros{order + 2, derivative / chain.mass[i]};
     }
     if (undecided == 0) break;
     for (std::size_t i = 0; i < n; ++i) {
@@ -91,10 +90,6 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
     cosine = -(slower * sine);
     sine = slower * before;
     power *= slower.hi;
-  }
-  for (RestingMass &mass : masses) {
-    mass.forceless = kind_[mass.contact.mass] == Kind::undecided;
-    if (mass.forceless) mass.held = false;
   }
   return std::min(order + 1, most_orders);
 }

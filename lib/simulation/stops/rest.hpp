@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulation/chain/motion.hpp"
+#include "simulation/chain/stop_state.hpp"
 
 namespace vibro_impact::detail {
 
@@ -15,9 +16,7 @@ struct RestingMass {
   int known_zeros = 0;  // derivatives of the force, from order 0 on, that are exactly zero
   // The decision.
   bool held = false;
-  bool forceless = false;   // no force of any order: the mass is free and stays at rest
-  int decided_zeros = 0;    // orders of the force that are zero
-  double derivative = 0.0;  // the modulus of the next: of the force if it is held, else of x''
+  AtStop at = Forceless{};  // the mass is free then, and stays at rest
 };
 
 // The storage of a decision, which is reused.
