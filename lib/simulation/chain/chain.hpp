@@ -47,6 +47,12 @@ struct Chain {
   double above(std::size_t i) const {
     return i + 1 < masses ? link[i + 1] : 0.0;
   }
+  // Calls `use` with the stiffness of each link from mass i to a neighbour, and the neighbour.
+  template <class Use>
+  void each_link(std::size_t i, const Use &use) const {
+    if (i > 0) use(link[i], i - 1);
+    if (i + 1 < masses) use(link[i + 1], i + 1);
+  }
   // The sum of the stiffnesses of the springs of mass i.
   double stiffness_at(std::size_t i) const {
     return link[i] + above(i) + ground[i];

@@ -14,15 +14,9 @@ void clear(const Chain &chain, Motion &motion) {
   motion.acceleration_known = false;
 }
 
-Turn turn_at(const Chain &chain, const Real &phase) {
-  Turn turn;
-  if (chain.omega > 0.0) sincos(phase * chain.omega, turn.sine, turn.cosine);
-  return turn;
-}
-
 void set_turn(const Chain &chain, Motion &motion) {
   motion.turned = 0;
-  motion.turn = turn_at(chain, motion.now.phase);
+  sincos(motion.now.phase * chain.omega, motion.turn.sine, motion.turn.cosine);
 }
 
 // With w = Omega tau, e^(iw) = 1 + iw + (cos w - 1) + i (sin w - w). The last two are of second
@@ -93,6 +87,18 @@ bool Value::is_zero() const {
   return abs(value) <= zero_threshold * terms;
 }
 
+Real force_at_rest(const Chain &chain, std::size_t i, const Motion &motion) {
+  const auto &[cosine, sine] = motion.turn;
+  Real force = chain.p[i] + chain.a[i] * cosine;
+  if (chain.b[i] != 0.0) force += chain.b[i] * sine;
+  if (chain.ground[i] != 0.0) force -= chain.ground[i] * motion.x[i];
+  if (i == 0) force -= chain.link[i] * motion.x[i];
+  chain.each_link(i, [&](double stiffness, std::size_t other) {
+    force += stiffness * ((motion.x[other] - motion.x[i]) + chain.beta * motion.v[other]);
+  });
+  return force;
+}
+
 Value force_of(const Chain &chain, const Contact &contact, const Motion &motion) {
   const std::size_t i = contact.mass;
   const double sigma = contact.sigma;
@@ -100,19 +106,12 @@ Value force_of(const Chain &chain, const Contact &contact, const Motion &motion)
   double slope = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
   Value value;
   value.terms = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
-                chain.ground[i] * motion.x_terms[i];
-  const auto add_link = [&](double stiffness, std::size_t other, bool exists) {
-    value.terms += stiffness * motion.x_terms[i];
-    if (!exists) return;
+                chain.stiffness_at(i) * motion.x_terms[i];
+  chain.each_link(i, [&](double stiffness, std::size_t other) {
     slope += stiffness * (motion.v[other].hi + chain.beta * motion.acceleration[other]);
     value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);
-  };
-  add_link(chain.link[i], i - 1, i > 0);
-  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1, true);
-  const Real force = force_at_rest(
-      chain, i, motion.turn, [&](std::size_t j) -> const Real & { return motion.x[j]; },
-      [&](std::size_t j) -> const Real & { return motion.v[j]; });
-  value.value = scaled(force, sigma);
+  });
+  value.value = scaled(force_at_rest(chain, i, motion), sigma);
   value.slope = sigma * slope;
   return value;
 }
@@ -120,15 +119,11 @@ Value force_of(const Chain &chain, const Contact &contact, const Motion &motion)
 double sum_of_forces(const Chain &chain, std::size_t i, const Motion &motion) {
   double sum = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
                chain.ground[i] * std::abs(motion.x[i].hi);
-  const auto add_link = [&](double stiffness, const Real &x, double v) {
-    sum += stiffness * (std::abs(rounded(x - motion.x[i])) +
-                        chain.beta * (std::abs(v) + std::abs(motion.v[i].hi)));
-  };
-  if (i > 0)
-    add_link(chain.link[i], motion.x[i - 1], motion.v[i - 1].hi);
-  else
-    add_link(chain.link[i], 0.0, 0.0);
-  if (i + 1 < chain.masses) add_link(chain.above(i), motion.x[i + 1], motion.v[i + 1].hi);
+  if (i == 0) sum += chain.link[i] * std::abs(motion.x[i].hi);
+  chain.each_link(i, [&](double stiffness, std::size_t other) {
+    sum += stiffness * (std::abs(rounded(motion.x[other] - motion.x[i])) +
+                        chain.beta * std::abs(motion.v[other].hi));
+  });
   return sum;
 }
 

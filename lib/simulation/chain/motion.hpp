@@ -38,9 +38,6 @@ double largest_terms(const Chain &chain, const Motion &motion, double time);
 // Sets all masses to rest at zero. The time, the turn and the contact mode stay.
 void clear(const Chain &chain, Motion &motion);
 
-// e^(i Omega t) from the phase.
-Turn turn_at(const Chain &chain, const Real &phase);
-
 // Computes the turn of a motion from its phase.
 void set_turn(const Chain &chain, Motion &motion);
 
@@ -50,24 +47,8 @@ void pass_time(const Chain &chain, const Real &tau, Motion &motion);
 // Sets the acceleration x'' = M^-1 (F - C x' - K x) of the free masses, unless it is known.
 void find_acceleration(const Chain &chain, Motion &motion);
 
-// The force on a mass at rest: external forces, springs and dampers. x(i) and v(i) are the
-// displacement and the velocity of mass i.
-template <class Displacement, class Velocity>
-Real force_at_rest(const Chain &chain, std::size_t i, const Turn &turn, const Displacement &x,
-                   const Velocity &v) {
-  Real force = chain.p[i] + chain.a[i] * turn.cosine;
-  if (chain.b[i] != 0.0) force += chain.b[i] * turn.sine;
-  if (chain.ground[i] != 0.0) force -= chain.ground[i] * x(i);
-  const auto add_link = [&](double stiffness, std::size_t other) {
-    force += stiffness * ((x(other) - x(i)) + chain.beta * v(other));
-  };
-  if (i > 0)
-    add_link(chain.link[i], i - 1);
-  else
-    force -= chain.link[i] * x(i);
-  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
-  return force;
-}
+// The force on a mass at rest: external forces, springs and dampers.
+Real force_at_rest(const Chain &chain, std::size_t mass, const Motion &motion);
 
 // Puts a mass, at an instant, to a displacement and a velocity that are known exactly.
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion);

@@ -46,12 +46,10 @@ double fall_of(const Chain &chain, const Contact &contact, const MotionBounds &b
   const double left = bounds.left;
   if (!contact.held) return left * (bounds.speed(i) + left * bounds.acceleration);
   double rate = chain.omega * std::hypot(chain.a[i], chain.b[i]), jump = 0.0;
-  const auto add_link = [&](double stiffness, std::size_t other) {
+  chain.each_link(i, [&](double stiffness, std::size_t other) {
     rate += stiffness * (bounds.speed(other) + (left + chain.beta) * bounds.acceleration);
     jump += stiffness * chain.beta * bounds.jump(other);
-  };
-  if (i > 0) add_link(chain.link[i], i - 1);
-  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
+  });
   return jump + left * rate;
 }
 

@@ -56,12 +56,6 @@ inline Real exact_root(const Contact &closing, const RealPair &x, const RealPair
 
 }  // namespace
 
-MassMotion mass_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau) {
-  const Real &x = start.x[mass], &v = start.v[mass];
-  const auto [value, slope, acceleration] = change_at(table, mass / 2 * 2, tau);
-  return {x + (v * tau + value[mass % 2]), v + slope[mass % 2]};
-}
-
 void move_along(const Chain &chain, const TaylorTable &table, double tau, const Contact *closing,
                 Motion &motion) {
   Real time = tau;

@@ -228,14 +228,12 @@ void read(const Chain &chain, const Motion &start, const TaylorTable &table, con
   c[3] = angle / 6.0 * odd;
   for (std::size_t n = 4; n <= orders; ++n)
     c[n] = -(angle * angle) * factors(static_cast<int>(n)).inverse[0] * c[n - 2];
-  const auto add_link = [&](double stiffness, std::size_t other) {
+  chain.each_link(i, [&](double stiffness, std::size_t other) {
     const double *entry = table.of_order(2) + other;
     const double weight = contact.sigma * stiffness;
     for (std::size_t n = 2; n <= orders; ++n, entry += stride)
       c[n] += weight * (entry[0] + damping * static_cast<double>(n + 1) * entry[stride]);
-  };
-  if (i > 0) add_link(chain.link[i], i - 1);
-  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
+  });
 }
 
 }  // namespace vibro_impact::detail

@@ -55,15 +55,6 @@ void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTa
 void read(const Chain &chain, const Motion &start, const TaylorTable &table, const Contact &contact,
           Polynomial &p);
 
-// The displacement and the velocity of one mass.
-struct MassMotion {
-  Real x, v;
-};
-
-// Those of a mass at the time tau > 0 of the step, to the last bit those to which `move_along`
-// moves it where no gap closes.
-MassMotion mass_along(const Motion &start, const TaylorTable &table, std::size_t mass, double tau);
-
 // Moves motion and clock to the time tau of the step, or if a gap closes there, to its root in
 // twice the precision. The first-order change is exact, so that only what is of second order has
 // the rounding of a double.

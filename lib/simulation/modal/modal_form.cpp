@@ -18,11 +18,9 @@ Index as_index(std::size_t i) {
 // The constant force on a free mass, with the pull of held neighbours.
 Real constant_force(const Chain &chain, const Motion &motion, std::size_t i) {
   Real force = chain.p[i];
-  const auto add_link = [&](double stiffness, std::size_t other) {
+  chain.each_link(i, [&](double stiffness, std::size_t other) {
     if (motion.mode->held[other] != 0) force += stiffness * motion.x[other];
-  };
-  if (i > 0) add_link(chain.link[i], i - 1);
-  if (i + 1 < chain.masses) add_link(chain.above(i), i + 1);
+  });
   return force;
 }
 
@@ -41,8 +39,7 @@ Watch watch_at(const Chain &chain, const ModalForm &form, const Contact &contact
   watch.damping = chain.beta;
   watch.a = sign * chain.a[i];
   watch.b = sign * chain.b[i];
-  if (i > 0) add(chain.link[i], i - 1);
-  if (i + 1 < chain.masses) add(chain.above(i), i + 1);
+  chain.each_link(i, add);
   return watch;
 }
 

@@ -17,6 +17,11 @@ bool is_in_range(const Motion &motion) {
   return true;
 }
 
+void give_up_beyond_range(Run &run, double time) {
+  stop_run(run, Ending::given_up,
+           line("the motion leaves the range of double precision before t = ", time, ", given up"));
+}
+
 }  // namespace
 
 void stop_run(Run &run, Ending ending, std::string reason) {
@@ -26,26 +31,17 @@ void stop_run(Run &run, Ending ending, std::string reason) {
   run.progress.reason = std::move(reason);
 }
 
-void give_up_beyond_range(Run &run, double time) {
-  stop_run(run, Ending::given_up,
-           line("the motion leaves the range of double precision before t = ", time, ", given up"));
-}
-
-void give_up_beyond_stop(Run &run, std::size_t mass, double time) {
-  stop_run(run, Ending::given_up,
-           line("mass ", mass + 1, " lies beyond its stop at t = ", time,
-                ", given up: an event was missed"));
-}
-
-void check_motion(Run &run) {
-  const Motion &motion = run.motion;
-  if (!is_in_range(motion)) return give_up_beyond_range(run, run.time());
+void check_motion(Run &run, const Motion &motion) {
+  const double time = time_of(motion.now.rounded(), run.chain().clock);
+  if (!is_in_range(motion)) return give_up_beyond_range(run, time);
   for (const ChainStop &stop : run.chain().stops) {
     const double gap = stop.sigma * (stop.position - motion.x[stop.mass].hi);
     if (!(gap < 0.0)) continue;
     const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];
-    if (!is_rounding_at_stop(-gap, terms, largest_terms(run.chain(), motion, run.time())))
-      return give_up_beyond_stop(run, stop.mass, run.time());
+    if (!is_rounding_at_stop(-gap, terms, largest_terms(run.chain(), motion, time)))
+      return stop_run(run, Ending::given_up,
+                      line("mass ", stop.mass + 1, " lies beyond its stop at t = ", time,
+                           ", given up: an event was missed"));
   }
 }
 

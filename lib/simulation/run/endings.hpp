@@ -8,15 +8,9 @@ namespace vibro_impact::detail {
 // Ends the call of `advance`. The first ending and reason of a call are kept.
 void stop_run(Run &run, Ending ending, std::string reason = {});
 
-// Gives the run up: the motion leaves the range of double precision before this time.
-void give_up_beyond_range(Run &run, double time);
-
-// Gives the run up: a mass (from 0) lies beyond its stop at this time.
-void give_up_beyond_stop(Run &run, std::size_t mass, double time);
-
-// Gives the run up when the motion, just after its events, has left the range of double precision,
-// or lies beyond a stop by more than rounding: an event was missed.
-void check_motion(Run &run);
+// Gives the run up when a motion of it, just after its events or at the end of the call, has left
+// the range of double precision, or lies beyond a stop by more than rounding: an event was missed.
+void check_motion(Run &run, const Motion &motion);
 
 // Gives the run up when a flight ends at an event without a time: the search for it has failed.
 void check_search(Run &run, const FlightEnd &end);

@@ -136,7 +136,7 @@ void move_to(Run &run, const FlightEnd &end) {
 
 // One flight of the loop.
 void fly_on(Run &run, Recorders recorders) {
-  check_motion(run);
+  check_motion(run, run.motion);
   if (run.progress.over) return;
   const bool far = run.long_flight.takes_over(run.chain(), run.hint.quiet_steps);
   const FlightEnd end = far ? search_far(run) : search_step(run);

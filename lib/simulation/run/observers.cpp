@@ -9,13 +9,8 @@
 
 namespace vibro_impact::detail {
 
-MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Instant &at, double tau)
-    : Moment(at, time_of(at, run.chain().clock)), run_(run), motion_(motion), tau_(tau) {
-}
-
-MassMotion MomentOfMotion::mass_motion(std::size_t i) const {
-  if (!(tau_ > 0.0)) return {motion_.x[i], motion_.v[i]};
-  return mass_along(motion_, run_.scratch.step.table, i, tau_);
+MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Instant &at)
+    : Moment(at, time_of(at, run.chain().clock)), run_(run), motion_(motion) {
 }
 
 std::size_t MomentOfMotion::index_of(int mass) const {
@@ -30,32 +25,23 @@ int MomentOfMotion::masses() const {
 double MomentOfMotion::displacement(int mass) const {
   const std::size_t i = index_of(mass);
   const Chain &chain = run_.chain();
-  const double place = mass_motion(i).x.hi,
+  const double place = motion_.x[i].hi,
                inside = std::clamp(place, chain.lowest[i], chain.highest[i]);
   if (place == inside) return place;
-  double terms = std::abs(inside) + motion_.x_terms[i];
-  if (tau_ > 0.0) {
-    const TaylorTable &table = run_.scratch.step.table;
-    const double u = tau_ / table.step.unit;
-    terms += tau_ * std::abs(motion_.v[i].hi) + u * u * table.travel[i];
-  }
+  const double terms = std::abs(inside) + motion_.x_terms[i];
   return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain, motion_, time))
              ? inside
              : place;
 }
 
 double MomentOfMotion::velocity(int mass) const {
-  return mass_motion(index_of(mass)).v.hi;
+  return motion_.v[index_of(mass)].hi;
 }
 
 double MomentOfMotion::hold_force(int mass) const {
   const std::size_t i = index_of(mass);
   if (motion_.mode->held[i] == 0) return std::numeric_limits<double>::quiet_NaN();
-  const Chain &chain = run_.chain();
-  const Turn turn = tau_ > 0.0 ? turn_at(chain, motion_.now.phase + tau_) : motion_.turn;
-  return rounded(force_at_rest(
-      chain, i, turn, [this](std::size_t j) { return mass_motion(j).x; },
-      [this](std::size_t j) { return mass_motion(j).v; }));
+  return rounded(force_at_rest(run_.chain(), i, motion_));
 }
 
 ImpactSum MomentOfMotion::unreported(int stop) const {
@@ -68,12 +54,13 @@ MotionState MomentOfMotion::state() const {
   return state_at(*this, motion_.mode->held);
 }
 
-MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at) {
-  if (run.long_flight.is_under_way()) {
-    const Real since = tau.hi > 0.0 ? tau : Real(0.0);
-    return {run, run.long_flight.at(run.chain(), since), at};
-  }
-  return {run, run.motion, at, tau.hi};
+const Motion &motion_at(Run &run, const Real &tau) {
+  if (run.long_flight.is_under_way())
+    return run.long_flight.at(run.chain(), tau.hi > 0.0 ? tau : Real(0.0));
+  Motion &motion = run.scratch.motion;
+  motion = run.motion;
+  if (tau.hi > 0.0) move_along(run.chain(), run.scratch.step.table, tau.hi, nullptr, motion);
+  return motion;
 }
 
 void report_impact(Run &run, std::size_t stop, double closing, double leaving,

@@ -6,11 +6,10 @@
 
 namespace vibro_impact::detail {
 
-// The moment of a motion of the run, or at the time tau > 0 of its step, whose table is in
-// scratch.step. It computes what it is asked for.
+// The moment of a motion of the run.
 class MomentOfMotion final : public Moment {
  public:
-  MomentOfMotion(const Run &run, const Motion &motion, const Instant &at, double tau = 0.0);
+  MomentOfMotion(const Run &run, const Motion &motion, const Instant &at);
   int masses() const override;
   double displacement(int mass) const override;
   double velocity(int mass) const override;
@@ -21,15 +20,13 @@ class MomentOfMotion final : public Moment {
  private:
   const Run &run_;
   const Motion &motion_;
-  double tau_;
 
   std::size_t index_of(int mass) const;
-  MassMotion mass_motion(std::size_t i) const;
 };
 
-// The moment at a time `tau` of the step or long flight of the run. The rounding of a sample may
-// put `tau` below 0, which is the start. The moment is valid until the run goes on.
-MomentOfMotion moment_at(Run &run, const Real &tau, const Instant &at);
+// The motion at a time `tau` of the step or long flight of the run. The rounding of a sample may
+// put `tau` below 0, which is the start. It is valid until the run goes on.
+const Motion &motion_at(Run &run, const Real &tau);
 
 // Reports an event at a stop, and ends the call when a recorder is done. `before` and `after` are
 // the velocities of an impact, else 0.

@@ -53,6 +53,7 @@ struct Scratch {
   std::vector<Hit> hits;
   Held held;
   Event event;
+  Motion motion;  // at a sample or an end
 };
 
 // The limit of a chatter, found at a node. Where an end, a sample or an impact that is asked for

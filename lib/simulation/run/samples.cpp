@@ -1,7 +1,5 @@
 #include "samples.hpp"
 
-#include <cmath>
-
 #include "endings.hpp"
 #include "observers.hpp"
 #include "simulation/chain/require.hpp"
@@ -21,7 +19,7 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
     require(since.hi >= 0.0 || next >= run.time(), "next_time = ", next,
             ": lies before the motion, which is at t = ", run.time());
     ++run.counters.states_computed;
-    const MomentOfMotion moment = moment_at(run, since, at);
+    const MomentOfMotion moment(run, motion_at(run, since), at);
     if (!report_sample(run, moment, next, recorders)) continue;
     run.progress.last = moment.state();
     return stop_run(run, Ending::stopped);
@@ -32,16 +30,10 @@ void end_at_time(Run &run, Recorders recorders) {
   const Real tau = time_until(run, run.progress.end);
   sample(run, tau, recorders);
   if (run.progress.over) return;
-  run.progress.last = moment_at(run, tau, run.progress.end).state();
+  const Motion &motion = motion_at(run, tau);
+  run.progress.last = MomentOfMotion(run, motion, run.progress.end).state();
   if (run.long_flight.is_under_way()) ++run.counters.states_computed;
-  const Chain &chain = run.chain();
-  const double end = time_of(run.progress.end, chain.clock);
-  for (std::size_t i = 0; i < chain.masses; ++i) {
-    const double x = run.progress.last.displacement[i];
-    if (!std::isfinite(x)) give_up_beyond_range(run, end);
-    // A displacement beyond a stop by rounding is reported as the position of the stop.
-    if (x < chain.lowest[i] || x > chain.highest[i]) give_up_beyond_stop(run, i, end);
-  }
+  check_motion(run, motion);
   stop_run(run, Ending::reached);
 }
 
