@@ -99,6 +99,7 @@ TEST(Listing, EndsAChatterThatIsReleasedAtOnceWithAnImpactWithoutSpeed) {
   detail::put_at_start(run);
   detail::handle_instant(run, {});
   run.limit.motion = run.motion;
+  run.limit.stops = run.stops;
   run.limit.unreported = {2.0, 3.0};
   detail::enter_limit(run, recorders);
   ASSERT_EQ(events.events.size(), 1u);

@@ -30,7 +30,7 @@ Chain::Chain(const Scene &scene)
   highest.assign(padded, infinity);
   for (const Stop &stop : scene.stops) {
     const auto i = static_cast<std::size_t>(stop.mass - 1);
-    stops.push_back({i, sign(stop.side), stop.position, law_of(scene, stop)});
+    stops.push_back({stops.size(), i, sign(stop.side), stop.position, law_of(scene, stop)});
     (stop.side == Side::upper ? highest : lowest)[i] = stop.position;
   }
   for (std::size_t i = 0; i < masses; ++i) {

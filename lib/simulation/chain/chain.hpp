@@ -17,19 +17,22 @@ inline void add_pair(std::size_t mass, List<std::size_t> &pairs) {
   if (pairs.empty() || pairs.back() != first) pairs.push_back(first);
 }
 
-struct ChainStop {
-  std::size_t mass = 0;
-  double sigma = 1.0;  // the sign of its side
+// A contact stays positive until something happens at a stop. It is the gap g = sigma (s - x) of a
+// free mass, or sigma F of a held one, the force that presses it into the stop (Eqs. 12-13).
+struct Contact {
+  std::size_t stop = 0, mass = 0;
+  double sigma = 1.0;  // the sign of the side of the stop
   double position = 0.0;
   ImpactLaw law = {1.0};
+  bool held = false;
 };
 
 // M x'' + C x' + K x = A cos(Omega t) + B sin(Omega t) + P with C = beta K (Eq. 4).
 struct Chain {
   std::size_t masses = 0, padded = 0;
   List<double> mass, a, b, p, ground;
-  List<double> link;  // entry i ties mass i to mass i - 1, entry 0 to the ground
-  List<ChainStop> stops;
+  List<double> link;             // entry i ties mass i to mass i - 1, entry 0 to the ground
+  List<Contact> stops;           // with all masses free
   List<double> lowest, highest;  // the stops of each mass, or -infinity and infinity
   bool grounded = false;         // some mass has a spring to the ground
   // The first masses of pairs with a mass that has a stop, and of pairs with one that is forced.

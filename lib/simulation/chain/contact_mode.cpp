@@ -48,11 +48,10 @@ ContactMode build_contact_mode(const Chain &chain, const Held &held) {
   }
   const double lambda = largest_eigenvalue(chain, held);
   mode.fastest = std::max(root_modulus(chain.beta * lambda, lambda), chain.omega);
-  for (std::size_t k = 0; k < chain.stops.size(); ++k) {
-    const ChainStop &stop = chain.stops[k];
-    const bool is_held = held[stop.mass] != 0;
-    if (is_held && held[stop.mass] != static_cast<signed char>(stop.sigma)) continue;
-    mode.contacts.push_back({k, stop.mass, stop.sigma, stop.position, is_held});
+  for (Contact contact : chain.stops) {
+    contact.held = held[contact.mass] != 0;
+    if (!contact.held || held[contact.mass] == static_cast<signed char>(contact.sigma))
+      mode.contacts.push_back(contact);
   }
   return mode;
 }

@@ -10,15 +10,6 @@
 
 namespace vibro_impact::detail {
 
-// A contact stays positive until something happens at a stop. It is the gap g = sigma (s - x) of a
-// free mass, or sigma F of a held one, the force that presses it into the stop (Eqs. 12-13).
-struct Contact {
-  std::size_t stop = 0, mass = 0;
-  double sigma = 1.0;
-  double position = 0.0;
-  bool held = false;
-};
-
 struct ContactMode {
   Held held;
   // m of a free mass, infinity of a held one, which has no acceleration. And its reciprocal.

@@ -41,7 +41,7 @@ void Chatter::set_weights(double ratio) {
 void Chatter::add(const Chain &chain, const Motion &motion, const Contact &contact, double closing,
                   double flight_time) {
   const std::size_t stop = contact.stop, mass = contact.mass;
-  const double r = chain.stops[stop].law.at_rest();
+  const double r = contact.law.at_rest();
   if (!(stop == contact_.stop && flight_time < flight_time_)) {
     end();
     contact_ = contact;
@@ -54,8 +54,7 @@ void Chatter::add(const Chain &chain, const Motion &motion, const Contact &conta
   flight_time_ = flight_time;
   const double leaving = std::abs(motion.v[mass].hi), m = chain.mass[mass];
   const ImpactSum taken = taken_by_impact(chain, stop, closing, leaving);
-  sum_.impulse += taken.impulse;
-  sum_.energy += taken.energy;
+  sum_ += Pair{taken.impulse, taken.energy};
   const double left = flight_time / (1.0 - r);
   if (impacts_++ % stride_ != 0) return;
   // The nodes before have not come to the constant ratio: their predictions are no series in it.
@@ -80,7 +79,7 @@ void Chatter::add(const Chain &chain, const Motion &motion, const Contact &conta
     store(load(&motion.x[i]) + v * Pair{left, left}, &node.x[i]);
     store(v + gain, &node.v[i]);
   }
-  node.sum = {sum_.impulse + m * jump, sum_.energy + 0.5 * m * leaving * leaving};
+  node.sum = sum_ + Pair{m * jump, 0.5 * m * leaving * leaving};
 }
 
 // Differences from the latest node lose no digits. `oldest` is what the oldest node adds.
@@ -121,15 +120,10 @@ bool Chatter::extrapolate(double tolerance, Motion &motion) const {
 }
 
 ImpactSum Chatter::sum_left() const {
-  const ExactSum &latest = node(0).sum;
-  ImpactSum left{rounded(latest.impulse - sum_.impulse), rounded(latest.energy - sum_.energy)};
-  for (std::size_t before = 1; before < size_; ++before) {
-    const ExactSum &sum = node(before).sum;
-    const double weight = weights_[size_][before];
-    left += {weight * rounded(sum.impulse - latest.impulse),
-             weight * rounded(sum.energy - latest.energy)};
-  }
-  return left;
+  const RealPair &latest = node(0).sum;
+  Pair left = (latest - sum_).hi;
+  for (std::size_t k = 1; k < size_; ++k) left += weights_[size_][k] * (node(k).sum - latest).hi;
+  return {left[0], left[1]};
 }
 
 }  // namespace vibro_impact::detail

@@ -16,17 +16,11 @@ namespace vibro_impact::detail {
 // The sums of one impact at a stop of the chain.
 ImpactSum taken_by_impact(const Chain &chain, std::size_t stop, double closing, double leaving);
 
-// An ImpactSum in twice the precision: what is left of a chatter is the small difference of two
-// sums over the whole.
-struct ExactSum {
-  Real impulse = 0.0, energy = 0.0;
-};
-
 // An impact as a node of the extrapolation: what it predicts of the limit, to leading order.
 struct ChatterNode {
   Real time = 0.0;  // of the limit, since the first impact
   std::vector<Real> x, v;
-  ExactSum sum;       // of all impacts since the first
+  RealPair sum;       // the impulse and the energy of all impacts since the first
   double jump = 0.0;  // of the velocity of the mass, at all impacts to come
 };
 
@@ -65,7 +59,9 @@ class Chatter {
   using Weights = std::array<double, most_chatter_nodes>;  // of the latest node first
 
   Contact contact_;
-  ExactSum sum_;  // of the impacts so far
+  // The impulse and the energy of the impacts so far, in twice the precision: what is left of a
+  // chatter is the small difference of two sums over the whole.
+  RealPair sum_;
   std::array<ChatterNode, most_chatter_nodes> ring_;
   std::size_t size_ = 0, newest_ = 0, impacts_ = 0, stride_ = 1;
   TwofoldInstant first_;  // the instant of the first impact

@@ -168,20 +168,13 @@ void expand_chain(const Chain &chain, const Motion &motion, TaylorTable &table) 
 
 }  // namespace
 
-OrderTable::OrderTable(double tolerance) {
-  double factorial = 6.0;
-  for (std::size_t k = 0; k < longest_.size(); ++k) {
-    const auto p = 2.0 * static_cast<double>(k) + 3.0;
-    factorial *= (p + 1.0) * (k == 0 ? 1.0 : p);
-    longest_[k] = std::pow(0.5 * tolerance * factorial, 1.0 / (p - 1.0));
-  }
-}
-
-// Counted without a branch, which a processor could not predict.
-int OrderTable::order_of(double radians) const {
-  int k = 0;
-  for (const double longest : longest_) k += radians > longest ? 1 : 0;
-  return 2 * k + 3;
+int order_of(double radians, double tolerance) {
+  const double square = radians * radians;
+  double remainder = square / 12.0;
+  int order = 3;
+  for (; order < max_order && remainder > tolerance; order += 2)
+    remainder *= square * factors(order + 3).inverse[0];
+  return order;
 }
 
 void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTable &table) {

@@ -2,7 +2,6 @@
 // forces are read from it, and it moves the motion ((1) to (3) of lib/README.md).
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "polynomial.hpp"
@@ -23,14 +22,7 @@ struct Step {
 // The order of a step of this many radians: the smallest p = 2 k + 3 with the remainder
 // 2 x^(p-1) / (p+1)! <= tolerance, at most `max_order`. The remainder is its first term, relative
 // to the second-order term: small gaps stay accurate.
-class OrderTable {
- public:
-  explicit OrderTable(double tolerance);
-  int order_of(double radians) const;
-
- private:
-  std::array<double, max_order / 2 - 1> longest_;  // in radians, of order 2 k + 3
-};
+int order_of(double radians, double tolerance);
 
 struct TaylorTable {
   Step step;

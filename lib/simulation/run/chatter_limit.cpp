@@ -23,7 +23,7 @@ void follow_chatter(Run &run, const ContactMode *mode_before) {
   }
   run.hint.flight_time = std::ranges::max(hits, {}, &Hit::flight_time).flight_time;
   const Hit &hit = hits.front();
-  const double r = run.chain().stops[hit.contact.stop].law.at_rest();
+  const double r = hit.contact.law.at_rest();
   // With r = 1 the impacts have no limit.
   if (hits.size() > 1 || !(r < 1.0 && hit.flight_time < infinity)) return chatter.end();
   chatter.add(run.chain(), run.motion, hit.contact, rounded(hit.closing), hit.flight_time);
@@ -55,6 +55,7 @@ bool find_limit(Run &run) {
   motion.acceleration_known = false;
   pass(*left, chain.clock, motion.now);
   set_turn(chain, motion);
+  run.limit.stops = run.stops;
   run.limit.unreported = chatter.sum_left();
   return true;
 }
@@ -63,14 +64,13 @@ bool find_limit(Run &run) {
 // As a call begins within a flight, the next impact is not known.
 bool is_any_left(Run &run, Recorders recorders) {
   ChatterLimit &limit = run.limit;
-  const std::vector<StopState> &at_node = limit.is_ahead ? limit.stops : run.stops;
   const Instant instant = limit.motion.now.rounded();
   const double time = time_of(instant, run.chain().clock);
   limit.slowest = infinity;
   for (const Recorder *recorder : recorders)
-    limit.slowest =
-        std::min(limit.slowest,
-                 recorder->slowest_impact(at_node[run.chatter.contact().stop].first_speed, time));
+    limit.slowest = std::min(
+        limit.slowest,
+        recorder->slowest_impact(limit.stops[run.chatter.contact().stop].first_speed, time));
   return run.progress.end < instant || run.progress.next_sample <= time ||
          run.hint.quiet_steps > 0 || next_speed_factor * rebound_speed(run) >= limit.slowest;
 }
@@ -80,10 +80,8 @@ bool is_any_left(Run &run, Recorders recorders) {
 void enter_limit(Run &run, Recorders recorders) {
   ChatterLimit &limit = run.limit;
   std::swap(run.motion, limit.motion);
-  if (std::exchange(limit.is_ahead, false)) {
-    std::swap(run.stops, limit.stops);
-    count_as_at_node(run);
-  }
+  std::swap(run.stops, limit.stops);
+  if (std::exchange(limit.is_ahead, false)) count_as_at_node(run);
   forget_instant(run);
   StopState &stop = run.stops[run.chatter.contact().stop];
   stop.at = Resting{};
@@ -103,9 +101,7 @@ void take_limit(Run &run, Recorders recorders) {
       (run.hint.quiet_steps > 0 || !run.chatter.is_at_node() || !find_limit(run)))
     return;
   if (!is_any_left(run, recorders)) return enter_limit(run, recorders);
-  if (std::exchange(limit.is_ahead, true)) return;
-  limit.stops = run.stops;
-  limit.counters = std::exchange(run.counters, {});
+  if (!std::exchange(limit.is_ahead, true)) limit.counters = std::exchange(run.counters, {});
 }
 
 bool limit_ends_flight(Run &run, const Real &tau, Recorders recorders) {

@@ -34,7 +34,7 @@ void stop_run(Run &run, Ending ending, std::string reason) {
 void check_motion(Run &run, const Motion &motion) {
   const double time = time_of(motion.now.rounded(), run.chain().clock);
   if (!is_in_range(motion)) return give_up_beyond_range(run, time);
-  for (const ChainStop &stop : run.chain().stops) {
+  for (const Contact &stop : run.chain().stops) {
     const double gap = stop.sigma * (stop.position - motion.x[stop.mass].hi);
     if (!(gap < 0.0)) continue;
     const double terms = std::abs(stop.position) + motion.x_terms[stop.mass];

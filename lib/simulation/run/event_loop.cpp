@@ -39,7 +39,8 @@ Step plan_step(Run &run) {
   }
   step.unit = 2.0 * leading_power(step.length);
   step.u_max = step.length / step.unit;
-  step.order = run.problem.orders.order_of(run.motion.mode->fastest * step.length);
+  step.order =
+      order_of(run.motion.mode->fastest * step.length, run.problem.options.flight_tolerance);
   int zeros = 0;  // a gap with many zeros needs an order beyond them
   for (const Start &start : run.scratch.starts) zeros = std::max(zeros, start.zeros);
   if (zeros > 1) step.order = std::max(step.order, std::min(max_order, zeros / 2 * 2 + 5));

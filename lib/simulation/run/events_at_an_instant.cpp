@@ -71,9 +71,9 @@ void set_stops(Run &run, const RestingMass &mass) {
   stop.at = mass.at;
   if (mass.held == mass.contact.held) return;
   stop = {.at = stop.at, .changed = run.motion.now.rounded(), .unreported = stop.unreported};
-  const List<ChainStop> &stops = run.chain().stops;
-  for (std::size_t k = 0; k < stops.size() && !mass.held; ++k)
-    if (k != mass.contact.stop && stops[k].mass == mass.contact.mass) run.stops[k] = {};
+  for (const Contact &other : run.chain().stops)
+    if (!mass.held && other.stop != mass.contact.stop && other.mass == mass.contact.mass)
+      run.stops[other.stop] = {};
 }
 
 // Reports the event of a mass that was in question, if it has one: a stick, a release, or the limit

@@ -61,7 +61,7 @@ void apply_hits(Run &run, Recorders recorders) {
   std::vector<Hit> &hits = run.scratch.hits;
   for (const Hit &hit : hits) {
     const Contact &contact = hit.contact;
-    const ImpactLaw &law = chain.stops[contact.stop].law;
+    const ImpactLaw &law = contact.law;
     StopState &stop = run.stops[contact.stop];
     const double closing = rounded(hit.closing);
     const bool comes_back_at_once = count_impact(run, stop, closing);
@@ -79,8 +79,7 @@ void apply_hits(Run &run, Recorders recorders) {
   for (const Hit &hit : hits) {
     const Contact &contact = hit.contact;
     const double closing = rounded(hit.closing);
-    report_impact(run, contact.stop, closing, chain.stops[contact.stop].law.after(closing),
-                  recorders);
+    report_impact(run, contact.stop, closing, contact.law.after(closing), recorders);
   }
   if (hits.empty()) return;
   find_acceleration(chain, motion);
@@ -90,7 +89,7 @@ void apply_hits(Run &run, Recorders recorders) {
     const auto *leaving = std::get_if<ExactZeros>(&stop.at);
     if (!leaving) continue;
     hit.flight_time = flight_after(motion, contact, leaving->derivative);
-    const double time_left = hit.flight_time / (1.0 - chain.stops[contact.stop].law.at_rest()),
+    const double time_left = hit.flight_time / (1.0 - contact.law.at_rest()),
                  passed = rounded(elapsed(stop.since, motion.now, run.chain().clock));
     if (!(time_left < chatter_end * passed)) continue;
     stop.at = Resting{};

@@ -22,7 +22,6 @@ struct Problem {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const Chain> chain;
   RunOptions options;
-  OrderTable orders;
 
   Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run);
 };
@@ -64,8 +63,8 @@ struct ChatterLimit {
   Motion motion;                 // at the limit
   ImpactSum unreported;          // of the impacts between the node and the limit
   double slowest = infinity;     // of the impacts that are reported
-  std::vector<StopState> stops;  // as at the node, if the run has gone on,
-  Counters counters;             // and the work of this call up to there
+  std::vector<StopState> stops;  // as at the node,
+  Counters counters;             // and the work of this call up to there, if the run has gone on
 };
 
 // The progress of one call of `advance`.

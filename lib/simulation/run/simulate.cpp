@@ -47,8 +47,7 @@ std::unique_ptr<Run> new_run(const Scene &scene, MotionState start, const RunOpt
 Problem::Problem(std::shared_ptr<const Scene> scene_of_run, const RunOptions &options_of_run)
     : scene(std::move(scene_of_run)),
       chain(std::make_shared<const Chain>(*scene)),
-      options(options_of_run),
-      orders(options.flight_tolerance) {
+      options(options_of_run) {
 }
 
 }  // namespace detail

@@ -20,6 +20,7 @@ RestDecision::Term RestDecision::springs_on(const Chain &chain, std::size_t i) c
   const std::size_t ground = chain.masses;  // the last entry, which never moves
   // Differences first: a neighbour at the same place exerts no force at all.
   const auto add_spring = [&](double stiffness, std::size_t other) {
+    if (stiffness == 0.0) return;
     const Term &x = order_n_[i], &v = order_n_plus_1_[i], &x_other = order_n_[other],
                &v_other = order_n_plus_1_[other];
     force.value -= stiffness * ((x.value - x_other.value) + damping * (v.value - v_other.value));
@@ -37,7 +38,7 @@ int RestDecision::decide(const Chain &chain, const Motion &motion,
   const double rate = chain.rate_unit;
   kind_.resize(n);
   for (std::vector<Term> *order : {&order_n_, &order_n_plus_1_, &order_n_plus_2_})
-    order->assign(n + 1, {});
+    order->resize(n + 1);
   for (std::size_t i = 0; i < n; ++i) {
     kind_[i] = motion.mode->held[i] != 0 ? Kind::held : Kind::moving;
     order_n_[i] = {motion.x[i], motion.x_terms[i]};
