@@ -178,9 +178,9 @@ TEST(AtRest, AReleaseAtTheInstantOfAStickComesTwoRoundingsLater) {
   EXPECT_EQ(outcome.counters.expansions, 4);
 }
 
-// A mass rests at its stop, and its neighbour leaves so slowly that the force between them lies below
-// rounding. The pair drifts away with half the speed of the neighbour, and a force that brings it
-// back with the acceleration a makes it hit the stop after the time v / a.
+// A mass rests at its stop, and its neighbour leaves so slowly that the force between them lies
+// below rounding. The pair drifts away with half the speed of the neighbour, and a force that
+// brings it back with the acceleration a makes it hit the stop after the time v / a.
 TEST(AtRest, AMassWithoutForceThatDriftsAwayComesBackToItsStop) {
   constexpr double speed = 1e-29, back = 1e7, force = speed / back;
   const Scene scene{.mass = {1.0, 1.0},
