@@ -55,6 +55,7 @@ bool find_limit(Run &run) {
   motion.acceleration_known = false;
   pass(*left, chain.clock, motion.now);
   set_turn(chain, motion);
+  run.limit.stop = chatter.contact().stop;
   run.limit.stops = run.stops;
   run.limit.unreported = chatter.sum_left();
   return true;
@@ -68,9 +69,8 @@ bool is_any_left(Run &run, Recorders recorders) {
   const double time = time_of(instant, run.chain().clock);
   limit.slowest = infinity;
   for (const Recorder *recorder : recorders)
-    limit.slowest = std::min(
-        limit.slowest,
-        recorder->slowest_impact(limit.stops[run.chatter.contact().stop].first_speed, time));
+    limit.slowest = std::min(limit.slowest,
+                             recorder->slowest_impact(limit.stops[limit.stop].first_speed, time));
   return run.progress.end < instant || run.progress.next_sample <= time ||
          run.hint.quiet_steps > 0 || next_speed_factor * rebound_speed(run) >= limit.slowest;
 }
@@ -83,7 +83,7 @@ void enter_limit(Run &run, Recorders recorders) {
   std::swap(run.stops, limit.stops);
   if (std::exchange(limit.is_ahead, false)) count_as_at_node(run);
   forget_instant(run);
-  StopState &stop = run.stops[run.chatter.contact().stop];
+  StopState &stop = run.stops[limit.stop];
   stop.at = Resting{};
   stop.unreported = limit.unreported;
   run.chatter.end();

@@ -59,8 +59,9 @@ struct Scratch {
 // lies before it, the run goes on from impact to impact until nothing is left to be reported. Then
 // it is put to the limit, as if it still stood at the node: what was reported changes no motion.
 struct ChatterLimit {
-  bool is_ahead = false;         // the run has gone on
-  Motion motion;                 // at the limit
+  bool is_ahead = false;  // the run has gone on
+  Motion motion;          // at the limit
+  std::size_t stop = 0;
   ImpactSum unreported;          // of the impacts between the node and the limit
   double slowest = infinity;     // of the impacts that are reported
   std::vector<StopState> stops;  // as at the node,
