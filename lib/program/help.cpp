@@ -37,7 +37,7 @@ relative to the base. A ball on a table that moves by 1.2 cos(t):
 std::string footer_of_orbit() {
   return R"(The periodic orbit near the settled motion, with its multipliers; by --period 2 one that need not
 be stable:
-  vibro-impact orbit --omega 0.69 --period 2 --velocities --samples orbit.csv --portrait orbit.png
+  vibro-impact orbit --omega 0.692 --period 2 --velocities --samples orbit.csv --portrait orbit.png
 Its branch in both directions, to the kind of each end, and the branch over a diagram:
   vibro-impact sweep --vary omega=0.55:0.65:51 --impacts diagram.csv
   vibro-impact orbit --omega 0.6 --vary omega=0.5:0.7:101 --table branch.csv --plot branch.png \
