@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -94,6 +95,21 @@ TEST(Resume, ASampleAtAnImpactHasTheVelocityBeforeAndAStartTheVelocityAfter) {
   scene.velocity = {-1.0};
   EXPECT_EQ(simulate(scene, 0.5, starting).ending, Ending::stopped);
   EXPECT_EQ(starting.velocity, std::vector{0.5});
+}
+
+// The time of an impact is rounded, to either side. A sample there has the velocity before it, and
+// one at the next double has the velocity after it. These masses do not stick.
+TEST(Resume, ASampleAtTheRoundedTimeOfAnImpactHasTheVelocityBeforeIt) {
+  Scene scene = paper::figure2();
+  scene.restitution = 1.0;
+  for (const Event &impact : events_of(scene, 0.0, 100.0)) {
+    FirstSample at(impact.time), next(std::nextafter(impact.time, infinity));
+    EXPECT_EQ(simulate(scene, 100.0, at).ending, Ending::stopped);
+    EXPECT_EQ(simulate(scene, 100.0, next).ending, Ending::stopped);
+    const auto mass = static_cast<std::size_t>(impact.mass - 1);
+    EXPECT_NEAR(at.velocity[mass], impact.velocity_before, 1e-12) << impact.time;
+    EXPECT_NEAR(next.velocity[mass], impact.velocity_after, 1e-12) << impact.time;
+  }
 }
 
 // A flight that ends at the time of an impact passes the stop by a rounding in one of a thousand

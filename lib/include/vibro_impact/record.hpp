@@ -68,8 +68,8 @@ struct Recorder {
   }
   /// A run calls `sample` at the time that `next_time` returns, and asks for the next time as it
   /// begins, after every event and after every sample. Each time must be later than the latest
-  /// sample. Infinity asks for no sample. A sample at the instant of an event has the motion before
-  /// the event, but at the instant at which a run starts the motion after it.
+  /// sample. Infinity asks for no sample. A sample at the time of an event has the motion before
+  /// it, but at the time at which a run starts the motion after its events.
   virtual double next_time() const {
     return infinity;
   }

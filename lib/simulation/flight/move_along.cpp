@@ -43,41 +43,36 @@ inline Change change_at(const TaylorTable &table, std::size_t i, double tau) {
           2.0 * (value + u * (2.0 * slope + u * bend)) / unit / unit};
 }
 
-// The time at which a gap that closes is zero, by a step of Newton's from the time tau, which a
-// double has rounded, with x and v of the pair of its mass there. At tau a gap of a rounding is
-// left. To put the mass hit onto its stop would move it in the field of its springs: the gap has a
-// preferred sign, and the energy of an elastic chain would drift.
-inline Real exact_root(const Contact &closing, const RealPair &x, const RealPair &v, double tau) {
-  const std::size_t k = closing.mass % 2;
-  const double speed = v.hi[k], newton = rounded(closing.position - Real(x.hi[k], x.lo[k])) / speed;
+}  // namespace
+
+Real exact_root(const TaylorTable &table, const Contact &closing, const Motion &motion,
+                double tau) {
+  const std::size_t i = closing.mass / 2 * 2, k = closing.mass % 2;
+  const Change change = change_at(table, i, tau);  // as the motion moves, to the last bit
+  const RealPair v = load(&motion.v[i]),
+                 x = load(&motion.x[i]) + (v * Pair{tau, tau} + change.value);
+  const double speed = (v + change.slope).hi[k],
+               newton = rounded(closing.position - Real(x.hi[k], x.lo[k])) / speed;
   if (closing.sigma * speed > 0.0 && std::abs(newton) <= step_rounding * tau) return {tau, newton};
   return tau;
 }
 
-}  // namespace
-
-void move_along(const Chain &chain, const TaylorTable &table, double tau, const Contact *closing,
-                Motion &motion) {
-  Real time = tau;
-  const std::size_t first = closing ? closing->mass / 2 * 2 : 0;
-  std::size_t i = first;
-  do {
-    const auto [value, slope, acceleration] = change_at(table, i, tau);
+void move_along(const Chain &chain, const TaylorTable &table, const Real &tau, Motion &motion) {
+  for (std::size_t i = 0; i < table.stride; i += 2) {
+    const auto [value, slope, acceleration] = change_at(table, i, tau.hi);
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
-    RealPair x_then = x + (v * Pair{tau, tau} + value), v_then = v + slope;
-    if (closing && i == first) time = exact_root(*closing, x_then, v_then, tau);
-    if (time.lo != 0.0) {  // at most 1e-13 of tau, and its square 1e-26
-      x_then += time.lo * v_then.hi;
-      v_then += time.lo * acceleration;
+    RealPair x_then = x + (v * Pair{tau.hi, tau.hi} + value), v_then = v + slope;
+    if (tau.lo != 0.0) {  // at most 1e-13 of tau, and its square 1e-26
+      x_then += tau.lo * v_then.hi;
+      v_then += tau.lo * acceleration;
     }
     store(x_then, &motion.x[i]);
     store(v_then, &motion.v[i]);
     const Pair speed = modulus(v.hi);
-    put(modulus(x.hi) + tau * speed + modulus(value), &motion.x_terms[i]);
+    put(modulus(x.hi) + tau.hi * speed + modulus(value), &motion.x_terms[i]);
     put(speed + modulus(slope), &motion.v_terms[i]);
-    i = i + 2 < table.stride ? i + 2 : 0;
-  } while (i != first);
-  pass_time(chain, time, motion);
+  }
+  pass_time(chain, tau, motion);
 }
 
 }  // namespace vibro_impact::detail

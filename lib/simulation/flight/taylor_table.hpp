@@ -47,10 +47,14 @@ void expand(const Chain &chain, const Motion &motion, const Step &step, TaylorTa
 void read(const Chain &chain, const Motion &start, const TaylorTable &table, const Contact &contact,
           Polynomial &p);
 
-// Moves motion and clock to the time tau of the step, or if a gap closes there, to its root in
-// twice the precision. The first-order change is exact, so that only what is of second order has
-// the rounding of a double.
-void move_along(const Chain &chain, const TaylorTable &table, double tau, const Contact *closing,
-                Motion &motion);
+// The time at which a gap that closes is zero, by a step of Newton's from the time tau, which a
+// double has rounded. At tau a gap of a rounding is left. To put the mass hit onto its stop would
+// move it in the field of its springs: the gap has a preferred sign, and the energy of an elastic
+// chain would drift.
+Real exact_root(const TaylorTable &table, const Contact &closing, const Motion &motion, double tau);
+
+// Moves motion and clock to the time tau of the step. The first-order change is exact, so that only
+// what is of second order has the rounding of a double.
+void move_along(const Chain &chain, const TaylorTable &table, const Real &tau, Motion &motion);
 
 }  // namespace vibro_impact::detail

@@ -96,13 +96,23 @@ double time_to_end(const Run &run) {
   return std::max(0.0, rounded(time_until(run, run.progress.end)));
 }
 
+// The first contact whose gap is zero at the end of the step, if there is one.
+const Contact *closing_gap(const Run &run) {
+  const List<Contact> &contacts = run.motion.mode->contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (!contacts[k].held && run.scratch.near[k] == Near::zero) return &contacts[k];
+  return nullptr;
+}
+
 // Searches one step of the Taylor table.
 FlightEnd search_step(Run &run) {
   Scratch &scratch = run.scratch;
   set_starts(run);
-  const Step step = plan_step(run);
-  return scratch.step.find_first_event(run.chain(), run.motion, step, scratch.starts, scratch.near,
-                                       run.counters);
+  FlightEnd end = scratch.step.find_first_event(run.chain(), run.motion, plan_step(run),
+                                                scratch.starts, scratch.near, run.counters);
+  if (const Contact *closing = end.event ? closing_gap(run) : nullptr)
+    end.tau = exact_root(scratch.step.table, *closing, run.motion, end.tau.hi);
+  return end;
 }
 
 // Searches a flight in closed form, up to the end of the call.
@@ -117,22 +127,12 @@ FlightEnd search_far(Run &run) {
                                 run.counters);
 }
 
-// The first contact whose gap is zero at the end of the step, if there is one.
-const Contact *closing_gap(const Run &run) {
-  const List<Contact> &contacts = run.motion.mode->contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (!contacts[k].held && run.scratch.near[k] == Near::zero) return &contacts[k];
-  return nullptr;
-}
-
 // Moves the run to the end of the flight that was searched.
 void move_to(Run &run, const FlightEnd &end) {
   const Chain &chain = run.chain();
   if (run.long_flight.is_under_way()) return run.long_flight.end(chain, end.tau, run.motion);
   if (!end.event && run.hint.quiet_steps == 0) run.long_flight.set_origin(run.motion);
-  if (end.tau.hi > 0.0)
-    move_along(chain, run.scratch.step.table, end.tau.hi, end.event ? closing_gap(run) : nullptr,
-               run.motion);
+  if (end.tau.hi > 0.0) move_along(chain, run.scratch.step.table, end.tau, run.motion);
 }
 
 // One flight of the loop.
@@ -153,8 +153,10 @@ void fly_on(Run &run, Recorders recorders) {
 
 }  // namespace
 
-void advance(Run &run, const Instant &end, Recorders recorders) {
-  run.progress = {.end = end, .next_sample = next_sample(recorders)};
+void advance(Run &run, double until, Recorders recorders) {
+  run.progress = {.until = until,
+                  .end = instant_at(until, run.chain().clock),
+                  .next_sample = next_sample(recorders)};
   run.counters = run.limit.counters = {};
   if (run.start) {
     put_at_start(run);

@@ -59,7 +59,7 @@ const Motion &motion_at(Run &run, const Real &tau) {
     return run.long_flight.at(run.chain(), tau.hi > 0.0 ? tau : Real(0.0));
   Motion &motion = run.scratch.motion;
   motion = run.motion;
-  if (tau.hi > 0.0) move_along(run.chain(), run.scratch.step.table, tau.hi, nullptr, motion);
+  if (tau.hi > 0.0) move_along(run.chain(), run.scratch.step.table, tau.hi, motion);
   return motion;
 }
 

@@ -1,5 +1,5 @@
-// The reports of a run to its recorders. They change nothing of the run but its progress and the
-// sums of what was reported.
+// The reports of a run to its recorders. They change nothing of the run but its progress, the
+// sums of what was reported, and scratch.
 #pragma once
 
 #include "run.hpp"
@@ -25,7 +25,7 @@ class MomentOfMotion final : public Moment {
 };
 
 // The motion at a time `tau` of the step or long flight of the run. The rounding of a sample may
-// put `tau` below 0, which is the start. It is valid until the run goes on.
+// put `tau` below 0, which is the start. It is valid until the next one.
 const Motion &motion_at(Run &run, const Real &tau);
 
 // Reports an event at a stop, and ends the call when a recorder is done. `before` and `after` are

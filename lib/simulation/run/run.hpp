@@ -30,8 +30,9 @@ struct Problem {
 struct StepHint {
   double flight_time = infinity;  // expected until the next impact of a mass that was just hit
   long long quiet_steps = 0;      // steps since the latest event
-  // `longest_in_flights` times a mean of the latest flights, of which each counts half as much as
-  // the next one. Without an event in the latest step, only the mode bounds the length.
+  // `longest_in_flights` times a mean of the latest flights that ended at an event, of which each
+  // counts half as much as the next one. Without an event in the latest step, only the mode bounds
+  // the length.
   double step_between_events = infinity;
 };
 
@@ -70,7 +71,8 @@ struct ChatterLimit {
 
 // The progress of one call of `advance`.
 struct Progress {
-  Instant end;
+  double until = 0.0;
+  Instant end;  // at the time `until`
   bool over = false;
   Ending ending = Ending::reached;
   std::string reason = {};
@@ -105,10 +107,10 @@ struct Run {
   }
 };
 
-// Runs on to `end`, or until a recorder is done or the run is given up, and sets progress.last to
-// the state there. The motion of the run stays at the start of the flight that contains the end:
-// hence the flights do not depend on where a call ends, but for those before the limit of a
-// chatter.
-void advance(Run &run, const Instant &end, Recorders recorders);
+// Runs on to the time `until`, or until a recorder is done or the run is given up, and sets
+// progress.last to the state there. The motion of the run stays at the start of the flight that
+// contains the end: hence the flights do not depend on where a call ends, but for those before the
+// limit of a chatter.
+void advance(Run &run, double until, Recorders recorders);
 
 }  // namespace vibro_impact::detail

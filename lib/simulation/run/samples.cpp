@@ -6,18 +6,24 @@
 
 namespace vibro_impact::detail {
 
-Real time_until(const Run &run, const Instant &instant) {
-  return elapsed(run.motion.now, TwofoldInstant(instant), run.chain().clock);
+namespace {
+
+// The time, as it is reported, of the instant `tau` after the motion of the run.
+double time_after(const Run &run, const Real &tau) {
+  TwofoldInstant then = run.motion.now;
+  pass(tau, run.chain().clock, then);
+  return time_of(then.rounded(), run.chain().clock);
 }
 
-void sample(Run &run, const Real &tau, Recorders recorders) {
-  while (run.progress.next_sample < infinity) {
+// Reports the samples up to the time `last`, with the motion no later than `tau`.
+void sample_up_to(Run &run, double last, const Real &tau, Recorders recorders) {
+  while (run.progress.next_sample <= last) {
     const double next = run.progress.next_sample;
-    const Instant at = instant_at(next, run.chain().clock);
-    const Real since = time_until(run, at);
-    if (!(since <= tau) && since.hi > 0.0) return;
-    require(since.hi >= 0.0 || next >= run.time(), "next_time = ", next,
+    require(next >= run.time(), "next_time = ", next,
             ": lies before the motion, which is at t = ", run.time());
+    const Instant at = instant_at(next, run.chain().clock);
+    Real since = time_until(run, at);
+    if (tau < since) since = tau;
     ++run.counters.states_computed;
     const MomentOfMotion moment(run, motion_at(run, since), at);
     if (!report_sample(run, moment, next, recorders)) continue;
@@ -26,9 +32,19 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
   }
 }
 
+}  // namespace
+
+Real time_until(const Run &run, const Instant &instant) {
+  return elapsed(run.motion.now, TwofoldInstant(instant), run.chain().clock);
+}
+
+void sample(Run &run, const Real &tau, Recorders recorders) {
+  if (run.progress.next_sample < infinity) sample_up_to(run, time_after(run, tau), tau, recorders);
+}
+
 void end_at_time(Run &run, Recorders recorders) {
   const Real tau = time_until(run, run.progress.end);
-  sample(run, tau, recorders);
+  sample_up_to(run, run.progress.until, tau, recorders);
   if (run.progress.over) return;
   const Motion &motion = motion_at(run, tau);
   run.progress.last = MomentOfMotion(run, motion, run.progress.end).state();

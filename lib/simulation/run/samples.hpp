@@ -9,7 +9,9 @@ namespace vibro_impact::detail {
 // The time from the motion of the run to an instant.
 Real time_until(const Run &run, const Instant &instant);
 
-// Reports the samples up to `tau` after the motion of the run, on its step or long flight.
+// Reports the samples on the step or long flight of the run, up to its end at `tau` after the
+// motion of the run. Their times are compared with that of the end as it is reported: a sample at
+// the rounded time of an event has the motion before it.
 void sample(Run &run, const Real &tau, Recorders recorders);
 
 // Ends the call at its end, on the step or long flight of the run.
