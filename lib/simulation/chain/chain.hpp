@@ -40,7 +40,7 @@ struct Chain {
   double beta = 0.0;
   double omega = 0.0;        // of the forcing, 0 where nothing is forced
   Clock clock;               // counts time in periods 2 pi / Omega, forced or not
-  double rate_bound = 1.0;   // of all contact modes and the forcing, 1 if all their rates are 0
+  double rate_bound = 1.0;   // of all contact modes and Omega, 1 if all these are 0
   double rate_unit = 1.0;    // the power of two above it: exact as a unit
   double force_bound = 0.0;  // the largest |A_i| + |B_i| + |P_i| per mass m_i
 

@@ -38,7 +38,7 @@ bool is(const AtStop &at) {
   return std::holds_alternative<State>(at);
 }
 
-// True of a contact that no flight searches: it stays at zero until its decision is made again.
+// True of a contact that no flight searches: it stays as it is until its decision is made again.
 inline bool is_idle(const AtStop &at) {
   return is<Forceless>(at) || is<Postponed>(at);
 }

@@ -49,7 +49,7 @@ constexpr double least_flight_tolerance = 1e-21;
 // Length of the step after an impact, relative to the expected flight. Impacts of a chatter are at
 // most 20 percent late.
 constexpr double expected_flight_margin = 1.2;
-// Length of the longest step, relative to a mean of the flights between the latest events. A longer
+// Length of the longest step, relative to a mean of the times between the latest events. A longer
 // step is cut short at the next event, and its higher orders are in vain: that of 200 masses with
 // stops is 15 then, and 25 without.
 constexpr double longest_in_flights = 8.0;

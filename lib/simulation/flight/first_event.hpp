@@ -23,7 +23,7 @@ struct Start {
 enum class Near : char { no, perhaps, zero, touch, rest };
 
 // True if a hold force falls to less than the rounding of its terms, and not below zero by more,
-// near a place where it has this value, this derivative and half this second derivative.
+// near a place where it has this value, this slope and this half of the second derivative.
 bool only_touches(double value, double slope, double second, double terms);
 
 // A flight that ends at the time tau, with or without an event. With an event, tau is NaN if the

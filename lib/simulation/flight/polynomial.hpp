@@ -1,4 +1,4 @@
-// Polynomials in u on [0, 1]: a gap or a hold force along one step (first_root.cpp).
+// Polynomials in u on [0, 1]: a gap or a hold force along one step, or its bound in a long flight.
 #pragma once
 
 #include <array>

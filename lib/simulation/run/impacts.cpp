@@ -11,7 +11,7 @@ namespace vibro_impact::detail {
 namespace {
 
 // Counts an impact at a stop, at this closing speed, among those of its chatter. Returns true if
-// the mass comes back as fast as it came before, at the same instant of the clock.
+// the mass comes back no slower than it came before, at the same instant of the clock.
 bool count_impact(Run &run, StopState &stop, double speed) {
   bool comes_back_at_once = false;
   ++run.counters.impacts;

@@ -2,8 +2,8 @@
 // x^(n+2) = M^-1 (F^(n) - C x^(n+1) - K x^(n)) (8). The force on a mass at rest depends on those of
 // its neighbours, which have been decided at the orders before.
 //
-// Derivatives of order n are carried in the unit rate^n. The rate is a power of two and rounds
-// nothing. At the fastest rate of the chain no derivative overflows.
+// Derivatives of order n are carried in the unit rate^n. The rate is the power of two above all
+// rates of the chain: as a unit it rounds nothing, and no derivative overflows.
 #include "rest.hpp"
 
 #include <algorithm>
