@@ -198,4 +198,25 @@ TEST(AtRest, AMassWithoutForceThatDriftsAwayComesBackToItsStop) {
   EXPECT_NEAR(events[0].velocity_before, 0.5 * speed, 1e-6 * speed);
 }
 
+// A force that lies below the threshold of zero, beside the link at x = 1, presses two masses into
+// their stops. They are put back whenever they have moved by the threshold, and do not bounce.
+TEST(AtRest, AForceBelowTheThresholdMakesNoMassBounce) {
+  for (const double force : {1e-27, 1e-29})
+    for (const double restitution : {0.0, 0.5}) {
+      const Scene scene{.mass = {1.0, 1.0},
+                        .stiffness = {0.0, 1.0},
+                        .beta = 0.1,
+                        .constant = {force, force},
+                        .omega = 0.0,
+                        .restitution = restitution,
+                        .stops = {{1, Side::upper, 1.0}, {2, Side::upper, 1.0}},
+                        .displacement = {1.0, 1.0}};
+      EventRecorder recorder;
+      const Outcome outcome = simulate(scene, 1e4, {.max_steps = 20'000}, recorder);
+      EXPECT_EQ(outcome.ending, Ending::reached);
+      EXPECT_EQ(recorder.events.size(), 0u) << force << ' ' << restitution;
+      EXPECT_EQ(outcome.state.displacement, scene.displacement);
+    }
+}
+
 }  // namespace

@@ -1,5 +1,5 @@
 // The exact knowledge of a stop at an instant. A flight forgets it, but for `Postponed`, and for
-// `Forceless` while the gap is zero.
+// `Forceless` while the gap is zero. A long flight forgets these, too.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,8 @@ struct ExactZeros {
   int zeros = 0;
   double derivative = 0.0;  // of order `zeros`
 };
-// No force acts on the mass, to all orders. It is free, and stays at rest at the stop.
+// No force above the threshold of zero acts on the mass, to all orders. It is free, and stays at
+// rest at the stop until its gap is seen.
 struct Forceless {};
 // A mass neither sticks nor is released at the instant of the latest of these events. The decision
 // is made again at a later instant of the clock.

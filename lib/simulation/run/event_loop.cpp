@@ -65,7 +65,7 @@ bool is_decision_due(const Run &run) {
   return std::any_of(run.motion.mode->contacts.begin(), run.motion.mode->contacts.end(),
                      [&run](Contact contact) {
                        const AtStop &at = run.stops[contact.stop].at;
-                       if (!is<Forceless>(at)) return is<Postponed>(at);
+                       if (!is<Forceless>(at)) return is<Postponed>(at) || is<Resting>(at);
                        contact.held = true;  // the force on the mass at rest
                        const Value force = evaluate(run.chain(), contact, run.motion);
                        return abs(force.value) > zero_threshold * force.terms;
