@@ -8,7 +8,6 @@
 
 #include "events_at_an_instant.hpp"
 #include "observers.hpp"
-#include "samples.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {

@@ -7,7 +7,6 @@
 #include "endings.hpp"
 #include "events_at_an_instant.hpp"
 #include "observers.hpp"
-#include "samples.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {
@@ -93,7 +92,7 @@ void end_flight(Run &run, double tau, bool event, Recorders recorders) {
 }
 
 double time_to_end(const Run &run) {
-  return std::max(0.0, rounded(time_until(run, run.progress.end)));
+  return std::max(0.0, rounded(run.time_until(run.progress.end)));
 }
 
 // The first contact whose gap is zero at the end of the step, if there is one.
@@ -170,8 +169,7 @@ void advance(Run &run, double until, Recorders recorders) {
   }
   if (run.limit.is_ahead) count_as_at_node(run);
   // A call that ends at an event has its end state where the run stands.
-  if (run.progress.last.displacement.empty())
-    run.progress.last = MomentOfMotion(run, run.motion, run.motion.now.rounded()).state();
+  if (run.progress.last.displacement.empty()) run.progress.last = state_of(run);
 }
 
 }  // namespace vibro_impact::detail

@@ -9,51 +9,57 @@
 
 namespace vibro_impact::detail {
 
-MomentOfMotion::MomentOfMotion(const Run &run, const Motion &motion, const Instant &at)
-    : Moment(at, time_of(at, run.chain().clock)), run_(run), motion_(motion) {
-}
+namespace {
 
-std::size_t MomentOfMotion::index_of(int mass) const {
-  require_mass(mass, masses());
-  return static_cast<std::size_t>(mass - 1);
-}
+// The moment of a motion of the run.
+class MomentOfMotion final : public Moment {
+ public:
+  MomentOfMotion(const Run &run, const Motion &motion, const Instant &at)
+      : Moment(at, time_of(at, run.chain().clock)), run_(run), motion_(motion) {
+  }
+  int masses() const override {
+    return run_.scene().masses();
+  }
+  double displacement(int mass) const override {
+    const std::size_t i = index_of(mass);
+    const Chain &chain = run_.chain();
+    const double place = motion_.x[i].hi,
+                 inside = std::clamp(place, chain.lowest[i], chain.highest[i]);
+    if (place == inside) return place;
+    const double terms = std::abs(inside) + motion_.x_terms[i];
+    return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain, motion_, time))
+               ? inside
+               : place;
+  }
+  double velocity(int mass) const override {
+    return motion_.v[index_of(mass)].hi;
+  }
+  double hold_force(int mass) const override {
+    const std::size_t i = index_of(mass);
+    if (motion_.mode->held[i] == 0) return std::numeric_limits<double>::quiet_NaN();
+    return rounded(force_at_rest(run_.chain(), i, motion_));
+  }
+  ImpactSum unreported(int stop) const override {
+    require(stop >= 1 && static_cast<std::size_t>(stop) <= run_.stops.size(), "stop ", stop,
+            ": the chain has ", run_.stops.size(), " stops");
+    return run_.stops[static_cast<std::size_t>(stop - 1)].unreported;
+  }
+  MotionState state() const {
+    return state_at(*this, motion_.mode->held);
+  }
 
-int MomentOfMotion::masses() const {
-  return run_.scene().masses();
-}
+ private:
+  const Run &run_;
+  const Motion &motion_;
 
-double MomentOfMotion::displacement(int mass) const {
-  const std::size_t i = index_of(mass);
-  const Chain &chain = run_.chain();
-  const double place = motion_.x[i].hi,
-               inside = std::clamp(place, chain.lowest[i], chain.highest[i]);
-  if (place == inside) return place;
-  const double terms = std::abs(inside) + motion_.x_terms[i];
-  return is_rounding_at_stop(std::abs(place - inside), terms, largest_terms(chain, motion_, time))
-             ? inside
-             : place;
-}
+  std::size_t index_of(int mass) const {
+    require_mass(mass, masses());
+    return static_cast<std::size_t>(mass - 1);
+  }
+};
 
-double MomentOfMotion::velocity(int mass) const {
-  return motion_.v[index_of(mass)].hi;
-}
-
-double MomentOfMotion::hold_force(int mass) const {
-  const std::size_t i = index_of(mass);
-  if (motion_.mode->held[i] == 0) return std::numeric_limits<double>::quiet_NaN();
-  return rounded(force_at_rest(run_.chain(), i, motion_));
-}
-
-ImpactSum MomentOfMotion::unreported(int stop) const {
-  require(stop >= 1 && static_cast<std::size_t>(stop) <= run_.stops.size(), "stop ", stop,
-          ": the chain has ", run_.stops.size(), " stops");
-  return run_.stops[static_cast<std::size_t>(stop - 1)].unreported;
-}
-
-MotionState MomentOfMotion::state() const {
-  return state_at(*this, motion_.mode->held);
-}
-
+// The motion at a time `tau` of the step or long flight of the run. The rounding of a sample may
+// put `tau` below 0, which is the start. It is valid until the next one.
 const Motion &motion_at(Run &run, const Real &tau) {
   if (run.long_flight.is_under_way())
     return run.long_flight.at(run.chain(), tau.hi > 0.0 ? tau : Real(0.0));
@@ -61,6 +67,60 @@ const Motion &motion_at(Run &run, const Real &tau) {
   motion = run.motion;
   if (tau.hi > 0.0) move_along(run.chain(), run.scratch.step.table, tau.hi, motion);
   return motion;
+}
+
+// Reports this moment as the sample at this time to the recorders that have asked for it. Returns
+// true when one of them is done.
+bool report_sample(Run &run, const Moment &moment, double time, Recorders recorders) {
+  bool any_done = false;
+  for (Recorder *recorder : recorders) {
+    if (recorder->next_time() > time) continue;
+    recorder->sample(moment);
+    if (recorder->done()) {
+      any_done = true;
+      continue;
+    }
+    const double next = recorder->next_time();
+    require(next > time, "next_time = ", next, " after the sample at ", time, ": must be later");
+  }
+  run.progress.next_sample = next_sample(recorders);
+  return any_done;
+}
+
+// The time, as it is reported, of the instant `tau` after the motion of the run.
+double time_after(const Run &run, const Real &tau) {
+  TwofoldInstant then = run.motion.now;
+  pass(tau, run.chain().clock, then);
+  return time_of(then.rounded(), run.chain().clock);
+}
+
+// Reports the samples up to the time `last`, with the motion no later than `tau`.
+void sample_up_to(Run &run, double last, const Real &tau, Recorders recorders) {
+  while (run.progress.next_sample <= last) {
+    const double next = run.progress.next_sample;
+    require(next >= run.time(), "next_time = ", next,
+            ": lies before the motion, which is at t = ", run.time());
+    const Instant at = instant_at(next, run.chain().clock);
+    Real since = run.time_until(at);
+    if (tau < since) since = tau;
+    ++run.counters.states_computed;
+    const MomentOfMotion moment(run, motion_at(run, since), at);
+    if (!report_sample(run, moment, next, recorders)) continue;
+    run.progress.last = moment.state();
+    return stop_run(run, Ending::stopped);
+  }
+}
+
+}  // namespace
+
+double next_sample(Recorders recorders) {
+  double next = infinity;
+  for (const Recorder *recorder : recorders) {
+    const double time = recorder->next_time();
+    require(!std::isnan(time), "next_time = ", time, ": must be a time");
+    next = std::min(next, time);
+  }
+  return next;
 }
 
 void report_impact(Run &run, std::size_t stop, double closing, double leaving,
@@ -103,30 +163,23 @@ void report_event(Run &run, EventKind kind, std::size_t stop, double before, dou
   run.progress.next_sample = next_sample(recorders);
 }
 
-double next_sample(Recorders recorders) {
-  double next = infinity;
-  for (const Recorder *recorder : recorders) {
-    const double time = recorder->next_time();
-    require(!std::isnan(time), "next_time = ", time, ": must be a time");
-    next = std::min(next, time);
-  }
-  return next;
+void sample(Run &run, const Real &tau, Recorders recorders) {
+  if (run.progress.next_sample < infinity) sample_up_to(run, time_after(run, tau), tau, recorders);
 }
 
-bool report_sample(Run &run, const Moment &moment, double time, Recorders recorders) {
-  bool any_done = false;
-  for (Recorder *recorder : recorders) {
-    if (recorder->next_time() > time) continue;
-    recorder->sample(moment);
-    if (recorder->done()) {
-      any_done = true;
-      continue;
-    }
-    const double next = recorder->next_time();
-    require(next > time, "next_time = ", next, " after the sample at ", time, ": must be later");
-  }
-  run.progress.next_sample = next_sample(recorders);
-  return any_done;
+void end_at_time(Run &run, Recorders recorders) {
+  const Real tau = run.time_until(run.progress.end);
+  sample_up_to(run, run.progress.until, tau, recorders);
+  if (run.progress.over) return;
+  const Motion &motion = motion_at(run, tau);
+  run.progress.last = MomentOfMotion(run, motion, run.progress.end).state();
+  if (run.long_flight.is_under_way()) ++run.counters.states_computed;
+  check_motion(run, motion);
+  stop_run(run, Ending::reached);
+}
+
+MotionState state_of(const Run &run) {
+  return MomentOfMotion(run, run.motion, run.motion.now.rounded()).state();
 }
 
 }  // namespace vibro_impact::detail

@@ -1,32 +1,11 @@
-// The reports of a run to its recorders. They change nothing of the run but its progress, the
-// sums of what was reported, and scratch.
+// The reports of a run to its recorders: its events, the samples between them, and the end of a
+// call. They change nothing of the run but its progress, the sums of what was reported, and
+// scratch.
 #pragma once
 
 #include "run.hpp"
 
 namespace vibro_impact::detail {
-
-// The moment of a motion of the run.
-class MomentOfMotion final : public Moment {
- public:
-  MomentOfMotion(const Run &run, const Motion &motion, const Instant &at);
-  int masses() const override;
-  double displacement(int mass) const override;
-  double velocity(int mass) const override;
-  double hold_force(int mass) const override;
-  ImpactSum unreported(int stop) const override;
-  MotionState state() const;
-
- private:
-  const Run &run_;
-  const Motion &motion_;
-
-  std::size_t index_of(int mass) const;
-};
-
-// The motion at a time `tau` of the step or long flight of the run. The rounding of a sample may
-// put `tau` below 0, which is the start. It is valid until the next one.
-const Motion &motion_at(Run &run, const Real &tau);
 
 // Reports an event at a stop, and ends the call when a recorder is done. `before` and `after` are
 // the velocities of an impact, else 0.
@@ -40,8 +19,15 @@ void report_impact(Run &run, std::size_t stop, double closing, double leaving, R
 // The next time at which a recorder asks for a sample; infinite when there is none.
 double next_sample(Recorders recorders);
 
-// Reports this moment as the sample at this time to the recorders that have asked for it. Returns
-// true when one of them is done.
-bool report_sample(Run &run, const Moment &moment, double time, Recorders recorders);
+// Reports the samples on the step or long flight of the run, up to its end at `tau` after the
+// motion of the run. Their times are compared with that of the end as it is reported: a sample at
+// the rounded time of an event has the motion before it.
+void sample(Run &run, const Real &tau, Recorders recorders);
+
+// Ends the call at its end, on the step or long flight of the run.
+void end_at_time(Run &run, Recorders recorders);
+
+// The state in which the run stands.
+MotionState state_of(const Run &run);
 
 }  // namespace vibro_impact::detail

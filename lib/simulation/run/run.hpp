@@ -105,6 +105,10 @@ struct Run {
   double time() const {
     return time_of(motion.now.rounded(), chain().clock);
   }
+  // The time from its motion to an instant.
+  Real time_until(const Instant &instant) const {
+    return elapsed(motion.now, TwofoldInstant(instant), chain().clock);
+  }
 };
 
 // Runs on to the time `until`, or until a recorder is done or the run is given up, and sets
