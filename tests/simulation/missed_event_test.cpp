@@ -5,7 +5,7 @@
 
 #include "reference/scenes/extreme_scenes.hpp"
 #include "simulation/chain/scene.hpp"
-#include "simulation/run/observers.hpp"
+#include "simulation/run/run.hpp"
 #include "vibro_impact/vibro_impact.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "events_at_an_instant.hpp"
-#include "observers.hpp"
+#include "reports.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {

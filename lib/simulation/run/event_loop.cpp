@@ -6,7 +6,7 @@
 #include "chatter_limit.hpp"
 #include "endings.hpp"
 #include "events_at_an_instant.hpp"
-#include "observers.hpp"
+#include "reports.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "impacts.hpp"
-#include "observers.hpp"
+#include "reports.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {

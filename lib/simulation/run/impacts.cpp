@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "observers.hpp"
+#include "reports.hpp"
 #include "simulation/chain/tolerances.hpp"
 
 namespace vibro_impact::detail {

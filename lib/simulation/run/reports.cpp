@@ -1,4 +1,4 @@
-#include "observers.hpp"
+#include "reports.hpp"
 
 #include <algorithm>
 #include <cmath>
