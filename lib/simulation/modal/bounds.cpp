@@ -35,7 +35,7 @@ struct LongFlight::Bound {
     slope += part.slope;
     const double turn = omega * unit, square = unit * unit;
     const Real d = part.damping * unit, stiff = part.stiffness * unit * unit;
-    ModalForce<Real> f{square * part.force.a, square * part.force.b, square * part.force.c};
+    ModalForce f{square * part.force.a, square * part.force.b, square * part.force.c};
     const double growth =
         std::hypot(f.a.hi, f.b.hi) * (length / unit) * std::pow(turn, bound_order);
     Real before = part.value, latest = part.slope * unit;
@@ -76,7 +76,7 @@ void LongFlight::each_part_of(std::size_t j, const Watch &w, double length, cons
   const double size = std::abs(weight.hi), d = w.damping, root = std::sqrt(o.lambda.hi),
                omega = form_->omega;
   Real y = c.deviation, dy = c.dy;  // of the free part
-  const ModalForce<Real> &f = c.force;
+  const ModalForce &f = c.force;
   const double modulus = std::hypot(f.a.hi, f.b.hi);
   if (o.rate * length <= 1.0 && (modulus == 0.0 || omega * length <= 1.0))
     return use(

@@ -53,7 +53,7 @@ void LongFlight::evaluate(const Chain &chain, double time) {
   const ComplexOf<Real> wave = wave_at(Real(time) * form_->omega);
   for (std::size_t j = 0; j < coordinates_.size(); ++j) {
     Coordinate &c = coordinates_[j];
-    const ModalForce<Real> &f = form_->forces[j];
+    const ModalForce &f = form_->forces[j];
     const Real &lambda = form_->oscillators[j].lambda;
     c.y = state_.y(static_cast<Eigen::Index>(j));
     c.dy = state_.dy(static_cast<Eigen::Index>(j));

@@ -42,14 +42,14 @@ class LongFlight {
   // A coordinate at `searched_to_`, and its deviation from the static displacement.
   struct Coordinate {
     Real y = 0.0, dy = 0.0;
-    ModalForce<Real> force{};
+    ModalForce force{};
     Real deviation = 0.0;
   };
   // A part of the share of a coordinate in a contact: z'' + damping z' + stiffness z = force.
   struct Part {
     Real value, slope, damping, stiffness;
     double rate, amplitude;
-    ModalForce<Real> force = {};
+    ModalForce force = {};
   };
   // The value of a contact is seen, or lies hidden below the rounding of its modal coordinates. It
   // then keeps its sign, by definition, until it is seen.

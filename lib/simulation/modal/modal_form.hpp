@@ -32,7 +32,7 @@ struct ModalState {
 struct ModalForm {
   RealMatrix shape;                           // x = shape y for the free masses, N x coordinates
   std::vector<Oscillator<Real>> oscillators;  // one for each coordinate,
-  std::vector<ModalForce<Real>> forces;       // with the force on it over the flight
+  std::vector<ModalForce> forces;             // with the force on it over the flight
   ModalState start;                           // of the flight
   std::vector<Watch> watches;                 // one for each contact of the mode
   double omega = 0.0;                         // of the forcing

@@ -14,9 +14,8 @@
 
 namespace vibro_impact::detail {
 
-template <class T>
 struct ModalForce {
-  T a, b, c;
+  Real a, b, c;
 };
 
 // y(tau) - y - tau y' and y'(tau) - y', or y and y' of a response.
@@ -102,8 +101,7 @@ ModalChange<T> impulse_response(const Oscillator<T> &o, const T &tau) {
 
 // The Taylor series, for times of at most a radian of the oscillator and of the forcing.
 inline ModalChange<Real> change_by_series(const Oscillator<Real> &o, const Real &y, const Real &dy,
-                                          const ModalForce<Real> &f, double omega,
-                                          const Real &tau) {
+                                          const ModalForce &f, double omega, const Real &tau) {
   const Real square = tau * tau, stiff = o.lambda * square, damp = o.kappa * tau,
              turn = omega * tau;
   const double radians = std::max(o.rate, omega) * std::abs(rounded(tau));
@@ -155,7 +153,7 @@ inline ComplexOf<Real> forced_response(const Oscillator<Real> &o, const ModalCha
 
 // The change over the time tau, with wave = e^(i Omega tau).
 inline ModalChange<Real> change(const Oscillator<Real> &o, const Real &y, const Real &dy,
-                                const ModalForce<Real> &f, double omega, const Real &tau,
+                                const ModalForce &f, double omega, const Real &tau,
                                 const ComplexOf<Real> &wave) {
   const bool forced = rounded(f.a) != 0.0 || rounded(f.b) != 0.0;
   const bool short_time = o.rate * rounded(tau) <= 1.0;
