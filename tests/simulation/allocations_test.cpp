@@ -1,5 +1,5 @@
-// No memory is asked for between the first event of a run and the last, but for the entry of a
-// contact mode that the run has not been in before.
+// When the storage of a run has its size, no memory is asked for between its events, samples and
+// listed impacts, but for a contact mode that it has not been in before.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,16 +44,26 @@ namespace {
 
 using namespace vibro_impact;
 
-// Allocations between events from time `from` on; unless `all`, not up to the first event in
-// another contact mode, for which the stores get another size.
+// Allocations between events from time `from` on, with samples and with the impacts of chatters;
+// unless `all`, not up to the first event in another contact mode, for which the stores get another
+// size.
 struct Allocations : Recorder {
   double from;
   bool all;
   long long found = 0, at_latest = -1;
-  int events = 0, in_this_mode = 0;
+  int events = 0, in_this_mode = 0, samples = 0;
   Held held = {};
 
   Allocations(double from_time, bool of_all) : from(from_time), all(of_all) {
+  }
+  double slowest_impact(double first, double) const override {
+    return slowest_listed({}, first);
+  }
+  double next_time() const override {
+    return from + 0.37 * samples;
+  }
+  void sample(const Moment &) override {
+    ++samples;
   }
   void event(const Event &event, const Moment &) override {
     if (event.time < from) return;
@@ -78,6 +88,7 @@ TEST(Allocations, NoneFromTheFirstEventToTheLast) {
     Allocations counted(200.0, scene.masses() == 2 && scene.beta < 1.0);
     require_complete(simulate(scene, 1000.0, counted));
     EXPECT_GT(counted.events, 100);
+    EXPECT_GT(counted.samples, 2000);
     EXPECT_EQ(counted.found, 0);
   }
 }
