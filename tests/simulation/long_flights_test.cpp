@@ -72,4 +72,33 @@ TEST(LongFlight, HasTheSpeedOfAnImpactAfterMillionsOfRadians) {
   }
 }
 
+// A mass leaves its stop at x = 1 with a gap b t^3 (1 - t / T), which is seen above 2e-26 from half
+// of T on, and comes back at T, before a step of the search ends. The other mass makes steps short:
+// the flight is a long one. At a stop at x = 0 no gap is small. The gap at x = 1 is known to 1e-32,
+// and its speed is 1e-27.
+TEST(LongFlight, SeesAGapThatOpensAndClosesWithinAStepOfTheSearch) {
+  constexpr double omega = 1e-3, seen = 1e-26;
+  for (double closing = 218.0; closing < 238.0; closing += 1.0)
+    for (double share = 0.39; share < 0.405; share += 0.005) {
+      const double cube = std::pow(share * closing, 3), b = seen / (cube * (1.0 - share)),
+                   sine = 6.0 * b / omega, cosine = 24.0 * b / (closing * omega * omega);
+      double times[2];
+      for (const int place : {0, 1}) {
+        const Scene scene{.mass = {1.0, 1.0},
+                          .stiffness = {0.0, 1e-200},
+                          .amplitude = {-cosine, 0.0},
+                          .sine = {-sine, 0.0},
+                          .constant = {cosine, 0.0},
+                          .ground = {0.0, 1.0},
+                          .omega = omega,
+                          .restitution = 0.5,
+                          .stops = {{1, Side::upper, 1.0 * place}},
+                          .displacement = {1.0 * place, 0.0},
+                          .velocity = {0.0, 1.0}};
+        times[place] = events_of(scene, 0.0, 1.5 * closing).at(0).time;
+      }
+      EXPECT_NEAR(times[1], times[0], 1e-3) << closing << ' ' << share;
+    }
+}
+
 }  // namespace

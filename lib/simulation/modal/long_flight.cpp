@@ -162,16 +162,21 @@ const Motion &LongFlight::at(const Chain &chain, const Real &tau) {
 }
 
 // Goes back to the time, after `before`, at which a hidden contact is first seen below zero.
-void LongFlight::find_appearance(const Chain &chain, double before, Counters &counters) {
+// Returns false at a time at which one is seen above zero: the search goes on from there.
+bool LongFlight::find_appearance(const Chain &chain, double before, Counters &counters) {
+  const auto hidden = std::ranges::count(sight_, Sight::hidden);
   double after = searched_to_;
   while (after - before > step_rounding * after) {
     const double middle = before + 0.5 * (after - before);
     if (middle == before || middle == after) break;  // next to 0 no time lies between
     evaluate(chain, middle);
     ++counters.search_steps;
-    (look_at_hidden() ? after : before) = middle;
+    const bool appears = look_at_hidden();
+    if (!appears && std::ranges::count(sight_, Sight::hidden) < hidden) return false;
+    (appears ? after : before) = middle;
   }
   evaluate(chain, after);
+  return true;
 }
 
 FlightEnd LongFlight::search(const Chain &chain, double end, long long most_steps,
@@ -189,8 +194,7 @@ FlightEnd LongFlight::search(const Chain &chain, double end, long long most_step
     const double before = searched_to_;
     evaluate(chain, searched_to_ + step);
     ++counters.search_steps;
-    const bool appears = look_at_hidden();
-    if (appears) find_appearance(chain, before, counters);
+    const bool appears = look_at_hidden() && find_appearance(chain, before, counters);
     const bool is_root = newton_step().time.hi <= step_rounding * searched_to_;
     // A search that no longer moves has come to rounding: short steps go on from there.
     is_at_event_ = appears || is_root || searched_to_ == before;

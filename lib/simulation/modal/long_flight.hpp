@@ -87,7 +87,7 @@ class LongFlight {
   NewtonStep newton_step() const;
   double longest_blind_step() const;
   bool look_at_hidden();
-  void find_appearance(const Chain &chain, double before, Counters &counters);
+  bool find_appearance(const Chain &chain, double before, Counters &counters);
   Real refined(const Chain &chain, std::vector<Near> &near);
 };
 
