@@ -28,7 +28,7 @@ std::unique_ptr<detail::Run> run_at(double x, double v, const Scene &scene = for
 // The displacement that the run reports at the end of a call in which no time passes.
 double reported(double x, const Scene &scene = forced) {
   const auto run = run_at(x, 0.0, scene);
-  detail::advance(*run, 0.0, {});
+  detail::advance(*run, {}, {});
   return run->progress.last.displacement[0];
 }
 
@@ -62,7 +62,7 @@ TEST(MissedEvent, IsNoneInAMotionThatUnderflows) {
 // The run does not go on from a place beyond a stop.
 TEST(MissedEvent, GivesTheRunUp) {
   const auto run = run_at(position + 1e-3, -0.1);
-  detail::advance(*run, 1.0, {});
+  detail::advance(*run, Instant{.phase = 1.0}, {});
   EXPECT_EQ(run->progress.ending, Ending::given_up);
   EXPECT_EQ(run->progress.reason,
             "mass 1 lies beyond its stop at t = 0, given up: an event was missed");

@@ -118,6 +118,16 @@ TEST(Clock, TurnsAFreeMotionByWholePeriodsExactly) {
   }
 }
 
+// A sample at the end of a call, and one where the next call begins, lie in it by this.
+TEST(Clock, GivesTheInstantAtATimeThisTimeExactly) {
+  Draw draw{std::mt19937(1)};
+  for (int k = 0; k < 100'000; ++k) {
+    const Clock clock(draw.spread(1e-3, 1e3));
+    const double time = clock.period * draw.spread(1e-6, 1e12);
+    ASSERT_EQ(time_of(instant_at(time, clock), clock), time) << clock.period;
+  }
+}
+
 // A motion of 1e-170, of which the squares underflow.
 TEST(SmallMotion, MissesNoImpact) {
   const Scene scene = extremes::one_mass(0.0, 0.0, 1.0, 0.5, 0.5e-170, -1e-170);

@@ -73,7 +73,8 @@ inline Instant later(Instant instant, double tau, const Clock &clock) {
   return instant;
 }
 
-/// The instant at a time >= 0. Throws as `later` does.
+/// The instant at a time >= 0, which has this time: its phase has more digits. Throws as `later`
+/// does.
 inline Instant instant_at(double time, const Clock &clock) {
   return later(Instant{}, time, clock);
 }

@@ -152,10 +152,8 @@ void fly_on(Run &run, Recorders recorders) {
 
 }  // namespace
 
-void advance(Run &run, double until, Recorders recorders) {
-  run.progress = {.until = until,
-                  .end = instant_at(until, run.chain().clock),
-                  .next_sample = next_sample(recorders)};
+void advance(Run &run, const Instant &end, Recorders recorders) {
+  run.progress = {.end = end, .next_sample = next_sample(recorders)};
   run.counters = run.limit.counters = {};
   if (run.start) {
     put_at_start(run);

@@ -71,8 +71,7 @@ struct ChatterLimit {
 
 // The progress of one call of `advance`.
 struct Progress {
-  double until = 0.0;
-  Instant end;  // at the time `until`
+  Instant end;
   bool over = false;
   Ending ending = Ending::reached;
   std::string reason = {};
@@ -111,10 +110,10 @@ struct Run {
   }
 };
 
-// Runs on to the time `until`, or until a recorder is done or the run is given up, and sets
+// Runs on to `end`, or until a recorder is done or the run is given up, and sets
 // progress.last to the state there. The motion of the run stays at the start of the flight that
 // contains the end: hence the flights do not depend on where a call ends, but for those before the
 // limit of a chatter.
-void advance(Run &run, double until, Recorders recorders);
+void advance(Run &run, const Instant &end, Recorders recorders);
 
 }  // namespace vibro_impact::detail

@@ -109,7 +109,7 @@ Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) 
     const double first = recorder->next_time();
     require(first >= begin_time, "sample at t = ", first, ": the run begins at ", begin_time);
   }
-  detail::advance(run, until, recorders);
+  detail::advance(run, end, recorders);
   const detail::Progress &progress = run.progress;
   return {progress.last, time_of(progress.last.instant, clock), progress.ending, progress.reason,
           run.counters};
