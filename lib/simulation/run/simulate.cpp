@@ -94,12 +94,11 @@ Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) 
   detail::Run &run = *run_;
   const Clock &clock = run.chain().clock;
   // The motion of the run may stand before the end of the call before: see `advance`.
-  const Instant begin = run.start ? run.start->instant : run.progress.last.instant;
-  const double begin_time = time_of(begin, clock);
+  const double begin_time =
+      time_of(run.start ? run.start->instant : run.progress.last.instant, clock);
   require(std::isfinite(until), "until = ", until, ": must be finite");
   const Instant end = instant_at(until, clock);
-  require(until >= begin_time || !(end < begin), "until = ", until, ": lies before the start at ",
-          begin_time);
+  require(until >= begin_time, "until = ", until, ": lies before the start at ", begin_time);
   const double rate = std::sqrt(detail::largest_eigenvalue_bound(run.scene()));
   require(detail::longest_swing(rate, run.scene().beta, until - begin_time) <= detail::most_radians,
           "rate = ", rate, " of a chain that swings on: times the time ", until - begin_time,
