@@ -110,6 +110,7 @@ struct Run {
 struct SamplesAtEvents : Recorder {
   std::vector<Event> events = {};
   std::size_t taken = 0;
+  std::vector<double> velocities = {};  // of all masses
   std::string broken = {};
 
   explicit SamplesAtEvents(const std::vector<Event> &all) {
@@ -123,8 +124,10 @@ struct SamplesAtEvents : Recorder {
     const Event &event = events[taken++];
     const double before = event.velocity_before, sampled = moment.velocity(event.mass);
     double fastest = 0.0;
-    for (int mass = 1; mass <= moment.masses(); ++mass)
-      fastest = std::max(fastest, std::abs(moment.velocity(mass)));
+    for (int mass = 1; mass <= moment.masses(); ++mass) {
+      velocities.push_back(moment.velocity(mass));
+      fastest = std::max(fastest, std::abs(velocities.back()));
+    }
     if (std::abs(before) > 1e-6 * fastest && !(std::copysign(1.0, before) * sampled > 0.0) &&
         broken.empty())
       broken = fmt::format("sampled at the impact at {} with {} before it, has {}", event.time,
@@ -133,9 +136,9 @@ struct SamplesAtEvents : Recorder {
 };
 
 // A run that is sampled on its way is the same.
-inline std::string broken_by_samples(const Run &run, SampleRecorder &samples) {
+inline std::string broken_by_samples(const Run &run, SampleRecorder &samples,
+                                     SamplesAtEvents &at_events) {
   EventRecorder events;
-  SamplesAtEvents at_events(run.events);
   const Outcome outcome = simulate(run.scene, run.until, run.options, events, samples, at_events);
   const std::string differs = difference(run.events, run.outcome, events.events, outcome);
   return differs.empty() ? at_events.broken : "sampled: " + differs;
@@ -143,12 +146,15 @@ inline std::string broken_by_samples(const Run &run, SampleRecorder &samples) {
 
 // The run taken up where another one stood at `split`: the events of the two, in sequence, are
 // those of the whole, and so are the samples.
-inline std::string broken_by_a_split(const Run &run, double split, const SampleRecorder &samples) {
+inline std::string broken_by_a_split(const Run &run, double split, const SampleRecorder &samples,
+                                     const SamplesAtEvents &at_events) {
   EventRecorder events;
   SampleRecorder others(samples.from, samples.to, samples.every);
+  SamplesAtEvents others_at_events(run.events);
   Simulation simulation(run.scene, run.options);
-  if (simulation.advance(split, events, others).ending != Ending::reached) return "";
-  const Outcome outcome = simulation.advance(run.until, events, others);
+  if (simulation.advance(split, events, others, others_at_events).ending != Ending::reached)
+    return "";
+  const Outcome outcome = simulation.advance(run.until, events, others, others_at_events);
   const bool given_up = run.outcome.ending == Ending::given_up;
   // Each call has its own steps, so that two calls may go on for longer.
   if (given_up && events.events.size() > run.events.size()) events.events.resize(run.events.size());
@@ -156,7 +162,8 @@ inline std::string broken_by_a_split(const Run &run, double split, const SampleR
       difference(run.events, run.outcome, events.events, given_up ? run.outcome : outcome);
   if (!differs.empty()) return fmt::format("resumed at {}: {}", split, differs);
   if (given_up) return "";
-  if (others.times != samples.times || others.displacements != samples.displacements)
+  if (others.times != samples.times || others.displacements != samples.displacements ||
+      others_at_events.velocities != at_events.velocities)
     return fmt::format("resumed at {}: other samples", split);
   return "";
 }
@@ -288,8 +295,9 @@ inline Verdict try_scene(const Trial &trial, long long most_steps, double share,
   if (!run.events.empty() && draw.one_in(2))
     split = run.events[draw.generator() % run.events.size()].time;
   SampleRecorder samples{0.0, until, until / 701.3};
-  require_that([&] { return broken_by_samples(run, samples); });
-  require_that([&] { return broken_by_a_split(run, split, samples); });
+  SamplesAtEvents at_events(run.events);
+  require_that([&] { return broken_by_samples(run, samples, at_events); });
+  require_that([&] { return broken_by_a_split(run, split, samples, at_events); });
   require_that([&] { return broken_by_a_mirror(run); });
   require_that([&] { return own == nullptr ? "" : own(run); });
   Witness witness = witness_of(scene, until);

@@ -8,39 +8,31 @@ namespace vibro_impact::detail {
 
 namespace {
 
-// The change of displacement and velocity of two masses by the orders from 2 on, and their
-// acceleration.
+// The change of displacement and velocity of two masses by the orders from 2 on.
 struct Change {
-  Pair value, slope, acceleration;
+  Pair value, slope;
 };
 
-// Horner's rule for the sum of x_n u^(n-2), its derivative and half of its second derivative. The
-// orders above `half` are a chain of operations of their own beside that of those below, as if they
-// began at order 2.
+// Horner's rule for the sum of x_n u^(n-2) and its derivative. The orders above `half` are a chain
+// of operations of their own beside that of those below, as if they began at order 2.
 inline Change change_at(const TaylorTable &table, std::size_t i, double tau) {
   const double unit = table.step.unit, u = tau / unit;
   const int last = table.step.order + 1, half = last / 2;  // the order is odd
   const double *low = table.of_order(half) + i, *high = table.of_order(last) + i;
-  Pair value = pair(low), slope{}, bend{}, high_slope = pair(high),
-       high_value = high_slope * u + pair(high -= table.stride), high_bend{};
-  double before = 0.0, power = 1.0;  // u^(half - 3) and u^(half - 2)
+  Pair value = pair(low), slope{}, high_slope = pair(high),
+       high_value = high_slope * u + pair(high -= table.stride);
+  double power = 1.0;  // u^(half - 2)
   for (int n = half; n > 2; --n) {
-    bend = bend * u + slope;
     slope = slope * u + value;
     value = value * u + pair(low -= table.stride);
-    high_bend = high_bend * u + high_slope;
     high_slope = high_slope * u + high_value;
     high_value = high_value * u + pair(high -= table.stride);
-    before = power;
     power *= u;
   }
-  const double k = half - 1.0;
-  bend += before * (0.5 * k * (k - 1.0)) * high_value + power * (k * high_slope + u * high_bend);
-  slope += power * (k * high_value + u * high_slope);
+  slope += power * ((half - 1.0) * high_value + u * high_slope);
   value += power * (u * high_value);
   // u^2 would be rounded alike in every step of a length.
-  return {u * (u * value), (u / unit) * (2.0 * value + u * slope),
-          2.0 * (value + u * (2.0 * slope + u * bend)) / unit / unit};
+  return {u * (u * value), (u / unit) * (2.0 * value + u * slope)};
 }
 
 }  // namespace
@@ -48,25 +40,22 @@ inline Change change_at(const TaylorTable &table, std::size_t i, double tau) {
 Real exact_root(const TaylorTable &table, const Contact &closing, const Motion &motion,
                 double tau) {
   const std::size_t i = closing.mass / 2 * 2, k = closing.mass % 2;
-  const Change change = change_at(table, i, tau);  // as the motion moves, to the last bit
+  const Change change = change_at(table, i, tau);
   const RealPair v = load(&motion.v[i]),
                  x = load(&motion.x[i]) + (v * Pair{tau, tau} + change.value);
   const double speed = (v + change.slope).hi[k],
                newton = rounded(closing.position - Real(x.hi[k], x.lo[k])) / speed;
-  if (closing.sigma * speed > 0.0 && std::abs(newton) <= step_rounding * tau) return {tau, newton};
-  return tau;
+  if (!(closing.sigma * speed > 0.0 && std::abs(newton) <= step_rounding * tau)) return tau;
+  return Real::quick_sum(tau, newton);
 }
 
 void move_along(const Chain &chain, const TaylorTable &table, const Real &tau, Motion &motion) {
   for (std::size_t i = 0; i < table.stride; i += 2) {
-    const auto [value, slope, acceleration] = change_at(table, i, tau.hi);
+    const auto [value, slope] = change_at(table, i, tau.hi);
     const RealPair x = load(&motion.x[i]), v = load(&motion.v[i]);
-    RealPair x_then = x + (v * Pair{tau.hi, tau.hi} + value), v_then = v + slope;
-    if (tau.lo != 0.0) {  // at most 1e-13 of tau, and its square 1e-26
-      x_then += tau.lo * v_then.hi;
-      v_then += tau.lo * acceleration;
-    }
-    store(x_then, &motion.x[i]);
+    const RealPair x_then = x + (v * Pair{tau.hi, tau.hi} + value), v_then = v + slope;
+    // The change of the velocity over tau.lo lies below the rounding of its slope.
+    store(x_then + tau.lo * v_then.hi, &motion.x[i]);
     store(v_then, &motion.v[i]);
     const Pair speed = modulus(v.hi);
     put(modulus(x.hi) + tau.hi * speed + modulus(value), &motion.x_terms[i]);

@@ -114,7 +114,7 @@ FlightEnd search_step(Run &run) {
   return end;
 }
 
-// Searches a flight in closed form, up to the end of the call.
+// Searches a flight in closed form, up to the end of the call and the rounding of an event there.
 FlightEnd search_far(Run &run) {
   const Chain &chain = run.chain();
   if (!run.long_flight.is_under_way()) {
@@ -122,8 +122,8 @@ FlightEnd search_far(Run &run) {
     // It sees by itself when a mass without force begins to move.
     for (StopState &stop : run.stops) stop.at = ExactZeros{};
   }
-  return run.long_flight.search(chain, time_to_end(run), steps_left(run), run.scratch.near,
-                                run.counters);
+  return run.long_flight.search(chain, (1.0 + step_rounding) * time_to_end(run), steps_left(run),
+                                run.scratch.near, run.counters);
 }
 
 // Moves the run to the end of the flight that was searched.
