@@ -95,7 +95,7 @@ void enter_limit(Run &run, Recorders recorders) {
 
 void take_limit(Run &run, Recorders recorders) {
   ChatterLimit &limit = run.limit;
-  if (run.progress.over) return;
+  if (run.progress.ending) return;
   if (!limit.is_ahead &&
       (run.hint.quiet_steps > 0 || !run.chatter.is_at_node() || !find_limit(run)))
     return;
@@ -109,7 +109,7 @@ bool limit_ends_flight(Run &run, const Real &tau, Recorders recorders) {
   const Real left = elapsed(run.motion.now, run.limit.motion.now, run.chain().clock);
   if (tau < left) return false;
   sample(run, left, recorders);
-  if (!run.progress.over) enter_limit(run, recorders);
+  if (!run.progress.ending) enter_limit(run, recorders);
   return true;
 }
 

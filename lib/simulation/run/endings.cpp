@@ -25,8 +25,7 @@ void give_up_beyond_range(Run &run, double time) {
 }  // namespace
 
 void stop_run(Run &run, Ending ending, std::string reason) {
-  if (run.progress.over) return;
-  run.progress.over = true;
+  if (run.progress.ending) return;
   run.progress.ending = ending;
   run.progress.reason = std::move(reason);
 }

@@ -137,15 +137,15 @@ void move_to(Run &run, const FlightEnd &end) {
 // One flight of the loop.
 void fly_on(Run &run, Recorders recorders) {
   check_motion(run, run.motion);
-  if (run.progress.over) return;
+  if (run.progress.ending) return;
   const bool far = run.long_flight.takes_over(run.chain(), run.hint.quiet_steps);
   const FlightEnd end = far ? search_far(run) : search_step(run);
   check_search(run, end);
-  if (run.progress.over || limit_ends_flight(run, end.tau, recorders)) return;
+  if (run.progress.ending || limit_ends_flight(run, end.tau, recorders)) return;
   const double remaining = time_to_end(run);
   if (end.tau.hi > remaining || remaining == 0.0) return end_at_time(run, recorders);
   sample(run, end.tau, recorders);
-  if (run.progress.over) return;
+  if (run.progress.ending) return;
   move_to(run, end);
   end_flight(run, end.tau.hi, end.event, recorders);
 }
@@ -161,7 +161,7 @@ void advance(Run &run, const Instant &end, Recorders recorders) {
   }
   // A chatter may stand at a node, or before its limit, since the call before.
   take_limit(run, recorders);
-  while (!run.progress.over) {
+  while (!run.progress.ending) {
     fly_on(run, recorders);
     check_steps(run);
   }

@@ -170,7 +170,7 @@ void sample(Run &run, const Real &tau, Recorders recorders) {
 void end_at_time(Run &run, Recorders recorders) {
   const Real tau = run.time_until(run.progress.end);
   sample_up_to(run, time_of(run.progress.end, run.chain().clock), tau, recorders);
-  if (run.progress.over) return;
+  if (run.progress.ending) return;
   const Motion &motion = motion_at(run, tau);
   run.progress.last = MomentOfMotion(run, motion, run.progress.end).state();
   if (run.long_flight.is_under_way()) ++run.counters.states_computed;

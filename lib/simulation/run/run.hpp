@@ -72,8 +72,7 @@ struct ChatterLimit {
 // The progress of one call of `advance`.
 struct Progress {
   Instant end;
-  bool over = false;
-  Ending ending = Ending::reached;
+  std::optional<Ending> ending = {};  // when the call is over
   std::string reason = {};
   // The time of the next sample. It changes when a recorder has been called.
   double next_sample = infinity;

@@ -110,7 +110,7 @@ Outcome Simulation::advance(double until, std::span<Recorder *const> recorders) 
   }
   detail::advance(run, end, recorders);
   const detail::Progress &progress = run.progress;
-  return {progress.last, time_of(progress.last.instant, clock), progress.ending, progress.reason,
+  return {progress.last, time_of(progress.last.instant, clock), *progress.ending, progress.reason,
           run.counters};
 }
 
