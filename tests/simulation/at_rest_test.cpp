@@ -198,25 +198,44 @@ TEST(AtRest, AMassWithoutForceThatDriftsAwayComesBackToItsStop) {
   EXPECT_NEAR(events[0].velocity_before, 0.5 * speed, 1e-6 * speed);
 }
 
-// A force that lies below the threshold of zero, beside the link at x = 1, presses two masses into
-// their stops. They are put back whenever they have moved by the threshold, and do not bounce.
-TEST(AtRest, AForceBelowTheThresholdMakesNoMassBounce) {
-  for (const double force : {1e-27, 1e-29})
-    for (const double restitution : {0.0, 0.5}) {
-      const Scene scene{.mass = {1.0, 1.0},
-                        .stiffness = {0.0, 1.0},
-                        .beta = 0.1,
-                        .constant = {force, force},
-                        .omega = 0.0,
-                        .restitution = restitution,
-                        .stops = {{1, Side::upper, 1.0}, {2, Side::upper, 1.0}},
-                        .displacement = {1.0, 1.0}};
-      EventRecorder recorder;
-      const Outcome outcome = simulate(scene, 1e4, {.max_steps = 20'000}, recorder);
-      EXPECT_EQ(outcome.ending, Ending::reached);
-      EXPECT_EQ(recorder.events.size(), 0u) << force << ' ' << restitution;
-      EXPECT_EQ(outcome.state.displacement, scene.displacement);
-    }
+// Forces far below the rounding of k x at x = 1 press masses onto their stops. A mass that stays
+// where it was placed stands there exactly: the springs between such masses have no rounding.
+TEST(AtRest, ASmallForceHoldsMassesAtStopsThatAreNotAtZero) {
+  for (const double place : {0.0, 1.0})
+    for (const double force : {1e-24, 1e-27, 1.9e-32})
+      for (const double restitution : {0.0, 0.5}) {
+        const Scene scene{.mass = {1.0, 1.0},
+                          .stiffness = {0.0, 1e3},
+                          .beta = 0.1,
+                          .constant = {force, force},
+                          .omega = 0.0,
+                          .restitution = restitution,
+                          .stops = {{1, Side::upper, place}, {2, Side::upper, place}},
+                          .displacement = {place, place}};
+        const std::vector<Event> events = events_of(scene, 0.0, 1e6, {.max_steps = 10'000});
+        EXPECT_EQ(select(events, EventKind::stick).size(), 2u) << place << ' ' << force;
+        EXPECT_EQ(events.size(), 2u) << place << ' ' << force;
+      }
+}
+
+// A force of 3e-18 that falls holds mass 1. Beside a link of 1e9 it was taken for zero, and its
+// slope released the mass: it came back after 3e-13, five million times.
+TEST(AtRest, ASmallForceThatFallsHoldsAMassBesideAStiffLink) {
+  for (const double place : {0.0, 1.0}) {
+    const Scene scene{.mass = {1.0, 0.5},
+                      .stiffness = {0.0, 1e9},
+                      .beta = 1e-3,
+                      .amplitude = {3e-18, 0.0},
+                      .sine = {-1.5e-18, 0.0},
+                      .omega = 1.0,
+                      .restitution = 0.5,
+                      .stops = {{1, Side::upper, place}, {2, Side::upper, place}},
+                      .displacement = {place, place}};
+    const std::vector<Event> events = events_of(scene, 0.0, 1.0, {.max_steps = 10'000});
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events[0].kind, EventKind::stick);
+    EXPECT_EQ(events[0].mass, 1);
+  }
 }
 
 }  // namespace

@@ -111,6 +111,7 @@ struct SamplesAtEvents : Recorder {
   std::vector<Event> events = {};
   std::size_t taken = 0;
   std::vector<double> velocities = {};  // of all masses
+  double fastest = 0.0;
   std::string broken = {};
 
   explicit SamplesAtEvents(const std::vector<Event> &all) {
@@ -123,7 +124,6 @@ struct SamplesAtEvents : Recorder {
   void sample(const Moment &moment) override {
     const Event &event = events[taken++];
     const double before = event.velocity_before, sampled = moment.velocity(event.mass);
-    double fastest = 0.0;
     for (int mass = 1; mass <= moment.masses(); ++mass) {
       velocities.push_back(moment.velocity(mass));
       fastest = std::max(fastest, std::abs(velocities.back()));

@@ -69,7 +69,8 @@ struct Recorder {
   /// A run calls `sample` at the time that `next_time` returns, and asks for the next time as it
   /// begins, after every event and after every sample. Each time must be later than the latest
   /// sample. Infinity asks for no sample. A sample at the time of an event has the motion before
-  /// it, but at the time at which a run starts the motion after its events.
+  /// it, but where it was asked for in `event`, and at the time at which a run starts, the motion
+  /// after it.
   virtual double next_time() const {
     return infinity;
   }

@@ -78,7 +78,7 @@ double largest_terms(const Chain &chain, const Motion &motion, double time) {
 void place(std::size_t mass, const Real &x, const Real &v, Motion &motion) {
   motion.x[mass] = x;
   motion.v[mass] = v;
-  motion.x_terms[mass] = std::abs(x.hi);
+  motion.x_terms[mass] = 0.0;
   motion.v_terms[mass] = std::abs(v.hi);
   motion.acceleration_known = false;
 }
@@ -105,8 +105,7 @@ Value force_of(const Chain &chain, const Contact &contact, const Motion &motion)
   const auto &[cosine, sine] = motion.turn;
   double slope = chain.omega * (chain.b[i] * cosine.hi - chain.a[i] * sine.hi);
   Value value;
-  value.terms = std::abs(chain.p[i]) + std::abs(chain.a[i]) + std::abs(chain.b[i]) +
-                chain.stiffness_at(i) * motion.x_terms[i];
+  value.terms = sum_of_forces(chain, i, motion) + chain.stiffness_at(i) * motion.x_terms[i];
   chain.each_link(i, [&](double stiffness, std::size_t other) {
     slope += stiffness * (motion.v[other].hi + chain.beta * motion.acceleration[other]);
     value.terms += stiffness * (motion.x_terms[other] + chain.beta * motion.v_terms[other]);

@@ -23,7 +23,8 @@ struct Motion {
   List<double> acceleration;
   bool acceleration_known = false;
   // Sums of the moduli of the terms that x and v are made of, over the latest flight: a mass that
-  // passes x = 0 onto a stop at 0 has no terms at that instant.
+  // passes x = 0 onto a stop at 0 has no terms at that instant. While a mass stays where it was
+  // placed, its x is exact and has no terms.
   List<double> x_terms, v_terms;
 };
 

@@ -57,8 +57,8 @@ void move_along(const Chain &chain, const TaylorTable &table, const Real &tau, M
     // The change of the velocity over tau.lo lies below the rounding of its slope.
     store(x_then + tau.lo * v_then.hi, &motion.x[i]);
     store(v_then, &motion.v[i]);
-    const Pair speed = modulus(v.hi);
-    put(modulus(x.hi) + tau.hi * speed + modulus(value), &motion.x_terms[i]);
+    const Pair speed = modulus(v.hi), way = tau.hi * speed + modulus(value);
+    put(way == 0.0 ? pair(&motion.x_terms[i]) : modulus(x.hi) + way, &motion.x_terms[i]);
     put(speed + modulus(slope), &motion.v_terms[i]);
   }
   pass_time(chain, tau, motion);

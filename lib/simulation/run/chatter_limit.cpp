@@ -84,7 +84,9 @@ void enter_limit(Run &run, Recorders recorders) {
   forget_instant(run);
   StopState &stop = run.stops[limit.stop];
   stop.at = Resting{};
-  stop.unreported = limit.unreported;
+  // What is left of sums that were reported may be negative by rounding.
+  stop.unreported = {std::max(0.0, limit.unreported.impulse),
+                     std::max(0.0, limit.unreported.energy)};
   run.chatter.end();
   run.hint = {};
   ++run.counters.chatter_limits;

@@ -64,7 +64,7 @@ bool is_decision_due(const Run &run) {
   return std::any_of(run.motion.mode->contacts.begin(), run.motion.mode->contacts.end(),
                      [&run](Contact contact) {
                        const AtStop &at = run.stops[contact.stop].at;
-                       if (!is<Forceless>(at)) return is<Postponed>(at) || is<Resting>(at);
+                       if (!is<Forceless>(at)) return is<Postponed>(at);
                        contact.held = true;  // the force on the mass at rest
                        const Value force = evaluate(run.chain(), contact, run.motion);
                        return abs(force.value) > zero_threshold * force.terms;
@@ -142,8 +142,8 @@ void fly_on(Run &run, Recorders recorders) {
   const FlightEnd end = far ? search_far(run) : search_step(run);
   check_search(run, end);
   if (run.progress.ending || limit_ends_flight(run, end.tau, recorders)) return;
-  const double remaining = time_to_end(run);
-  if (end.tau.hi > remaining || remaining == 0.0) return end_at_time(run, recorders);
+  const Real remaining = run.time_until(run.progress.end);
+  if (remaining < end.tau || remaining.hi <= 0.0) return end_at_time(run, recorders);
   sample(run, end.tau, recorders);
   if (run.progress.ending) return;
   move_to(run, end);

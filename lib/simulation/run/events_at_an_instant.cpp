@@ -128,13 +128,7 @@ void hold_or_release(Run &run, Recorders recorders) {
 void forget_instant(Run &run) {
   for (const Contact &contact : run.motion.mode->contacts) {
     AtStop &at = run.stops[contact.stop].at;
-    if (is<Postponed>(at)) continue;
-    const Value gap = gap_of(contact, run.motion);
-    if (is<Forceless>(at) && gap.is_zero()) continue;
-    // A force below the threshold has pressed the mass into its stop.
-    if (is<Forceless>(at) && gap.value.hi < 0.0)
-      at = Resting{};
-    else
+    if (is<Forceless>(at) ? !gap_of(contact, run.motion).is_zero() : !is<Postponed>(at))
       at = ExactZeros{};
   }
 }

@@ -23,8 +23,10 @@ RestDecision::Term RestDecision::springs_on(const Chain &chain, std::size_t i) c
     if (stiffness == 0.0) return;
     const Term &x = order_n_[i], &v = order_n_plus_1_[i], &x_other = order_n_[other],
                &v_other = order_n_plus_1_[other];
-    force.value -= stiffness * ((x.value - x_other.value) + damping * (v.value - v_other.value));
-    force.terms += stiffness * (x.terms + x_other.terms + damping * (v.terms + v_other.terms));
+    const Real stretch = x.value - x_other.value, rate = v.value - v_other.value;
+    force.value -= stiffness * (stretch + damping * rate);
+    force.terms += stiffness * (std::abs(stretch.hi) + x.terms + x_other.terms +
+                                damping * (std::abs(rate.hi) + v.terms + v_other.terms));
   };
   add_spring(chain.link[i], i > 0 ? i - 1 : ground);
   add_spring(chain.above(i), i + 1);
