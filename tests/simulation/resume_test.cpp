@@ -112,6 +112,23 @@ TEST(Resume, ASampleAtTheRoundedTimeOfAnImpactHasTheVelocityBeforeIt) {
   }
 }
 
+// A multiple of the rounded period may lie just before the whole period.
+TEST(Resume, ARunGoesOnFromAMultipleOfThePeriod) {
+  Scene scene = paper::figure2();
+  for (const double omega : {0.7, 0.07, 0.256})
+    for (const int periods : {1, 2, 3, 7}) {
+      scene.omega = omega;
+      const double time = periods * Clock(omega).period;
+      SampleRecorder last(0.0, time, time / 2.0), first(time, time + 1.0, 0.5);
+      Simulation simulation(scene);
+      EXPECT_EQ(simulation.advance(time, last).time, time);
+      EXPECT_EQ(simulation.advance(time).time, time);
+      EXPECT_EQ(simulation.advance(time + 1.0, first).ending, Ending::reached);
+      EXPECT_EQ(last.times.back(), time);
+      EXPECT_EQ(first.times.front(), time);
+    }
+}
+
 // A flight that ends at the time of an impact passes the stop by a rounding in one of a thousand
 // cases. The state at its end lies on the stop, so that a run can start from it.
 TEST(Resume, ARunThatEndsAtAnImpactEndsNoFurtherThanTheStop) {

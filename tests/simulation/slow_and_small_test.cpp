@@ -125,6 +125,10 @@ TEST(Clock, GivesTheInstantAtATimeThisTimeExactly) {
     const Clock clock(draw.spread(1e-3, 1e3));
     const double time = clock.period * draw.spread(1e-6, 1e12);
     ASSERT_EQ(time_of(instant_at(time, clock), clock), time) << clock.period;
+    const double periods = k % 200 * clock.period;
+    const Instant instant = instant_at(periods, clock);
+    ASSERT_EQ(time_of(instant, clock), periods) << clock.period;
+    ASSERT_LT(instant.phase, clock.period);
   }
 }
 

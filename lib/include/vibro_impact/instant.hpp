@@ -38,7 +38,10 @@ struct Clock {
     if (omega == 0.0) return;
     period = two_pi / omega;
     if (!std::isfinite(period)) detail::refuse_omega(omega);
-    period_low = (std::fma(-omega, period, two_pi) + two_pi_low) / omega;
+    const double rest = (std::fma(-omega, period, two_pi) + two_pi_low) / omega,
+                 nearest = period + rest;
+    period_low = rest - (nearest - period);
+    period = nearest;
   }
 };
 
@@ -76,7 +79,11 @@ inline Instant later(Instant instant, double tau, const Clock &clock) {
 /// The instant at a time >= 0, which has this time: its phase has more digits. Throws as `later`
 /// does.
 inline Instant instant_at(double time, const Clock &clock) {
-  return later(Instant{}, time, clock);
+  const Instant instant = later(Instant{}, time, clock);
+  if (!(time_of(instant, clock) > time)) return instant;
+  // The time lies just before a multiple of the period.
+  const auto cycles = static_cast<double>(instant.cycle - 1);
+  return {instant.cycle - 1, std::fma(-cycles, clock.period, time) - cycles * clock.period_low};
 }
 
 /// The time from a to b. The difference of the cycle counts is exact up to `most_periods`.
