@@ -35,6 +35,10 @@ TEST(Listing, DoesNotMoveTheRun) {
     EXPECT_EQ(std::ranges::count(events.events, EventKind::stick, &Event::kind),
               alone.counters.sticks);
     EXPECT_NEAR(sum_of(events.events).impulse, sum_of(all).impulse, 1e-12) << slowest;
+    for (const Event &event : events.events) {
+      EXPECT_GE(event.taken.impulse, 0.0) << slowest << ' ' << event.time;
+      EXPECT_GE(event.taken.energy, 0.0) << slowest << ' ' << event.time;
+    }
     const auto as_fast = [slowest](const Event &event) {
       return event.kind == EventKind::impact && std::abs(event.velocity_before) >= slowest;
     };

@@ -112,6 +112,41 @@ TEST(Resume, ASampleAtTheRoundedTimeOfAnImpactHasTheVelocityBeforeIt) {
   }
 }
 
+// A double of this time stands for 1e-6, and the rounded time of an impact may lie so far behind
+// it.
+TEST(Resume, ASampleAtAnImpactAfterABillionPeriodsIsNotBeyondTheStop) {
+  for (int k = 1; k <= 20; ++k) {
+    const Scene scene{
+        .mass = {1.0}, .stiffness = {1.0}, .restitution = 0.5, .stops = {{1, Side::upper, 0.5}}};
+    const MotionState start{{1'000'000'000, 0.0}, {0.0}, {1.0 + 0.01 * k}, {0}};
+    const double time =
+        events_from(scene, start, time_of({1'000'000'000, 1.0}, Clock(1.0))).at(0).time;
+    FirstSample at(time);
+    EXPECT_EQ(Simulation(scene, start).advance(time + 1.0, at).ending, Ending::stopped);
+    EXPECT_LE(at.displacement[0], 0.5);
+    EXPECT_NEAR(at.displacement[0], 0.5, 1e-6);
+    EXPECT_GT(at.velocity[0], 0.0);
+  }
+}
+
+// The mass is slow where it hits: its root is found to some hundred doubles, and corrected. The
+// call looks for its end among these.
+TEST(Resume, ACallReportsAnEventBeforeItsEndAndNoneAfterIt) {
+  constexpr double spacing = 0x1p-52;
+  for (int k = 1; k <= 300; ++k) {
+    const Scene scene{.mass = {1.0},
+                      .stiffness = {1.0},
+                      .restitution = 0.5,
+                      .stops = {{1, Side::upper, 1.0 - 1e-9 * k}},
+                      .velocity = {1.0}};
+    const double time = events_of(scene, 0.0, 1.6).at(0).time;
+    for (const double doubles : {2.0, 100.0}) {
+      EXPECT_EQ(events_of(scene, 0.0, time - doubles * spacing).size(), 0u) << k;
+      EXPECT_EQ(events_of(scene, 0.0, time + doubles * spacing).size(), 1u) << k;
+    }
+  }
+}
+
 // A multiple of the rounded period may lie just before the whole period.
 TEST(Resume, ARunGoesOnFromAMultipleOfThePeriod) {
   Scene scene = paper::figure2();
