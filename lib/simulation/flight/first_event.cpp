@@ -119,16 +119,19 @@ FlightEnd StepSearch::find_first_event(const Chain &chain, const Motion &motion,
                         sum_of_forces(chain, contact.mass, motion));
   };
   bool any_touches = false;
+  const Contact *closing = nullptr;  // the first whose gap is zero
   for (std::size_t k = 0; k < mode.contacts.size(); ++k) {
     // Stops that come earlier in the list have a root that may lie far beyond the first.
     if (roots[k] > u + same_instant * u) continue;
     near[k] = touches(k) ? Near::touch : Near::zero;
     any_touches = any_touches || near[k] == Near::touch;
+    if (!closing && !mode.contacts[k].held) closing = &mode.contacts[k];
   }
   // Others may touch at the same instant, although such roots are found to half the digits only.
   for (std::size_t k = 0; k < mode.contacts.size() && any_touches; ++k)
     if (roots[k] != u && touches(k)) near[k] = Near::touch;
-  return {u * step.unit, true};
+  const double tau = u * step.unit;
+  return {closing ? exact_root(table, *closing, motion, tau) : Real(tau), true};
 }
 
 }  // namespace vibro_impact::detail

@@ -26,8 +26,9 @@ enum class Near : char { no, perhaps, zero, touch, rest };
 // near a place where it has this value, this slope and this half of the second derivative.
 bool only_touches(double value, double slope, double second, double terms);
 
-// A flight that ends at the time tau, with or without an event. With an event, tau is NaN if the
-// motion leaves the range of double precision, and infinite if the search for a root did not end.
+// A flight that ends at the time tau, with or without an event: where a gap closes, at its root in
+// twice the precision. With an event, tau is NaN if the motion leaves the range of double
+// precision, and infinite if the search for a root did not end.
 struct FlightEnd {
   Real tau = 0.0;
   bool event = false;

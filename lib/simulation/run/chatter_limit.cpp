@@ -84,7 +84,7 @@ void enter_limit(Run &run, Recorders recorders) {
   forget_instant(run);
   StopState &stop = run.stops[limit.stop];
   stop.at = Resting{};
-  // What is left of sums that were reported may be negative by rounding.
+  // The sums without the impacts that were reported may be negative by rounding.
   stop.unreported = {std::max(0.0, limit.unreported.impulse),
                      std::max(0.0, limit.unreported.energy)};
   run.chatter.end();

@@ -91,27 +91,13 @@ void end_flight(Run &run, double tau, bool event, Recorders recorders) {
   take_limit(run, recorders);
 }
 
-double time_to_end(const Run &run) {
-  return std::max(0.0, rounded(run.time_until(run.progress.end)));
-}
-
-// The first contact whose gap is zero at the end of the step, if there is one.
-const Contact *closing_gap(const Run &run) {
-  const List<Contact> &contacts = run.motion.mode->contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (!contacts[k].held && run.scratch.near[k] == Near::zero) return &contacts[k];
-  return nullptr;
-}
-
 // Searches one step of the Taylor table.
 FlightEnd search_step(Run &run) {
   Scratch &scratch = run.scratch;
   set_starts(run);
-  FlightEnd end = scratch.step.find_first_event(run.chain(), run.motion, plan_step(run),
-                                                scratch.starts, scratch.near, run.counters);
-  if (const Contact *closing = end.event ? closing_gap(run) : nullptr)
-    end.tau = exact_root(scratch.step.table, *closing, run.motion, end.tau.hi);
-  return end;
+  const Step step = plan_step(run);
+  return scratch.step.find_first_event(run.chain(), run.motion, step, scratch.starts, scratch.near,
+                                       run.counters);
 }
 
 // Searches a flight in closed form, up to the end of the call and the rounding of an event there.
@@ -122,7 +108,8 @@ FlightEnd search_far(Run &run) {
     // It sees by itself when a mass without force begins to move.
     for (StopState &stop : run.stops) stop.at = ExactZeros{};
   }
-  return run.long_flight.search(chain, (1.0 + step_rounding) * time_to_end(run), steps_left(run),
+  const double to_end = std::max(0.0, rounded(run.time_until(run.progress.end)));
+  return run.long_flight.search(chain, (1.0 + step_rounding) * to_end, steps_left(run),
                                 run.scratch.near, run.counters);
 }
 

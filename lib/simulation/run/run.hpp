@@ -109,10 +109,10 @@ struct Run {
   }
 };
 
-// Runs on to `end`, or until a recorder is done or the run is given up, and sets
-// progress.last to the state there. The motion of the run stays at the start of the flight that
-// contains the end: hence the flights do not depend on where a call ends, but for those before the
-// limit of a chatter.
+// Runs on to `end`, or until a recorder is done or the run is given up, and sets progress.last to
+// the state there. The motion of the run stays at the start of the flight that contains the end:
+// hence the flights do not depend on where a call ends, but for those before the limit of a
+// chatter.
 void advance(Run &run, const Instant &end, Recorders recorders);
 
 }  // namespace vibro_impact::detail
